@@ -1,0 +1,95 @@
+//! A camera that is only partly told, by flags or by a scene file, and framing for the rest.
+
+use super::{
+    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, UpAxis, Viewport, fit_near_far,
+};
+use crate::geometry::Aabb;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// What somebody said about the camera; `None` leaves the field to the next source. World space and units; angles
+/// in degrees, since this is the user's edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct CameraChoice {
+    /// Where the eye stands.
+    pub eye: Option<DVec3>,
+    /// What it looks at.
+    pub target: Option<DVec3>,
+    /// Which way it looks, in place of a target.
+    pub look: Option<DVec3>,
+    /// What is up in the picture; need not be perpendicular to the line of sight.
+    pub up: Option<DVec3>,
+    /// Vertical field of view in degrees.
+    pub fov: Option<f64>,
+    /// Full height of an orthographic picture, in place of a field of view.
+    pub ortho: Option<f64>,
+    /// Near plane's view depth.
+    pub near: Option<f64>,
+    /// Far plane's view depth.
+    pub far: Option<f64>,
+    /// What the depth buffer stores.
+    pub depth: Option<DepthMapping>,
+    /// Which world axis points up.
+    pub up_axis: Option<UpAxis>,
+}
+
+impl CameraChoice {
+    /// Vertical field of view where none is given, in degrees.
+    pub const FOV: f64 = 45.0;
+
+    /// These choices, and `other`'s where there are none. Target and look stand in for each other, and so do field
+    /// of view and orthographic height.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        let aims = self.target.is_some() || self.look.is_some();
+        let narrows = self.fov.is_some() || self.ortho.is_some();
+        Self {
+            eye: self.eye.or(other.eye),
+            target: if aims { self.target } else { other.target },
+            look: if aims { self.look } else { other.look },
+            up: self.up.or(other.up),
+            fov: if narrows { self.fov } else { other.fov },
+            ortho: if narrows { self.ortho } else { other.ortho },
+            near: self.near.or(other.near),
+            far: self.far.or(other.far),
+            depth: self.depth.or(other.depth),
+            up_axis: self.up_axis.or(other.up_axis),
+        }
+    }
+
+    /// The camera: what was chosen, and framing of `bounds_world` for the rest.
+    ///
+    /// # Errors
+    /// When the choices make no camera; see [`CameraError`].
+    pub fn resolve(&self, bounds_world: &Aabb, viewport: Viewport) -> Result<Camera, CameraError> {
+        let up_axis = self.up_axis.unwrap_or_default();
+        let fov_y = self.fov.unwrap_or(Self::FOV).to_radians();
+        let mut lens = Lens {
+            projection: match self.ortho {
+                Some(height) => Projection::Orthographic { height },
+                None => Projection::Perspective { fov_y },
+            },
+            // Any valid planes, until the camera is there to fit them to.
+            near: 1.0,
+            far: 2.0,
+            depth: self.depth.unwrap_or_default(),
+        };
+        lens.check()?;
+        let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
+        let up = self.up.unwrap_or(up_axis.up());
+        let camera = if let Some(look) = self.look {
+            let along = look.try_normalize().ok_or(CameraError::NoDirection)? * framing.distance();
+            let eye = self.eye.unwrap_or(framing.target() - along);
+            Camera::looking(eye, along, up, lens)?
+        } else {
+            let target = self.target.unwrap_or(framing.target());
+            let eye = self
+                .eye
+                .unwrap_or(target + (framing.eye() - framing.target()));
+            Camera::new(eye, target, up, lens)?
+        };
+        (lens.near, lens.far) = fit_near_far(&camera, bounds_world, self.near, self.far);
+        camera.with_lens(lens)
+    }
+}

@@ -1,0 +1,134 @@
+//! Perspective and orthographic projection, the near and far planes and what becomes of depth.
+
+use super::CameraError;
+use glam::{DMat4, DVec2, DVec4};
+use serde::{Deserialize, Serialize};
+
+/// How view space becomes the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Perspective or orthographic.
+    pub projection: Projection,
+    /// View depth of the near plane, which still belongs to the picture. Above 0 in perspective.
+    pub near: f64,
+    /// View depth of the far plane, which does not belong to the picture.
+    pub far: f64,
+    /// What the depth buffer stores.
+    pub depth: DepthMapping,
+}
+
+/// What narrows the view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Straight lines through the eye.
+    Perspective {
+        /// Vertical field of view in radians, in (0, pi).
+        fov_y: f64,
+    },
+    /// Parallel lines along F.
+    Orthographic {
+        /// Full height of the picture in world units.
+        height: f64,
+    },
+}
+
+/// From view depth to the depth buffer's [0, 1].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DepthMapping {
+    /// Near becomes 1 and far 0: with a floating-point buffer the precision follows the distance.
+    #[default]
+    Reversed,
+    /// Near becomes 0 and far 1: as courses teach it.
+    Standard,
+}
+
+impl std::fmt::Display for DepthMapping {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Reversed => "reversed",
+            Self::Standard => "standard",
+        })
+    }
+}
+
+impl Lens {
+    /// Whether there is such a lens.
+    ///
+    /// # Errors
+    /// When the field of view lies outside (0, 180) degrees, the height is not positive, near is not positive in
+    /// perspective, or near does not lie before far.
+    pub fn check(&self) -> Result<(), CameraError> {
+        let Self { near, far, .. } = *self;
+        match self.projection {
+            Projection::Perspective { fov_y } if !(fov_y > 0.0 && fov_y < std::f64::consts::PI) => {
+                return Err(CameraError::FieldOfView(fov_y.to_degrees()));
+            }
+            Projection::Perspective { .. } if !(near > 0.0) => {
+                return Err(CameraError::NearNotPositive(near));
+            }
+            Projection::Orthographic { height } if !(height > 0.0 && height.is_finite()) => {
+                return Err(CameraError::Height(height));
+            }
+            _ => {}
+        }
+        if !(near < far && near.is_finite() && far.is_finite()) {
+            return Err(CameraError::NearNotBeforeFar { near, far });
+        }
+        Ok(())
+    }
+
+    /// Half the picture's width and height: in world units for orthographic projection, at view depth 1 in
+    /// perspective (so `tan(fov_y / 2)` high).
+    #[must_use]
+    pub fn half_extent(&self, aspect: f64) -> DVec2 {
+        let top = match self.projection {
+            Projection::Perspective { fov_y } => (0.5 * fov_y).tan(),
+            Projection::Orthographic { height } => 0.5 * height,
+        };
+        DVec2::new(top * aspect, top)
+    }
+
+    /// The third row of the projection, `(a, b)`: clip z is `a * depth + b`, to be divided by the depth in
+    /// perspective.
+    #[must_use]
+    pub fn depth_row(&self) -> (f64, f64) {
+        let Self {
+            near: n, far: f, ..
+        } = *self;
+        let range = f - n;
+        match (self.projection, self.depth) {
+            (Projection::Perspective { .. }, DepthMapping::Standard) => (f / range, -f * n / range),
+            (Projection::Perspective { .. }, DepthMapping::Reversed) => (-n / range, f * n / range),
+            (Projection::Orthographic { .. }, DepthMapping::Standard) => (1.0 / range, -n / range),
+            (Projection::Orthographic { .. }, DepthMapping::Reversed) => (-1.0 / range, f / range),
+        }
+    }
+
+    /// What the depth buffer stores for a view depth: NDC z.
+    #[must_use]
+    pub fn ndc_depth(&self, depth: f64) -> f64 {
+        let (a, b) = self.depth_row();
+        match self.projection {
+            Projection::Perspective { .. } => a + b / depth,
+            Projection::Orthographic { .. } => a * depth + b,
+        }
+    }
+
+    /// From view to clip space, for column vectors; `aspect` is width over height.
+    #[must_use]
+    pub fn projection(&self, aspect: f64) -> DMat4 {
+        let half = self.half_extent(aspect);
+        let (a, b) = self.depth_row();
+        let (w_from_z, w) = match self.projection {
+            Projection::Perspective { .. } => (1.0, 0.0),
+            Projection::Orthographic { .. } => (0.0, 1.0),
+        };
+        DMat4::from_cols(
+            DVec4::new(1.0 / half.x, 0.0, 0.0, 0.0),
+            DVec4::new(0.0, 1.0 / half.y, 0.0, 0.0),
+            DVec4::new(0.0, 0.0, a, w_from_z),
+            DVec4::new(0.0, 0.0, b, w),
+        )
+    }
+}

@@ -1,0 +1,343 @@
+//! One camera for the picture and for the pick: the matrices that the GPU draws with and the rays that a click
+//! casts come from the same value, in `f64`.
+//!
+//! View space is left-handed: x = R right, y = U up, z = F forward, so `det(View) = -1`. A pixel `(i, j)` has
+//! its centre at `(i + 0.5, j + 0.5)`, the origin is the top left corner and y runs down.
+
+mod choice;
+mod fit;
+mod lens;
+mod orbit;
+
+pub use choice::CameraChoice;
+pub use fit::fit_near_far;
+pub use lens::{DepthMapping, Lens, Projection};
+pub use orbit::{Orbit, UpAxis};
+
+use crate::geometry::{Ray, Sides};
+use glam::{DMat3, DMat4, DVec2, DVec3};
+
+/// Where the eye stands, where it looks and through which lens. Always valid: axes are orthonormal, near lies
+/// before far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    eye: DVec3,
+    target: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    lens: Lens,
+}
+
+/// Why there is no such camera.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CameraError {
+    /// Eye, target, direction or up has a NaN or an infinity.
+    #[error("the camera's {0} is not a finite vector")]
+    NotFinite(&'static str),
+    /// There is no direction to look along.
+    #[error("the camera's eye and target are the same point")]
+    NoDirection,
+    /// Right cannot be told.
+    #[error("the camera's up vector is zero or points along the line of sight")]
+    UpAlongForward,
+    /// Outside (0, 180) degrees.
+    #[error("the field of view must lie between 0 and 180 degrees, not {0}")]
+    FieldOfView(f64),
+    /// Not a positive number.
+    #[error("the orthographic height must be a positive number, not {0}")]
+    Height(f64),
+    /// In perspective there is nothing at or behind the eye.
+    #[error("near must be greater than 0 in perspective, not {0}")]
+    NearNotPositive(f64),
+    /// Near has to come first, and both have to be finite.
+    #[error("near must be less than far, not {near} and {far}")]
+    NearNotBeforeFar {
+        /// Near plane's view depth.
+        near: f64,
+        /// Far plane's view depth.
+        far: f64,
+    },
+    /// A picture without a pixel.
+    #[error("the picture must be at least 1 pixel wide and high, not {0}x{1}")]
+    EmptyViewport(u32, u32),
+}
+
+/// The size of the picture in physical pixels, at least 1 x 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    width: u32,
+    height: u32,
+}
+
+impl Viewport {
+    /// Takes width and height in pixels.
+    ///
+    /// # Errors
+    /// When either is zero.
+    pub fn new(width: u32, height: u32) -> Result<Self, CameraError> {
+        if width == 0 || height == 0 {
+            return Err(CameraError::EmptyViewport(width, height));
+        }
+        Ok(Self { width, height })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(self) -> u32 {
+        self.height
+    }
+
+    /// Width over height.
+    #[must_use]
+    pub fn aspect(self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    /// A pixel position in NDC: x and y in [-1, 1] within the picture, y up.
+    #[must_use]
+    pub fn px_to_ndc(self, px: DVec2) -> DVec2 {
+        DVec2::new(
+            2.0 * px.x / f64::from(self.width) - 1.0,
+            1.0 - 2.0 * px.y / f64::from(self.height),
+        )
+    }
+
+    /// An NDC position in pixels.
+    #[must_use]
+    pub fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
+        DVec2::new(
+            0.5 * (ndc.x + 1.0) * f64::from(self.width),
+            0.5 * (1.0 - ndc.y) * f64::from(self.height),
+        )
+    }
+
+    /// Whether a pixel position lies within the picture: `0 <= x < width`, `0 <= y < height`.
+    #[must_use]
+    pub fn contains(self, px: DVec2) -> bool {
+        (0.0..f64::from(self.width)).contains(&px.x)
+            && (0.0..f64::from(self.height)).contains(&px.y)
+    }
+}
+
+/// All that decides which surface a pixel shows, besides the scene: what drawing and picking share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where the eye stands and where it looks.
+    pub camera: Camera,
+    /// The picture's size.
+    pub viewport: Viewport,
+    /// Whether back faces show.
+    pub sides: Sides,
+}
+
+impl View {
+    /// The world-space ray through a pixel position; see [`Camera::ray`].
+    #[must_use]
+    pub fn ray(&self, px: DVec2) -> Ray {
+        self.camera.ray(self.viewport, px)
+    }
+
+    /// Where the picture shows a world point; see [`Camera::project`].
+    #[must_use]
+    pub fn project(&self, point_world: DVec3) -> Option<Projected> {
+        self.camera.project(self.viewport, point_world)
+    }
+}
+
+/// The centre of the pixel that a position lies in: what a click there picks.
+#[must_use]
+pub fn pixel_centre(px: DVec2) -> DVec2 {
+    px.floor() + 0.5
+}
+
+/// A world point as the picture shows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected {
+    /// Normalised device coordinates: x, y in [-1, 1], y up; z in [0, 1] by the lens's depth mapping.
+    pub ndc: DVec3,
+    /// Position in pixels.
+    pub px: DVec2,
+    /// View depth: distance along F, in world units.
+    pub depth: f64,
+}
+
+impl Camera {
+    /// A camera at `eye` that looks at `target`. `up` need not be perpendicular to the line of sight, nor a unit
+    /// vector.
+    ///
+    /// # Errors
+    /// When a vector is not finite, eye and target coincide, up lies along the line of sight, or the lens is
+    /// not valid.
+    pub fn new(eye: DVec3, target: DVec3, up: DVec3, lens: Lens) -> Result<Self, CameraError> {
+        if !target.is_finite() {
+            return Err(CameraError::NotFinite("target"));
+        }
+        let direction = target - eye;
+        Self::looking(eye, direction, up, lens).map(|camera| Self { target, ..camera })
+    }
+
+    /// A camera at `eye` that looks along `direction`; its target lies at the direction's end.
+    ///
+    /// # Errors
+    /// As [`Camera::new`].
+    pub fn looking(
+        eye: DVec3,
+        direction: DVec3,
+        up: DVec3,
+        lens: Lens,
+    ) -> Result<Self, CameraError> {
+        lens.check()?;
+        for (vector, name) in [(eye, "eye"), (direction, "direction"), (up, "up vector")] {
+            if !vector.is_finite() {
+                return Err(CameraError::NotFinite(name));
+            }
+        }
+        let forward = unit(direction).ok_or(CameraError::NoDirection)?;
+        let right = unit(up).and_then(|up| {
+            let right = forward.cross(up);
+            // What is left of two parallel unit vectors is rounding: no direction at all.
+            (right.length() > 4.0 * f64::EPSILON).then(|| right.normalize())
+        });
+        let right = right.ok_or(CameraError::UpAlongForward)?;
+        Ok(Self {
+            eye,
+            target: eye + direction,
+            right,
+            up: right.cross(forward),
+            forward,
+            lens,
+        })
+    }
+
+    /// The same view through another lens.
+    ///
+    /// # Errors
+    /// When the lens is not valid.
+    pub fn with_lens(self, lens: Lens) -> Result<Self, CameraError> {
+        lens.check()?;
+        Ok(Self { lens, ..self })
+    }
+
+    /// World position of the eye.
+    #[must_use]
+    pub fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
+    /// World point that the middle of the picture shows.
+    #[must_use]
+    pub fn target(&self) -> DVec3 {
+        self.target
+    }
+
+    /// Unit vector R: to the right in the picture.
+    #[must_use]
+    pub fn right(&self) -> DVec3 {
+        self.right
+    }
+
+    /// Unit vector U: upwards in the picture.
+    #[must_use]
+    pub fn up(&self) -> DVec3 {
+        self.up
+    }
+
+    /// Unit vector F: into the picture.
+    #[must_use]
+    pub fn forward(&self) -> DVec3 {
+        self.forward
+    }
+
+    /// Projection, near, far and depth mapping.
+    #[must_use]
+    pub fn lens(&self) -> &Lens {
+        &self.lens
+    }
+
+    /// The rows R, U, F: from world to view directions.
+    #[must_use]
+    pub fn rotation(&self) -> DMat3 {
+        DMat3::from_cols(self.right, self.up, self.forward).transpose()
+    }
+
+    /// View = O * T: rows R, U, F after the translation by -eye.
+    #[must_use]
+    pub fn view(&self) -> DMat4 {
+        DMat4::from_mat3(self.rotation()) * DMat4::from_translation(-self.eye)
+    }
+
+    /// Projection for a picture of this shape; see [`Lens::projection`].
+    #[must_use]
+    pub fn projection(&self, viewport: Viewport) -> DMat4 {
+        self.lens.projection(viewport.aspect())
+    }
+
+    /// A world point in view space: x right, y up, z forward.
+    #[must_use]
+    pub fn to_view(&self, point_world: DVec3) -> DVec3 {
+        let from_eye = point_world - self.eye;
+        DVec3::new(
+            self.right.dot(from_eye),
+            self.up.dot(from_eye),
+            self.forward.dot(from_eye),
+        )
+    }
+
+    /// The ray through a pixel position, in world space. Its direction is a unit vector, so `t` is the distance
+    /// from where it starts: the eye in perspective, the eye's plane in orthographic projection. `t_min` and
+    /// `t_max` lie on the near and the far *plane*.
+    ///
+    /// Eye basis: `F + sx aspect tan R + sy tan U`, with no point in space from which the eye would have to be
+    /// subtracted again.
+    #[must_use]
+    pub fn ray(&self, viewport: Viewport, px: DVec2) -> Ray {
+        let ndc = viewport.px_to_ndc(px);
+        let half = self.lens.half_extent(viewport.aspect());
+        let aside = ndc.x * half.x * self.right + ndc.y * half.y * self.up;
+        let (origin, direction) = match self.lens.projection {
+            Projection::Perspective { .. } => (self.eye, (self.forward + aside).normalize()),
+            Projection::Orthographic { .. } => (self.eye + aside, self.forward),
+        };
+        let depth_per_t = direction.dot(self.forward);
+        Ray {
+            origin,
+            direction,
+            t_min: self.lens.near / depth_per_t,
+            t_max: self.lens.far / depth_per_t,
+        }
+    }
+
+    /// Where the picture shows a world point, clipped by nothing; `None` at or behind the eye in perspective,
+    /// where no picture shows it.
+    #[must_use]
+    pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
+        let view = self.to_view(point_world);
+        let half = self.lens.half_extent(viewport.aspect());
+        let w = match self.lens.projection {
+            Projection::Perspective { .. } => view.z,
+            Projection::Orthographic { .. } => 1.0,
+        };
+        if !(w > 0.0) {
+            return None;
+        }
+        let ndc = DVec2::new(view.x / (half.x * w), view.y / (half.y * w));
+        Some(Projected {
+            ndc: ndc.extend(self.lens.ndc_depth(view.z)),
+            px: viewport.ndc_to_px(ndc),
+            depth: view.z,
+        })
+    }
+}
+
+/// The unit vector along `v`, also where the square of its length would vanish or overflow.
+fn unit(v: DVec3) -> Option<DVec3> {
+    let size = v.abs().max_element();
+    (size > 0.0).then(|| (v / size).normalize())
+}

@@ -1,0 +1,220 @@
+//! Turning, shifting and zooming the view with the mouse.
+
+use super::{Camera, CameraError, Lens, Projection, Viewport};
+use crate::geometry::Aabb;
+use glam::{DMat3, DVec2, DVec3};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Which world axis points up on the screen. Turns orbit, grid and framing, never the data.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum UpAxis {
+    /// +y up, +z towards the viewer: most meshes.
+    #[default]
+    Y,
+    /// +z up, -y towards the viewer: CAD, buildings, maps.
+    Z,
+}
+
+impl UpAxis {
+    /// Unit columns (right, up, towards the viewer) of the front view.
+    #[must_use]
+    pub fn frame(self) -> DMat3 {
+        match self {
+            Self::Y => DMat3::IDENTITY,
+            Self::Z => DMat3::from_cols(DVec3::X, DVec3::Z, DVec3::NEG_Y),
+        }
+    }
+
+    /// The unit vector that points up.
+    #[must_use]
+    pub fn up(self) -> DVec3 {
+        self.frame().y_axis
+    }
+}
+
+/// A view about a target by two angles. Straight up and straight down are ordinary views: the camera's up comes
+/// from the angles, not from a cross product that could vanish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
+    /// Columns (right, up, towards the viewer) of the view with both angles zero.
+    frame: DMat3,
+    /// World point in the middle of the picture, about which the view zooms.
+    target: DVec3,
+    /// From eye to target, above 0.
+    distance: f64,
+    /// Radians; positive turns the eye to the right about up.
+    yaw: f64,
+    /// Radians in [-pi/2, pi/2]; positive lifts the eye.
+    pitch: f64,
+}
+
+impl Orbit {
+    /// From where new scenes are seen, in (right, up, towards the viewer).
+    const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
+    /// Room about a framed scene.
+    const MARGIN: f64 = 1.05;
+    /// The nearest and farthest that zooming goes, in world units: past these, squares overflow.
+    const DISTANCES: (f64, f64) = (1e-30, 1e30);
+
+    /// The view of a camera. Its own up becomes the orbit's axis unless the camera stands upright by `up_axis`.
+    #[must_use]
+    pub fn of_camera(camera: &Camera, up_axis: UpAxis) -> Self {
+        let upright = up_axis.up();
+        let level = camera.right().dot(upright).abs() <= 8.0 * f64::EPSILON
+            && camera.up().dot(upright) >= -8.0 * f64::EPSILON;
+        let frame = if level {
+            up_axis.frame()
+        } else {
+            DMat3::from_cols(camera.right(), camera.up(), -camera.forward())
+        };
+        let [right, up, back] =
+            [camera.right(), camera.up(), -camera.forward()].map(|axis| frame.transpose() * axis);
+        Self {
+            frame,
+            target: camera.target(),
+            distance: camera.eye().distance(camera.target()),
+            yaw: (-right.z).atan2(right.x),
+            pitch: back.y.atan2(up.y),
+        }
+    }
+
+    /// The whole of `bounds_world` from a little to the right and above; about the origin when there are none.
+    #[must_use]
+    pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
+        let Self { yaw, pitch, .. } = Self::from_direction(Self::FRAMING);
+        let mut orbit = Self {
+            frame: up_axis.frame(),
+            target: DVec3::ZERO,
+            distance: 1.0,
+            yaw,
+            pitch,
+        };
+        orbit.frame_bounds(bounds_world, fov_y, aspect);
+        orbit
+    }
+
+    /// Angles for an eye in this direction of an upright frame.
+    fn from_direction(to_eye: DVec3) -> Self {
+        Self {
+            frame: DMat3::IDENTITY,
+            target: DVec3::ZERO,
+            distance: 1.0,
+            yaw: to_eye.x.atan2(to_eye.z),
+            pitch: to_eye.y.atan2(to_eye.x.hypot(to_eye.z)),
+        }
+    }
+
+    /// Moves target and distance so that the sphere about `bounds_world` fills the picture; the angles stay.
+    pub fn frame_bounds(&mut self, bounds_world: &Aabb, fov_y: f64, aspect: f64) {
+        let (center, radius) = if bounds_world.is_empty() {
+            (DVec3::ZERO, 1.0)
+        } else {
+            (bounds_world.center(), bounds_world.radius())
+        };
+        // A single point has no size; stay where its coordinates can still tell the eye from it.
+        let radius = if radius > 0.0 {
+            radius
+        } else {
+            center.length().max(1.0) * 1e-3
+        };
+        let fov_x = 2.0 * ((0.5 * fov_y).tan() * aspect).atan();
+        self.target = center;
+        self.set_distance(Self::MARGIN * radius / (0.5 * fov_y.min(fov_x)).sin());
+    }
+
+    /// Looks from a direction given in the up axis's frame (right, up, towards the viewer), keeping target and
+    /// distance: (0, 0, 1) is the front view, (0, 1, 0) the top view.
+    pub fn look_from(&mut self, up_axis: UpAxis, to_eye: DVec3) {
+        let Self { yaw, pitch, .. } = Self::from_direction(to_eye);
+        *self = Self {
+            frame: up_axis.frame(),
+            yaw,
+            pitch,
+            ..*self
+        };
+    }
+
+    /// World point in the middle of the picture.
+    #[must_use]
+    pub fn target(&self) -> DVec3 {
+        self.target
+    }
+
+    /// From eye to target, in world units.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// World position of the eye.
+    #[must_use]
+    pub fn eye(&self) -> DVec3 {
+        self.target + self.distance * self.axes().z_axis
+    }
+
+    /// Full height of an orthographic picture that shows the target's surroundings as large as perspective does.
+    #[must_use]
+    pub fn orthographic_height(&self, fov_y: f64) -> f64 {
+        2.0 * self.distance * (0.5 * fov_y).tan()
+    }
+
+    /// Unit columns R, U and -F.
+    fn axes(&self) -> DMat3 {
+        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
+        let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
+        self.frame
+            * DMat3::from_cols(
+                DVec3::new(cos_yaw, 0.0, -sin_yaw),
+                DVec3::new(-sin_yaw * sin_pitch, cos_pitch, -cos_yaw * sin_pitch),
+                DVec3::new(sin_yaw * cos_pitch, sin_pitch, cos_yaw * cos_pitch),
+            )
+    }
+
+    /// The camera that shows this view. Its up is the view's own U.
+    ///
+    /// # Errors
+    /// When the lens is not valid, or the target is so far from the origin that the eye falls onto it.
+    pub fn camera(&self, lens: Lens) -> Result<Camera, CameraError> {
+        Camera::new(self.eye(), self.target, self.axes().y_axis, lens)
+    }
+
+    /// Turns the view about a world point, which stays where it is in the picture. Radians: positive `yaw` takes
+    /// the eye to the right, positive `pitch` lifts it; it stops at straight up and straight down.
+    pub fn turn(&mut self, pivot_world: DVec3, yaw: f64, pitch: f64) {
+        let seen = self.axes().transpose() * (self.target - pivot_world);
+        self.yaw = (self.yaw + yaw + PI).rem_euclid(TAU) - PI;
+        self.pitch = (self.pitch + pitch).clamp(-FRAC_PI_2, FRAC_PI_2);
+        self.target = pivot_world + self.axes() * seen;
+    }
+
+    /// Shifts the view so that what lies `depth` in front of the eye follows the cursor by `by_px` (y down).
+    pub fn pan(&mut self, by_px: DVec2, depth: f64, lens: &Lens, viewport: Viewport) {
+        let half = lens.half_extent(viewport.aspect());
+        let scale = match lens.projection {
+            Projection::Perspective { .. } => depth,
+            Projection::Orthographic { .. } => 1.0,
+        };
+        let by_ndc = viewport.px_to_ndc(by_px) - viewport.px_to_ndc(DVec2::ZERO);
+        let axes = self.axes();
+        self.target -= scale * (by_ndc.x * half.x * axes.x_axis + by_ndc.y * half.y * axes.y_axis);
+    }
+
+    /// Brings the view nearer to a world point by a factor (above 1 zooms in); the point stays where it is in the
+    /// picture. `factor` must be positive.
+    pub fn zoom(&mut self, point_world: DVec3, factor: f64) {
+        let before = self.distance;
+        self.set_distance(before / factor);
+        self.target = point_world + (self.target - point_world) * (self.distance / before);
+    }
+
+    /// Puts the target onto a world point; the eye moves with it.
+    pub fn center_on(&mut self, point_world: DVec3) {
+        self.target = point_world;
+    }
+
+    fn set_distance(&mut self, distance: f64) {
+        self.distance = distance.clamp(Self::DISTANCES.0, Self::DISTANCES.1);
+    }
+}

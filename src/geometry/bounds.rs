@@ -1,0 +1,134 @@
+//! Axis-aligned bounding boxes.
+
+use super::Ray;
+use glam::DVec3;
+
+/// An axis-aligned box; [`Aabb::EMPTY`] holds nothing and is the start of a union.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// Smallest coordinates.
+    pub min: DVec3,
+    /// Largest coordinates.
+    pub max: DVec3,
+}
+
+impl Aabb {
+    /// The box that holds nothing: `min` above `max`.
+    pub const EMPTY: Self = Self {
+        min: DVec3::INFINITY,
+        max: DVec3::NEG_INFINITY,
+    };
+
+    /// The smallest box about the points; empty for none.
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        points.into_iter().fold(Self::EMPTY, Self::including)
+    }
+
+    /// The box grown to hold `point`.
+    #[must_use]
+    pub fn including(self, point: DVec3) -> Self {
+        Self {
+            min: self.min.min(point),
+            max: self.max.max(point),
+        }
+    }
+
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// Whether it holds no point at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// The middle. Meaningless when empty.
+    #[must_use]
+    pub fn center(&self) -> DVec3 {
+        0.5 * self.min + 0.5 * self.max
+    }
+
+    /// Half the diagonal: the radius of the sphere about it. Zero for a point.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        (0.5 * self.max - 0.5 * self.min).length()
+    }
+
+    /// The eight corners.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 8] {
+        let [a, b] = [self.min, self.max];
+        std::array::from_fn(|i| {
+            DVec3::new(
+                if i & 1 == 0 { a.x } else { b.x },
+                if i & 2 == 0 { a.y } else { b.y },
+                if i & 4 == 0 { a.z } else { b.z },
+            )
+        })
+    }
+
+    /// The parameters at which `ray`'s line enters and leaves the closed box, not clipped to the ray's
+    /// interval; `None` when it passes by.
+    ///
+    /// `inverse` is `1 / direction`. A ray that runs within a face (where `0 * inf` is NaN) is inside that
+    /// slab: the comparisons are ordered so that NaN never wins (Barnes 2015, "Fast, branchless
+    /// ray/bounding box intersections, part 2").
+    #[must_use]
+    pub fn span(&self, origin: DVec3, inverse: DVec3) -> Option<(f64, f64)> {
+        let mut enter = f64::NEG_INFINITY;
+        let mut leave = f64::INFINITY;
+        for axis in 0..3 {
+            let a = (self.min[axis] - origin[axis]) * inverse[axis];
+            let b = (self.max[axis] - origin[axis]) * inverse[axis];
+            let (near, far) = if inverse[axis].is_sign_negative() {
+                (b, a)
+            } else {
+                (a, b)
+            };
+            if near > enter {
+                enter = near;
+            }
+            if far < leave {
+                leave = far;
+            }
+        }
+        (enter <= leave).then_some((enter, leave))
+    }
+
+    /// Whether `ray` may hit something in the box: [`Aabb::span`] overlaps its interval, with room for the
+    /// rounding of the slab arithmetic, so that a box never hides what it holds.
+    ///
+    /// Each bound is `(plane - origin) * inverse` with three roundings, one of them in `inverse`: a relative
+    /// error of at most `gamma(3)`. Widening both ends by twice that covers near and far plane together
+    /// (Ize 2013, "Robust BVH Ray Traversal").
+    #[must_use]
+    pub fn may_hit(&self, ray: &Ray, inverse: DVec3) -> bool {
+        const WIDEN: f64 = 6.0 * f64::EPSILON;
+        let mut enter = ray.t_min;
+        let mut leave = ray.t_max;
+        for axis in 0..3 {
+            let a = (self.min[axis] - ray.origin[axis]) * inverse[axis];
+            let b = (self.max[axis] - ray.origin[axis]) * inverse[axis];
+            let (near, far) = if inverse[axis].is_sign_negative() {
+                (b, a)
+            } else {
+                (a, b)
+            };
+            let near = near * if near > 0.0 { 1.0 - WIDEN } else { 1.0 + WIDEN };
+            let far = far * if far > 0.0 { 1.0 + WIDEN } else { 1.0 - WIDEN };
+            if near > enter {
+                enter = near;
+            }
+            if far < leave {
+                leave = far;
+            }
+        }
+        enter <= leave
+    }
+}

@@ -1,0 +1,114 @@
+//! Model matrices: where a shape stands in the world.
+
+use super::Ray;
+use glam::{DAffine3, DMat3, DVec3};
+
+/// An invertible affine model matrix with its inverse: translation, rotation, non-uniform scale, mirroring
+/// and shear alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    model: DAffine3,
+    inverse_linear: DMat3,
+}
+
+/// Why a model matrix was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PlacementError {
+    /// It flattens space, or its inverse does not fit into `f64`.
+    #[error("the model matrix has no inverse (is a scale zero?)")]
+    Singular,
+    /// An entry is NaN or infinite.
+    #[error("the model matrix has an entry that is not a finite number")]
+    NotFinite,
+}
+
+impl Placement {
+    /// Object space is world space.
+    pub const IDENTITY: Self = Self {
+        model: DAffine3::IDENTITY,
+        inverse_linear: DMat3::IDENTITY,
+    };
+
+    /// Takes the matrix from object to world space.
+    ///
+    /// # Errors
+    /// When an entry of it or of its inverse is not finite.
+    pub fn new(model: DAffine3) -> Result<Self, PlacementError> {
+        if !model.is_finite() {
+            return Err(PlacementError::NotFinite);
+        }
+        // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows.
+        let linear = model.matrix3;
+        let scale = [linear.x_axis, linear.y_axis, linear.z_axis]
+            .map(|axis| axis.abs().max_element())
+            .map(|size| if size > 0.0 { 1.0 / size } else { f64::NAN });
+        let unit = DMat3::from_cols(
+            linear.x_axis * scale[0],
+            linear.y_axis * scale[1],
+            linear.z_axis * scale[2],
+        );
+        // Checked before dividing by it: glam's inverse asserts.
+        let determinant = unit.determinant();
+        if !(determinant.is_finite() && determinant != 0.0) {
+            return Err(PlacementError::Singular);
+        }
+        let inverse_linear = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();
+        if !inverse_linear.is_finite() {
+            return Err(PlacementError::Singular);
+        }
+        Ok(Self {
+            model,
+            inverse_linear,
+        })
+    }
+
+    /// From object to world space.
+    #[must_use]
+    pub fn model(&self) -> DAffine3 {
+        self.model
+    }
+
+    /// The inverse of the model's linear part: from world to object directions.
+    #[must_use]
+    pub fn inverse_linear(&self) -> DMat3 {
+        self.inverse_linear
+    }
+
+    /// Whether it mirrors: turns counter-clockwise into clockwise.
+    #[must_use]
+    pub fn mirrors(&self) -> bool {
+        self.inverse_linear.determinant() < 0.0
+    }
+
+    /// A world-space point in object space. The translation goes first, which keeps its digits.
+    #[must_use]
+    pub fn point_to_object(&self, point_world: DVec3) -> DVec3 {
+        self.inverse_linear * (point_world - self.model.translation)
+    }
+
+    /// An object-space point in world space.
+    #[must_use]
+    pub fn point_to_world(&self, point_object: DVec3) -> DVec3 {
+        self.model.transform_point3(point_object)
+    }
+
+    /// A world-space ray in object space, with the same `t`.
+    #[must_use]
+    pub fn ray_to_object(&self, ray_world: &Ray) -> Ray {
+        Ray {
+            origin: self.point_to_object(ray_world.origin),
+            direction: self.inverse_linear * ray_world.direction,
+            ..*ray_world
+        }
+    }
+
+    /// An outward object-space normal as the outward unit normal in world space: by the inverse transpose,
+    /// which keeps outward outward under mirroring.
+    #[must_use]
+    pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
+        // Scaled first: the inverse of a very small model times a large normal could overflow.
+        let unit = normal_object / normal_object.abs().max_element();
+        let normal = self.inverse_linear.transpose() * unit;
+        (normal / normal.abs().max_element()).normalize_or_zero()
+    }
+}

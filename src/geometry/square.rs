@@ -1,0 +1,39 @@
+//! The unit square in the xy plane.
+
+use super::{Aabb, Hit, Ray};
+use glam::DVec3;
+
+/// The square of side 1 about the origin in the xy plane, facing +z; other rectangles and parallelograms are
+/// this one under a model matrix.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Square;
+
+impl Square {
+    /// Half the side, in object space.
+    pub const HALF_SIDE: f64 = 0.5;
+
+    /// The flat box about it.
+    #[must_use]
+    pub fn bounds() -> Aabb {
+        let corner = DVec3::new(Self::HALF_SIDE, Self::HALF_SIDE, 0.0);
+        Aabb {
+            min: -corner,
+            max: corner,
+        }
+    }
+
+    /// Where `ray` meets it within the ray's interval; its rim belongs to it. A ray within its plane misses.
+    ///
+    /// The plane's `t = N . (S - o) / N . d` with N = +z and S the origin.
+    #[must_use]
+    pub fn hit(ray: &Ray) -> Option<Hit> {
+        let t = -ray.origin.z / ray.direction.z;
+        let point = ray.at(t);
+        let inside = point.x.abs() <= Self::HALF_SIDE && point.y.abs() <= Self::HALF_SIDE;
+        (inside && ray.contains(t)).then_some(Hit {
+            t,
+            normal: DVec3::Z,
+            on_triangle: None,
+        })
+    }
+}

@@ -1,0 +1,150 @@
+//! Pictures in memory and as PNG files.
+
+use crate::camera::Viewport;
+use std::{fs::File, io::BufWriter, path::Path};
+
+/// A picture: one value a pixel, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image<T> {
+    size: Viewport,
+    pixels: Vec<T>,
+}
+
+/// An opaque sRGB pixel.
+pub type Rgb = [u8; 3];
+
+/// What a pixel shows: an object and, on a mesh, a triangle of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Id {
+    /// Index of the object plus 1, as people count; 0 for the background.
+    pub object: u32,
+    /// Triangle of that object plus 1; 0 for analytic shapes and the background.
+    pub triangle: u32,
+}
+
+/// Why a PNG was not written.
+#[derive(Debug, thiserror::Error)]
+pub enum ImageError {
+    /// The file system said no.
+    #[error("cannot write {path}: {source}")]
+    Write {
+        /// Which file.
+        path: String,
+        /// What it said.
+        source: std::io::Error,
+    },
+    /// An id picture has 16 bits a pixel.
+    #[error("{0} objects do not fit into a 16-bit id picture (at most 65535)")]
+    TooManyObjects(u32),
+}
+
+impl<T: Copy> Image<T> {
+    /// Takes pixels row by row from the top.
+    ///
+    /// # Panics
+    /// When there are not as many as `size` says.
+    #[must_use]
+    pub fn new(size: Viewport, pixels: Vec<T>) -> Self {
+        assert_eq!(
+            pixels.len(),
+            size.width() as usize * size.height() as usize,
+            "pixels fill the image"
+        );
+        Self { size, pixels }
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub fn size(&self) -> Viewport {
+        self.size
+    }
+
+    /// All pixels, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[T] {
+        &self.pixels
+    }
+
+    /// All pixels, to be changed.
+    pub fn pixels_mut(&mut self) -> &mut [T] {
+        &mut self.pixels
+    }
+
+    /// The pixel in column `x` and row `y`.
+    ///
+    /// # Panics
+    /// When that lies outside.
+    #[must_use]
+    pub fn at(&self, x: u32, y: u32) -> T {
+        assert!(x < self.size.width(), "column within the image");
+        self.pixels[y as usize * self.size.width() as usize + x as usize]
+    }
+
+    /// Column and row of each pixel, in the order of [`Image::pixels`].
+    pub fn positions(&self) -> impl Iterator<Item = (u32, u32)> + use<T> {
+        let size = self.size;
+        (0..size.height()).flat_map(move |y| (0..size.width()).map(move |x| (x, y)))
+    }
+}
+
+impl Image<Rgb> {
+    /// Writes an 8-bit sRGB PNG.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        write(
+            path,
+            self.size,
+            png::ColorType::Rgb,
+            png::BitDepth::Eight,
+            self.pixels.as_flattened(),
+        )
+    }
+}
+
+impl Image<Id> {
+    /// Writes the object ids as a 16-bit grey PNG: 0 where there is nothing, n for object n.
+    ///
+    /// # Errors
+    /// When the file cannot be written or an id does not fit.
+    pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        let mut bytes = Vec::with_capacity(self.pixels.len() * 2);
+        for id in &self.pixels {
+            let id = u16::try_from(id.object).map_err(|_| ImageError::TooManyObjects(id.object))?;
+            bytes.extend(id.to_be_bytes());
+        }
+        write(
+            path,
+            self.size,
+            png::ColorType::Grayscale,
+            png::BitDepth::Sixteen,
+            &bytes,
+        )
+    }
+}
+
+fn write(
+    path: &Path,
+    size: Viewport,
+    colour: png::ColorType,
+    depth: png::BitDepth,
+    bytes: &[u8],
+) -> Result<(), ImageError> {
+    let failed = |source| ImageError::Write {
+        path: path.display().to_string(),
+        source,
+    };
+    let file = File::create(path).map_err(failed)?;
+    let mut encoder = png::Encoder::new(BufWriter::new(file), size.width(), size.height());
+    encoder.set_color(colour);
+    encoder.set_depth(depth);
+    if colour == png::ColorType::Rgb {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
+    let written = encoder.write_header().and_then(|mut writer| {
+        writer.write_image_data(bytes)?;
+        writer.finish()
+    });
+    written.map_err(|error| failed(error.into()))
+}

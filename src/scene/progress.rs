@@ -1,0 +1,54 @@
+//! How far a load has come, and the way to stop it: shared between the thread that loads and the one that shows.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// How far a load has come. Shared by reference; one side reports, the other reads or cancels.
+#[derive(Debug, Default)]
+pub struct Progress {
+    done: AtomicU64,
+    total: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+/// Somebody called [`Progress::cancel`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("loading was cancelled")]
+pub struct Cancelled;
+
+impl Progress {
+    /// Adds to the work that is to be done, in bytes.
+    pub fn expect(&self, bytes: u64) {
+        self.total.fetch_add(bytes, Ordering::Relaxed);
+    }
+
+    /// Counts work as done.
+    ///
+    /// # Errors
+    /// When the load was cancelled and should stop.
+    pub fn advance(&self, bytes: u64) -> Result<(), Cancelled> {
+        self.done.fetch_add(bytes, Ordering::Relaxed);
+        if self.cancelled.load(Ordering::Relaxed) {
+            Err(Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Asks the load to stop at its next step.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// What is done of all that is known of, in [0, 1].
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a progress bar")]
+    pub fn fraction(&self) -> f32 {
+        let total = self.total.load(Ordering::Relaxed);
+        let done = self.done.load(Ordering::Relaxed);
+        if total == 0 {
+            0.0
+        } else {
+            (done as f64 / total as f64).min(1.0) as f32
+        }
+    }
+}
