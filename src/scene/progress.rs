@@ -41,7 +41,11 @@ impl Progress {
 
     /// What is done of all that is known of, in [0, 1].
     #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "a progress bar")]
+    #[expect(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        reason = "a progress bar"
+    )]
     pub fn fraction(&self) -> f32 {
         let total = self.total.load(Ordering::Relaxed);
         let done = self.done.load(Ordering::Relaxed);
