@@ -6,4 +6,5 @@ pub mod geometry;
 pub mod image;
 pub mod look;
 pub mod pick;
+pub mod render;
 pub mod scene;
