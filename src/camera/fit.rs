@@ -35,7 +35,8 @@ pub fn fit_near_far(
         Projection::Perspective { .. } => {
             let end = 1.01 * if z1 > 0.0 { z1 } else { to_target };
             let far = far.unwrap_or_else(|| near.map_or(end, |near| end.max(1.01 * near)));
-            let near = near.unwrap_or_else(|| (0.99 * z0).clamp(NEAREST * far, 0.99 * far));
+            // No clamp, which panics where a far plane that cannot be turns its ends about.
+            let near = near.unwrap_or_else(|| (0.99 * z0).max(NEAREST * far).min(0.99 * far));
             (near, far)
         }
         Projection::Orthographic { .. } => {
