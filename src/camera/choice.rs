@@ -2,6 +2,7 @@
 
 use super::{
     Camera, CameraError, DepthMapping, Lens, Orbit, Projection, UpAxis, Viewport, fit_near_far,
+    unit,
 };
 use crate::geometry::Aabb;
 use glam::DVec3;
@@ -76,18 +77,38 @@ impl CameraChoice {
             depth: self.depth.unwrap_or_default(),
         };
         lens.check()?;
+        if self.look.is_some_and(|look| !look.is_finite()) {
+            return Err(CameraError::NotFinite("direction"));
+        }
         let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
-        let up = self.up.unwrap_or(up_axis.up());
-        let camera = if let Some(look) = self.look {
-            let along = look.try_normalize().ok_or(CameraError::NoDirection)? * framing.distance();
-            let eye = self.eye.unwrap_or(framing.target() - along);
-            Camera::looking(eye, along, up, lens)?
-        } else {
-            let target = self.target.unwrap_or(framing.target());
-            let eye = self
-                .eye
-                .unwrap_or(target + (framing.eye() - framing.target()));
-            Camera::new(eye, target, up, lens)?
+        let camera = |up: DVec3| match (self.look, self.target) {
+            (Some(look), _) => {
+                let along = unit(look).map_or(look, |unit| unit * framing.distance());
+                let eye = self.eye.unwrap_or(framing.target() - along);
+                Camera::looking(eye, along, up, lens)
+            }
+            (None, target) => {
+                let target = target.unwrap_or(framing.target());
+                let from_target = framing.eye() - framing.target();
+                let eye = self.eye.unwrap_or(target + from_target);
+                Camera::new(eye, target, up, lens)
+            }
+        };
+        let upright = up_axis.frame();
+        let camera = match self.up {
+            Some(up) => camera(up)?,
+            None => match camera(upright.y_axis) {
+                // Straight down or up: the picture is turned as an orbit that ends there has it.
+                Err(CameraError::UpAlongForward) => {
+                    let down = camera(upright.z_axis)?.forward().dot(upright.y_axis) < 0.0;
+                    camera(if down {
+                        -upright.z_axis
+                    } else {
+                        upright.z_axis
+                    })?
+                }
+                camera => camera?,
+            },
         };
         (lens.near, lens.far) = fit_near_far(&camera, bounds_world, self.near, self.far);
         camera.with_lens(lens)

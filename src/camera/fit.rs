@@ -13,9 +13,9 @@ const NEAREST_TO_TARGET: f64 = 1e-2;
 /// its side.
 ///
 /// In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target where that is less; in
-/// orthographic projection it may lie behind the eye. Where
-/// there is nothing in front of the eye (or no bounds at all) the planes go about the target. The result is
-/// valid unless a given plane is not: one that is not positive in perspective, or two in the wrong order.
+/// orthographic projection it may lie behind the eye. Where there is nothing in front of the eye (or no bounds at
+/// all) the planes go about the target. The result is valid unless a given plane is not: one that is not positive in
+/// perspective, or two in the wrong order.
 #[must_use]
 pub fn fit_near_far(
     camera: &Camera,
@@ -38,10 +38,9 @@ pub fn fit_near_far(
         Projection::Perspective { .. } => {
             let end = 1.01 * if z1 > 0.0 { z1 } else { to_target };
             let far = far.unwrap_or_else(|| near.map_or(end, |near| end.max(1.01 * near)));
-            let near = near.unwrap_or_else(|| {
-                let least = (NEAREST * far).min(NEAREST_TO_TARGET * to_target);
-                (0.99 * z0).clamp(least.min(0.99 * far), 0.99 * far)
-            });
+            let least = (NEAREST * far).min(NEAREST_TO_TARGET * to_target);
+            // No clamp, which panics where a far plane that cannot be turns its ends about.
+            let near = near.unwrap_or_else(|| (0.99 * z0).max(least).min(0.99 * far));
             (near, far)
         }
         Projection::Orthographic { .. } => {

@@ -97,11 +97,13 @@ impl Lens {
             near: n, far: f, ..
         } = *self;
         let range = f - n;
+        // Divided first: the product of two large depths could overflow.
+        let far_share = f / range;
         match (self.projection, self.depth) {
-            (Projection::Perspective { .. }, DepthMapping::Standard) => (f / range, -f * n / range),
-            (Projection::Perspective { .. }, DepthMapping::Reversed) => (-n / range, f * n / range),
+            (Projection::Perspective { .. }, DepthMapping::Standard) => (far_share, -far_share * n),
+            (Projection::Perspective { .. }, DepthMapping::Reversed) => (-n / range, far_share * n),
             (Projection::Orthographic { .. }, DepthMapping::Standard) => (1.0 / range, -n / range),
-            (Projection::Orthographic { .. }, DepthMapping::Reversed) => (-1.0 / range, f / range),
+            (Projection::Orthographic { .. }, DepthMapping::Reversed) => (-1.0 / range, far_share),
         }
     }
 

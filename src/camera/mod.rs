@@ -234,6 +234,9 @@ impl Camera {
             // What is left of two parallel unit vectors is rounding: no direction at all.
             (right.length() > 4.0 * f64::EPSILON).then(|| right.normalize())
         });
+        // The nearer up is to the line of sight, the more of what is left is rounding, which need not be
+        // perpendicular to it.
+        let right = right.map(|right| (right - right.dot(forward) * forward).normalize());
         let right = right.ok_or(CameraError::UpAlongForward)?;
         Ok(Self {
             eye,

@@ -3,9 +3,11 @@
 mod certainty;
 mod picture;
 mod record;
+mod selection;
 
 pub use picture::raycast;
 pub use record::{Pick, PickLine, PickLines};
+pub use selection::draw_selection;
 
 use crate::{
     camera::View,

@@ -10,32 +10,13 @@ use crate::{
     scene::Scene,
 };
 use glam::DVec2;
-use std::thread;
+use std::{num::NonZero, thread};
 
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
 #[must_use]
 pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
-    let (width, height) = (view.viewport.width(), view.viewport.height());
-    let mut pixels = vec![(Id::default(), [0; 3]); width as usize * height as usize];
-    let threads = thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let mut rows: Vec<_> = (0..height).zip(pixels.chunks_mut(width as usize)).collect();
-    // Every thread takes each n-th row: neighbouring rows cost alike.
-    let mut shares: Vec<Vec<_>> = (0..threads).map(|_| Vec::new()).collect();
-    for (i, row) in rows.drain(..).enumerate() {
-        shares[i % threads].push(row);
-    }
-    thread::scope(|scope| {
-        for share in shares {
-            scope.spawn(move || {
-                for (y, row) in share {
-                    for (x, pixel) in (0..width).zip(row) {
-                        *pixel = cast(scene, view, x, y);
-                    }
-                }
-            });
-        }
-    });
+    let pixels = each_pixel(view, |px| cast(scene, view, px));
     let (ids, colours) = pixels.into_iter().unzip();
     (
         Image::new(view.viewport, ids),
@@ -43,13 +24,40 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     )
 }
 
-fn cast(scene: &Scene, view: &View, x: u32, y: u32) -> (Id, Rgb) {
-    let ray = view.ray(DVec2::new(f64::from(x), f64::from(y)) + 0.5);
+/// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
+pub(super) fn each_pixel<T: Clone + Default + Send>(
+    view: &View,
+    cast: impl Fn(DVec2) -> T + Sync,
+) -> Vec<T> {
+    let (width, height) = (view.viewport.width(), view.viewport.height());
+    let mut pixels = vec![T::default(); width as usize * height as usize];
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    // Every thread takes each n-th row: neighbouring rows cost alike.
+    let mut shares: Vec<Vec<_>> = (0..threads).map(|_| Vec::new()).collect();
+    for (y, row) in (0..height).zip(pixels.chunks_mut(width as usize)) {
+        shares[y as usize % threads].push((y, row));
+    }
+    thread::scope(|scope| {
+        for share in shares {
+            scope.spawn(|| {
+                for (y, row) in share {
+                    for (x, pixel) in (0..width).zip(row) {
+                        *pixel = cast(DVec2::new(f64::from(x), f64::from(y)) + 0.5);
+                    }
+                }
+            });
+        }
+    });
+    pixels
+}
+
+fn cast(scene: &Scene, view: &View, px: DVec2) -> (Id, Rgb) {
+    let ray = view.ray(px);
     if let Some(hit) = closest(scene, &ray, view.sides) {
         return (id(scene, &hit), colour(scene, view, &ray, &hit).0);
     }
-    #[expect(clippy::cast_precision_loss, reason = "colours need no more")]
-    let down = (y as f32 + 0.5) / view.viewport.height() as f32;
+    #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]
+    let down = (px.y / f64::from(view.viewport.height())) as f32;
     (Id::default(), Srgb::from_linear(look::background(down)).0)
 }
 

@@ -1,9 +1,15 @@
 //! What there is to see: objects in the world, each a shape with a model matrix.
 
+mod demo;
+pub mod description;
+mod load;
 pub mod obj;
 mod progress;
 mod warning;
 
+pub use description::{DescriptionError, Problem, SaveError};
+pub use load::{LoadError, Loaded, MeshFiles, load};
+pub use obj::{ObjError, ObjFile};
 pub use progress::{Cancelled, Progress};
 pub use warning::Warning;
 

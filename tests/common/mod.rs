@@ -45,3 +45,65 @@ pub fn shared() -> Option<PathBuf> {
     );
     Some(folder)
 }
+
+/// Random numbers that are the same in every run (xorshift64*, Vigna 2016).
+pub struct Random(u64);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
+    }
+
+    /// Uniform in [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let bits = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11;
+        #[expect(clippy::cast_precision_loss, reason = "53 bits")]
+        let value = bits as f64;
+        value * f64::EPSILON * 0.5
+    }
+
+    /// Uniform in [low, high).
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Each coordinate uniform in [-half, half).
+    pub fn point(&mut self, half: f64) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|_| self.within(-half, half)))
+    }
+
+    /// A unit vector, all directions alike.
+    pub fn direction(&mut self) -> DVec3 {
+        loop {
+            let point = self.point(1.0);
+            if (0.01..1.0).contains(&point.length_squared()) {
+                return point.normalize();
+            }
+        }
+    }
+}
+
+/// Fails unless two points differ by no more than `relative` times the larger one's length.
+#[track_caller]
+pub fn assert_near(a: DVec3, b: DVec3, relative: f64) {
+    let size = a.length().max(b.length());
+    assert!(
+        a.distance(b) <= relative * size,
+        "{a} is {} from {b}, more than {relative} of {size}",
+        a.distance(b)
+    );
+}
+
+/// Fails unless two numbers differ by no more than `relative` times the larger one.
+#[track_caller]
+pub fn assert_close(a: f64, b: f64, relative: f64) {
+    let size = a.abs().max(b.abs());
+    assert!(
+        (a - b).abs() <= relative * size,
+        "{a} is {} from {b}, more than {relative} of {size}",
+        (a - b).abs()
+    );
+}

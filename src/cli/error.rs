@@ -1,0 +1,87 @@
+//! What can go wrong in a command, and the exit code that says so.
+
+use super::say;
+use crate::{camera::CameraError, image::ImageError, scene::LoadError};
+use std::{path::PathBuf, process::ExitCode};
+
+/// Why a command did not do what it was asked. One line, with what to do about it.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// The arguments make no sense.
+    #[error("{0}")]
+    Usage(String),
+    /// Flags that make no camera.
+    #[error("{0}; see --help")]
+    View(CameraError),
+    /// The scene file's own camera is none.
+    #[error("{}: {source}", file.display())]
+    SceneCamera {
+        /// The scene file.
+        file: PathBuf,
+        /// What is wrong with its camera.
+        source: CameraError,
+    },
+    /// The scene could not be loaded.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// The picture could not be written.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// Standard input or output failed.
+    #[error("cannot use {stream}: {source}")]
+    Stream {
+        /// Which one.
+        stream: &'static str,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Nothing to draw with.
+    #[error("no graphics adapter: {0}")]
+    NoAdapter(String),
+    /// Nowhere to open a window.
+    #[error("no display: {0}")]
+    NoDisplay(String),
+}
+
+impl CliError {
+    /// The exit code: 2 usage, 3 a file, 4 no graphics adapter, 5 no display.
+    #[must_use]
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Usage(_) | Self::View(_) => 2,
+            Self::SceneCamera { .. } | Self::Load(_) | Self::Image(_) | Self::Stream { .. } => 3,
+            Self::NoAdapter(_) => 4,
+            Self::NoDisplay(_) => 5,
+        }
+    }
+
+    /// Prints it to stderr. A reader that closed the pipe has what it wanted: that is no error.
+    pub(super) fn report(&self) -> ExitCode {
+        if let Self::Stream { source, .. } = self
+            && source.kind() == std::io::ErrorKind::BrokenPipe
+        {
+            return ExitCode::SUCCESS;
+        }
+        say(&self.to_string());
+        ExitCode::from(self.exit_code())
+    }
+
+    /// A failure of standard output.
+    pub(super) fn stdout(source: std::io::Error) -> Self {
+        Self::Stream {
+            stream: "standard output",
+            source,
+        }
+    }
+}
+
+/// Clap's message, without its tips and usage text, as one line.
+impl From<clap::Error> for CliError {
+    fn from(error: clap::Error) -> Self {
+        let text = error.to_string();
+        let message = text.split("\n\n").next().unwrap_or_default();
+        let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
+        let line = line.strip_prefix("error: ").unwrap_or(&line);
+        Self::Usage(format!("{line}; see --help"))
+    }
+}

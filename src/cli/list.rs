@@ -1,0 +1,116 @@
+//! `sightline list`: the objects of a scene.
+
+use super::{CliError, SceneArgs, load};
+use crate::{geometry::Aabb, scene::Scene};
+use glam::DVec3;
+use serde::Serialize;
+use std::io::Write;
+
+/// Arguments of `sightline list`.
+#[derive(Debug, clap::Args)]
+pub struct ListArgs {
+    /// What to list.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// One line of JSON an object, with all digits
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// One object as a line of JSON; the field names are the JSON's.
+#[derive(Serialize)]
+struct Line<'a> {
+    id: usize,
+    name: &'a str,
+    shape: &'static str,
+    /// `None` for analytic shapes.
+    triangles: Option<usize>,
+    visible: bool,
+    /// `None` for a mesh without triangles.
+    bounds: Option<Bounds>,
+}
+
+/// A box in world space.
+#[derive(Serialize)]
+struct Bounds {
+    min: DVec3,
+    max: DVec3,
+}
+
+/// Prints the list.
+pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
+    let loaded = load(&args.scene)?;
+    let lines: Vec<Line> = lines(&loaded.scene).collect();
+    let text = if args.json {
+        lines
+            .iter()
+            .map(|line| serde_json::to_string(line).map(|line| line + "\n"))
+            .collect::<Result<String, _>>()
+            .map_err(|error| CliError::stdout(error.into()))?
+    } else {
+        table(&lines)
+    };
+    std::io::stdout()
+        .write_all(text.as_bytes())
+        .map_err(CliError::stdout)
+}
+
+fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
+    (0..).zip(scene.objects()).map(|(index, object)| {
+        let Aabb { min, max } = scene.bounds_of(index);
+        Line {
+            id: index + 1,
+            name: &object.name,
+            shape: object.shape.kind(),
+            triangles: object.shape.triangles().map(|triangles| triangles.len()),
+            visible: object.visible,
+            bounds: (!scene.bounds_of(index).is_empty()).then_some(Bounds { min, max }),
+        }
+    })
+}
+
+/// Columns as wide as their widest cell; numbers to the right.
+fn table(lines: &[Line]) -> String {
+    let mut rows = vec![["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned)];
+    rows.extend(lines.iter().map(|line| {
+        let corner = |pick: fn(&Bounds) -> DVec3| {
+            line.bounds
+                .as_ref()
+                .map_or("-".to_owned(), |bounds| short(pick(bounds)))
+        };
+        [
+            line.id.to_string(),
+            line.name.escape_debug().to_string() + if line.visible { "" } else { " (hidden)" },
+            line.shape.to_owned(),
+            line.triangles
+                .map_or("-".to_owned(), |count| count.to_string()),
+            corner(|bounds| bounds.min),
+            corner(|bounds| bounds.max),
+        ]
+    }));
+    let width = |column: usize| {
+        rows.iter()
+            .map(|row| row[column].chars().count())
+            .max()
+            .unwrap_or(0)
+    };
+    let widths: [usize; 6] = std::array::from_fn(width);
+    let [w0, w1, w2, w3, w4, _] = widths;
+    let line = |[id, name, shape, triangles, min, max]: &[String; 6]| {
+        format!("{id:>w0$}  {name:<w1$}  {shape:<w2$}  {triangles:>w3$}  {min:<w4$}  {max}\n")
+    };
+    rows.iter().map(line).collect()
+}
+
+/// A point with six significant digits a coordinate.
+fn short(point: DVec3) -> String {
+    let digits = |value: f64| {
+        let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+        match rounded.abs() {
+            0.0 => "0".to_owned(),
+            1e-4..1e7 => rounded.to_string(),
+            _ => format!("{rounded:e}"),
+        }
+    };
+    point.to_array().map(digits).join(", ")
+}

@@ -1,0 +1,140 @@
+//! The command line: one struct a command, one module for what it does.
+//!
+//! Results go to stdout and nothing else does; errors and warnings go to stderr, a line each.
+
+mod error;
+mod list;
+mod pick;
+mod render;
+mod value;
+mod view;
+mod window;
+
+pub use error::CliError;
+pub use list::ListArgs;
+pub use pick::{At, PickArgs};
+pub use render::{By, RenderArgs};
+pub use view::ViewArgs;
+pub use window::WindowArgs;
+
+use crate::scene::{self, Loaded, Progress};
+use clap::{Parser, Subcommand};
+use std::{ffi::OsString, io::Write, path::PathBuf, process::ExitCode, time::Instant};
+
+/// How many warnings are printed before the rest is only counted.
+const WARNINGS_SHOWN: usize = 20;
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 verify found a defect, 2 usage, 3 a file, 4 no graphics adapter, \
+                          5 no display.";
+
+/// A 3D viewer in which what you see is what you pick, to the pixel.
+///
+/// Without a command it opens the window. SCENE is an .obj or a scene .toml file; several make one scene; none is
+/// the demo.
+#[derive(Debug, Parser)]
+#[command(name = "sightline", version, after_help = EXIT_CODES, subcommand_negates_reqs = true)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct Cli {
+    /// What to do; the window where nothing is said.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// How the window opens.
+    #[command(flatten)]
+    pub window: WindowArgs,
+}
+
+/// What to do without a window.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Draw the scene into a PNG file
+    Render(RenderArgs),
+    /// Say what is at a position of the picture: one line of JSON a pick
+    Pick(PickArgs),
+    /// List the objects: id, name, shape, triangles, bounds
+    List(ListArgs),
+}
+
+/// What every command takes.
+#[derive(Clone, Debug, clap::Args)]
+pub struct SceneArgs {
+    /// .obj or scene .toml files; ids run on in this order [default: the demo]
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Say on stderr what is being done
+    #[arg(short, long)]
+    pub verbose: bool,
+}
+
+/// Parses the arguments (the program's own name first), does what they say and reports an error as one line.
+#[must_use]
+pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        Err(error) if !error.use_stderr() => {
+            // Help and version. Nobody is left to tell when they cannot be printed.
+            let _ = error.print();
+            return ExitCode::SUCCESS;
+        }
+        Err(error) => return CliError::from(error).report(),
+    };
+    let done = match &cli.command {
+        Some(Command::Render(args)) => render::run(args),
+        Some(Command::Pick(args)) => pick::run(args),
+        Some(Command::List(args)) => list::run(args),
+        None => window::run(&cli.window),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => error.report(),
+    }
+}
+
+/// Loads the scene that a command names and prints what the load warns of.
+fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
+    let level = if args.verbose {
+        log::LevelFilter::Info
+    } else {
+        log::LevelFilter::Warn
+    };
+    env_logger::Builder::new()
+        .filter_level(level)
+        .parse_default_env()
+        .init();
+    let start = Instant::now();
+    let loaded = scene::load(&args.scenes, &Progress::default())?;
+    log::info!(
+        "loaded {}: {} objects, {} triangles in {:.1?}",
+        loaded.title,
+        loaded.scene.objects().len(),
+        loaded.scene.triangle_count(),
+        start.elapsed()
+    );
+    for warning in loaded.warnings.iter().take(WARNINGS_SHOWN) {
+        say(&format!("warning: {warning}"));
+    }
+    if let Some(more @ 1..) = loaded.warnings.len().checked_sub(WARNINGS_SHOWN) {
+        say(&format!("warning: and {more} more"));
+    }
+    Ok(loaded)
+}
+
+/// Builds the trees of the scene's meshes, for more than a few rays.
+fn build_trees(scene: &scene::Scene) {
+    let start = Instant::now();
+    scene.build_trees();
+    log::info!("built the trees in {:.1?}", start.elapsed());
+}
+
+/// A line on stderr, whatever the text holds: names in files may contain control characters.
+fn say(text: &str) {
+    let mut line = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if c.is_control() {
+            line.extend(c.escape_default());
+        } else {
+            line.push(c);
+        }
+    }
+    // Nobody is left to tell when stderr is closed.
+    let _ = writeln!(std::io::stderr(), "sightline: {line}");
+}

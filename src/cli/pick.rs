@@ -1,0 +1,131 @@
+//! `sightline pick`: what is at a position of the picture.
+
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
+use crate::{
+    camera::{View, Viewport},
+    pick::{self, PickLine, PickLines},
+    scene::Scene,
+};
+use glam::DVec2;
+use std::io::{BufRead, StdoutLock, Write};
+
+/// From this many picks on, building trees pays off.
+const MANY: usize = 32;
+
+/// Arguments of `sightline pick`.
+#[derive(Debug, clap::Args)]
+pub struct PickArgs {
+    /// What to look at.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Where to pick, from the picture's top left corner; - reads X,Y lines from standard input
+    ///
+    /// The ray goes through this very position: 0,0 is the top left corner of the top left pixel and 0.5,0.5 its
+    /// centre, which is what a click on that pixel picks. Several positions may follow one --at.
+    #[arg(long, value_name = "X,Y", required = true, num_args = 1.., value_parser = at)]
+    pub at: Vec<At>,
+    /// Give every surface along the ray, from front to back
+    #[arg(long)]
+    pub all_hits: bool,
+    /// How to look at it.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// Where to pick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum At {
+    /// A position in pixels.
+    Px(DVec2),
+    /// The positions that standard input gives, one a line.
+    Stdin,
+}
+
+fn at(text: &str) -> Result<At, String> {
+    if text == "-" {
+        return Ok(At::Stdin);
+    }
+    let point = value::point(text).map(At::Px);
+    point.map_err(|error| format!("{error} (scenes come before --at)"))
+}
+
+/// A position that lies in the picture.
+pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
+    if viewport.contains(px) {
+        return Ok(px);
+    }
+    let (width, height) = (viewport.width(), viewport.height());
+    Err(CliError::Usage(format!(
+        "{},{} lies outside the picture of {width}x{height} pixels; see --size",
+        px.x, px.y
+    )))
+}
+
+/// Prints the picks.
+pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
+    for &at in &args.at {
+        if let At::Px(px) = at {
+            inside(args.view.size, px)?;
+        }
+    }
+    let mut loaded = load(&args.scene)?;
+    let view = args.view.apply(&mut loaded)?;
+    if args.at.len() > MANY || args.at.contains(&At::Stdin) {
+        build_trees(&loaded.scene);
+    }
+    let mut picker = Picker {
+        scene: &loaded.scene,
+        view: &view,
+        all_hits: args.all_hits,
+        out: std::io::stdout().lock(),
+    };
+    for &at in &args.at {
+        match at {
+            At::Px(px) => picker.pick(px)?,
+            At::Stdin => picker.pick_lines(std::io::stdin().lock())?,
+        }
+    }
+    Ok(())
+}
+
+struct Picker<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    all_hits: bool,
+    out: StdoutLock<'static>,
+}
+
+impl Picker<'_> {
+    fn pick(&mut self, px: DVec2) -> Result<(), CliError> {
+        let line = if self.all_hits {
+            let hits = pick::pick_all(self.scene, self.view, px);
+            serde_json::to_string(&PickLines { px, hits })
+        } else {
+            let hit = pick::pick(self.scene, self.view, px);
+            serde_json::to_string(&PickLine { px, hit })
+        };
+        line.map_err(std::io::Error::from)
+            .and_then(|line| writeln!(self.out, "{line}"))
+            .map_err(CliError::stdout)
+    }
+
+    /// Picks at each line's position as it comes.
+    fn pick_lines(&mut self, lines: impl BufRead) -> Result<(), CliError> {
+        for (number, line) in (1..).zip(lines.lines()) {
+            let line = line.map_err(|source| CliError::Stream {
+                stream: "standard input",
+                source,
+            })?;
+            if line.trim().is_empty() {
+                continue;
+            }
+            let px = value::point(&line).map_err(CliError::Usage);
+            let px = px.and_then(|px| inside(self.view.viewport, px));
+            let px = px.map_err(|error| {
+                CliError::Usage(format!("standard input, line {number}: {error}"))
+            })?;
+            self.pick(px)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,90 @@
+//! `sightline render`: a picture without a window.
+
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load, pick::inside, value};
+use crate::{
+    camera::View,
+    image::{Id, Image, ImageError, Rgb},
+    pick,
+    scene::Scene,
+};
+use glam::DVec2;
+use std::{path::PathBuf, time::Instant};
+
+/// Arguments of `sightline render`.
+#[derive(Debug, clap::Args)]
+pub struct RenderArgs {
+    /// What to draw.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// The PNG file to write
+    #[arg(short, long, value_name = "FILE.png")]
+    pub output: PathBuf,
+    /// What draws: the graphics adapter, or rays on the CPU, which need no driver
+    #[arg(long, value_enum, default_value_t = By::Raster)]
+    pub by: By,
+    /// Draw the object at this position as selected
+    #[arg(long, value_name = "X,Y", value_parser = value::point, allow_hyphen_values = true)]
+    pub pick: Option<DVec2>,
+    /// Write object ids too, as 16-bit grey: 0 where there is nothing, n for the object of id n
+    #[arg(long, value_name = "FILE.png")]
+    pub ids: Option<PathBuf>,
+    /// How to look at it.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// What draws the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum By {
+    /// The graphics adapter.
+    Raster,
+    /// A ray a pixel, on the CPU.
+    Raycast,
+}
+
+/// Draws and writes the picture.
+pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
+    if let Some(px) = args.pick {
+        inside(args.view.size, px)?;
+    }
+    let mut loaded = load(&args.scene)?;
+    let view = args.view.apply(&mut loaded)?;
+    let scene = &loaded.scene;
+    if args.ids.is_some() {
+        let last = u32::try_from(scene.objects().len()).unwrap_or(u32::MAX);
+        u16::try_from(last).map_err(|_| ImageError::TooManyObjects(last))?;
+    }
+    let at = args.pick.map(|px| view.ray(px));
+    let selection = at.and_then(|ray| pick::closest(scene, &ray, view.sides));
+    let selection = selection.map(|hit| hit.object);
+    let start = Instant::now();
+    let (ids, colours) = match args.by {
+        By::Raster => raster(scene, &view, selection)?,
+        By::Raycast => raycast(scene, &view, selection),
+    };
+    log::info!("drew the picture in {:.1?}", start.elapsed());
+    colours.write_png(&args.output)?;
+    if let Some(path) = &args.ids {
+        ids.write_png(path)?;
+    }
+    Ok(())
+}
+
+fn raster(
+    _scene: &Scene,
+    _view: &View,
+    _selection: Option<usize>,
+) -> Result<(Image<Id>, Image<Rgb>), CliError> {
+    Err(CliError::NoAdapter(
+        "this build draws without one only; use --by raycast".to_owned(),
+    ))
+}
+
+fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {
+    build_trees(scene);
+    let (ids, mut colours) = pick::raycast(scene, view);
+    if let Some(object) = selection {
+        pick::draw_selection(scene, view, object, &ids, &mut colours);
+    }
+    (ids, colours)
+}

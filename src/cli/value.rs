@@ -1,0 +1,49 @@
+//! Values as people type them.
+
+use crate::camera::Viewport;
+use glam::{DVec2, DVec3};
+
+/// More pixels a side than any picture needs; what lies beyond is a slip of the keyboard.
+const LARGEST_SIDE: u32 = 16_384;
+
+/// A finite number.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    let value: f64 = text.trim().parse().map_err(|_| "expected a number")?;
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err("expected a finite number".to_owned())
+    }
+}
+
+/// `N` finite numbers between commas.
+fn numbers<const N: usize>(text: &str, form: &str) -> Result<[f64; N], String> {
+    let values: Result<Vec<f64>, _> = text.split(',').map(number).collect();
+    values
+        .ok()
+        .and_then(|values| values.try_into().ok())
+        .ok_or_else(|| format!("expected {form}: numbers with commas and no spaces"))
+}
+
+/// `x,y,z`
+pub(super) fn vector(text: &str) -> Result<DVec3, String> {
+    numbers(text, "x,y,z").map(DVec3::from_array)
+}
+
+/// `X,Y`
+pub(super) fn point(text: &str) -> Result<DVec2, String> {
+    numbers(text, "X,Y").map(DVec2::from_array)
+}
+
+/// `WxH`
+pub(super) fn size(text: &str) -> Result<Viewport, String> {
+    let sides = text.split_once(['x', 'X']);
+    let side = |text: &str| {
+        let side: u32 = text.parse().ok()?;
+        (1..=LARGEST_SIDE).contains(&side).then_some(side)
+    };
+    let sides = sides.and_then(|(width, height)| Some((side(width)?, side(height)?)));
+    let (width, height) =
+        sides.ok_or_else(|| format!("expected WxH with 1 to {LARGEST_SIDE} pixels a side"))?;
+    Viewport::new(width, height).map_err(|error| error.to_string())
+}

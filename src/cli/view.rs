@@ -1,0 +1,124 @@
+//! The camera flags.
+
+use super::{CliError, value};
+use crate::{
+    camera::{CameraChoice, DepthMapping, UpAxis, View, Viewport},
+    geometry::Sides,
+    scene::Loaded,
+};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use glam::DVec3;
+
+/// How the scene is seen. A flag beats the scene file's camera, which beats framing, field by field.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "View")]
+pub struct ViewArgs {
+    /// Picture size in pixels
+    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = value::size)]
+    pub size: Viewport,
+    /// Where the eye stands
+    #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
+    pub eye: Option<DVec3>,
+    /// The point it looks at
+    #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
+    pub target: Option<DVec3>,
+    /// The direction it looks in
+    #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "target")]
+    pub look: Option<DVec3>,
+    /// What is up in the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
+    pub up: Option<DVec3>,
+    /// Vertical field of view in degrees [default: 45]
+    #[arg(long, value_name = "DEG", value_parser = value::number, allow_hyphen_values = true)]
+    pub fov: Option<f64>,
+    /// Orthographic, with this full height in world units
+    #[arg(long, value_name = "HEIGHT", value_parser = value::number, allow_hyphen_values = true)]
+    #[arg(conflicts_with = "fov")]
+    pub ortho: Option<f64>,
+    /// View depth of the near plane [default: fits the scene]
+    #[arg(long, value_name = "N", value_parser = value::number, allow_hyphen_values = true)]
+    pub near: Option<f64>,
+    /// View depth of the far plane [default: fits the scene]
+    #[arg(long, value_name = "F", value_parser = value::number, allow_hyphen_values = true)]
+    pub far: Option<f64>,
+    /// What the depth buffer stores [default: reversed]
+    #[arg(long, value_name = "MAPPING", value_parser = depth_parser())]
+    pub depth: Option<DepthMapping>,
+    /// Show and hit front faces only
+    #[arg(long)]
+    pub cull: bool,
+    /// Which world axis points up [default: y]
+    #[arg(long, value_name = "AXIS", value_parser = up_axis_parser())]
+    pub up_axis: Option<UpAxis>,
+    /// Hide objects: neither drawn nor picked
+    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
+    pub hide: Vec<usize>,
+}
+
+fn depth_parser() -> impl TypedValueParser<Value = DepthMapping> {
+    PossibleValuesParser::new(["reversed", "standard"]).map(|word| match word.as_str() {
+        "standard" => DepthMapping::Standard,
+        _ => DepthMapping::Reversed,
+    })
+}
+
+fn up_axis_parser() -> impl TypedValueParser<Value = UpAxis> {
+    PossibleValuesParser::new(["y", "z"]).map(|word| match word.as_str() {
+        "z" => UpAxis::Z,
+        _ => UpAxis::Y,
+    })
+}
+
+impl ViewArgs {
+    /// What the flags say about the camera.
+    #[must_use]
+    pub fn choice(&self) -> CameraChoice {
+        CameraChoice {
+            eye: self.eye,
+            target: self.target,
+            look: self.look,
+            up: self.up,
+            fov: self.fov,
+            ortho: self.ortho,
+            near: self.near,
+            far: self.far,
+            depth: self.depth,
+            up_axis: self.up_axis,
+        }
+    }
+
+    /// Hides what is to be hidden and gives the view of what is left.
+    ///
+    /// # Errors
+    /// When there is no object of an id, or flags and scene make no camera.
+    pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
+        let objects = loaded.scene.objects().len();
+        for &id in &self.hide {
+            if !(1..=objects).contains(&id) {
+                return Err(CliError::Usage(format!(
+                    "--hide {id}: ids run from 1 to {objects}; see 'sightline list'"
+                )));
+            }
+            loaded.scene.set_visible(id - 1, false);
+        }
+        let flags = self.choice();
+        let camera = flags
+            .or(loaded.camera)
+            .resolve(&loaded.scene.visible_bounds(), self.size);
+        let camera = camera.map_err(|source| match &loaded.camera_file {
+            // Without a flag it can only be the file's fault.
+            Some(file) if flags == CameraChoice::default() => CliError::SceneCamera {
+                file: file.clone(),
+                source,
+            },
+            _ => CliError::View(source),
+        })?;
+        log::info!("camera {camera:?}");
+        Ok(View {
+            camera,
+            viewport: self.size,
+            sides: if self.cull { Sides::Front } else { Sides::Both },
+        })
+    }
+}

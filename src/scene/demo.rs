@@ -1,0 +1,76 @@
+//! The scene that opens when none is named.
+
+use super::{LoadError, Loaded, MeshFiles, Progress, Scene, description};
+use crate::geometry::{ColourRun, Mesh, MeshData, Part, crease_normals};
+use glam::DVec3;
+use std::{f64::consts::TAU, path::Path, sync::Arc};
+
+/// The demo's scene file.
+const DEMO: &str = include_str!("../../assets/demo.toml");
+/// The mesh file that it names, which is made here.
+const RING: &str = "ring.obj";
+
+/// The demo.
+pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
+    let mut meshes = MeshFiles::default();
+    meshes.insert(Path::new(RING), ring());
+    let mut warnings = Vec::new();
+    let description = description::parse(
+        DEMO,
+        Path::new("demo.toml"),
+        &mut meshes,
+        progress,
+        &mut warnings,
+    )?;
+    Ok(Loaded {
+        scene: Scene::new(description.objects),
+        camera: description.camera.unwrap_or_default(),
+        camera_file: None,
+        warnings,
+        meshes: Vec::new(),
+        title: "demo".to_owned(),
+    })
+}
+
+/// A torus of 576 triangles about the z axis, smooth around and with edges across.
+fn ring() -> Arc<Mesh> {
+    const AROUND: u32 = 36;
+    const ACROSS: u32 = 8;
+    const RADIUS: f64 = 0.5;
+    const THICKNESS: f64 = 0.16;
+    /// In radians: less than between the faces across.
+    const CREASE: f32 = 0.5;
+    let vertex = |i: u32| {
+        let turn = |part: u32, whole: u32| TAU * f64::from(part) / f64::from(whole);
+        let (sin_u, cos_u) = turn(i / ACROSS, AROUND).sin_cos();
+        let (sin_v, cos_v) = turn(i % ACROSS, ACROSS).sin_cos();
+        let radius = RADIUS + THICKNESS * cos_v;
+        DVec3::new(radius * cos_u, radius * sin_u, THICKNESS * sin_v)
+            .as_vec3()
+            .to_array()
+    };
+    let positions: Vec<_> = (0..AROUND * ACROSS).map(vertex).collect();
+    let at = |i: u32, j: u32| i % AROUND * ACROSS + j % ACROSS;
+    let quad = |i: u32, j: u32| {
+        let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    let quads = (0..AROUND).flat_map(|i| (0..ACROSS).map(move |j| (i, j)));
+    let triangles: Vec<_> = quads.flat_map(|(i, j)| quad(i, j)).collect();
+    let all = 0..2 * AROUND * ACROSS;
+    let mesh = Mesh::new(MeshData {
+        normals: crease_normals(&positions, &triangles, CREASE),
+        positions,
+        triangles,
+        parts: vec![Part {
+            name: "Ring".to_owned(),
+            triangles: all.clone(),
+        }],
+        colours: vec![ColourRun {
+            triangles: all,
+            colour: None,
+        }],
+        ..MeshData::default()
+    });
+    Arc::new(mesh.expect("the ring's indices and ranges are right"))
+}

@@ -1,0 +1,175 @@
+//! From the files that somebody names to one scene.
+
+use super::{
+    Cancelled, DescriptionError, ObjError, Object, Problem, Progress, Scene, Shape, Warning, demo,
+    description, obj,
+};
+use crate::{
+    camera::CameraChoice,
+    geometry::{Mesh, Placement},
+};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+/// A scene and what came with it.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The objects of all files, in the order of the files.
+    pub scene: Scene,
+    /// The camera of the first scene file that has one; empty otherwise.
+    pub camera: CameraChoice,
+    /// The scene file that the camera is from.
+    pub camera_file: Option<PathBuf>,
+    /// What was left out or mended.
+    pub warnings: Vec<Warning>,
+    /// The meshes' files, by their absolute paths: what saving the scene needs.
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    /// A name for all of it, for the window's title.
+    pub title: String,
+}
+
+/// Why there is no scene. One line that names the file.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// Somebody asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// A scene file could not be read.
+    #[error("cannot read {}: {source}", file.display())]
+    Read {
+        /// Which file.
+        file: PathBuf,
+        /// What the file system said.
+        source: std::io::Error,
+    },
+    /// A scene file was refused.
+    #[error(transparent)]
+    Scene(DescriptionError),
+    /// A mesh file was refused.
+    #[error(transparent)]
+    Obj(ObjError),
+}
+
+/// Loads files as one scene: `.toml` is a scene file, anything else an OBJ file. Ids run on in the order of `paths`.
+/// Without any path it is the demo.
+///
+/// # Errors
+/// When a file cannot be read or is refused, or the load is cancelled through `progress`.
+pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError> {
+    if paths.is_empty() {
+        return demo::demo(progress);
+    }
+    let mut meshes = MeshFiles::default();
+    let mut objects = Vec::new();
+    let mut warnings = Vec::new();
+    let mut camera = None;
+    for path in paths {
+        if path
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
+        {
+            let text = std::fs::read_to_string(path).map_err(|source| LoadError::Read {
+                file: path.clone(),
+                source,
+            })?;
+            let scene = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
+            objects.extend(scene.objects);
+            camera = camera.or(scene.camera.map(|camera| (camera, path.clone())));
+        } else {
+            let mesh = meshes.load(path, progress, &mut warnings)?;
+            objects.extend(mesh_objects(&mesh));
+        }
+    }
+    let (camera, camera_file) = camera.unzip();
+    Ok(Loaded {
+        scene: Scene::new(objects),
+        camera: camera.unwrap_or_default(),
+        camera_file,
+        warnings,
+        meshes: meshes.0,
+        title: title(paths),
+    })
+}
+
+/// Mesh files by their absolute paths, each loaded once however often it is named.
+#[derive(Debug, Default)]
+pub struct MeshFiles(Vec<(PathBuf, Arc<Mesh>)>);
+
+impl MeshFiles {
+    /// Takes a mesh as that of a file, which is then not read.
+    pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
+        self.0.push((absolute(path), mesh));
+    }
+
+    /// The mesh of a file.
+    ///
+    /// # Errors
+    /// As [`obj::load`].
+    pub fn load(
+        &mut self,
+        as_named: &Path,
+        progress: &Progress,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Arc<Mesh>, ObjError> {
+        let path = absolute(as_named);
+        if let Some((_, mesh)) = self.0.iter().find(|(known, _)| *known == path) {
+            return Ok(Arc::clone(mesh));
+        }
+        let file = obj::load(as_named, progress)?;
+        warnings.extend(file.warnings);
+        self.0.push((path, Arc::clone(&file.mesh)));
+        Ok(file.mesh)
+    }
+}
+
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// All parts of a mesh as objects where the file has them.
+fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
+    (0..).zip(&mesh.data().parts).map(|(part, in_file)| {
+        let mesh = Arc::clone(mesh);
+        Object::new(
+            in_file.name.as_str(),
+            Shape::Mesh { mesh, part },
+            Placement::IDENTITY,
+        )
+    })
+}
+
+fn title(paths: &[PathBuf]) -> String {
+    let name = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        name.to_string_lossy().into_owned()
+    };
+    match paths {
+        [] => String::new(),
+        [only] => name(only),
+        [first, others @ ..] => format!("{} and {} more", name(first), others.len()),
+    }
+}
+
+impl From<ObjError> for LoadError {
+    fn from(error: ObjError) -> Self {
+        match error {
+            ObjError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            #[allow(unreachable_patterns, reason = "the loader has one error so far")]
+            error => Self::Obj(error),
+        }
+    }
+}
+
+impl From<DescriptionError> for LoadError {
+    fn from(error: DescriptionError) -> Self {
+        match error.problem {
+            Problem::Mesh {
+                source: ObjError::Cancelled(cancelled),
+                ..
+            } => Self::Cancelled(cancelled),
+            _ => Self::Scene(error),
+        }
+    }
+}
