@@ -72,6 +72,12 @@ pub struct Viewport {
 }
 
 impl Viewport {
+    /// The size of pictures where none is asked for: 1280 x 720.
+    pub const DEFAULT: Self = Self {
+        width: 1280,
+        height: 720,
+    };
+
     /// Takes width and height in pixels.
     ///
     /// # Errors
