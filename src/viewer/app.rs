@@ -1,13 +1,12 @@
-//! The event loop's side: events in, commands run, frames drawn.
+//! The program behind the window: what commands do, and what loads bring.
 
 use super::{
     Command, Notice, Notices, Options, ViewerError, Wake,
     action::Action,
     command,
-    frame::Panels,
     input::Drag,
     loading::{self, Loading},
-    panels::{self, Shown, Statistics},
+    panels::Statistics,
     shell::Shell,
     state::State,
 };
@@ -16,37 +15,29 @@ use crate::{
     pick::PickLine,
     scene::{Loaded, Warning},
 };
-use std::{
-    io::Write,
-    path::PathBuf,
-    time::{Duration, Instant},
-};
-use winit::{
-    application::ApplicationHandler,
-    dpi::PhysicalSize,
-    event::{StartCause, WindowEvent},
-    event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy},
-    window::WindowId,
-};
+use glam::DVec2;
+use std::{io::Write, path::PathBuf, time::Instant};
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 
 /// All that lives as long as the event loop.
 pub(super) struct App {
-    options: Options,
-    proxy: EventLoopProxy<Wake>,
-    window: Option<Shell>,
-    state: State,
+    pub options: Options,
+    pub proxy: EventLoopProxy<Wake>,
+    /// The window, once the event loop runs.
+    pub shell: Option<Shell>,
+    pub state: State,
     /// What the scene was made from, for the command that makes it again.
     paths: Vec<PathBuf>,
-    loading: Option<(Loading, Vec<PathBuf>)>,
+    pub loading: Option<(Loading, Vec<PathBuf>)>,
     /// The first scene takes the command line's camera.
     first: bool,
-    notices: Notices,
-    help: bool,
-    reveal_selection: bool,
-    drag: Option<Drag>,
+    pub notices: Notices,
+    pub help: bool,
+    pub reveal_selection: bool,
+    pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
     announced: u64,
-    statistics: Statistics,
+    pub statistics: Statistics,
     /// Why the window could not be opened, for the caller of [`super::run`].
     pub failed: Option<ViewerError>,
 }
@@ -70,7 +61,7 @@ impl App {
             announced: 0,
             statistics: Statistics::default(),
             failed: None,
-            window: None,
+            shell: None,
             state,
             proxy,
             options,
@@ -79,14 +70,14 @@ impl App {
         Ok(app)
     }
 
-    fn open(&mut self, paths: Vec<PathBuf>) {
+    pub fn open(&mut self, paths: Vec<PathBuf>) {
         let proxy = self.proxy.clone();
         let wake = move || drop(proxy.send_event(Wake::Look));
         self.loading = Some((Loading::start(paths.clone(), wake), paths));
     }
 
     /// Takes what a load brought: the scene on screen stays until its successor is whole.
-    fn take_loaded(&mut self) {
+    pub fn take_loaded(&mut self) {
         let Some((result, paths)) = self
             .loading
             .as_ref()
@@ -154,7 +145,7 @@ impl App {
         }
     }
 
-    fn run_command(&mut self, command: Command, event_loop: &ActiveEventLoop) {
+    pub fn run_command(&mut self, command: Command, event_loop: &ActiveEventLoop) {
         match command {
             Command::Act(action) => self.act(action),
             Command::OpenDialog => {
@@ -192,7 +183,8 @@ impl App {
             self.reveal_selection = true;
         }
         if let Some(line) = picked {
-            log::info!("{}", self.view_command());
+            let command = command::pick_command(&self.state, &self.paths, line.px);
+            log::info!("{command}");
             if self.options.print_picks {
                 print(&line);
             }
@@ -201,101 +193,22 @@ impl App {
 
     /// The view as a command, at the pick or else in the middle.
     fn view_command(&self) -> String {
-        let at_px = self
-            .state
-            .selection()
-            .and_then(|selection| Some(selection.pick.as_ref()?.px));
+        let selection = self.state.selection();
+        let pick = selection.and_then(|selection| selection.pick.as_ref());
         let viewport = self.state.view().viewport;
-        let middle =
-            glam::DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
-        command::pick_command(&self.state, &self.paths, at_px.unwrap_or(middle))
+        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        let at_px = pick.map_or(middle, |pick| pick.px);
+        command::pick_command(&self.state, &self.paths, at_px)
     }
 
     fn copy(&mut self, text: String) {
-        if let Some(shell) = &mut self.window {
+        if let Some(shell) = &mut self.shell {
             shell.egui.set_clipboard_text(text);
         }
     }
 
-    fn redraw(&mut self, event_loop: &ActiveEventLoop) {
-        self.take_loaded();
-        let Some(mut shell) = self.window.take() else {
-            return;
-        };
-        let start = Instant::now();
-        let input = shell.egui.take_egui_input(&shell.window);
-        let dropped = input
-            .dropped_files
-            .iter()
-            .map(|file| file.path().to_path_buf())
-            .collect::<Vec<_>>();
-        let context = shell.egui.egui_ctx().clone();
-        let mut commands = Vec::new();
-        let mut place = None;
-        let output = context.run_ui(input, |ui| {
-            let mut shown = Shown {
-                state: &self.state,
-                notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, _)| load.fraction()),
-                help: self.help,
-                statistics: &self.statistics,
-                reveal_selection: self.reveal_selection,
-            };
-            let (scene, asked) = panels::show(ui, &mut shown, &mut self.drag);
-            place = scene;
-            commands.extend(asked);
-        });
-        self.reveal_selection = false;
-        shell
-            .egui
-            .handle_platform_output(&shell.window, output.platform_output);
-        if !dropped.is_empty() {
-            commands.push(Command::Open(dropped));
-        }
-        // What was shown is what was acted on; if that changed the state, the next frame shows it.
-        let panels_change = commands
-            .iter()
-            .any(|command| !matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_))));
-        let hover = self.state.hover();
-        self.window = Some(shell);
-        for command in commands {
-            self.run_command(command, event_loop);
-        }
-        let Some(shell) = &mut self.window else {
-            return;
-        };
-        shell
-            .window
-            .set_title(&format!("{} \u{2013} Sightline", self.state.name()));
-        let panels = Panels {
-            primitives: context.tessellate(output.shapes, output.pixels_per_point),
-            textures: output.textures_delta,
-            pixels_per_point: output.pixels_per_point,
-        };
-        let drawn = shell.frame.draw(&self.state, place, panels);
-        match drawn {
-            Ok(true) => {
-                self.statistics.frame = start.elapsed();
-                self.announce();
-            }
-            Ok(false) => {}
-            Err(error) => {
-                self.notices.push(Notice {
-                    text: error.to_string(),
-                    is_error: true,
-                });
-                context.request_repaint();
-            }
-        }
-        if panels_change || hover != self.state.hover() {
-            context.request_repaint();
-        } else if self.loading.is_some() {
-            context.request_repaint_after(Duration::from_millis(50));
-        }
-    }
-
     /// Says once that a scene is on the screen.
-    fn announce(&mut self) {
+    pub fn announce(&mut self) {
         let scene = self.state.scene();
         if self.announced != self.state.scene_revision() {
             self.announced = self.state.scene_revision();
@@ -306,71 +219,9 @@ impl App {
             );
         }
     }
-
-    fn request_redraw(&self) {
-        if let Some(shell) = &self.window {
-            shell.window.request_redraw();
-        }
-    }
 }
 
-impl ApplicationHandler<Wake> for App {
-    fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
-        if let StartCause::ResumeTimeReached { .. } = cause {
-            event_loop.set_control_flow(ControlFlow::Wait);
-            self.request_redraw();
-        }
-    }
-
-    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if self.window.is_some() {
-            return;
-        }
-        match Shell::open(event_loop, &self.options, &self.proxy) {
-            Ok(shell) => {
-                self.statistics.adapter = shell.frame.adapter_name();
-                self.statistics.software = shell.frame.is_software();
-                self.window = Some(shell);
-                self.request_redraw();
-            }
-            Err(error) => {
-                self.failed = Some(error);
-                event_loop.exit();
-            }
-        }
-    }
-
-    fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
-        match wake {
-            Wake::Look => self.request_redraw(),
-            Wake::Open(paths) => {
-                self.open(paths);
-                self.request_redraw();
-            }
-            Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
-            Wake::RepaintAt(time) => event_loop.set_control_flow(ControlFlow::WaitUntil(time)),
-        }
-    }
-
-    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let Some(shell) = &mut self.window else {
-            return;
-        };
-        match &event {
-            WindowEvent::CloseRequested => return event_loop.exit(),
-            WindowEvent::RedrawRequested => return self.redraw(event_loop),
-            WindowEvent::Resized(PhysicalSize { width, height }) => {
-                shell.frame.resize(*width, *height);
-            }
-            _ => {}
-        }
-        if shell.egui.on_window_event(&shell.window, &event).repaint {
-            self.request_redraw();
-        }
-    }
-}
-
-/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
+/// A pick as a line on stdout.@ Who reads it may be gone: that is no reason to stop showing.
 fn print(line: &PickLine) {
     if let Ok(json) = serde_json::to_string(line) {
         let mut out = std::io::stdout().lock();

@@ -7,6 +7,7 @@
 pub mod action;
 mod app;
 mod command;
+mod events;
 mod frame;
 mod input;
 mod loading;

@@ -16,6 +16,8 @@ pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
     pub frame: Frame,
+    /// egui's textures that came and went since the last frame.
+    pub textures: egui::TexturesDelta,
 }
 
 impl Shell {
@@ -58,6 +60,7 @@ impl Shell {
             window,
             egui,
             frame,
+            textures: egui::TexturesDelta::default(),
         })
     }
 }
