@@ -39,6 +39,9 @@ pub fn view(eye: [f64; 3], target: [f64; 3], lens: Lens, size: [u32; 2]) -> View
 /// The folder of real files; `None` where there is none, which the test must say ("real files: absent").
 pub fn shared() -> Option<PathBuf> {
     let folder = std::env::var_os("SIGHTLINE_SHARED").map(PathBuf::from)?;
-    assert!(folder.join("models").is_dir(), "SIGHTLINE_SHARED is set but holds no models");
+    assert!(
+        folder.join("models").is_dir(),
+        "SIGHTLINE_SHARED is set but holds no models"
+    );
     Some(folder)
 }
