@@ -218,9 +218,7 @@ impl<'a> Builder<'a> {
         polygon.clear();
         polygon.extend(vertices.iter().map(|&i| self.position(i)));
         let mut splitter = std::mem::take(&mut self.splitter);
-        let triangles = splitter.split(&polygon);
-        self.left_out.without_area += vertices.len() - 2 - triangles.len();
-        for &corners in triangles {
+        for &corners in splitter.split(&polygon) {
             self.triangle(vertices, normals, corners);
         }
         self.splitter = splitter;

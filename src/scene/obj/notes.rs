@@ -67,9 +67,9 @@ pub(super) fn about_materials(
     let used = outline.material_names.iter();
     let (defined, unknown): (Vec<_>, Vec<_>) =
         used.partition(|(name, _)| materials.contains_key(name));
-    // A material file that is missing has been reported; so have all its materials.
+    // Where there is no material file at all, nothing is amiss with the one name; a missing file has been told of.
     if let Some((_, line)) = unknown.first()
-        && (outline.libraries.is_empty() || !materials.is_empty())
+        && !materials.is_empty()
     {
         let names = list(unknown.iter().map(|(name, _)| &**name));
         warnings.push(Warning {

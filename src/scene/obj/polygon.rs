@@ -18,12 +18,11 @@ pub(super) struct Splitter {
 }
 
 impl Splitter {
-    /// The triangles of a simple polygon, as indices into its corners, wound as it is and without area nowhere.
+    /// The n - 2 triangles of a simple polygon, as indices into its corners, wound as it is.
     ///
-    /// There are n - 2 of them, every corner is a corner of one, and where two touch they share an edge: a corner on
-    /// the straight line between its neighbours stays, since the polygon next to it has it too. There are fewer where
-    /// corners coincide or the outline runs back on itself, and none where it has no area. An outline that crosses
-    /// itself, as that of a twisted quad does, has no inside; it gets a fan.
+    /// Where two of them touch they share an edge: a corner on the straight line between its neighbours stays, since
+    /// the polygon next to it has it too. Triangles without area come only of corners that coincide. An outline that
+    /// crosses itself, as that of a twisted quad may, has no inside; it gets a fan.
     pub fn split(&mut self, corners: &[DVec3]) -> &[[u32; 3]] {
         self.triangles.clear();
         let normal = newell(corners);
@@ -39,24 +38,17 @@ impl Splitter {
                 return &self.triangles;
             }
         }
-        if normal == DVec3::ZERO || !normal.is_finite() {
-            return &self.triangles;
-        }
         self.flat.clear();
         self.flat.extend(corners.iter().map(flatten_along(normal)));
         self.earcut.earcut_slice(&self.flat, &[], &mut self.indices);
-        // Earcut winds its triangles clockwise.
-        let (triangles, _) = self.indices.as_chunks::<3>();
-        self.triangles
-            .extend(triangles.iter().map(|&[a, b, c]| [c, b, a]));
+        if deviation(self.flat.iter().copied(), &[], &self.indices) > CROSSES {
+            let fan = (1..).zip(2..).take(corners.len() - 2);
+            self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
+            return &self.triangles;
+        }
+        self.triangles.extend(self.indices.as_chunks::<3>().0);
         if self.triangles.len() + 2 < corners.len() {
-            if deviation(self.flat.iter().copied(), &[], &self.indices) > CROSSES {
-                let fan = (1..).zip(2..).take(corners.len() - 2);
-                self.triangles.clear();
-                self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
-            } else {
-                restore_straight_corners(&self.flat, &mut self.triangles);
-            }
+            close_gaps(&self.flat, &mut self.triangles);
         }
         &self.triangles
     }
@@ -83,8 +75,9 @@ fn flatten_along(normal: DVec3) -> impl Fn(&DVec3) -> [f64; 2] {
 }
 
 /// Brings back the corners that earcut drops because they lie on a straight line: where triangles leave a gap without
-/// area, the triangle on its long side is divided at the corners on its other sides.
-fn restore_straight_corners(flat: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
+/// area, the triangle on its long side is divided at the corners on its other sides. Gaps of another form, about
+/// corners that coincide, are filled.
+fn close_gaps(flat: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
     let mut owner = HashMap::new();
     for (triangle, &corners) in triangles.iter().enumerate() {
         owner.extend(edges(corners).map(|edge| (edge, triangle)));
@@ -115,6 +108,8 @@ fn restore_straight_corners(flat: &[[f64; 2]], triangles: &mut Vec<[u32; 3]>) {
             .windows(2)
             .all(|step| along(flat, [start, end], [step[0], step[1]]) > 0.0);
         let Some(&triangle) = owner.get(&(start, end)).filter(|_| forward) else {
+            let rest = gap.windows(2).skip(1);
+            triangles.extend(rest.map(|step| [start, step[0], step[1]]));
             continue;
         };
         let apex = triangles[triangle]

@@ -41,6 +41,7 @@ pub(super) struct Source<'a, R> {
     /// What was found.
     pub outline: Outline,
     name: Name,
+    renamed: bool,
     known_materials: HashMap<String, usize>,
     normals: usize,
     coloured: usize,
@@ -62,6 +63,7 @@ impl<'a, R: BufRead> Source<'a, R> {
             stop: None,
             outline: Outline::default(),
             name: Name::default(),
+            renamed: true,
             known_materials: HashMap::new(),
             normals: 0,
             coloured: 0,
@@ -124,7 +126,6 @@ impl<'a, R: BufRead> Source<'a, R> {
     fn sort(&mut self) -> Result<(), Stop> {
         let keyword = fields(&self.line).next().unwrap_or_default();
         let end = keyword.end;
-        // Bytes, not strings: a call to compare each would take a fifth of the whole load.
         match self.line[keyword] {
             [b'v'] => {
                 self.cut_comment();
@@ -154,13 +155,17 @@ impl<'a, R: BufRead> Source<'a, R> {
         let keyword = self.line[..keyword_end].trim_ascii_start();
         match keyword {
             b"o" => {
+                self.renamed = true;
                 self.name = Name {
                     object_number: self.name.object_number + 1,
                     object: self.rest(keyword_end),
                     group: String::new(),
                 };
             }
-            b"g" => self.name.group = self.rest(keyword_end),
+            b"g" => {
+                self.renamed = true;
+                self.name.group = self.rest(keyword_end);
+            }
             b"usemtl" => self.use_material(keyword_end),
             b"mtllib" => {
                 let library = self.rest(keyword_end);
@@ -260,15 +265,12 @@ impl<'a, R: BufRead> Source<'a, R> {
             self.outline.bad_normals += 1;
             self.drop_normals(keyword_end);
         }
-        if self
-            .outline
-            .objects
-            .last()
-            .is_none_or(|(_, name)| *name != self.name)
-        {
-            self.outline
-                .objects
-                .push((self.outline.faces(), self.name.clone()));
+        if std::mem::take(&mut self.renamed) {
+            let last = self.outline.objects.last();
+            if last.is_none_or(|(_, name)| *name != self.name) {
+                let face = self.outline.faces();
+                self.outline.objects.push((face, self.name.clone()));
+            }
         }
         self.outline.with_normals.push(with_normals && !bad_normals);
         Ok(())
