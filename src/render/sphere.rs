@@ -179,3 +179,46 @@ fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
     let max = (to_px(right, bottom) + 1.0).min(size);
     (min.cmplt(max).all()).then_some([min, max])
 }
+
+/// Bounds on what `f32` does to a sphere at a pixel: how far, in pixels, the outline may lie off, and how far the
+/// measured depth of the surface may be off where the outline is not near.
+///
+/// A polynomial of six terms, with rounded coefficients, monomials of three roundings and five sums, is wrong by at
+/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). Of the discriminant, over its slope, that is
+/// the outline's shift; of b and c it goes into the root.
+#[must_use]
+pub fn error(sphere: &Uniform, px: DVec2) -> (f64, f64) {
+    const U: f64 = 0.5 * f32::EPSILON as f64;
+    let at = px - DVec2::from(sphere.pivot_px.map(f64::from));
+    let terms = |q: &Quadratic| {
+        let [constant, x, y] = q.linear.map(f64::from);
+        let [xx, xy, yy] = q.square.map(f64::from);
+        [
+            constant,
+            x * at.x,
+            y * at.y,
+            xx * at.x * at.x,
+            xy * at.x * at.y,
+            yy * at.y * at.y,
+        ]
+    };
+    let value = |q: &Quadratic| terms(q).iter().sum::<f64>();
+    let wrong = |q: &Quadratic| 10.0 * U * terms(q).iter().map(|term| term.abs()).sum::<f64>();
+    let [_, x, y] = sphere.discriminant.linear.map(f64::from);
+    let [xx, xy, yy] = sphere.discriminant.square.map(f64::from);
+    let slope = DVec2::new(
+        x + 2.0 * xx * at.x + xy * at.y,
+        y + xy * at.x + 2.0 * yy * at.y,
+    );
+    let outline_px = wrong(&sphere.discriminant) / slope.length();
+    let b = value(&sphere.b);
+    let q = b.abs() + value(&sphere.discriminant).max(0.0).sqrt();
+    let root = q.max((value(&sphere.c) / q).abs());
+    let of_root =
+        4.0 * U * root + wrong(&sphere.b) + wrong(&sphere.c) / q + wrong(&sphere.a) * root;
+    let depth = f64::from(sphere.depth).abs();
+    (
+        outline_px,
+        2.0 * U * depth + f64::from(sphere.depth_per_root) * of_root,
+    )
+}
