@@ -82,9 +82,9 @@ fn the_tree_finds_what_brute_force_finds() {
                     assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
                 }
                 if expected.is_empty() {
-                    missed += 1
+                    missed += 1;
                 } else {
-                    hit += 1
+                    hit += 1;
                 }
             }
         }
