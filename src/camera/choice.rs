@@ -6,7 +6,7 @@ use super::{
 };
 use crate::geometry::Aabb;
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
 /// What somebody said about the camera; `None` leaves the field to the next source. World space and units; angles
 /// in degrees, since this is the user's edge.
@@ -14,12 +14,16 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields, default)]
 pub struct CameraChoice {
     /// Where the eye stands.
+    #[serde(deserialize_with = "some_vector")]
     pub eye: Option<DVec3>,
     /// What it looks at.
+    #[serde(deserialize_with = "some_vector")]
     pub target: Option<DVec3>,
     /// Which way it looks, in place of a target.
+    #[serde(deserialize_with = "some_vector")]
     pub look: Option<DVec3>,
     /// What is up in the picture; need not be perpendicular to the line of sight.
+    #[serde(deserialize_with = "some_vector")]
     pub up: Option<DVec3>,
     /// Vertical field of view in degrees.
     pub fov: Option<f64>,
@@ -33,6 +37,23 @@ pub struct CameraChoice {
     pub depth: Option<DepthMapping>,
     /// Which world axis points up.
     pub up_axis: Option<UpAxis>,
+}
+
+/// An array of exactly `N` values: arrays by themselves pass over what is too much.
+pub(crate) fn exactly<'de, const N: usize, T: Deserialize<'de>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<[T; N], D::Error> {
+    let values = Vec::<T>::deserialize(from)?;
+    let count = values.len();
+    let expected = format!("exactly {N}");
+    values
+        .try_into()
+        .map_err(|_| D::Error::invalid_length(count, &expected.as_str()))
+}
+
+/// A vector, where there is one.
+pub(crate) fn some_vector<'de, D: Deserializer<'de>>(from: D) -> Result<Option<DVec3>, D::Error> {
+    exactly(from).map(|vector| Some(DVec3::from_array(vector)))
 }
 
 impl CameraChoice {

@@ -10,6 +10,7 @@ mod lens;
 mod orbit;
 
 pub use choice::CameraChoice;
+pub(crate) use choice::{exactly, some_vector};
 pub use fit::fit_near_far;
 pub use lens::{DepthMapping, Lens, Projection};
 pub use orbit::{Orbit, UpAxis};

@@ -1,7 +1,7 @@
 //! Model matrices: where a shape stands in the world.
 
 use super::Ray;
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles};
 
 /// An invertible affine model matrix with its inverse: translation, rotation, non-uniform scale, mirroring
 /// and shear alike.
@@ -14,12 +14,18 @@ pub struct Placement {
 /// Why a model matrix was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PlacementError {
-    /// It flattens space, or its inverse does not fit into `f64`.
+    /// It flattens space within rounding, or its inverse does not fit into `f64`.
     #[error("the model matrix has no inverse (is a scale zero?)")]
     Singular,
     /// An entry is NaN or infinite.
     #[error("the model matrix has an entry that is not a finite number")]
     NotFinite,
+}
+
+/// The determinant's sum of products with every sign positive: what its rounding is relative to.
+fn permanent(m: DMat3) -> f64 {
+    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
+    x.dot(y.yzx() * z.zxy() + y.zxy() * z.yzx())
 }
 
 impl Placement {
@@ -32,7 +38,7 @@ impl Placement {
     /// Takes the matrix from object to world space.
     ///
     /// # Errors
-    /// When an entry of it or of its inverse is not finite.
+    /// When an entry is not finite or the matrix has, within rounding, no inverse.
     pub fn new(model: DAffine3) -> Result<Self, PlacementError> {
         if !model.is_finite() {
             return Err(PlacementError::NotFinite);
@@ -47,9 +53,11 @@ impl Placement {
             linear.y_axis * scale[1],
             linear.z_axis * scale[2],
         );
-        // Checked before dividing by it: glam's inverse asserts.
+        // What is below the rounding of its own sum of products is no determinant. Checked before dividing by it:
+        // glam's inverse asserts.
+        let rounding = 8.0 * f64::EPSILON * permanent(unit.abs());
         let determinant = unit.determinant();
-        if !(determinant.is_finite() && determinant != 0.0) {
+        if !(determinant.is_finite() && determinant.abs() > rounding) {
             return Err(PlacementError::Singular);
         }
         let inverse_linear = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();

@@ -42,7 +42,12 @@ impl Sphere {
         let distance = origin.length();
         let c = (distance - Self::RADIUS) * (distance + Self::RADIUS);
         let q = b + (a * discriminant).sqrt().copysign(b);
-        let (r1, r2) = (c / q, q / a);
+        // A ray that just touches has both roots in one place, which their two formulas need not find.
+        let (r1, r2) = if discriminant > 0.0 {
+            (c / q, q / a)
+        } else {
+            (b / a, b / a)
+        };
         let (near, far) = if r1 <= r2 { (r1, r2) } else { (r2, r1) };
         let hit = |t: f64| {
             ray.contains(t).then(|| Hit {

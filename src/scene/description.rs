@@ -34,7 +34,7 @@
 
 use super::{MeshFiles, ObjError, Object, Progress, Scene, Shape, Warning};
 use crate::{
-    camera::CameraChoice,
+    camera::{CameraChoice, exactly, some_vector},
     colour::Srgb,
     geometry::{Mesh, Placement, PlacementError},
 };
@@ -152,12 +152,24 @@ struct Entry {
     part: Option<usize>,
     #[serde(alias = "color")]
     colour: Option<Colour>,
+    #[serde(default, deserialize_with = "some_vector")]
     position: Option<DVec3>,
+    #[serde(default, deserialize_with = "some_vector")]
     rotation: Option<DVec3>,
     scale: Option<Scale>,
-    matrix: Option<[[f64; 4]; 3]>,
+    matrix: Option<Rows>,
     visible: Option<bool>,
 }
+
+/// The model matrix's upper three rows; the fourth is always (0, 0, 0, 1).
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(transparent)]
+struct Rows(#[serde(deserialize_with = "exactly")] [Row; 3]);
+
+/// A row of the model matrix.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(transparent)]
+struct Row(#[serde(deserialize_with = "exactly")] [f64; 4]);
 
 #[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -172,7 +184,7 @@ enum ShapeWord {
 #[serde(untagged, expecting = "a scale is one number or [x, y, z]")]
 enum Scale {
     Uniform(f64),
-    Axes(DVec3),
+    Axes(#[serde(deserialize_with = "exactly")] [f64; 3]),
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
@@ -186,7 +198,7 @@ struct Colour(Srgb);
 )]
 enum ColourText {
     Hex(String),
-    Unit([f64; 3]),
+    Unit(#[serde(deserialize_with = "exactly")] [f64; 3]),
 }
 
 impl TryFrom<ColourText> for Colour {
@@ -364,7 +376,7 @@ impl Entry {
                     * DMat3::from_diagonal(match self.scale {
                         None => DVec3::ONE,
                         Some(Scale::Uniform(scale)) => DVec3::splat(scale),
-                        Some(Scale::Axes(scale)) => scale,
+                        Some(Scale::Axes(scale)) => scale.into(),
                     }),
                 translation: self.position.unwrap_or(DVec3::ZERO),
             },
@@ -412,7 +424,7 @@ impl Entry {
         } = model.matrix3;
         let scale = DVec3::new(x_axis.x, y_axis.y, z_axis.z);
         entry.position = (model.translation != DVec3::ZERO).then_some(model.translation);
-        entry.scale = (scale != DVec3::ONE).then_some(Scale::Axes(scale));
+        entry.scale = (scale != DVec3::ONE).then(|| Scale::Axes(scale.to_array()));
         let bits = |model: DAffine3| model.to_cols_array().map(f64::to_bits);
         let same = entry
             .placement(&object.name)
@@ -467,7 +479,7 @@ fn sin_cos_degrees(angle: f64) -> (f64, f64) {
     }
 }
 
-fn from_rows([x, y, z]: [[f64; 4]; 3]) -> DAffine3 {
+fn from_rows(Rows([Row(x), Row(y), Row(z)]): Rows) -> DAffine3 {
     let column = |i: usize| DVec3::new(x[i], y[i], z[i]);
     DAffine3 {
         matrix3: DMat3::from_cols(column(0), column(1), column(2)),
@@ -475,13 +487,13 @@ fn from_rows([x, y, z]: [[f64; 4]; 3]) -> DAffine3 {
     }
 }
 
-fn rows(model: DAffine3) -> [[f64; 4]; 3] {
+fn rows(model: DAffine3) -> Rows {
     let DAffine3 {
         matrix3,
         translation,
     } = model;
-    std::array::from_fn(|i| {
+    Rows(std::array::from_fn(|i| {
         let row = matrix3.row(i);
-        [row.x, row.y, row.z, translation[i]]
-    })
+        Row([row.x, row.y, row.z, translation[i]])
+    }))
 }

@@ -1,9 +1,13 @@
 //! What tests share.
 #![allow(dead_code, reason = "each test uses its share")]
 
-use glam::DVec3;
-use sightline::camera::{Camera, DepthMapping, Lens, Projection, View, Viewport};
-use std::path::PathBuf;
+use glam::{DAffine3, DMat3, DVec3};
+use sightline::{
+    camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Ray},
+    scene::{Object, Scene, Shape},
+};
+use std::{path::PathBuf, sync::Arc};
 
 /// A perspective lens with reversed depth; `fov` in degrees.
 pub fn perspective(fov: f64, near: f64, far: f64) -> Lens {
@@ -106,4 +110,81 @@ pub fn assert_close(a: f64, b: f64, relative: f64) {
         "{a} is {} from {b}, more than {relative} of {size}",
         (a - b).abs()
     );
+}
+
+/// Model matrices of every kind: name and matrix.
+pub fn placements() -> Vec<(&'static str, DAffine3)> {
+    let turned = DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(-1.1);
+    let scaled = |x, y, z| DMat3::from_diagonal(DVec3::new(x, y, z));
+    let sheared = DMat3::from_cols(
+        DVec3::new(1.0, 0.2, 0.0),
+        DVec3::new(0.9, 1.3, -0.4),
+        DVec3::new(0.0, 0.3, 0.8),
+    );
+    let at = |matrix3, translation: [f64; 3]| DAffine3 {
+        matrix3,
+        translation: translation.into(),
+    };
+    vec![
+        ("identity", DAffine3::IDENTITY),
+        ("translated", at(DMat3::IDENTITY, [3.0, -2.0, 0.5])),
+        ("rotated", at(turned, [0.1, 0.2, 0.3])),
+        ("scaled", at(scaled(0.3, 2.0, 5.0), [1.0, 1.0, 1.0])),
+        (
+            "mirrored",
+            at(turned * scaled(-1.0, 2.0, 0.7), [0.0, 4.0, 0.0]),
+        ),
+        ("sheared", at(sheared, [-1.0, 0.0, 2.0])),
+        (
+            "mirrored and sheared",
+            at(-sheared * turned, [-1.0, 0.0, 2.0]),
+        ),
+        (
+            "tiny",
+            at(turned * scaled(1e-6, 2e-6, 1e-6), [0.0, 0.0, 0.0]),
+        ),
+        ("huge", at(turned * scaled(1e6, 2e6, -1e6), [1e6, 0.0, 3e6])),
+        (
+            "far away",
+            at(turned * scaled(1.0, 2.0, 0.5), [1e6, -2e6, 3e6]),
+        ),
+    ]
+}
+
+/// A mesh of one object and one colour.
+pub fn mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec3) -> Arc<Mesh> {
+    let all = 0..u32::try_from(triangles.len()).expect("few triangles");
+    let parts = vec![Part {
+        name: "part".to_owned(),
+        triangles: all.clone(),
+    }];
+    let colours = vec![ColourRun {
+        triangles: all,
+        colour: None,
+    }];
+    let data = MeshData {
+        origin,
+        positions,
+        triangles,
+        parts,
+        colours,
+        ..MeshData::default()
+    };
+    Arc::new(Mesh::new(data).expect("a mesh"))
+}
+
+/// A scene of one visible object.
+pub fn scene_of(shape: Shape, model: DAffine3) -> Scene {
+    let placement = Placement::new(model).expect("an invertible matrix");
+    Scene::new(vec![Object::new("it", shape, placement)])
+}
+
+/// A ray from one point towards another, without an end.
+pub fn ray_to(origin: DVec3, target: DVec3) -> Ray {
+    Ray {
+        origin,
+        direction: (target - origin).normalize(),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    }
 }

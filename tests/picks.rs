@@ -1,0 +1,479 @@
+//! Pick records: their fields agree with each other, with the picture, and with how sure they claim to be.
+
+mod common;
+
+use common::{
+    Random, assert_close, assert_near, mesh, orthographic, perspective, placements, scene_of, view,
+};
+use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::{Camera, Lens, Projection, View},
+    geometry::{Placement, Sphere},
+    pick::{self, Pick, PickLine, PickLines},
+    scene::{Object, Scene, Shape},
+};
+
+/// Something of every shape, one behind the other, about a point.
+fn mixed(center: DVec3) -> Scene {
+    let positions = vec![
+        [-1.0, -1.0, 0.3],
+        [1.5, -1.0, 0.0],
+        [0.0, 1.5, -0.4],
+        [1.0, 1.0, 1.0],
+    ];
+    let part = Shape::Mesh {
+        mesh: mesh(
+            positions,
+            vec![[0, 1, 2], [1, 3, 2], [0, 2, 3]],
+            DVec3::splat(0.25),
+        ),
+        part: 0,
+    };
+    let shapes = [Shape::Square, Shape::Sphere, part, Shape::Cube];
+    let objects = placements().into_iter().take(8).zip(shapes.iter().cycle());
+    let objects = objects.map(|((name, model), shape)| {
+        let moved = DAffine3 {
+            translation: 0.3 * model.translation + center,
+            ..model
+        };
+        Object::new(name, shape.clone(), Placement::new(moved).unwrap())
+    });
+    Scene::new(objects.collect())
+}
+
+fn views_of(center: DVec3) -> Vec<View> {
+    let mut views = Vec::new();
+    for (eye, size) in [
+        ([2.0, 3.0, 5.0], [96, 54]),
+        ([-6.0, 0.5, 0.1], [40, 70]),
+        ([0.4, -3.0, -4.0], [64, 64]),
+    ] {
+        let eye = center + DVec3::from(eye);
+        for lens in [perspective(40.0, 0.5, 50.0), orthographic(5.0, -4.0, 50.0)] {
+            views.push(view(eye.into(), center.into(), lens, size));
+        }
+    }
+    views
+}
+
+/// Positions all over the picture, none of them special.
+fn positions(view: &View, count: u32) -> impl Iterator<Item = DVec2> {
+    let mut random = Random::new(u64::from(count));
+    let size = dvec2(view.viewport.width().into(), view.viewport.height().into());
+    (0..count).map(move |_| size * dvec2(random.unit(), random.unit()))
+}
+
+#[test]
+fn a_records_fields_agree() {
+    let mut kinds = std::collections::HashMap::new();
+    let scene = mixed(DVec3::ZERO);
+    for view in views_of(DVec3::ZERO) {
+        for px in positions(&view, 400) {
+            let picks = pick::pick_all(&scene, &view, px);
+            assert_eq!(pick::pick(&scene, &view, px).as_ref(), picks.first());
+            for (i, pick) in picks.iter().enumerate() {
+                consistent(&scene, &view, px, pick);
+                let next = picks.get(i + 1);
+                assert_eq!(pick.gap, next.map(|next| next.t - pick.t));
+                assert!(pick.gap.is_none_or(|gap| gap >= 0.0));
+                *kinds.entry(pick.id).or_insert(0) += 1;
+            }
+        }
+    }
+    assert!(
+        kinds.len() >= 7,
+        "every object but the tiny one is hit: {kinds:?}"
+    );
+}
+
+fn consistent(scene: &Scene, view: &View, px: DVec2, pick: &Pick) {
+    let object = &scene.objects()[pick.id - 1];
+    assert_eq!(pick.object, object.name);
+    let eye = view.camera.eye();
+    assert_close(pick.distance, pick.point_world.distance(eye), 1e-14);
+    let ray = view.ray(px);
+    assert!(ray.contains(pick.t));
+    assert!(ray.at(pick.t).distance(pick.point_world) <= 1e-14 * (pick.distance + eye.length()));
+
+    let shown = view.project(pick.point_world).unwrap();
+    assert!(shown.px.distance(px) <= 1e-9, "{} is not {px}", shown.px);
+    assert!((shown.ndc - pick.ndc).abs().max_element() <= 1e-11);
+    assert!((shown.depth - pick.depth).abs() <= 1e-12 * pick.distance);
+    let Lens { near, far, .. } = *view.camera.lens();
+    assert!((near..far).contains(&pick.depth) && (0.0..=1.0).contains(&pick.ndc.z));
+
+    let size = pick.distance + eye.length();
+    let there = object.placement.point_to_world(pick.point_object);
+    assert!(there.distance(pick.point_world) <= 1e-13 * size);
+    assert_close(pick.normal_world.length(), 1.0, 1e-15);
+    assert_close(pick.normal_object.length(), 1.0, 1e-15);
+    assert_near(
+        object.placement.normal_to_world(pick.normal_object),
+        pick.normal_world,
+        1e-14,
+    );
+    assert_eq!(pick.front, ray.direction.dot(pick.normal_world) < 0.0);
+
+    // Where the shape's own equation says that it is.
+    let p = pick.point_object;
+    let inverse = object.placement.inverse_linear();
+    let slack = 1e-14
+        * size
+        * inverse
+            .to_cols_array()
+            .iter()
+            .fold(1.0, |a: f64, b| a.max(b.abs()));
+    let off = match &object.shape {
+        Shape::Sphere => p.length() - 0.5,
+        Shape::Cube => p.abs().max_element() - 0.5,
+        Shape::Square => p.z.abs() + (p.abs().max_element() - 0.5).max(0.0),
+        Shape::Mesh { mesh, part } => {
+            let first = mesh.data().parts[*part].triangles.start;
+            let corners = mesh.corners(first + pick.triangle.unwrap());
+            let s = pick.barycentric.unwrap();
+            assert!(s.iter().all(|s| (0.0..=1.0).contains(s)));
+            p.distance(s[0] * corners[0] + s[1] * corners[1] + s[2] * corners[2])
+        }
+    };
+    assert!(off.abs() <= slack, "{off} off the {}", object.shape.kind());
+    let analytic = !matches!(object.shape, Shape::Mesh { .. });
+    assert_eq!(pick.triangle.is_none(), analytic);
+    assert_eq!(pick.barycentric.is_none(), analytic);
+    assert!(pick.edge_px.is_none_or(|px| px >= 0.0 && px.is_finite()));
+}
+
+/// The distance from `px` to the end of what `hit` covers, over directions, by bisection.
+fn sampled_outline(px: DVec2, hit: impl Fn(DVec2) -> bool) -> f64 {
+    assert!(hit(px));
+    let mut least = f64::INFINITY;
+    for i in 0..2000 {
+        let direction = DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / 2000.0);
+        let (mut inside, mut outside) = (0.0, 1e4);
+        if hit(px + outside * direction) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if hit(px + middle * direction) {
+                inside = middle
+            } else {
+                outside = middle
+            }
+        }
+        least = least.min(inside);
+    }
+    least
+}
+
+#[test]
+fn edge_px_of_spheres_and_ellipsoids_is_the_way_to_their_outline() {
+    let needle = DMat3::from_rotation_z(0.4) * DMat3::from_diagonal(dvec3(4.0, 0.05, 0.3));
+    let matrices = placements()
+        .into_iter()
+        .take(7)
+        .map(|(_, model)| model.matrix3);
+    let mut tried = 0;
+    for matrix3 in matrices.chain([needle]) {
+        let scene = scene_of(
+            Shape::Sphere,
+            DAffine3 {
+                matrix3,
+                ..DAffine3::IDENTITY
+            },
+        );
+        let placement = &scene.objects()[0].placement;
+        for (fov, lens) in [
+            (50.0, perspective(50.0, 0.1, 50.0)),
+            (0.0, orthographic(5.0, 0.1, 50.0)),
+        ] {
+            let view = view([1.0, 3.0, 4.0], [0.1, 0.2, 0.0], lens, [400, 300]);
+            let positions = positions(&view, 1500);
+            for px in positions
+                .filter(|&px| pick::pick(&scene, &view, px).is_some())
+                .take(12)
+            {
+                let edge_px = pick::pick(&scene, &view, px).unwrap().edge_px.unwrap();
+                let truth = sampled_outline(px, |px| {
+                    Sphere::hits(&placement.ray_to_object(&view.ray(px)))[0].is_some()
+                });
+                // Sampling directions finds a little more than the least.
+                let close =
+                    edge_px <= truth * (1.0 + 1e-9) + 1e-6 && truth <= edge_px * 1.001 + 1e-6;
+                assert!(
+                    close,
+                    "{edge_px} but sampled {truth} at {px}, fov {fov}, {matrix3}"
+                );
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 100, "only {tried} positions");
+}
+
+#[test]
+fn edge_px_of_faces_and_triangles_is_the_way_to_their_nearest_edge() {
+    let corners = [[-0.5, -0.5, 0.1], [0.6, -0.4, 0.0], [-0.3, 0.5, -0.2_f32]];
+    let triangle = Shape::Mesh {
+        mesh: mesh(corners.to_vec(), vec![[0, 1, 2]], DVec3::ZERO),
+        part: 0,
+    };
+    let square = [
+        [-0.5, -0.5, 0.0],
+        [0.5, -0.5, 0.0],
+        [0.5, 0.5, 0.0],
+        [-0.5, 0.5, 0.0],
+    ];
+    let mut tried = 0;
+    for (_, model) in placements().into_iter().take(7) {
+        let model = DAffine3 {
+            translation: DVec3::ZERO,
+            ..model
+        };
+        for shape in [triangle.clone(), Shape::Square, Shape::Cube] {
+            let scene = scene_of(shape.clone(), model);
+            // Once well in front, once with the near plane through the middle.
+            for near in [0.1, 3.2] {
+                for lens in [perspective(50.0, near, 50.0), orthographic(5.0, near, 50.0)] {
+                    let view = view([1.0, 2.0, 2.5], [0.1, 0.0, 0.0], lens, [400, 300]);
+                    let positions = positions(&view, 800);
+                    for px in positions
+                        .filter(|&px| pick::pick(&scene, &view, px).is_some())
+                        .take(8)
+                    {
+                        let pick = pick::pick(&scene, &view, px).unwrap();
+                        let polygon: Vec<DVec3> = match shape {
+                            Shape::Mesh { .. } => {
+                                corners.map(|c| DVec3::from(c.map(f64::from))).into()
+                            }
+                            Shape::Square => square.map(DVec3::from).into(),
+                            // The square's corners, turned onto the face that was hit.
+                            _ => {
+                                let n = pick.normal_object;
+                                let (u, v) = n.any_orthonormal_pair();
+                                square.map(|[x, y, _]| x * u + y * v + 0.5 * n).into()
+                            }
+                        };
+                        let edges = (0..polygon.len())
+                            .map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]);
+                        let points = edges.flat_map(|[a, b]| {
+                            (0..=4000).map(move |i| a.lerp(b, f64::from(i) / 4000.0))
+                        });
+                        let shown = points.filter_map(|p| view.project(model.transform_point3(p)));
+                        let in_front = shown.filter(|shown| shown.depth >= near);
+                        let truth = in_front
+                            .map(|shown| shown.px.distance(px))
+                            .fold(f64::INFINITY, f64::min);
+                        match pick.edge_px {
+                            Some(edge_px) => {
+                                let close = edge_px <= truth + 1e-9 && truth <= edge_px + 1.0;
+                                assert!(
+                                    close,
+                                    "{edge_px} but sampled {truth} at {px} of {shape:?}"
+                                );
+                                tried += 1;
+                            }
+                            None => assert!(truth.is_infinite()),
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(tried > 400, "only {tried} positions");
+}
+
+#[test]
+fn where_the_near_plane_cuts_a_cube_the_face_behind_is_picked() {
+    let scene = scene_of(Shape::Cube, DAffine3::IDENTITY);
+    let center = dvec2(50.0, 50.0);
+    for lens in [perspective as fn(f64, f64, f64) -> Lens, orthographic] {
+        let pick = |near, far| {
+            let view = view([0.0, 0.0, 3.0], [0.0; 3], lens(40.0, near, far), [100, 100]);
+            pick::pick(&scene, &view, center).map(|pick| (pick.front, pick.depth))
+        };
+        assert_eq!(pick(1.0, 10.0), Some((true, 2.5)));
+        assert_eq!(
+            pick(2.5, 10.0),
+            Some((true, 2.5)),
+            "the near plane belongs to the picture"
+        );
+        assert_eq!(pick(3.0, 10.0), Some((false, 3.5)), "the face behind");
+        assert_eq!(pick(3.6, 10.0), None);
+        assert_eq!(pick(1.0, 2.5), None, "the far plane does not");
+        assert_eq!(pick(1.0, 2.6), Some((true, 2.5)));
+    }
+}
+
+#[test]
+fn near_and_far_are_planes_in_the_pictures_corners_too() {
+    // A wall across the whole picture, just before and just behind each plane.
+    let (near, far) = (2.0, 7.0);
+    for lens in [perspective(120.0, near, far), orthographic(9.0, near, far)] {
+        let view = view([1.0, -2.0, 3.0], [2.0, 1.0, 0.0], lens, [160, 90]);
+        let camera = &view.camera;
+        for (depth, shown) in [
+            (1.999_999, false),
+            (2.000_001, true),
+            (6.999_999, true),
+            (7.000_001, false),
+        ] {
+            let axes = DMat3::from_cols(camera.right(), camera.up(), -camera.forward());
+            let model = DAffine3 {
+                matrix3: axes * DMat3::from_diagonal(dvec3(1e3, 1e3, 1.0)),
+                translation: camera.eye() + depth * camera.forward(),
+            };
+            let scene = scene_of(Shape::Square, model);
+            for px in [
+                dvec2(0.0, 0.0),
+                dvec2(159.99, 0.0),
+                dvec2(0.0, 89.99),
+                dvec2(159.5, 89.5),
+                dvec2(80.0, 45.0),
+            ] {
+                let pick = pick::pick(&scene, &view, px);
+                assert_eq!(pick.is_some(), shown, "depth {depth} at {px}");
+                if let Some(pick) = pick {
+                    assert_close(pick.depth, depth, 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn orthographic_views_pick_behind_the_eye_as_far_as_they_show() {
+    let scene = scene_of(Shape::Sphere, DAffine3::from_translation(4.0 * DVec3::Z));
+    let pick = |near, far| {
+        let view = view(
+            [0.0; 3],
+            [0.0, 0.0, -1.0],
+            orthographic(2.0, near, far),
+            [50, 50],
+        );
+        pick::pick(&scene, &view, dvec2(25.0, 25.0))
+    };
+    for (near, far) in [(-5.0, 5.0), (-5.0, 100.0), (-5.0, -1.0)] {
+        let pick = pick(near, far).expect("the sphere behind");
+        assert_eq!((pick.t, pick.depth, pick.front), (-4.5, -4.5, true));
+        assert_eq!(pick.distance.to_bits(), 4.5_f64.to_bits());
+    }
+    assert_eq!(pick(-3.0, 5.0), None);
+}
+
+#[test]
+fn nothing_changes_far_from_the_origin() {
+    let offset = dvec3(1e6, -3e6, 2e6);
+    let (here, there) = (mixed(DVec3::ZERO), mixed(offset));
+    let mut hits = 0;
+    for (view_here, view_there) in views_of(DVec3::ZERO).iter().zip(&views_of(offset)) {
+        for px in positions(view_here, 400) {
+            let a = pick::pick(&here, view_here, px);
+            let b = pick::pick(&there, view_there, px);
+            let (Some(a), Some(b)) = (&a, &b) else {
+                assert_eq!(a.is_some(), b.is_some(), "at {px}");
+                continue;
+            };
+            if a.edge_px.is_some_and(|px| px < 1e-4) {
+                continue; // So near an edge, the coordinates' own rounding decides.
+            }
+            assert_eq!(
+                (a.id, a.triangle, a.front),
+                (b.id, b.triangle, b.front),
+                "at {px}"
+            );
+            // Coordinates of 1e6 are stored to 1e-10, which a slanted surface multiplies.
+            let cos = view_here.ray(px).direction.dot(a.normal_world).abs();
+            assert!((a.t - b.t).abs() <= 1e-8 / cos);
+            assert!((b.point_world - offset).distance(a.point_world) <= 1e-8 / cos);
+            hits += 1;
+        }
+    }
+    assert!(hits > 500, "only {hits} hits");
+}
+
+#[test]
+fn json_has_the_documented_fields_in_order_and_no_nan() {
+    let scene = scene_of(Shape::Square, DAffine3::IDENTITY);
+    let view = view(
+        [0.0, 0.0, 2.0],
+        [0.0; 3],
+        perspective(90.0, 1.0, 3.0),
+        [8, 8],
+    );
+    let px = dvec2(4.0, 4.0);
+    let line = PickLine {
+        px,
+        hit: pick::pick(&scene, &view, px),
+    };
+    assert_eq!(
+        serde_json::to_string(&line).unwrap(),
+        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0,"gap":null}}"#
+    );
+    let miss = PickLine { px, hit: None };
+    assert_eq!(
+        serde_json::to_string(&miss).unwrap(),
+        r#"{"px":[4.0,4.0],"hit":null}"#
+    );
+    let none = PickLines {
+        px,
+        hits: Vec::new(),
+    };
+    assert_eq!(
+        serde_json::to_string(&none).unwrap(),
+        r#"{"px":[4.0,4.0],"hits":[]}"#
+    );
+}
+
+#[test]
+fn records_are_finite_from_any_eye() {
+    // Within objects, upon them, a hair before them, and from far away.
+    let scene = mixed(DVec3::ZERO);
+    let mut random = Random::new(44);
+    let mut hits = 0;
+    for i in 0..300 {
+        let eye = 10_f64.powi(i % 9 - 4) * random.direction();
+        for projection in [
+            Projection::Perspective {
+                fov_y: random.within(0.001, 3.1),
+            },
+            Projection::Orthographic {
+                height: 10_f64.powf(random.within(-4.0, 4.0)),
+            },
+        ] {
+            let lens = Lens {
+                projection,
+                ..perspective(45.0, 1e-6, 1e6)
+            };
+            let camera = Camera::new(eye, random.point(0.5), DVec3::Y, lens).unwrap();
+            let view = View {
+                camera,
+                ..view([1.0; 3], [0.0; 3], lens, [64, 48])
+            };
+            for px in positions(&view, 20) {
+                for pick in pick::pick_all(&scene, &view, px) {
+                    let numbers = [
+                        pick.t,
+                        pick.distance,
+                        pick.depth,
+                        pick.edge_px.unwrap_or(0.0),
+                        pick.gap.unwrap_or(0.0),
+                    ];
+                    let vectors = [
+                        pick.ndc,
+                        pick.point_world,
+                        pick.normal_world,
+                        pick.point_object,
+                        pick.normal_object,
+                    ];
+                    assert!(
+                        numbers.iter().all(|n| n.is_finite())
+                            && vectors.iter().all(|v| v.is_finite()),
+                        "{pick:?}"
+                    );
+                    hits += 1;
+                }
+            }
+        }
+    }
+    assert!(hits > 3000, "only {hits} hits");
+}

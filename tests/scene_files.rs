@@ -1,0 +1,444 @@
+//! Scene files: what people write is what they get, what is saved reads back, and errors say where.
+
+mod common;
+
+use common::{Random, assert_near, placements};
+use glam::{DAffine3, DMat3, DVec3, dvec3};
+use sightline::{
+    camera::{CameraChoice, DepthMapping, UpAxis},
+    colour::Srgb,
+    geometry::Placement,
+    scene::{
+        self, Loaded, Object, Progress, Scene, Shape,
+        description::{self, to_toml},
+    },
+};
+use std::path::{Path, PathBuf};
+
+fn parse(text: &str) -> Result<description::Description, String> {
+    let (mut meshes, progress) = (scene::MeshFiles::default(), Progress::default());
+    let file = Path::new("folder/test.toml");
+    description::parse(text, file, &mut meshes, &progress, &mut Vec::new())
+        .map_err(|error| error.to_string())
+}
+
+/// The error of a text that must be refused: one line that names the file.
+#[track_caller]
+fn refused(text: &str) -> String {
+    let error = parse(text).expect_err("it must be refused");
+    assert!(!error.contains('\n'), "one line, not {error:?}");
+    assert!(
+        error.starts_with("folder/test.toml:"),
+        "{error} names the file"
+    );
+    error
+}
+
+fn load(paths: &[PathBuf]) -> Result<Loaded, String> {
+    scene::load(paths, &Progress::default()).map_err(|error| error.to_string())
+}
+
+fn model(text: &str) -> DAffine3 {
+    let objects = parse(&format!("[[object]]\nshape = \"cube\"\n{text}"))
+        .unwrap()
+        .objects;
+    assert_eq!(objects.len(), 1);
+    objects[0].placement.model()
+}
+
+#[test]
+fn every_field_means_what_it_says() {
+    let description = parse(
+        r##"
+        [camera]
+        eye = [3, 2.5, -4]
+        target = [0, 0, 0]
+        up = [0, 0, 1]
+        fov = 30
+        near = 0.1
+        far = 100
+        depth = "standard"
+        up_axis = "z"
+
+        [[object]]
+        name = "Ball"
+        shape = "sphere"
+        colour = "#d95f02"
+        position = [0, 1, 0]
+        scale = 2
+        visible = false
+
+        [[object]]
+        shape = "cube"
+        color = [1, 0.5, 0]
+
+        [[object]]
+        shape = "square"
+        matrix = [[1, 2, 3, 4], [0, 1, 5, 6], [0, 0, 1, 7]]
+        "##,
+    )
+    .unwrap();
+    let camera = CameraChoice {
+        eye: Some(dvec3(3.0, 2.5, -4.0)),
+        target: Some(DVec3::ZERO),
+        up: Some(DVec3::Z),
+        fov: Some(30.0),
+        near: Some(0.1),
+        far: Some(100.0),
+        depth: Some(DepthMapping::Standard),
+        up_axis: Some(UpAxis::Z),
+        ..CameraChoice::default()
+    };
+    assert_eq!(description.camera, Some(camera));
+    let [ball, cube, square] = &description.objects[..] else {
+        panic!("three objects");
+    };
+    assert_eq!(
+        (ball.name.as_str(), ball.shape.kind(), ball.visible),
+        ("Ball", "sphere", false)
+    );
+    assert_eq!(ball.colour, Some(Srgb([0xd9, 0x5f, 0x02])));
+    let expected = DAffine3::from_translation(DVec3::Y) * DAffine3::from_scale(DVec3::splat(2.0));
+    assert_eq!(ball.placement.model(), expected);
+    assert_eq!(
+        (cube.name.as_str(), cube.colour),
+        ("Cube", Some(Srgb([255, 128, 0])))
+    );
+    assert_eq!(cube.placement, Placement::IDENTITY);
+    assert!(cube.visible);
+    assert_eq!((square.name.as_str(), square.colour), ("Square", None));
+    let point = square.placement.point_to_world(dvec3(10.0, 100.0, 1000.0));
+    assert_eq!(point, dvec3(3214.0, 5106.0, 1007.0));
+}
+
+#[test]
+fn scale_comes_first_then_x_y_z_turns_about_the_worlds_axes_then_position() {
+    let model_of = model("scale = [1, 2, -3]\nrotation = [20, -50, 70]\nposition = [5, 6, 7]");
+    let turn = |axis, degrees: f64| DAffine3::from_axis_angle(axis, degrees.to_radians());
+    let expected = DAffine3::from_translation(dvec3(5.0, 6.0, 7.0))
+        * turn(DVec3::Z, 70.0)
+        * turn(DVec3::Y, -50.0)
+        * turn(DVec3::X, 20.0)
+        * DAffine3::from_scale(dvec3(1.0, 2.0, -3.0));
+    for corner in [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z] {
+        let [ours, theirs] = [model_of, expected].map(|model| model.transform_point3(corner));
+        assert_near(ours, theirs, 1e-15);
+    }
+    // Counter-clockwise seen against the axis.
+    assert_near(
+        model("rotation = [0, 0, 30]").transform_vector3(DVec3::X),
+        dvec3(0.75_f64.sqrt(), 0.5, 0.0),
+        1e-15,
+    );
+    // Quarter turns are exact, whichever way and however often.
+    for (degrees, x) in [
+        (90, DVec3::Y),
+        (-270, DVec3::Y),
+        (180, DVec3::NEG_X),
+        (-90, DVec3::NEG_Y),
+        (720, DVec3::X),
+    ] {
+        assert_eq!(
+            model(&format!("rotation = [0, 0, {degrees}]")).transform_vector3(DVec3::X),
+            x
+        );
+    }
+}
+
+#[test]
+fn an_empty_file_is_an_empty_scene() {
+    let description = parse("# nothing yet\n").unwrap();
+    assert!(description.objects.is_empty() && description.camera.is_none());
+    assert_eq!(
+        parse("[camera]\n").unwrap().camera,
+        Some(CameraChoice::default())
+    );
+}
+
+#[test]
+fn errors_say_where_and_what() {
+    let cube = "[[object]]\nshape = \"cube\"\n";
+    for (text, line, word) in [
+        ("[[object]]\nshape = \"ball\"\n", 2, "ball"),
+        ("[[object]]\nname = \"A\"\n", 1, "shape"),
+        ("[[object]]\nshape = \"cube\"\nsize = 3\n", 3, "size"),
+        ("[scene]\n", 1, "scene"),
+        ("[camera]\n\neye = [1, 2]\n", 3, "3"),
+        ("[camera]\neye = [1, 2, 3, 4]\n", 2, "exactly 3"),
+        ("[camera]\neye = \"here\"\n", 2, "here"),
+        ("[camera]\nzoom = 3\n", 2, "zoom"),
+        ("[camera]\ndepth = \"deep\"\n", 2, "deep"),
+        ("[camera]\neye = [1, 2,\n", 2, ""),
+        (
+            "# c\n[camera]\ntarget = [0, 0, 0]\nlook = [1, 0, 0]\n",
+            2,
+            "target and look",
+        ),
+        ("[camera]\nfov = 40\northo = 3\n", 1, "fov and ortho"),
+        ("[camera]\nnear = nan\n", 1, "finite"),
+        ("[camera]\neye = [0, inf, 0]\n", 1, "finite"),
+        (&format!("{cube}scale = [1, 0, 1]\n"), 1, "no inverse"),
+        (
+            &format!("{cube}{cube}name = \"Flat\"\nscale = 0\n"),
+            3,
+            "Flat",
+        ),
+        (&format!("{cube}position = [nan, 0, 0]\n"), 1, "finite"),
+        (
+            &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]\nscale = 2\n"),
+            1,
+            "matrix and",
+        ),
+        (
+            &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]\n"),
+            3,
+            "",
+        ),
+        (
+            &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,1,0,0]]\n"),
+            3,
+            "exactly 4",
+        ),
+        (&format!("{cube}position = [1, 2, 3, 4]\n"), 3, "exactly 3"),
+        (&format!("{cube}scale = [1, 2, 3, 4]\n"), 3, "one number"),
+        (&format!("{cube}colour = [1, 0, 0, 1]\n"), 3, "#rrggbb"),
+        (&format!("{cube}matrix = [[1,0,0,0],[0,1,0,0]]\n"), 3, "3"),
+        (
+            &format!("{cube}matrix = [[1,0,0,0],[0,1,0,0],[0,0,inf,0]]\n"),
+            1,
+            "finite",
+        ),
+        (&format!("{cube}colour = \"red\"\n"), 3, "#rrggbb"),
+        (&format!("{cube}colour = \"#ff00é\"\n"), 3, "#rrggbb"),
+        (&format!("{cube}colour = [0, 0, 2]\n"), 3, "0 to 1"),
+        (&format!("{cube}colour = [0, 0, nan]\n"), 3, "0 to 1"),
+        (
+            &format!("{cube}colour = \"#ffffff\"\ncolor = \"#ffffff\"\n"),
+            4,
+            "colo",
+        ),
+        (&format!("{cube}scale = [1, 2]\n"), 3, "one number"),
+        (&format!("{cube}file = \"a.obj\"\n"), 1, "mesh"),
+        (&format!("{cube}part = 1\n"), 1, "mesh"),
+        ("[[object]]\nshape = \"mesh\"\n", 1, "file ="),
+        (
+            "\n\n[[object]]\nshape = \"mesh\"\nfile = \"nowhere.obj\"\n",
+            3,
+            "nowhere.obj",
+        ),
+    ] {
+        let error = refused(text);
+        assert!(
+            error.starts_with(&format!("folder/test.toml:{line}: ")),
+            "{error} for {text}"
+        );
+        assert!(error.contains(word), "{error} does not say {word}");
+    }
+}
+
+/// Whether two scenes of primitives are the same to the bit.
+#[track_caller]
+fn same(a: &[Object], b: &[Object]) {
+    assert_eq!(a.len(), b.len());
+    for (a, b) in a.iter().zip(b) {
+        assert_eq!(
+            (&a.name, a.shape.kind(), a.colour, a.visible),
+            (&b.name, b.shape.kind(), b.colour, b.visible)
+        );
+        let bits = |object: &Object| object.placement.model().to_cols_array().map(f64::to_bits);
+        assert_eq!(
+            bits(a),
+            bits(b),
+            "{:?} and {:?}",
+            a.placement.model(),
+            b.placement.model()
+        );
+    }
+}
+
+#[test]
+fn what_is_saved_reads_back_to_the_bit() {
+    let mut random = Random::new(50);
+    let shapes = [Shape::Sphere, Shape::Cube, Shape::Square];
+    let mut models: Vec<_> = placements().into_iter().map(|(_, model)| model).collect();
+    for _ in 0..200 {
+        let size = 10_f64.powf(random.within(-20.0, 20.0));
+        models.push(DAffine3 {
+            matrix3: DMat3::from_cols(random.point(size), random.point(size), random.point(size)),
+            translation: random.point(1e10),
+        });
+        models.push(DAffine3::from_scale(random.point(size)));
+    }
+    // Zeros of both signs are different bits.
+    models.push(DAffine3 {
+        translation: dvec3(-0.0, 1.0, 0.0),
+        ..DAffine3::IDENTITY
+    });
+    models.push(DAffine3::from_cols_array(&[
+        1.0, -0.0, 0.0, 0.0, -1.0, 0.0, -0.0, 0.0, 1.0, 0.0, 0.0, -0.0,
+    ]));
+    let names = [
+        "plain",
+        "",
+        "quote \" and \\",
+        "two\nlines",
+        "# [[object]]",
+        "Ünïcode ☃",
+        "\u{7}",
+    ];
+    let objects = models.into_iter().enumerate().map(|(i, model)| {
+        let mut object = Object::new(
+            names[i % names.len()],
+            shapes[i % 3].clone(),
+            Placement::new(model).unwrap(),
+        );
+        object.visible = i % 4 != 0;
+        object.colour = (i % 5 != 0).then_some(Srgb([u8::try_from(i % 256).unwrap(), 0, 255]));
+        object
+    });
+    let scene = Scene::new(objects.collect());
+    let camera = CameraChoice {
+        eye: Some(dvec3(0.1, 1.0 / 3.0, -1e-17)),
+        look: Some(dvec3(-0.0, 5e-324, 1e300)),
+        up: Some(DVec3::Z),
+        ortho: Some(2.0_f64.sqrt()),
+        near: Some(-1e-7),
+        far: Some(1e9),
+        depth: Some(DepthMapping::Reversed),
+        up_axis: Some(UpAxis::Y),
+        ..CameraChoice::default()
+    };
+    for camera in [camera, CameraChoice::default()] {
+        let text = to_toml(&scene, &camera, &[]).unwrap();
+        let again = parse(&text).expect("what was written can be read");
+        same(scene.objects(), &again.objects);
+        assert_eq!(again.camera.unwrap_or_default(), camera);
+        // And the text is as short as people would write it.
+        assert_eq!(text.contains("[camera]"), camera != CameraChoice::default());
+    }
+    let placed = Scene::new(vec![Object::new(
+        "Ball",
+        Shape::Sphere,
+        Placement::new(DAffine3::from_translation(dvec3(1.0, 2.0, 3.0))).unwrap(),
+    )]);
+    let text = to_toml(&placed, &CameraChoice::default(), &[]).unwrap();
+    assert_eq!(
+        text,
+        "[[object]]\nname = \"Ball\"\nshape = \"sphere\"\nposition = [1.0, 2.0, 3.0]\n"
+    );
+}
+
+#[test]
+fn a_mesh_is_saved_as_its_files_part() {
+    let mesh = common::mesh(vec![[0.0; 3]; 3], vec![[0, 1, 2]], DVec3::ZERO);
+    let shape = Shape::Mesh {
+        mesh: mesh.clone(),
+        part: 0,
+    };
+    let scene = Scene::new(vec![Object::new("Bunny", shape, Placement::IDENTITY)]);
+    let camera = CameraChoice::default();
+    let text = to_toml(
+        &scene,
+        &camera,
+        &[(PathBuf::from("/meshes/bunny.obj"), mesh)],
+    )
+    .unwrap();
+    assert_eq!(
+        text,
+        "[[object]]\nname = \"Bunny\"\nshape = \"mesh\"\nfile = \"/meshes/bunny.obj\"\npart = 1\n"
+    );
+    let error = to_toml(&scene, &camera, &[]).unwrap_err().to_string();
+    assert!(error.contains("Bunny"), "{error}");
+}
+
+#[test]
+fn files_make_one_scene_in_their_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let object = |name: &str| format!("[[object]]\nshape = \"cube\"\nname = \"{name}\"\n");
+    let plain = write("plain.toml", &(object("a") + &object("b")));
+    let first = write(
+        "first.TOML",
+        &format!("[camera]\nfov = 10\n{}", object("c")),
+    );
+    let second = write(
+        "second.toml",
+        &format!("[camera]\nfov = 20\n{}", object("d")),
+    );
+    let names = |loaded: &Loaded| {
+        let names = loaded
+            .scene
+            .objects()
+            .iter()
+            .map(|object| object.name.clone());
+        names.collect::<Vec<_>>().concat()
+    };
+
+    let all = load(&[plain.clone(), first.clone(), second.clone()]).unwrap();
+    assert_eq!(names(&all), "abcd");
+    assert_eq!(all.camera.fov, Some(10.0), "the first camera counts");
+    assert_eq!(all.camera_file.as_ref(), Some(&first));
+    assert_eq!(all.title, "plain.toml and 2 more");
+    let turned = load(&[second.clone(), first, plain.clone()]).unwrap();
+    assert_eq!(
+        (names(&turned).as_str(), turned.camera.fov),
+        ("dcab", Some(20.0))
+    );
+    let alone = load(std::slice::from_ref(&plain)).unwrap();
+    assert_eq!(
+        (alone.title.as_str(), alone.camera),
+        ("plain.toml", CameraChoice::default())
+    );
+    assert!(alone.warnings.is_empty());
+
+    let missing = folder.path().join("missing.toml");
+    let error = load(&[plain, missing.clone()]).unwrap_err();
+    assert!(error.contains(missing.to_str().unwrap()), "{error}");
+    let binary = write("binary.toml", "");
+    std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
+    assert!(
+        load(std::slice::from_ref(&binary))
+            .unwrap_err()
+            .contains("binary.toml")
+    );
+    let broken = write("broken.toml", "[[object]\n");
+    assert!(load(&[broken]).unwrap_err().contains("broken.toml:1"));
+}
+
+#[test]
+fn the_demo_shows_every_shape_and_kind_of_transform() {
+    let demo = load(&[]).unwrap();
+    assert_eq!(demo.title, "demo");
+    let objects = demo.scene.objects();
+    for kind in ["sphere", "cube", "square", "mesh"] {
+        assert!(
+            objects.iter().any(|object| object.shape.kind() == kind),
+            "no {kind}"
+        );
+    }
+    assert!((200..=600).contains(&demo.scene.triangle_count()));
+    assert!(objects.iter().any(|object| object.placement.mirrors()));
+    let sheared = |object: &Object| {
+        let linear = object.placement.model().matrix3;
+        linear.x_axis.dot(linear.y_axis).abs() > 0.1
+    };
+    assert!(objects.iter().any(sheared));
+    let mut names: Vec<_> = objects.iter().map(|object| &object.name).collect();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), objects.len(), "each name once");
+    // All of it is in the picture.
+    let viewport = sightline::camera::Viewport::new(1280, 720).unwrap();
+    let camera = demo
+        .camera
+        .resolve(&demo.scene.visible_bounds(), viewport)
+        .unwrap();
+    for corner in (0..objects.len()).flat_map(|i| demo.scene.bounds_of(i).corners()) {
+        let shown = camera.project(viewport, corner).unwrap();
+        assert!(viewport.contains(shown.px), "{corner} is at {}", shown.px);
+    }
+}

@@ -1,0 +1,485 @@
+//! Rays against each shape under every kind of transform, held against closed forms in world space.
+
+mod common;
+
+use common::{Random, assert_close, assert_near, mesh, placements, ray_to, scene_of};
+use glam::{DAffine3, DMat3, DVec3, dvec3};
+use sightline::{
+    geometry::{Cuboid, Placement, PlacementError, Ray, Sides, Sphere, Square, signed_volume},
+    pick::{self, SceneHit},
+    scene::{Scene, Shape},
+};
+
+/// A meeting of ray and surface as the closed forms below give it, in world space.
+struct Truth {
+    t: f64,
+    /// Outward, of any length.
+    normal: DVec3,
+}
+
+/// Rays in world space that start around (and in) a unit-sized object and mostly hit it.
+fn rays(model: DAffine3, seed: u64) -> impl Iterator<Item = Ray> {
+    let mut random = Random::new(seed);
+    (0..400).map(move |_| {
+        let origin = model.transform_point3(random.point(2.0));
+        ray_to(origin, model.transform_point3(random.point(0.55)))
+    })
+}
+
+/// Fails unless what was found is the truth: as many, at the same t, facing the same way. True when there was a hit.
+#[track_caller]
+fn same_hits(kind: &str, scene: &Scene, ray: &Ray, found: &[SceneHit], truth: &[Truth]) -> bool {
+    assert_eq!(found.len(), truth.len(), "{kind}: {ray:?}");
+    let placement = &scene.objects()[0].placement;
+    let local = placement.ray_to_object(ray);
+    for (found, truth) in found.iter().zip(truth) {
+        let normal = truth.normal.normalize();
+        let cos = normal.dot(ray.direction);
+        let reach = ray.origin.distance(placement.point_to_world(DVec3::ZERO)) + truth.t;
+        let error = (found.hit.t - truth.t).abs();
+        assert!(
+            error <= 1e-13 * reach / cos.abs(),
+            "{kind}: t is off by {error} of {reach}"
+        );
+        assert_near(placement.normal_to_world(found.hit.normal), normal, 1e-10);
+        assert_eq!(
+            found.hit.is_front(local.direction),
+            cos < 0.0,
+            "{kind}: front or back"
+        );
+        assert!(ray.contains(found.hit.t));
+    }
+    // The nearest is the first of all.
+    assert_eq!(
+        pick::closest(scene, ray, Sides::Both).as_ref(),
+        found.first()
+    );
+    !found.is_empty()
+}
+
+#[test]
+fn spheres_and_ellipsoids() {
+    for (kind, model) in placements() {
+        let scene = scene_of(Shape::Sphere, model);
+        // In world space the surface is (p - c)^T Q (p - c) = r^2 with Q = (M M^T)^-1.
+        let q = (model.matrix3 * model.matrix3.transpose()).inverse();
+        let mut hits = 0;
+        for ray in rays(model, 21) {
+            let from_center = ray.origin - model.translation;
+            let (a, b, c) = (
+                ray.direction.dot(q * ray.direction),
+                from_center.dot(q * ray.direction),
+                from_center.dot(q * from_center) - 0.25,
+            );
+            let discriminant = b * b - a * c;
+            if discriminant.abs() <= 1e-2 * b * b {
+                continue; // Near the outline the textbook's formula is the worse of the two.
+            }
+            let root = discriminant.max(0.0).sqrt();
+            let roots = [(-b - root) / a, (-b + root) / a];
+            let in_front = roots
+                .into_iter()
+                .filter(|t| discriminant > 0.0 && *t >= 0.0);
+            let truth: Vec<_> = in_front
+                .map(|t| Truth {
+                    t,
+                    normal: q * (from_center + t * ray.direction),
+                })
+                .collect();
+            let found = pick::all(&scene, &ray, Sides::Both);
+            hits += usize::from(same_hits(kind, &scene, &ray, &found, &truth));
+            for hit in &found {
+                let local = scene.objects()[0]
+                    .placement
+                    .ray_to_object(&ray)
+                    .at(hit.hit.t);
+                assert_close(local.length(), Sphere::RADIUS, 1e-12);
+                assert_near(hit.hit.normal, local, 1e-15);
+            }
+        }
+        assert!(hits > 150, "{kind}: only {hits} rays hit");
+    }
+}
+
+#[test]
+fn cubes_and_boxes() {
+    for (kind, model) in placements() {
+        let scene = scene_of(Shape::Cube, model);
+        // The six faces as planes in world space; the normals by cofactors, which need the determinant's sign.
+        let DMat3 {
+            x_axis: x,
+            y_axis: y,
+            z_axis: z,
+        } = model.matrix3;
+        let sign = model.matrix3.determinant().signum();
+        let planes = [(x, y.cross(z)), (y, z.cross(x)), (z, x.cross(y))].into_iter();
+        let planes: Vec<_> = planes
+            .flat_map(|(axis, normal)| [(0.5 * axis, sign * normal), (-0.5 * axis, -sign * normal)])
+            .collect();
+        let mut hits = 0;
+        for ray in rays(model, 22) {
+            let from_center = ray.origin - model.translation;
+            let mut enter = Truth {
+                t: f64::NEG_INFINITY,
+                normal: DVec3::ZERO,
+            };
+            let mut leave = Truth {
+                t: f64::INFINITY,
+                normal: DVec3::ZERO,
+            };
+            for &(on_face, normal) in &planes {
+                let along = normal.dot(ray.direction);
+                let t = normal.dot(on_face - from_center) / along;
+                if along < 0.0 && t > enter.t {
+                    enter = Truth { t, normal };
+                } else if along > 0.0 && t < leave.t {
+                    leave = Truth { t, normal };
+                }
+            }
+            if (enter.t - leave.t).abs() <= 1e-3 * leave.t.abs() {
+                continue; // Through an edge, as near as matters.
+            }
+            let truth: Vec<_> = [enter, leave].into_iter().collect();
+            let passes = truth[0].t > truth[1].t;
+            let truth: Vec<_> = truth
+                .into_iter()
+                .filter(|hit| !passes && hit.t >= 0.0)
+                .collect();
+            let found = pick::all(&scene, &ray, Sides::Both);
+            hits += usize::from(same_hits(kind, &scene, &ray, &found, &truth));
+        }
+        assert!(hits > 150, "{kind}: only {hits} rays hit");
+    }
+}
+
+#[test]
+fn a_cube_is_its_twelve_triangles() {
+    let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 });
+    let quads = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let triangles = quads
+        .iter()
+        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+        .collect();
+    let mesh = mesh((0..8).map(corner).collect(), triangles, DVec3::ZERO);
+    let mut hits = 0;
+    for (kind, model) in placements() {
+        let cube = scene_of(Shape::Cube, model);
+        let triangles = scene_of(
+            Shape::Mesh {
+                mesh: mesh.clone(),
+                part: 0,
+            },
+            model,
+        );
+        for ray in rays(model, 23) {
+            let ours = pick::all(&cube, &ray, Sides::Both);
+            let theirs = pick::all(&triangles, &ray, Sides::Both);
+            if ours.len() == 2 && (ours[1].hit.t - ours[0].hit.t) <= 1e-3 * ours[1].hit.t {
+                continue;
+            }
+            assert_eq!(ours.len(), theirs.len(), "{kind}: {ray:?}");
+            for (ours, theirs) in ours.iter().zip(&theirs) {
+                let cos = ours.hit.normal.dot(
+                    cube.objects()[0]
+                        .placement
+                        .ray_to_object(&ray)
+                        .direction
+                        .normalize(),
+                );
+                assert_close(ours.hit.t, theirs.hit.t, 1e-12 / cos.abs());
+                assert_near(ours.hit.normal, theirs.hit.normal, 1e-15);
+                hits += 1;
+            }
+        }
+    }
+    assert!(hits > 4000, "only {hits} hits");
+}
+
+#[test]
+fn squares_and_triangles() {
+    // Of the square's half below its diagonal.
+    let corners = [[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, 0.5, 0.0_f32]];
+    let mesh = mesh(corners.to_vec(), vec![[0, 1, 2]], DVec3::ZERO);
+    for (kind, model) in placements() {
+        let square = scene_of(Shape::Square, model);
+        let triangle = scene_of(
+            Shape::Mesh {
+                mesh: mesh.clone(),
+                part: 0,
+            },
+            model,
+        );
+        let DMat3 {
+            x_axis: x,
+            y_axis: y,
+            ..
+        } = model.matrix3;
+        // The inverse transpose of (0, 0, 1): the cross product of the sides, which mirroring turns about.
+        let normal = model.matrix3.determinant().signum() * x.cross(y);
+        let mut hits = [0, 0];
+        for ray in rays(model, 24) {
+            // Cramer: origin + t d = c + u x + v y.
+            let from_center = ray.origin - model.translation;
+            let solved = DMat3::from_cols(x, y, -ray.direction).inverse() * from_center;
+            let (u, v, t) = (solved.x, solved.y, solved.z);
+            let rim = (u.abs() - 0.5).abs().min((v.abs() - 0.5).abs());
+            if rim < 1e-6 || (u + v).abs() < 1e-6 {
+                continue;
+            }
+            let truth = |inside: bool| {
+                let hit = (inside && t >= 0.0).then_some(Truth { t, normal });
+                hit.into_iter().collect::<Vec<_>>()
+            };
+            let inside = u.abs() < 0.5 && v.abs() < 0.5;
+            let found = pick::all(&square, &ray, Sides::Both);
+            hits[0] += usize::from(same_hits(kind, &square, &ray, &found, &truth(inside)));
+
+            let found = pick::all(&triangle, &ray, Sides::Both);
+            let inside = inside && u + v < 0.0;
+            if same_hits(kind, &triangle, &ray, &found, &truth(inside)) {
+                hits[1] += 1;
+                let at = found[0].hit.on_triangle.unwrap();
+                let expected = dvec3(-u - v, u + 0.5, v + 0.5);
+                assert!((DVec3::from(at.barycentric) - expected).abs().max_element() <= 1e-8);
+                assert_close(at.barycentric.iter().sum(), 1.0, 1e-15);
+            }
+        }
+        assert!(
+            hits[0] > 60 && hits[1] > 30,
+            "{kind}: only {hits:?} rays hit"
+        );
+    }
+}
+
+#[test]
+fn only_what_lies_in_the_interval_counts() {
+    let along_x = |t_min, t_max| Ray {
+        origin: dvec3(-2.0, 0.1, 0.2),
+        direction: DVec3::X,
+        t_min,
+        t_max,
+    };
+    for shape in [Shape::Sphere, Shape::Cube] {
+        let scene = scene_of(shape, DAffine3::IDENTITY);
+        let [first, second] = pick::all(&scene, &along_x(0.0, 9.0), Sides::Both)[..] else {
+            panic!("in and out");
+        };
+        let (t1, t2) = (first.hit.t, second.hit.t);
+        assert!(1.0 < t1 && t1 < 2.0 && 2.0 < t2 && t2 < 3.0);
+        // The start belongs to the interval, the end does not.
+        for (t_min, t_max, expected) in [
+            (t1, t2, vec![t1]),
+            (t1.next_up(), t2.next_up(), vec![t2]),
+            (t1.next_up(), t2, vec![]),
+            (0.0, t1, vec![]),
+            (-9.0, 0.0, vec![]),
+            (t2.next_up(), 9.0, vec![]),
+        ] {
+            let hits = pick::all(&scene, &along_x(t_min, t_max), Sides::Both);
+            let found: Vec<_> = hits.iter().map(|hit| hit.hit.t).collect();
+            assert_eq!(found, expected);
+            let closest = pick::closest(&scene, &along_x(t_min, t_max), Sides::Both);
+            assert_eq!(closest.map(|hit| hit.hit.t), expected.first().copied());
+        }
+    }
+    let down = |t_min, t_max| Ray {
+        origin: dvec3(0.1, 0.2, 1.0),
+        direction: DVec3::NEG_Z,
+        t_min,
+        t_max,
+    };
+    assert!(Square::hit(&down(1.0, 1.5)).is_some());
+    assert!(Square::hit(&down(0.0, 1.0)).is_none());
+    let corners = [
+        dvec3(-1.0, -1.0, 0.0),
+        dvec3(1.0, -1.0, 0.0),
+        dvec3(0.0, 1.0, 0.0),
+    ];
+    assert!(signed_volume(&down(1.0, 1.5), corners).is_some());
+    assert!(signed_volume(&down(0.0, 1.0), corners).is_none());
+    assert!(signed_volume(&down(-2.0, 0.5), corners).is_none());
+}
+
+#[test]
+fn from_inside_the_way_out_is_hit() {
+    let ray = ray_to(dvec3(0.1, 0.05, -0.2), dvec3(0.3, 0.4, 5.0));
+    for shape in [Shape::Sphere, Shape::Cube] {
+        let hits = pick::all(&scene_of(shape, DAffine3::IDENTITY), &ray, Sides::Both);
+        assert_eq!(hits.len(), 1);
+        assert!(!hits[0].hit.is_front(ray.direction), "seen from inside");
+    }
+    // On the surface: in as well as out.
+    let ray = ray_to(dvec3(-0.5, 0.0, 0.0), DVec3::ZERO);
+    for hits in [Sphere::hits(&ray), Cuboid::hits(&ray)] {
+        assert_eq!(hits.map(|hit| hit.map(|hit| hit.t)), [Some(0.0), Some(1.0)]);
+    }
+}
+
+#[test]
+fn a_sphere_is_touched_once() {
+    let tangent = Ray {
+        origin: dvec3(-3.0, 0.5, 0.0),
+        direction: DVec3::X,
+        t_min: 0.0,
+        t_max: 9.0,
+    };
+    assert_eq!(
+        Sphere::hits(&tangent).map(|hit| hit.map(|hit| hit.t)),
+        [Some(3.0), None]
+    );
+    // From where it touches, t is 0 and not 0 / 0.
+    let there = Ray {
+        origin: dvec3(0.0, 0.5, 0.0),
+        ..tangent
+    };
+    assert_eq!(
+        Sphere::hits(&there).map(|hit| hit.map(|hit| hit.t)),
+        [Some(0.0), None]
+    );
+    let past = Ray {
+        origin: dvec3(-3.0, 0.5_f64.next_up(), 0.0),
+        ..tangent
+    };
+    assert_eq!(Sphere::hits(&past), [None, None]);
+}
+
+/// All directions with coordinates of -1, 0 and 1, each zero with both signs.
+fn lattice_directions() -> Vec<DVec3> {
+    let steps = [-1.0, -0.0, 0.0, 1.0];
+    let all = (0..64).map(|i| DVec3::new(steps[i % 4], steps[i / 4 % 4], steps[i / 16]));
+    all.filter(|direction| *direction != DVec3::ZERO).collect()
+}
+
+#[test]
+fn axis_parallel_rays_within_a_face_hit_the_cube() {
+    let directions = lattice_directions();
+    assert_eq!(directions.len(), 64 - 8);
+    let places = [-0.75, -0.5, -0.25, 0.0, 0.5];
+    let mut hits = 0;
+    for direction in directions {
+        for x in places {
+            for y in places {
+                for z in places {
+                    let origin = dvec3(x, y, z) - 2.0 * direction;
+                    let ray = Ray {
+                        origin,
+                        direction,
+                        t_min: f64::NEG_INFINITY,
+                        t_max: f64::INFINITY,
+                    };
+                    // Exact: all numbers are small multiples of a quarter, and so are the quotients.
+                    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+                    for axis in 0..3 {
+                        let (o, d) = (origin[axis], direction[axis]);
+                        if d == 0.0 && o.abs() > 0.5 {
+                            enter = f64::INFINITY;
+                        } else if d != 0.0 {
+                            enter = enter.max((-0.5 * d.signum() - o) / d);
+                            leave = leave.min((0.5 * d.signum() - o) / d);
+                        }
+                    }
+                    let expected = if enter <= leave {
+                        [Some(enter), Some(leave)]
+                    } else {
+                        [None, None]
+                    };
+                    let found = Cuboid::hits(&ray).map(|hit| hit.map(|hit| hit.t));
+                    assert_eq!(found, expected, "{ray:?}");
+                    hits += usize::from(found[0].is_some());
+                }
+            }
+        }
+    }
+    assert!(hits > 2000, "only {hits} rays hit");
+}
+
+#[test]
+fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
+    for direction in lattice_directions() {
+        let through = |x, y| Ray {
+            origin: dvec3(x, y, 0.0) - 2.0 * direction,
+            direction,
+            t_min: f64::NEG_INFINITY,
+            t_max: f64::INFINITY,
+        };
+        for (x, y, inside) in [
+            (0.5, -0.5, true),
+            (0.25, 0.5, true),
+            (0.0, 0.0, true),
+            (0.75, 0.0, false),
+        ] {
+            let hit = Square::hit(&through(x, y));
+            assert_eq!(
+                hit.map(|hit| hit.t),
+                (inside && direction.z != 0.0).then_some(2.0)
+            );
+        }
+    }
+}
+
+#[test]
+fn matrices_without_an_inverse_are_refused() {
+    let rows =
+        |rows: [[f64; 3]; 3]| DAffine3::from_mat3(DMat3::from_cols_array_2d(&rows).transpose());
+    let turned = DMat3::from_rotation_z(0.3) * DMat3::from_rotation_x(1.0);
+    let flat = |x, y, z| DMat3::from_diagonal(dvec3(x, y, z));
+    let singular = [
+        rows([[0.0; 3]; 3]),
+        DAffine3::from_scale(dvec3(1.0, 0.0, 1.0)),
+        DAffine3::from_mat3(turned * flat(0.0, 1.0, 1.0)),
+        // Rank 2, but rounding leaves a determinant.
+        rows([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]]),
+        rows([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]]),
+        DAffine3::from_mat3(turned * flat(1.0, 1.0, 0.0) * turned),
+        // The inverse would be infinite.
+        DAffine3::from_scale(DVec3::splat(1e-310)),
+    ];
+    for model in singular {
+        assert_eq!(
+            Placement::new(model),
+            Err(PlacementError::Singular),
+            "{model:?}"
+        );
+    }
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut model = DAffine3::IDENTITY;
+        model.translation.y = bad;
+        assert_eq!(Placement::new(model), Err(PlacementError::NotFinite));
+        let mut model = DAffine3::IDENTITY;
+        model.matrix3.y_axis.x = bad;
+        assert_eq!(Placement::new(model), Err(PlacementError::NotFinite));
+    }
+    // Very flat, small and large ones have their inverse.
+    for model in [
+        DAffine3::from_scale(DVec3::splat(1e-30)),
+        DAffine3::from_scale(DVec3::splat(1e30)),
+        DAffine3::from_mat3(turned * flat(1e-12, 1.0, 1e12)),
+        DAffine3::from_mat3(flat(1e-12, 1.0, 1e12) * turned),
+    ] {
+        let placement = Placement::new(model).expect("an inverse");
+        let product = placement.inverse_linear() * model.matrix3;
+        for axis in DVec3::AXES {
+            assert!((product * axis - axis).length() <= 1e-3, "{product}");
+        }
+    }
+}
+
+#[test]
+fn what_is_hit_does_not_depend_on_the_scale() {
+    for exponent in [-12, -6, -3, 0, 3, 6, 12] {
+        let scale = 10_f64.powi(exponent);
+        for (shape, expected) in [(Shape::Sphere, 2), (Shape::Cube, 2), (Shape::Square, 1)] {
+            let scene = scene_of(shape, DAffine3::from_scale(DVec3::splat(scale)));
+            let ray = ray_to(scale * dvec3(0.3, 0.4, 3.0), scale * dvec3(0.01, 0.02, 0.0));
+            let hits = pick::all(&scene, &ray, Sides::Both);
+            assert_eq!(hits.len(), expected, "at 1e{exponent}");
+        }
+    }
+}

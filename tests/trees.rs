@@ -1,0 +1,347 @@
+//! Meshes: the tree against brute force, ties, hidden parts, culled sides and triangles that are none.
+
+mod common;
+
+use common::{Random, mesh, placements, ray_to, scene_of};
+use glam::{DAffine3, DVec3, dvec3};
+use sightline::{
+    geometry::{ColourRun, Hit, Mesh, MeshData, Part, Placement, Ray, Sides, signed_volume},
+    pick,
+    scene::{Object, Scene, Shape},
+};
+use std::sync::Arc;
+
+/// Triangles anywhere in a cube: small, large, overlapping, and strips that share their corners.
+fn soup(seed: u64, scale: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let mut random = Random::new(seed);
+    let mut positions = Vec::new();
+    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    for _ in 0..400 {
+        let (center, size) = (random.point(1.0), 10_f64.powf(random.within(-3.0, 0.0)));
+        let first = u32::try_from(positions.len()).unwrap();
+        for _ in 0..6 {
+            positions.push((scale * (center + random.point(size))).as_vec3().to_array());
+        }
+        triangles.extend((first..first + 4).map(|i| [i, i + 1, i + 2]));
+    }
+    (positions, triangles)
+}
+
+/// All hits in the order of picks.
+fn sorted(mesh: &Mesh, ray: &Ray, sides: Sides) -> Vec<Hit> {
+    let mut hits = Vec::new();
+    mesh.all(ray, sides, signed_volume, |_| true, &mut hits);
+    let key = |hit: &Hit| (hit.t, hit.on_triangle.map(|at| at.triangle));
+    hits.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("no NaN"));
+    hits
+}
+
+#[test]
+fn the_tree_finds_what_brute_force_finds() {
+    for (seed, scale, offset) in [
+        (31, 1.0, 0.0),
+        (32, 1e-6, 0.0),
+        (33, 1e6, 0.0),
+        (34, 1.0, 1e3),
+    ] {
+        let (positions, triangles) = soup(seed, scale);
+        let origin = DVec3::splat(offset);
+        let brute = mesh(positions.clone(), triangles.clone(), origin);
+        let with_tree = mesh(positions, triangles.clone(), origin);
+        with_tree.build_tree();
+        let mut random = Random::new(seed);
+        let (mut hit, mut missed) = (0, 0);
+        for i in 0..2000_usize {
+            let far = [0.5, 3.0, 1e3][i % 3];
+            let eye = origin + scale * random.point(far);
+            let triangle = u32::try_from(i % triangles.len()).unwrap();
+            let [a, b, c] = brute.corners(triangle);
+            // Anywhere, at a triangle, at an edge, at a corner, along an axis.
+            let mut ray = match i % 5 {
+                0 => ray_to(eye, origin + scale * random.point(1.0)),
+                1 => ray_to(eye, (a + b + c) / 3.0),
+                2 => ray_to(eye, a.lerp(b, random.unit())),
+                3 => ray_to(eye, c),
+                _ => Ray {
+                    direction: DVec3::AXES[i / 5 % 3],
+                    ..ray_to(a - scale * DVec3::AXES[i / 5 % 3], a)
+                },
+            };
+            if i % 7 == 0 {
+                (ray.t_min, ray.t_max) = (0.3 * scale, 1.5 * scale);
+            }
+            for sides in [Sides::Both, Sides::Front] {
+                let expected = sorted(&brute, &ray, sides);
+                assert_eq!(
+                    sorted(&with_tree, &ray, sides),
+                    expected,
+                    "ray {i} of seed {seed}"
+                );
+                for mesh in [&brute, &with_tree] {
+                    let closest = mesh.closest(&ray, sides, signed_volume, |_| true);
+                    assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
+                }
+                if expected.is_empty() {
+                    missed += 1;
+                } else {
+                    hit += 1;
+                }
+            }
+        }
+        assert!(
+            hit > 2000 && missed > 200,
+            "seed {seed}: {hit} hit, {missed} missed"
+        );
+    }
+}
+
+#[test]
+fn a_closed_mesh_lets_no_ray_through() {
+    // A ball of triangles about the origin, on a lattice that floats hold exactly.
+    let side = 12_i32;
+    let step = |i: i32| f64::from(2 * i - side) / f64::from(side);
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for axis in 0..3 {
+        for sign in [-1.0, 1.0] {
+            let first = u32::try_from(positions.len()).unwrap();
+            for (i, j) in (0..=side).flat_map(|i| (0..=side).map(move |j| (i, j))) {
+                let mut p = [0.0; 3];
+                (p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]) = (sign, step(i), step(j));
+                #[expect(clippy::cast_possible_truncation, reason = "vertices are f32")]
+                positions.push(DVec3::from(p).normalize().to_array().map(|c| c as f32));
+            }
+            let row = u32::try_from(side + 1).unwrap();
+            for (i, j) in (0..row - 1).flat_map(|i| (0..row - 1).map(move |j| (i, j))) {
+                let a = first + i * row + j;
+                triangles.extend([[a, a + row, a + row + 1], [a, a + row + 1, a + 1]]);
+            }
+        }
+    }
+    let closed = mesh(positions.clone(), triangles.clone(), DVec3::ZERO);
+    closed.build_tree();
+    let mut random = Random::new(35);
+    for i in 0..20_000_usize {
+        // From inside, at edges and anywhere.
+        let [a, b, _] = closed.corners(u32::try_from(i % triangles.len()).unwrap());
+        let target = if i % 3 == 0 {
+            random.direction()
+        } else {
+            a.lerp(b, random.within(0.01, 0.99))
+        };
+        let eye = if i % 2 == 0 {
+            DVec3::ZERO
+        } else {
+            random.point(0.4)
+        };
+        let hit = closed.closest(&ray_to(eye, target), Sides::Both, signed_volume, |_| true);
+        assert!(hit.is_some(), "ray {i} leaks");
+    }
+}
+
+#[test]
+fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
+    let corners = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0_f32]];
+    // Enough of one triangle that a tree is built.
+    let many = mesh(corners, vec![[0, 1, 2]; 600], DVec3::ZERO);
+    let scene = |shape: &Shape| {
+        let objects =
+            (0..5).map(|i| Object::new(i.to_string(), shape.clone(), Placement::IDENTITY));
+        let mut scene = Scene::new(objects.collect());
+        scene.set_visible(0, false);
+        scene
+    };
+    let ray = ray_to(dvec3(0.1, 0.2, 3.0), dvec3(0.1, 0.2, 0.0));
+    for with_tree in [false, true] {
+        let scene = scene(&Shape::Mesh {
+            mesh: many.clone(),
+            part: 0,
+        });
+        if with_tree {
+            scene.build_trees();
+        }
+        let hit = pick::closest(&scene, &ray, Sides::Both).unwrap();
+        assert_eq!((hit.object, hit.hit.on_triangle.unwrap().triangle), (1, 0));
+        let hits = pick::all(&scene, &ray, Sides::Both);
+        let order: Vec<_> = hits
+            .iter()
+            .map(|hit| (hit.object, hit.hit.on_triangle.unwrap().triangle))
+            .collect();
+        let expected = (1..5).flat_map(|object| (0..600).map(move |triangle| (object, triangle)));
+        assert_eq!(order, expected.collect::<Vec<_>>());
+    }
+    for shape in [Shape::Sphere, Shape::Cube, Shape::Square] {
+        let hit = pick::closest(&scene(&shape), &ray, Sides::Both).unwrap();
+        assert_eq!(hit.object, 1);
+    }
+}
+
+/// Three squares of two triangles each, one behind the other, as three parts of a mesh.
+fn three_parts() -> Arc<Mesh> {
+    let positions = (0..12_u8).map(|i| {
+        let (layer, corner) = (i / 4, i % 4);
+        let (x, y) = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)][usize::from(corner)];
+        [x, y, -f32::from(layer)]
+    });
+    let triangles = (0..3).flat_map(|layer| {
+        let first = 4 * layer;
+        [[first, first + 1, first + 2], [first, first + 2, first + 3]]
+    });
+    let part = |i: u32| Part {
+        name: format!("part {i}"),
+        triangles: 2 * i..2 * i + 2,
+    };
+    let data = MeshData {
+        positions: positions.collect(),
+        triangles: triangles.collect(),
+        parts: (0..3).map(part).collect(),
+        colours: vec![ColourRun {
+            triangles: 0..6,
+            colour: None,
+        }],
+        ..MeshData::default()
+    };
+    Arc::new(Mesh::new(data).unwrap())
+}
+
+#[test]
+fn what_is_hidden_is_never_hit() {
+    let mesh = three_parts();
+    let object = |part| {
+        Object::new(
+            "",
+            Shape::Mesh {
+                mesh: mesh.clone(),
+                part,
+            },
+            Placement::IDENTITY,
+        )
+    };
+    let analytic = [Shape::Sphere, Shape::Cube, Shape::Square].map(|shape| {
+        let model = DAffine3::from_translation(dvec3(0.0, 0.0, -9.0));
+        Object::new("", shape, Placement::new(model).unwrap())
+    });
+    let mut scene = Scene::new((0..3).map(object).chain(analytic).collect());
+    assert_eq!(scene.batches().len(), 4, "the parts are asked as one");
+    let ray = ray_to(dvec3(0.3, 0.1, 3.0), dvec3(0.3, 0.1, 0.0));
+    for hidden in 0..64_usize {
+        for object in 0..6 {
+            scene.set_visible(object, hidden >> object & 1 == 0);
+        }
+        let visible = |object: &usize| hidden >> object & 1 == 0;
+        let mut expected: Vec<_> = (0..6).filter(visible).collect();
+        let mut found: Vec<_> = pick::all(&scene, &ray, Sides::Both)
+            .iter()
+            .map(|hit| hit.object)
+            .collect();
+        // Sphere, cube and square overlap: their order is not this test's.
+        found.sort_unstable();
+        found.dedup();
+        assert_eq!(found, expected);
+        expected.truncate(1);
+        let closest = pick::closest(&scene, &ray, Sides::Both).map(|hit| hit.object);
+        if expected.first().is_none_or(|&first| first < 3) {
+            assert_eq!(closest, expected.first().copied());
+        } else {
+            assert!(visible(&closest.unwrap()));
+        }
+    }
+}
+
+#[test]
+fn a_part_that_is_no_object_is_never_hit() {
+    let mesh = three_parts();
+    let middle = Object::new("middle", Shape::Mesh { mesh, part: 1 }, Placement::IDENTITY);
+    let ray = ray_to(dvec3(0.3, 0.1, 3.0), dvec3(0.3, 0.1, 0.0));
+    let hits = pick::all(&Scene::new(vec![middle]), &ray, Sides::Both);
+    assert_eq!(hits.len(), 1);
+    assert_eq!((hits[0].object, hits[0].hit.t), (0, 4.0));
+}
+
+#[test]
+fn culling_hides_what_is_seen_from_behind() {
+    let triangle = mesh(
+        vec![[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [0.0, 0.5, 0.0]],
+        vec![[0, 1, 2]],
+        DVec3::ZERO,
+    );
+    let shapes = [
+        Shape::Sphere,
+        Shape::Cube,
+        Shape::Square,
+        Shape::Mesh {
+            mesh: triangle,
+            part: 0,
+        },
+    ];
+    for (kind, model) in placements() {
+        for shape in &shapes {
+            let scene = scene_of(shape.clone(), model);
+            let closed = matches!(shape, Shape::Sphere | Shape::Cube);
+            for (z, from_front) in [(2.0, true), (-2.0, false)] {
+                let [eye, target] = [dvec3(0.05, -0.1, z), dvec3(0.05, -0.1, 0.0)];
+                let ray = ray_to(model.transform_point3(eye), model.transform_point3(target));
+                let both = pick::all(&scene, &ray, Sides::Both).len();
+                assert_eq!(both, if closed { 2 } else { 1 }, "{kind} {shape:?}");
+                let front = pick::all(&scene, &ray, Sides::Front);
+                let expected = usize::from(closed || from_front);
+                assert_eq!(front.len(), expected, "{kind} {shape:?} from z = {z}");
+                assert_eq!(
+                    pick::closest(&scene, &ray, Sides::Front).as_ref(),
+                    front.first()
+                );
+            }
+            // From inside, a closed shape shows nothing.
+            let inside = ray_to(
+                model.translation,
+                model.transform_point3(dvec3(0.1, 0.2, 1.0)),
+            );
+            if closed {
+                assert_eq!(pick::all(&scene, &inside, Sides::Both).len(), 1);
+                assert_eq!(pick::closest(&scene, &inside, Sides::Front), None);
+            }
+        }
+    }
+}
+
+#[test]
+fn triangles_without_area_are_never_hit() {
+    let mut random = Random::new(36);
+    let mut tried = 0;
+    for _ in 0..2000 {
+        let (a, step) = (
+            random.point(1.0).as_vec3().as_dvec3(),
+            random.point(1.0).as_vec3().as_dvec3(),
+        );
+        // A point, a point twice, and three points of a line (small multiples are exact).
+        let flat = [
+            [a, a, a],
+            [a, a, step],
+            [a, step, a],
+            [step, a, a],
+            [step, 2.0 * step, 4.0 * step],
+        ];
+        for corners in flat {
+            let target = corners[0].lerp(corners[2], random.unit());
+            for ray in [
+                ray_to(random.point(3.0), target),
+                ray_to(target - step, target),
+            ] {
+                assert_eq!(signed_volume(&ray, corners), None, "{ray:?} {corners:?}");
+                tried += 1;
+            }
+        }
+        // Nor one that is seen edge-on by a ray within its plane.
+        let (b, c) = (a + DVec3::X, a + DVec3::Y);
+        let within = Ray {
+            direction: dvec3(1.0, 0.5, 0.0),
+            ..ray_to(a - DVec3::X, a)
+        };
+        assert_eq!(signed_volume(&within, [a, b, c]), None);
+    }
+    assert_eq!(tried, 20_000);
+    for bad in [f64::NAN, f64::INFINITY] {
+        let corners = [dvec3(bad, 0.0, 0.0), DVec3::Y, DVec3::X];
+        assert_eq!(signed_volume(&ray_to(DVec3::Z, DVec3::ZERO), corners), None);
+    }
+}
