@@ -17,9 +17,9 @@ pub const TINTS: [f32; 2] = [0.30, 0.18];
 pub const OUTLINE_PX: u32 = 2;
 
 /// Towards the key light: a headlight above the viewer's left shoulder, so that form shows.
-pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.267_261_24, 0.400_891_84, -0.876_25);
+pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.421_637, 0.527_046, -0.737_865);
 /// Light from everywhere, from the key light, and from above.
-pub const LIGHT: [f32; 3] = [0.10, 0.72, 0.22];
+pub const LIGHT: [f32; 3] = [0.05, 0.82, 0.20];
 
 /// Light that a surface sends to the eye: Lambert under the key light and a soft fill from above. `normal_view` is
 /// the normal of the side that is seen, in view space, of any length. `albedo` and result are linear.

@@ -23,17 +23,16 @@ pub fn fit_near_far(
     near: Option<f64>,
     far: Option<f64>,
 ) -> (f64, f64) {
-    let (mut z0, mut z1) = (f64::INFINITY, f64::NEG_INFINITY);
-    if !bounds_world.is_empty() {
-        for z in bounds_world
-            .corners()
-            .map(|corner| camera.to_view(corner).z)
-        {
-            z0 = z0.min(z);
-            z1 = z1.max(z);
-        }
-    }
     let to_target = camera.target().distance(camera.eye());
+    let (z0, z1) = if bounds_world.is_empty() {
+        (0.0, 2.0 * to_target)
+    } else {
+        let depths = bounds_world
+            .corners()
+            .map(|corner| camera.to_view(corner).z);
+        let least = depths.into_iter().fold(f64::INFINITY, f64::min);
+        (least, depths.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    };
     match camera.lens().projection {
         Projection::Perspective { .. } => {
             let end = 1.01 * if z1 > 0.0 { z1 } else { to_target };
@@ -44,7 +43,6 @@ pub fn fit_near_far(
             (near, far)
         }
         Projection::Orthographic { .. } => {
-            let (z0, z1) = if z0 <= z1 { (z0, z1) } else { (0.0, to_target) };
             let room = 0.01 * z0.abs().max(z1.abs()).max(to_target);
             let far =
                 far.unwrap_or_else(|| near.map_or(z1 + room, |near| (near + room).max(z1 + room)));

@@ -54,7 +54,7 @@ impl Orbit {
     /// From where new scenes are seen, in (right, up, towards the viewer).
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// Room about a framed scene.
-    const MARGIN: f64 = 1.05;
+    const MARGIN: f64 = 1.08;
     /// The nearest and farthest that zooming goes, in world units: past these, squares overflow.
     const DISTANCES: (f64, f64) = (1e-30, 1e30);
 
@@ -106,22 +106,30 @@ impl Orbit {
         }
     }
 
-    /// Moves target and distance so that the sphere about `bounds_world` fills the picture; the angles stay.
+    /// Moves target and distance so that `bounds_world` just fills the picture as seen from the present direction;
+    /// the angles stay. Empty bounds count as a unit box about the origin.
     pub fn frame_bounds(&mut self, bounds_world: &Aabb, fov_y: f64, aspect: f64) {
-        let (center, radius) = if bounds_world.is_empty() {
-            (DVec3::ZERO, 1.0)
-        } else {
-            (bounds_world.center(), bounds_world.radius())
-        };
+        let mut bounds = *bounds_world;
+        if bounds.is_empty() {
+            bounds = Aabb::around([DVec3::NEG_ONE, DVec3::ONE]);
+        }
+        let center = bounds.center();
         // A single point has no size; stay where its coordinates can still tell the eye from it.
-        let radius = if radius > 0.0 {
-            radius
+        let least = if bounds.radius() > 0.0 {
+            0.0
         } else {
-            center.length().max(1.0) * 1e-3
+            1e-3 * center.length().max(1.0)
         };
-        let fov_x = 2.0 * ((0.5 * fov_y).tan() * aspect).atan();
+        let top = (0.5 * fov_y).tan();
+        let to_view = self.axes().transpose();
+        // Each corner asks for a distance at which it lies within the picture, and in front of the eye.
+        let distance = bounds.corners().into_iter().map(|corner| {
+            let seen = to_view * (corner - center);
+            let aside = (seen.x.abs() / (top * aspect)).max(seen.y.abs() / top);
+            seen.z + Self::MARGIN * aside.max(0.05 * seen.z.abs())
+        });
         self.target = center;
-        self.set_distance(Self::MARGIN * radius / (0.5 * fov_y.min(fov_x)).sin());
+        self.set_distance(distance.fold(least, f64::max));
     }
 
     /// Looks from a direction given in the up axis's frame (right, up, towards the viewer), keeping target and

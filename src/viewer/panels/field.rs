@@ -73,15 +73,14 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     }
 }
 
-/// A number for reading, with this many significant digits; the field holds on to all of them.
-pub(super) fn rounded(value: f64, digits: i32) -> String {
+/// Six significant digits: enough to read; the field holds on to all of them.
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
     let exponent = value.abs().log10().floor();
     if !(-4.0..9.0).contains(&exponent) {
-        #[expect(clippy::cast_sign_loss, reason = "digits are positive")]
-        let text = format!("{value:.*e}", (digits - 1) as usize);
+        let text = format!("{value:.5e}");
         let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trimmed(mantissa));
     }
@@ -90,13 +89,8 @@ pub(super) fn rounded(value: f64, digits: i32) -> String {
         clippy::cast_sign_loss,
         reason = "clamped"
     )]
-    let decimals = (f64::from(digits) - 1.0 - exponent).clamp(0.0, 17.0) as usize;
+    let decimals = (5.0 - exponent).clamp(0.0, 10.0) as usize;
     trimmed(&format!("{value:.decimals$}")).to_owned()
-}
-
-/// Six significant digits: enough to read.
-pub(super) fn short(value: f64) -> String {
-    rounded(value, 6)
 }
 
 fn trimmed(text: &str) -> &str {

@@ -20,6 +20,7 @@ pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
     // The farthest first.
     axes.sort_by(|a, b| b.0.z.total_cmp(&a.0.z));
     let painter = ui.painter().with_clip_rect(rect);
+    painter.circle_filled(origin, LENGTH + 16.0, Color32::from_black_alpha(90));
     for (axis, colour, name) in axes {
         let [r, g, b] = colour.0;
         let colour = Color32::from_rgb(r, g, b);

@@ -1,9 +1,6 @@
 //! All that is known about the pick.
 
-use super::{
-    super::{Command, state::State},
-    field::rounded,
-};
+use super::super::{Command, state::State};
 use crate::pick::Pick;
 use egui::{Grid, RichText, Ui};
 use glam::DVec3;
@@ -19,21 +16,22 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     };
     let object = &state.scene().objects()[selection.object];
     ui.strong(format!("{} {}", selection.object + 1, object.name));
+    let radius = state.scene().visible_bounds().radius();
     let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
             rows(
                 ui,
                 &[
-                    ("from", vector(bounds.min, POINT)),
-                    ("to", vector(bounds.max, POINT)),
+                    ("from", vector(bounds.min, places(radius))),
+                    ("to", vector(bounds.max, places(radius))),
                 ],
             );
         }
         ui.weak("Chosen from the list; click its surface for a point.");
         return;
     };
-    rows(ui, &record(hit));
+    rows(ui, &record(hit, radius));
     ui.horizontal(|ui| {
         if ui
             .button("copy JSON")
@@ -52,53 +50,52 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// Digits of a point: a millimetre in a country's coordinates.
-const POINT: i32 = 10;
-/// Digits of what has no large offset.
-const SHORT: i32 = 6;
+/// Decimal places of what has no unit, and of pixels.
+const PLACES: usize = 6;
 
-fn record(hit: &Pick) -> Vec<(&'static str, String)> {
-    let number = |value| rounded(value, SHORT);
+/// Decimal places of lengths in a scene of this radius: a millionth of it, which is about what its vertices carry.
+fn places(radius: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped"
+    )]
+    let places = (6.0 - radius.log10().floor()).clamp(0.0, 15.0) as usize;
+    places
+}
+
+fn record(hit: &Pick, radius: f64) -> Vec<(&'static str, String)> {
+    let length = |value: f64| format!("{value:.*}", places(radius));
     let mut rows = Vec::new();
     if let Some(triangle) = hit.triangle {
         rows.push(("triangle", triangle.to_string()));
     }
     rows.push(("side", if hit.front { "front" } else { "back" }.into()));
-    rows.push(("world", vector(hit.point_world, POINT)));
-    rows.push(("  normal", vector(hit.normal_world, SHORT)));
-    rows.push(("object", vector(hit.point_object, POINT)));
-    rows.push(("  normal", vector(hit.normal_object, SHORT)));
+    rows.push(("world", vector(hit.point_world, places(radius))));
+    rows.push(("  normal", vector(hit.normal_world, PLACES)));
+    rows.push(("object", vector(hit.point_object, places(radius))));
+    rows.push(("  normal", vector(hit.normal_object, PLACES)));
     if let Some(barycentric) = hit.barycentric {
-        rows.push(("barycentric", vector(barycentric.into(), SHORT)));
+        rows.push(("barycentric", vector(barycentric.into(), PLACES)));
     }
-    rows.push(("t", number(hit.t)));
-    rows.push(("distance", number(hit.distance)));
-    rows.push(("depth", number(hit.depth)));
-    rows.push(("ndc", vector(hit.ndc, SHORT)));
-    let edge = hit.edge_px.map(|px| format!("{} px away", rounded(px, 3)));
+    rows.push(("t", length(hit.t)));
+    rows.push(("distance", length(hit.distance)));
+    rows.push(("depth", length(hit.depth)));
+    rows.push(("ndc", vector(hit.ndc, PLACES)));
+    let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
     rows.push((
         "nearest edge",
         edge.unwrap_or_else(|| "none in view".into()),
     ));
-    let gap = hit.gap.map(|gap| format!("{} further", number(gap)));
+    let gap = hit.gap.map(|gap| format!("{} further", length(gap)));
     rows.push(("next surface", gap.unwrap_or_else(|| "none".into())));
     rows
 }
 
-/// A vector, its components to the same place: `digits` significant ones in the largest.
-fn vector(v: DVec3, digits: i32) -> String {
-    let largest = v.abs().max_element();
-    let places = |value: f64| value.abs().log10().floor();
-    let component = |value: f64| {
-        #[expect(clippy::cast_possible_truncation, reason = "small")]
-        let fewer = (places(largest) - places(value)).clamp(0.0, f64::from(digits)) as i32;
-        if fewer < digits {
-            rounded(value, digits - fewer)
-        } else {
-            "0".into()
-        }
-    };
-    v.to_array().map(component).join("  ")
+fn vector(v: DVec3, places: usize) -> String {
+    v.to_array()
+        .map(|component| format!("{component:.places$}"))
+        .join("  ")
 }
 
 fn rows(ui: &mut Ui, rows: &[(&str, String)]) {
