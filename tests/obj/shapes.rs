@@ -11,10 +11,11 @@ fn polygon(corners: &[[f64; 2]]) -> String {
     for [x, y] in corners {
         writeln!(text, "v {x} {y} {}", x + y).expect("text");
     }
-    let face = (1..=corners.len())
-        .map(|i| format!(" {i}"))
-        .collect::<String>();
-    text + "f" + &face + "\n"
+    text += "f";
+    for i in 1..=corners.len() {
+        write!(text, " {i}").expect("text");
+    }
+    text + "\n"
 }
 
 fn shoelace(corners: &[[f64; 2]]) -> f64 {
@@ -115,15 +116,38 @@ fn straight_corners_stay() {
         assert_fills(&ell, &corners);
         assert!(!covers(&ell, 1.5, 2.5));
     }
-    let square = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
-    let quad = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [1.0, 2.0]];
-    for start in 0..4 {
-        let (mut five, mut four) = (square, quad);
-        five.rotate_left(start);
-        four.rotate_left(start);
-        assert_fills(&mesh(&polygon(&five)), &five);
-        assert_fills(&mesh(&polygon(&four)), &four);
+    // Skylines with a corner at each step of the grid.
+    let mut seed = 1_u32;
+    for _ in 0..500 {
+        let heights: Vec<i32> = (0..6)
+            .map(|_| {
+                seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                i32::try_from(seed >> 30).expect("small") + 1
+            })
+            .collect();
+        let corners: Vec<[f64; 2]> = skyline(&heights)
+            .iter()
+            .map(|corner| corner.map(f64::from))
+            .collect();
+        assert_fills(&mesh(&polygon(&corners)), &corners);
     }
+}
+
+/// The outline of columns of these heights and width 1, with a corner at each whole step.
+fn skyline(heights: &[i32]) -> Vec<[i32; 2]> {
+    let width = i32::try_from(heights.len()).expect("small");
+    let mut corners: Vec<_> = (0..=width).map(|x| [x, 0]).collect();
+    let mut at = [width, 0];
+    for (x, &height) in (0..width).zip(heights).rev() {
+        while at[1] != height {
+            at[1] += (height - at[1]).signum();
+            corners.push(at);
+        }
+        at[0] = x;
+        corners.push(at);
+    }
+    corners.extend((1..at[1]).rev().map(|y| [0, y]));
+    corners
 }
 
 #[test]

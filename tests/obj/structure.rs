@@ -53,6 +53,10 @@ fn names_come_from_object_then_group_then_file() {
     assert_eq!(parts(&two_groups), [("House/wall", 1), ("House/roof", 1)]);
     let unnamed = mesh(&format!("{STRIP}f 1 2 3\ng\nf 2 4 3\no  A # B \nf 3 4 5\n"));
     assert_eq!(parts(&unnamed), [("some", 2), ("A", 1)]);
+    let later = mesh(&format!(
+        "{STRIP}g wall\nf 1 2 3\no A\nf 2 4 3\ng roof\nf 3 4 5\n"
+    ));
+    assert_eq!(parts(&later), [("wall", 1), ("A", 1), ("A/roof", 1)]);
     let empty = mesh(&format!("o Nothing\n{STRIP}o Number #2\nf 1 2 3\no Last\n"));
     assert_eq!(parts(&empty), [("Number #2", 1)]);
 }

@@ -76,7 +76,9 @@ impl<'a, R: BufRead> Source<'a, R> {
         self.taken = 0;
         self.line.clear();
         while self.line.is_empty() && self.read_line()? {
-            self.wash();
+            if self.line_number == 1 && self.line.starts_with("\u{feff}".as_bytes()) {
+                self.line.drain(..3);
+            }
             self.sort()?;
         }
         Ok(())
@@ -107,18 +109,6 @@ impl<'a, R: BufRead> Source<'a, R> {
             }
             self.line.pop();
             self.line.push(b' ');
-        }
-    }
-
-    /// Makes the line valid UTF-8, without byte order mark.
-    fn wash(&mut self) {
-        if self.line_number == 1 && self.line.starts_with("\u{feff}".as_bytes()) {
-            self.line.drain(..3);
-        }
-        if std::str::from_utf8(&self.line).is_err() {
-            self.line = String::from_utf8_lossy(&self.line)
-                .into_owned()
-                .into_bytes();
         }
     }
 
