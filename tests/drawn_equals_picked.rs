@@ -122,8 +122,8 @@ fn cameras(scene: &Scene) -> Vec<Shot> {
         ("fov 1e-2 at a rim", narrow(1e-2), 0.03),
         (
             "fov 170",
-            shot(way, 0.7, near_far(170.0, 1e-3, 10.0)),
-            0.003,
+            close(way, 0.05, near_far(170.0, 1e-4, 10.0)),
+            0.01,
         ),
     ]
 }

@@ -48,11 +48,32 @@ impl Renderer {
         view: &View,
         marks: &Marks,
     ) -> Result<Image<Rgb>, GpuError> {
-        let viewport = targets.viewport();
+        self.composite_at(gpu, scene, targets, view, marks, targets.viewport(), [0, 0])
+    }
+
+    /// The finished picture within a larger (or smaller) one: as a window of this size would show it.
+    ///
+    /// # Errors
+    /// When memory runs out or the device is lost.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "those of composite, and the window"
+    )]
+    pub fn composite_at(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        marks: &Marks,
+        window: Viewport,
+        origin_px: [u32; 2],
+    ) -> Result<Image<Rgb>, GpuError> {
+        gpu.check_picture(window)?;
         let texture = gpu.within_memory(|| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("picture"),
-                size: extent(viewport),
+                size: extent(window),
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -64,11 +85,11 @@ impl Renderer {
         let destination = Destination {
             view: &texture.create_view(&wgpu::TextureViewDescriptor::default()),
             format: COLOUR,
-            size_px: [viewport.width(), viewport.height()],
-            origin_px: [0, 0],
+            size_px: [window.width(), window.height()],
+            origin_px,
         };
         self.composite(gpu, scene, targets, view, marks, &destination);
-        read_rgb(gpu, &texture, viewport)
+        read_rgb(gpu, &texture, window)
     }
 }
 
