@@ -81,13 +81,18 @@ fn drawn_colours_equal_cast_colours() {
         .camera
         .with_lens(orthographic(5.0, 0.1, 100.0))
         .expect("a lens");
-    for view in [
-        perspective_view,
-        View {
-            camera,
-            ..perspective_view
-        },
-    ] {
+    let orthographic_view = View {
+        camera,
+        ..perspective_view
+    };
+    // Cut open: insides show, lit like outsides.
+    let lens = perspective(40.0, 6.9, 8.0);
+    let camera = perspective_view.camera.with_lens(lens).expect("a lens");
+    let cut = View {
+        camera,
+        ..perspective_view
+    };
+    for view in [perspective_view, orthographic_view, cut] {
         let (ids, colours, picture) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
         assert_eq!(
             differing(&colours, &picture),
