@@ -205,6 +205,7 @@ fn check(gpu: &Gpu, name: &str, scene: &Scene, views: Vec<Shot>) {
         println!(
             "{name:>10} {camera:<24} hits {hits:>6}  edge {edge:>4}  depth {depth:>4}  f32 limit {limit:>4}  unexplained {defects}"
         );
+        assert!(limit <= 20, "{name}, {camera}: {limit} pixels beyond f32");
         let least = share * f64::from(SIZE[0] * SIZE[1]);
         assert!(
             f64::from(hits) > least,
