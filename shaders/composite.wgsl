@@ -17,7 +17,7 @@ struct Composite {
 @group(0) @binding(0) var<uniform> composite: Composite;
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var ids: texture_2d<u32>;
-// The selected object, seen through everything, when the outline is drawn; then the outline.
+// The selected object, seen through everything, when the selection is drawn; then how much of each pixel is selection.
 @group(0) @binding(3) var marks: texture_2d<f32>;
 
 @vertex
@@ -34,8 +34,8 @@ fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     return textureLoad(marks, clamp(at, vec2<i32>(0), last), 0).r;
 }
 
-// How much of a pixel is outline: most where half of a disc about it is inside the object. Unrolled: loops are slow
-// on software adapters.
+// How much of a pixel is selection: outline, most where half of a disc about it is inside the object; and tint, where
+// the object is in front. Unrolled: loops are slow on software adapters.
 @fragment
 fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     let px = position.xy;
@@ -47,7 +47,10 @@ fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     sum += inside(px, vec2<f32>(0.5, 0.0)) + inside(px, vec2<f32>(-0.5, 0.0));
     sum += inside(px, vec2<f32>(0.0, 0.5)) + inside(px, vec2<f32>(0.0, -0.5));
     let share = sum / 13.0;
-    return smoothstep(0.0, 0.35, min(share, 1.0 - share));
+    let edge = smoothstep(0.0, 0.35, min(share, 1.0 - share));
+    let shown = textureLoad(ids, vec2<i32>(px), 0).r == composite.selection;
+    let tint = select(0.0, composite.selection_tint, shown);
+    return 1.0 - (1.0 - tint) * (1.0 - edge);
 }
 
 fn pixel(position: vec4<f32>) -> vec2<i32> {
@@ -59,14 +62,10 @@ fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(picture, pixel(position), 0);
 }
 
-// Blended over the copy: tint where the object is in front, outline everywhere.
+// Blended over the copy.
 @fragment
 fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let at = pixel(position);
-    let shown = textureLoad(ids, at, 0).r == composite.selection;
-    let tint = select(0.0, composite.selection_tint, shown);
-    let edge = textureLoad(marks, at, 0).r;
-    return vec4<f32>(composite.selection_colour, 1.0 - (1.0 - tint) * (1.0 - edge));
+    return vec4<f32>(composite.selection_colour, textureLoad(marks, pixel(position), 0).r);
 }
 
 @fragment

@@ -9,9 +9,10 @@ use glam::{DVec3, dvec3};
 use scenes::{gpu, shapes};
 use sightline::{
     camera::{View, Viewport},
+    colour::Srgb,
     geometry::Sides,
     image::{Id, Image, Rgb},
-    pick,
+    look, pick,
     render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets},
     scene::Scene,
 };
@@ -55,6 +56,12 @@ fn far_apart(a: Rgb, b: Rgb, by: u8) -> bool {
     a.iter().zip(b).any(|(&a, b)| a.abs_diff(b) > by)
 }
 
+/// In how many pixels two pictures differ.
+fn differing<T: Copy + PartialEq>(a: &Image<T>, b: &Image<T>) -> usize {
+    let pairs = a.pixels().iter().zip(b.pixels());
+    pairs.filter(|(a, b)| a != b).count()
+}
+
 /// Writes a picture where `SIGHTLINE_PICTURES` says, for people to look at.
 fn show(name: &str, picture: &Image<Rgb>) {
     if let Some(folder) = std::env::var_os("SIGHTLINE_PICTURES") {
@@ -74,15 +81,24 @@ fn drawn_colours_equal_cast_colours() {
         .camera
         .with_lens(orthographic(5.0, 0.1, 100.0))
         .expect("a lens");
-    for view in [
-        perspective_view,
-        View {
-            camera,
-            ..perspective_view
-        },
-    ] {
+    let orthographic_view = View {
+        camera,
+        ..perspective_view
+    };
+    // Cut open: insides show, lit like outsides.
+    let lens = perspective(40.0, 6.9, 8.0);
+    let camera = perspective_view.camera.with_lens(lens).expect("a lens");
+    let cut = View {
+        camera,
+        ..perspective_view
+    };
+    for view in [perspective_view, orthographic_view, cut] {
         let (ids, colours, picture) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
-        assert_eq!(colours, picture, "a picture without marks is a copy");
+        assert_eq!(
+            differing(&colours, &picture),
+            0,
+            "a picture without marks is a copy"
+        );
         let (cast_ids, cast) = pick::raycast(&scene, &view);
         show("drawn", &colours);
         show("cast", &cast);
@@ -102,5 +118,292 @@ fn drawn_colours_equal_cast_colours() {
             compared > 640 * 400 * 99 / 100,
             "only {compared} pixels agree"
         );
+    }
+}
+
+#[test]
+fn the_selection_is_outlined_through_what_hides_it() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([640, 400]);
+    for samples in [1, 4] {
+        // The turned box stands behind the ball, the right half of a mesh behind the card.
+        for (name, object, is_behind) in [
+            ("turned box", 7, true),
+            ("right", 11, true),
+            ("ellipsoid", 3, false),
+        ] {
+            let marks = Marks {
+                selection: Some(object),
+                hover: Some(2),
+            };
+            let (ids, plain, picture) = draw(&gpu, &scene, &view, &[], &marks, samples);
+            show(&format!("selected-{name}-{samples}"), &picture);
+            let [selected, hovered] = [object, 2].map(|i| u32::try_from(i + 1).expect("small"));
+            let shows = |x: u32, y: u32| ids.at(x.min(639), y.min(399)).object;
+            let [mut tinted, mut outlined, mut through] = [0; 3];
+            for (x, y) in ids.positions() {
+                let changed = far_apart(plain.at(x, y), picture.at(x, y), 2);
+                let line = !far_apart(picture.at(x, y), look::SELECTION.0, 12);
+                tinted += u32::from(shows(x, y) == selected && changed);
+                outlined += u32::from(line);
+                // Not at the rim of what is seen of it: within what hides it.
+                let mut around = (0..9).flat_map(|i| (0..9).map(move |j| (i, j)));
+                let within = around.all(|(i, j)| {
+                    shows((x + i).saturating_sub(4), (y + j).saturating_sub(4)) != selected
+                });
+                through += u32::from(line && within);
+                assert!(
+                    shows(x, y) != hovered || changed,
+                    "what is hovered is tinted at ({x}, {y})"
+                );
+            }
+            assert!(tinted > 100, "{name}: {tinted} pixels tinted");
+            assert!(outlined > 100, "{name}: {outlined} pixels of outline");
+            assert_eq!(
+                through > 20,
+                is_behind,
+                "{name}: {through} pixels of outline seen through others"
+            );
+        }
+    }
+}
+
+#[test]
+fn hidden_objects_are_absent() {
+    let gpu = gpu();
+    let mut scene = shapes(DVec3::ZERO);
+    let view = overview([320, 200]);
+    let mut renderer = Renderer::new(&gpu, 1);
+    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+    let mut drawn = |scene: &Scene, renderer: &mut Renderer| {
+        buffers.update(&gpu, scene).expect("fits");
+        renderer
+            .draw(&gpu, &buffers, &targets, &view, &[])
+            .expect("draws");
+        targets.read_ids(&gpu).expect("ids")
+    };
+    let all = drawn(&scene, &mut renderer);
+    // A mesh, a sphere, a cube, a square, and the first part of a batch of two.
+    for hidden in [1, 2, 7, 9, 10] {
+        let id = u32::try_from(hidden + 1).expect("small");
+        assert!(
+            all.pixels().iter().any(|pixel| pixel.object == id),
+            "object {id} is seen"
+        );
+        scene.set_visible(hidden, false);
+    }
+    let left = drawn(&scene, &mut renderer);
+    assert!(
+        differing(&left, &pick::raycast(&scene, &view).0) < 20,
+        "hidden for both"
+    );
+    for hidden in [2, 3, 8, 10, 11] {
+        assert!(
+            left.pixels().iter().all(|pixel| pixel.object != hidden),
+            "object {hidden} is gone"
+        );
+    }
+    for hidden in [1, 2, 7, 9, 10] {
+        scene.set_visible(hidden, true);
+    }
+    assert_eq!(
+        differing(&drawn(&scene, &mut renderer), &all),
+        0,
+        "shown again"
+    );
+}
+
+#[test]
+fn lines_are_in_the_picture_and_not_in_the_ids() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([640, 400]);
+    let colour = Srgb([255, 0, 255]);
+    let lines: Vec<Line> = (-10..=10)
+        .flat_map(|i| {
+            let (a, y) = (f64::from(i) * 0.5, -0.99);
+            [
+                Line {
+                    from: dvec3(a, y, -5.0),
+                    to: dvec3(a, y, 5.0),
+                    colour,
+                },
+                Line {
+                    from: dvec3(-5.0, y, a),
+                    to: dvec3(5.0, y, a),
+                    colour,
+                },
+            ]
+        })
+        .collect();
+    let orthographic_view = View {
+        camera: view
+            .camera
+            .with_lens(orthographic(5.0, 0.1, 100.0))
+            .expect("a lens"),
+        ..view
+    };
+    for view in [view, orthographic_view] {
+        let (plain_ids, plain, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
+        for samples in [1, 4] {
+            let (ids, colours, _) = draw(&gpu, &scene, &view, &lines, &Marks::default(), samples);
+            show("grid", &colours);
+            assert_eq!(differing(&ids, &plain_ids), 0);
+            let pixels = || {
+                ids.positions()
+                    .filter(|&(x, y)| colours.at(x, y) == colour.0)
+            };
+            assert!(samples == 4 || pixels().count() > 1000, "the grid shows");
+            // Hidden by what stands on the floor.
+            let on_ball = pixels().filter(|&(x, y)| ids.at(x, y).object == 2);
+            assert!(on_ball.count() < 100, "the grid lies behind the mesh");
+        }
+        assert!(!plain.pixels().contains(&colour.0));
+    }
+}
+
+#[test]
+fn culling_hides_what_faces_away() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let behind = view(
+        [-3.0, -2.6, -6.0],
+        [0.0, 0.0, 0.0],
+        perspective(40.0, 0.1, 100.0),
+        [320, 200],
+    );
+    let cut = view(
+        [3.2, 2.6, 6.0],
+        [0.0, -0.1, 0.0],
+        perspective(40.0, 6.9, 8.0),
+        [320, 200],
+    );
+    for view in [behind, cut] {
+        let both = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).0;
+        let view = View {
+            sides: Sides::Front,
+            ..view
+        };
+        let (front, colours, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
+        let (picked, cast) = pick::raycast(&scene, &view);
+        assert_ne!(front, both, "something faces away");
+        let same = |(x, y): &(u32, u32)| front.at(*x, *y) == picked.at(*x, *y);
+        let agree: Vec<_> = front.positions().filter(same).collect();
+        assert!(agree.len() > 320 * 200 - 40, "{} pixels agree", agree.len());
+        for (x, y) in agree {
+            let (drawn, cast) = (colours.at(x, y), cast.at(x, y));
+            assert!(
+                !far_apart(drawn, cast, 1),
+                "({x}, {y}): drawn {drawn:?}, cast {cast:?}, {:?}",
+                front.at(x, y)
+            );
+        }
+    }
+}
+
+#[test]
+fn several_samples_smooth_every_outline() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([640, 400]);
+    let (ids, hard, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
+    let (smooth_ids, smooth, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 4);
+    show("smooth", &smooth);
+    assert_eq!(differing(&ids, &smooth_ids), 0, "ids have one sample");
+    // Mesh, sphere, cube, square: pixels of each next to something else are mixed, others are not.
+    for object in [2, 3, 8, 10] {
+        let own = || {
+            ids.positions().filter(|&(x, y)| {
+                ids.at(x, y).object == object && x > 0 && y > 0 && x < 639 && y < 399
+            })
+        };
+        let at_rim = |x: u32, y: u32| {
+            [(x - 1, y), (x + 1, y), (x, y - 1), (x, y + 1)]
+                .iter()
+                .any(|&(x, y)| ids.at(x, y).object != object)
+        };
+        let mixed = |&(x, y): &(u32, u32)| far_apart(hard.at(x, y), smooth.at(x, y), 4);
+        let rim: Vec<_> = own().filter(|&(x, y)| at_rim(x, y)).collect();
+        let share = rim.iter().filter(|px| mixed(px)).count() * 100 / rim.len();
+        assert!(
+            share > 20,
+            "object {object}: {share} % of its rim is smooth"
+        );
+    }
+}
+
+#[test]
+fn pictures_of_any_shape_are_drawn_or_refused_in_a_line() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    for size in [[1, 1], [4097, 3], [3, 1025]] {
+        let view = overview(size);
+        let ids = sightline::render::render(&gpu, &scene, &view, Some(1))
+            .expect("fits")
+            .0;
+        assert!(
+            differing(&ids, &pick::raycast(&scene, &view).0) < 20,
+            "{size:?}"
+        );
+    }
+    let limit = gpu.device.limits().max_texture_dimension_2d;
+    let view = overview([limit + 1, 3]);
+    let error = sightline::render::render(&gpu, &scene, &view, None).expect_err("too large");
+    assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");
+    assert!(
+        !error.to_string().contains('\n') && error.to_string().contains(&format!("{limit}")),
+        "{error}"
+    );
+}
+
+#[test]
+fn an_empty_scene_is_all_background() {
+    let gpu = gpu();
+    let view = overview([64, 48]);
+    let (ids, colours) =
+        sightline::render::render(&gpu, &Scene::default(), &view, None).expect("draws");
+    let (cast_ids, cast) = pick::raycast(&Scene::default(), &view);
+    assert_eq!(differing(&ids, &cast_ids), 0);
+    let pairs = colours.pixels().iter().zip(cast.pixels());
+    assert!(pairs.into_iter().all(|(&a, &b)| !far_apart(a, b, 1)));
+}
+
+#[test]
+fn a_picture_goes_where_the_window_wants_it() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([60, 40]);
+    let marks = Marks {
+        selection: Some(1),
+        hover: Some(2),
+    };
+    let mut renderer = Renderer::new(&gpu, 1);
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+    renderer
+        .draw(&gpu, &buffers, &targets, &view, &[])
+        .expect("draws");
+    renderer.draw_selection(&gpu, &buffers, &targets, &view, 1);
+    let alone = renderer
+        .composite_to_image(&gpu, &buffers, &targets, &view, &marks)
+        .expect("a picture");
+    // Beside a panel of 20 pixels, and in a window that has just become too small.
+    for size in [[90, 50], [70, 30], [15, 15]] {
+        let origin = [20, 5];
+        let size = Viewport::new(size[0], size[1]).expect("a size");
+        let window = renderer
+            .composite_at(&gpu, &buffers, &targets, &view, &marks, size, origin)
+            .expect("a picture");
+        for (x, y) in window.positions() {
+            let within = x >= 20 && y >= 5 && x < 80 && y < 45;
+            let expected = if within {
+                alone.at(x - 20, y - 5)
+            } else {
+                [0; 3]
+            };
+            assert_eq!(window.at(x, y), expected, "({x}, {y}) of {size:?}");
+        }
     }
 }

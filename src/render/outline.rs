@@ -45,8 +45,8 @@ pub(super) struct PostPasses {
 }
 
 impl Renderer {
-    /// Draws the outline of an object, as it would be seen with nothing else in the scene. Needed when the selection,
-    /// the scene or the view changed.
+    /// Draws the outline of an object, as it would be seen with nothing else in the scene, and its tint, where it is
+    /// seen. Needed when the selection changed, and after each [`Renderer::draw`].
     ///
     /// # Panics
     /// When `targets` have another size than the view, or other samples than this renderer.
@@ -63,7 +63,13 @@ impl Renderer {
         let outline_px = self.outline_px();
         let uniform = layout::Composite {
             outline_px,
-            ..uniform(&Marks::default(), [0, 0])
+            ..uniform(
+                &Marks {
+                    selection: Some(selection),
+                    hover: None,
+                },
+                [0, 0],
+            )
         };
         let marks = self.post.bind(gpu, targets, &targets.mask_view, &uniform);
         let pipeline = self.post.pipeline(gpu, "outline", MARKS);

@@ -249,24 +249,28 @@ pub(super) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
         })
 }
 
-/// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors. (That view
-/// space is left-handed does not matter: the picture's y runs up again.)
+/// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then what
+/// seems to face the eye faces away. (That view space is left-handed does not matter: the picture's y runs up again.)
 fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
-    let (topology, culled_mirrored) = match drawn {
-        Drawn::Triangles { culled_mirrored } => {
-            (wgpu::PrimitiveTopology::TriangleList, culled_mirrored)
-        }
+    let (topology, cull_mode) = match drawn {
+        Drawn::Triangles { culled_mirrored } => (
+            wgpu::PrimitiveTopology::TriangleList,
+            culled_mirrored.map(|mirrors| {
+                if mirrors {
+                    wgpu::Face::Front
+                } else {
+                    wgpu::Face::Back
+                }
+            }),
+        ),
         Drawn::Spheres => (wgpu::PrimitiveTopology::TriangleStrip, None),
         Drawn::Lines => (wgpu::PrimitiveTopology::LineList, None),
         Drawn::Background => (wgpu::PrimitiveTopology::TriangleList, None),
     };
     wgpu::PrimitiveState {
         topology,
-        front_face: match culled_mirrored {
-            Some(true) => wgpu::FrontFace::Cw,
-            _ => wgpu::FrontFace::Ccw,
-        },
-        cull_mode: culled_mirrored.map(|_| wgpu::Face::Back),
+        front_face: wgpu::FrontFace::Ccw,
+        cull_mode,
         ..Default::default()
     }
 }

@@ -9,7 +9,10 @@ use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
 };
-use std::sync::mpsc;
+use std::{ops::Range, sync::mpsc};
+
+/// How much is read at a time, if a row is not more.
+const BAND_BYTES: u64 = 1 << 26;
 
 impl Targets {
     /// The colours as drawn, without marks.
@@ -48,11 +51,32 @@ impl Renderer {
         view: &View,
         marks: &Marks,
     ) -> Result<Image<Rgb>, GpuError> {
-        let viewport = targets.viewport();
+        self.composite_at(gpu, scene, targets, view, marks, targets.viewport(), [0, 0])
+    }
+
+    /// The finished picture within a larger (or smaller) one: as a window of this size would show it.
+    ///
+    /// # Errors
+    /// When memory runs out or the device is lost.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "those of composite, and the window"
+    )]
+    pub fn composite_at(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        marks: &Marks,
+        window: Viewport,
+        origin_px: [u32; 2],
+    ) -> Result<Image<Rgb>, GpuError> {
+        gpu.check_picture(window)?;
         let texture = gpu.within_memory(|| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("picture"),
-                size: extent(viewport),
+                size: extent(window),
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -64,11 +88,11 @@ impl Renderer {
         let destination = Destination {
             view: &texture.create_view(&wgpu::TextureViewDescriptor::default()),
             format: COLOUR,
-            size_px: [viewport.width(), viewport.height()],
-            origin_px: [0, 0],
+            size_px: [window.width(), window.height()],
+            origin_px,
         };
         self.composite(gpu, scene, targets, view, marks, &destination);
-        read_rgb(gpu, &texture, viewport)
+        read_rgb(gpu, &texture, window)
     }
 }
 
@@ -90,45 +114,86 @@ fn read<T: bytemuck::Pod, P>(
     pixel: impl Fn(T) -> P,
 ) -> Result<Vec<P>, GpuError> {
     let row = viewport.width() as usize * size_of::<T>();
-    let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
+    let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize) as u64;
+    // In bands, since a buffer may not hold as much as a texture.
+    let rows = u32::try_from(BAND_BYTES / padded).unwrap_or(u32::MAX);
+    let rows = rows.clamp(1, viewport.height());
     let buffer = gpu.within_memory(|| {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("readback"),
-            size: padded as u64 * u64::from(viewport.height()),
+            size: padded * u64::from(rows),
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         })
     })?;
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut pixels = Vec::with_capacity(viewport.width() as usize * viewport.height() as usize);
+    for top in (0..viewport.height()).step_by(rows as usize) {
+        let height = rows.min(viewport.height() - top);
+        copy_rows(
+            gpu,
+            texture,
+            viewport.width(),
+            top..top + height,
+            &buffer,
+            padded,
+        );
+        let band = ..padded * u64::from(height);
+        let (sender, receiver) = mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, band, move |mapped| {
+            // Nobody listens any more when waiting has failed.
+            let _ = sender.send(mapped);
+        });
+        gpu.wait()?;
+        let mapped = receiver.recv().map_err(|error| gpu.failed(&error))?;
+        mapped.map_err(|error| gpu.failed(&error))?;
+        let bytes = buffer
+            .get_mapped_range(band)
+            .map_err(|error| gpu.failed(&error))?;
+        pixels.extend(
+            bytes
+                .chunks_exact(bytes.len() / height as usize)
+                .flat_map(|line| line[..row].chunks_exact(size_of::<T>()))
+                .map(|bytes| pixel(bytemuck::pod_read_unaligned(bytes))),
+        );
+        drop(bytes);
+        buffer.unmap();
+    }
+    Ok(pixels)
+}
+
+/// Copies some rows of a texture to the start of a buffer, `padded` bytes apart.
+fn copy_rows(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    width: u32,
+    rows: Range<u32>,
+    buffer: &wgpu::Buffer,
+    padded: u64,
+) {
+    let mut encoder =
+        (gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
+        wgpu::TexelCopyTextureInfo {
+            origin: wgpu::Origin3d {
+                x: 0,
+                y: rows.start,
+                z: 0,
+            },
+            ..texture.as_image_copy()
+        },
         wgpu::TexelCopyBufferInfo {
-            buffer: &buffer,
+            buffer,
             layout: wgpu::TexelCopyBufferLayout {
                 offset: 0,
                 bytes_per_row: u32::try_from(padded).ok(),
                 rows_per_image: None,
             },
         },
-        extent(viewport),
+        wgpu::Extent3d {
+            width,
+            height: rows.end - rows.start,
+            depth_or_array_layers: 1,
+        },
     );
     gpu.queue.submit([encoder.finish()]);
-    let (sender, receiver) = mpsc::channel();
-    buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
-        // Nobody listens any more when waiting has failed.
-        let _ = sender.send(mapped);
-    });
-    gpu.wait()?;
-    let mapped = receiver.recv().map_err(|error| gpu.failed(&error))?;
-    mapped.map_err(|error| gpu.failed(&error))?;
-    let bytes = buffer
-        .get_mapped_range(..)
-        .map_err(|error| gpu.failed(&error))?;
-    Ok(bytes
-        .chunks_exact(padded)
-        .flat_map(|line| line[..row].chunks_exact(size_of::<T>()))
-        .map(|bytes| pixel(bytemuck::pod_read_unaligned(bytes)))
-        .collect())
 }

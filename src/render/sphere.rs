@@ -184,8 +184,8 @@ fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
 /// measured depth of the surface may be off where the outline is not near.
 ///
 /// A polynomial of six terms, with rounded coefficients, monomials of three roundings and five sums, is wrong by at
-/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). Of the discriminant, over its slope, that is
-/// the outline's shift; of b and c it goes into the root.
+/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). Of the discriminant, over its slope on the outline,
+/// that is the outline's shift; of a, b and c it goes into the root.
 #[must_use]
 pub fn error(sphere: &Uniform, px: DVec2) -> (f64, f64) {
     const U: f64 = 0.5 * f32::EPSILON as f64;
@@ -210,7 +210,17 @@ pub fn error(sphere: &Uniform, px: DVec2) -> (f64, f64) {
         x + 2.0 * xx * at.x + xy * at.y,
         y + xy * at.x + 2.0 * yy * at.y,
     );
-    let outline_px = wrong(&sphere.discriminant) / slope.length();
+    // Along the steepest line through the pixel the discriminant is a quadratic as well, and this is its slope where it
+    // vanishes: on the outline, wherever the pixel is.
+    let way = slope.normalize_or(DVec2::X);
+    let bend = xx * way.x * way.x + xy * way.x * way.y + yy * way.y * way.y;
+    let squared = slope.length_squared() - 4.0 * value(&sphere.discriminant) * bend;
+    let at_outline = if squared > 0.0 {
+        squared.sqrt()
+    } else {
+        slope.length()
+    };
+    let outline_px = wrong(&sphere.discriminant) / at_outline;
     let b = value(&sphere.b);
     let q = b.abs() + value(&sphere.discriminant).max(0.0).sqrt();
     let root = q.max((value(&sphere.c) / q).abs());
