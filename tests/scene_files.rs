@@ -214,7 +214,7 @@ fn errors_say_where_and_what() {
         (&format!("{cube}colour = [0, 0, nan]\n"), 3, "0 to 1"),
         (
             &format!("{cube}colour = \"#ffffff\"\ncolor = \"#ffffff\"\n"),
-            4,
+            1,
             "colo",
         ),
         (&format!("{cube}scale = [1, 2]\n"), 3, "one number"),

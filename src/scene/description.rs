@@ -249,9 +249,11 @@ pub fn parse(
         problem,
     };
     let scene: SceneFile = toml::from_str(text).map_err(|error| {
+        // Some messages quote the file over several lines.
+        let message = error.message().lines().next().unwrap_or_default();
         fail(
             error.span().map(|span| span.start),
-            Problem::Syntax(error.message().to_owned()),
+            Problem::Syntax(message.to_owned()),
         )
     })?;
     if let Some(camera) = &scene.camera {
