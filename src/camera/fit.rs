@@ -3,16 +3,19 @@
 use super::{Camera, Projection};
 use crate::geometry::Aabb;
 
-/// The least near plane, as a fraction of far: what reversed depth resolves with ease.
+/// The least near plane as a fraction of far, unless the eye comes closer to its target than that.
 const NEAREST: f64 = 1e-5;
+/// The least near plane as a fraction of the distance to the target, so that zooming in never cuts what is looked at.
+const NEAREST_TO_TARGET: f64 = 1e-2;
 
 /// View depths `(near, far)` of planes about `bounds_world` as this camera's eye and direction see them; the
 /// camera's own planes do not matter. A plane that is given stays as it is and the other one fits, but keeps to
 /// its side.
 ///
-/// In perspective near is at least 1e-5 of far; in orthographic projection it may lie behind the eye. Where
-/// there is nothing in front of the eye (or no bounds at all) the planes go about the target. The result is
-/// valid unless a given plane is not: one that is not positive in perspective, or two in the wrong order.
+/// In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target where that is less; in
+/// orthographic projection it may lie behind the eye. Where there is nothing in front of the eye (or no bounds at
+/// all) the planes go about the target. The result is valid unless a given plane is not: one that is not positive in
+/// perspective, or two in the wrong order.
 #[must_use]
 pub fn fit_near_far(
     camera: &Camera,
@@ -35,8 +38,9 @@ pub fn fit_near_far(
         Projection::Perspective { .. } => {
             let end = 1.01 * if z1 > 0.0 { z1 } else { to_target };
             let far = far.unwrap_or_else(|| near.map_or(end, |near| end.max(1.01 * near)));
+            let least = (NEAREST * far).min(NEAREST_TO_TARGET * to_target);
             // No clamp, which panics where a far plane that cannot be turns its ends about.
-            let near = near.unwrap_or_else(|| (0.99 * z0).max(NEAREST * far).min(0.99 * far));
+            let near = near.unwrap_or_else(|| (0.99 * z0).max(least).min(0.99 * far));
             (near, far)
         }
         Projection::Orthographic { .. } => {

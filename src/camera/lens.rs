@@ -33,7 +33,7 @@ pub enum Projection {
 }
 
 /// From view depth to the depth buffer's [0, 1].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DepthMapping {
     /// Near becomes 1 and far 0: with a floating-point buffer the precision follows the distance.

@@ -15,7 +15,7 @@ pub use fit::fit_near_far;
 pub use lens::{DepthMapping, Lens, Projection};
 pub use orbit::{Orbit, UpAxis};
 
-use crate::geometry::{Ray, Sides};
+use crate::geometry::{Aabb, Ray, Sides};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 /// Where the eye stands, where it looks and through which lens. Always valid: axes are orthonormal, near lies
@@ -24,6 +24,7 @@ use glam::{DMat3, DMat4, DVec2, DVec3};
 pub struct Camera {
     eye: DVec3,
     target: DVec3,
+    up_hint: DVec3,
     right: DVec3,
     up: DVec3,
     forward: DVec3,
@@ -72,6 +73,12 @@ pub struct Viewport {
 }
 
 impl Viewport {
+    /// The size of pictures where none is asked for: 1280 x 720.
+    pub const DEFAULT: Self = Self {
+        width: 1280,
+        height: 720,
+    };
+
     /// Takes width and height in pixels.
     ///
     /// # Errors
@@ -152,6 +159,34 @@ impl View {
     }
 }
 
+impl View {
+    /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the six
+    /// planes of the frustum.
+    #[must_use]
+    pub fn may_see(&self, bounds_world: &Aabb) -> bool {
+        let lens = self.camera.lens();
+        let half = lens.half_extent(self.viewport.aspect());
+        let excess = bounds_world.corners().map(|corner| {
+            let p = self.camera.to_view(corner);
+            let w = match lens.projection {
+                Projection::Perspective { .. } => p.z,
+                Projection::Orthographic { .. } => 1.0,
+            };
+            let (x, y) = (half.x * w, half.y * w);
+            [
+                p.x - x,
+                -p.x - x,
+                p.y - y,
+                -p.y - y,
+                p.z - lens.far,
+                lens.near - p.z,
+            ]
+        });
+        !bounds_world.is_empty()
+            && (0..6).all(|plane| excess.iter().any(|corner| corner[plane] <= 0.0))
+    }
+}
+
 /// The centre of the pixel that a position lies in: what a click there picks.
 #[must_use]
 pub fn pixel_centre(px: DVec2) -> DVec2 {
@@ -213,6 +248,7 @@ impl Camera {
         Ok(Self {
             eye,
             target: eye + direction,
+            up_hint: up,
             right,
             up: right.cross(forward),
             forward,
@@ -239,6 +275,12 @@ impl Camera {
     #[must_use]
     pub fn target(&self) -> DVec3 {
         self.target
+    }
+
+    /// What was given as up: with eye and target it makes this very camera again, to the bit.
+    #[must_use]
+    pub fn up_hint(&self) -> DVec3 {
+        self.up_hint
     }
 
     /// Unit vector R: to the right in the picture.

@@ -1,7 +1,9 @@
 //! What can go wrong in a command, and the exit code that says so.
 
 use super::say;
-use crate::{camera::CameraError, image::ImageError, scene::LoadError};
+use crate::{
+    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, viewer::ViewerError,
+};
 use std::{path::PathBuf, process::ExitCode};
 
 /// Why a command did not do what it was asked. One line, with what to do about it.
@@ -36,11 +38,13 @@ pub enum CliError {
         source: std::io::Error,
     },
     /// Nothing to draw with.
-    #[error("no graphics adapter: {0}")]
-    NoAdapter(String),
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
     /// Nowhere to open a window.
-    #[error("no display: {0}")]
-    NoDisplay(String),
+    #[error(
+        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
+    )]
+    NoDisplay,
 }
 
 impl CliError {
@@ -50,8 +54,8 @@ impl CliError {
         match self {
             Self::Usage(_) | Self::View(_) => 2,
             Self::SceneCamera { .. } | Self::Load(_) | Self::Image(_) | Self::Stream { .. } => 3,
-            Self::NoAdapter(_) => 4,
-            Self::NoDisplay(_) => 5,
+            Self::Gpu(_) => 4,
+            Self::NoDisplay => 5,
         }
     }
 
@@ -71,6 +75,19 @@ impl CliError {
         Self::Stream {
             stream: "standard output",
             source,
+        }
+    }
+}
+
+impl From<ViewerError> for CliError {
+    fn from(error: ViewerError) -> Self {
+        match error {
+            ViewerError::NoDisplay(reason) => {
+                log::info!("{reason}");
+                Self::NoDisplay
+            }
+            ViewerError::Gpu(error) => Self::Gpu(error),
+            ViewerError::Camera(error) => Self::View(error),
         }
     }
 }

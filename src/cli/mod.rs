@@ -89,9 +89,9 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// Loads the scene that a command names and prints what the load warns of.
-fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
-    let level = if args.verbose {
+/// Log lines go to stderr; `RUST_LOG` says more, `-v` tells the phases.
+fn start_log(verbose: bool) {
+    let level = if verbose {
         log::LevelFilter::Info
     } else {
         log::LevelFilter::Warn
@@ -100,6 +100,11 @@ fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
         .filter_level(level)
         .parse_default_env()
         .init();
+}
+
+/// Loads the scene that a command names and prints what the load warns of.
+fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
+    start_log(args.verbose);
     let start = Instant::now();
     let loaded = scene::load(&args.scenes, &Progress::default())?;
     log::info!(

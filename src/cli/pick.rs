@@ -65,7 +65,7 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
 pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     for &at in &args.at {
         if let At::Px(px) = at {
-            inside(args.view.size, px)?;
+            inside(args.view.size(), px)?;
         }
     }
     let mut loaded = load(&args.scene)?;

@@ -5,6 +5,7 @@ use crate::{
     camera::View,
     image::{Id, Image, ImageError, Rgb},
     pick,
+    render::{self, Gpu},
     scene::Scene,
 };
 use glam::DVec2;
@@ -45,7 +46,7 @@ pub enum By {
 /// Draws and writes the picture.
 pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     if let Some(px) = args.pick {
-        inside(args.view.size, px)?;
+        inside(args.view.size(), px)?;
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
@@ -71,13 +72,13 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
 }
 
 fn raster(
-    _scene: &Scene,
-    _view: &View,
-    _selection: Option<usize>,
+    scene: &Scene,
+    view: &View,
+    selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), CliError> {
-    Err(CliError::NoAdapter(
-        "this build draws without one only; use --by raycast".to_owned(),
-    ))
+    let gpu = Gpu::headless()?;
+    log::info!("drawing with {}", gpu.adapter_name());
+    Ok(render::render(&gpu, scene, view, selection)?)
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

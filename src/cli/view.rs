@@ -13,9 +13,9 @@ use glam::DVec3;
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "View")]
 pub struct ViewArgs {
-    /// Picture size in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = value::size)]
-    pub size: Viewport,
+    /// Size of the picture, or of the window, in pixels [default: 1280x720]
+    #[arg(long, value_name = "WxH", value_parser = value::size)]
+    pub size: Option<Viewport>,
     /// Where the eye stands
     #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
     pub eye: Option<DVec3>,
@@ -88,24 +88,29 @@ impl ViewArgs {
         }
     }
 
+    /// The picture's size.
+    #[must_use]
+    pub fn size(&self) -> Viewport {
+        self.size.unwrap_or(Viewport::DEFAULT)
+    }
+
+    /// Which sides of surfaces show.
+    #[must_use]
+    pub fn sides(&self) -> Sides {
+        if self.cull { Sides::Front } else { Sides::Both }
+    }
+
     /// Hides what is to be hidden and gives the view of what is left.
     ///
     /// # Errors
     /// When there is no object of an id, or flags and scene make no camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
-        let objects = loaded.scene.objects().len();
-        for &id in &self.hide {
-            if !(1..=objects).contains(&id) {
-                return Err(CliError::Usage(format!(
-                    "--hide {id}: ids run from 1 to {objects}; see 'sightline list'"
-                )));
-            }
-            loaded.scene.set_visible(id - 1, false);
-        }
+        let hidden = loaded.scene.hide(&self.hide);
+        hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;
         let flags = self.choice();
         let camera = flags
             .or(loaded.camera)
-            .resolve(&loaded.scene.visible_bounds(), self.size);
+            .resolve(&loaded.scene.visible_bounds(), self.size());
         let camera = camera.map_err(|source| match &loaded.camera_file {
             // Without a flag it can only be the file's fault.
             Some(file) if flags == CameraChoice::default() => CliError::SceneCamera {
@@ -117,8 +122,8 @@ impl ViewArgs {
         log::info!("camera {camera:?}");
         Ok(View {
             camera,
-            viewport: self.size,
-            sides: if self.cull { Sides::Front } else { Sides::Both },
+            viewport: self.size(),
+            sides: self.sides(),
         })
     }
 }

@@ -1,6 +1,7 @@
 //! `sightline` without a command: the window.
 
-use super::{CliError, SceneArgs, ViewArgs};
+use super::{CliError, SceneArgs, ViewArgs, start_log};
+use crate::{scene::LoadError, viewer};
 
 /// Arguments of the window.
 #[derive(Debug, clap::Args)]
@@ -17,9 +18,22 @@ pub struct WindowArgs {
 }
 
 /// Opens the window and stays until it is closed.
-pub(super) fn run(_args: &WindowArgs) -> Result<(), CliError> {
-    Err(CliError::NoDisplay(
-        "this build opens no window; use 'sightline render --by raycast' or 'sightline pick'"
-            .to_owned(),
-    ))
+pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
+    start_log(args.scene.verbose);
+    // A file that is not there is worth no window.
+    for path in &args.scene.scenes {
+        std::fs::metadata(path).map_err(|source| LoadError::Read {
+            file: path.clone(),
+            source,
+        })?;
+    }
+    let options = viewer::Options {
+        paths: args.scene.scenes.clone(),
+        camera: args.view.choice(),
+        sides: args.view.sides(),
+        hidden: args.view.hide.clone(),
+        size: args.view.size,
+        print_picks: args.print_picks,
+    };
+    Ok(viewer::run(options)?)
 }

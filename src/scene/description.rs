@@ -65,7 +65,7 @@ pub struct DescriptionError {
     pub line: Option<usize>,
     /// What is wrong there.
     #[source]
-    pub problem: Problem,
+    pub problem: Box<Problem>,
 }
 
 fn place(file: &Path, line: Option<usize>) -> String {
@@ -246,7 +246,7 @@ pub fn parse(
     let fail = |at: Option<usize>, problem| DescriptionError {
         file: file.to_owned(),
         line: at.map(|byte| 1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()),
-        problem,
+        problem: Box::new(problem),
     };
     let scene: SceneFile = toml::from_str(text).map_err(|error| {
         // Some messages quote the file over several lines.

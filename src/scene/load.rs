@@ -13,8 +13,8 @@ use std::{
     sync::Arc,
 };
 
-/// A scene and what came with it.
-#[derive(Debug)]
+/// A scene and what came with it; by default nothing.
+#[derive(Debug, Default)]
 pub struct Loaded {
     /// The objects of all files, in the order of the files.
     pub scene: Scene,
@@ -156,7 +156,6 @@ impl From<ObjError> for LoadError {
     fn from(error: ObjError) -> Self {
         match error {
             ObjError::Cancelled(cancelled) => Self::Cancelled(cancelled),
-            #[allow(unreachable_patterns, reason = "the loader has one error so far")]
             error => Self::Obj(error),
         }
     }
@@ -164,7 +163,7 @@ impl From<ObjError> for LoadError {
 
 impl From<DescriptionError> for LoadError {
     fn from(error: DescriptionError) -> Self {
-        match error.problem {
+        match *error.problem {
             Problem::Mesh {
                 source: ObjError::Cancelled(cancelled),
                 ..

@@ -141,6 +141,16 @@ impl Object {
     }
 }
 
+/// Somebody named an object that is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no object {id}: ids run from 1 to {objects}; see 'sightline list'")]
+pub struct NoSuchObject {
+    /// The id that was named.
+    pub id: usize,
+    /// How many objects there are.
+    pub objects: usize,
+}
+
 /// Objects in order. Ids for people are index + 1.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
@@ -188,6 +198,20 @@ impl Scene {
     /// Shows or hides an object.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
         self.objects[object].visible = visible;
+    }
+
+    /// Hides the objects with these ids (from 1).
+    ///
+    /// # Errors
+    /// When there is no object of an id.
+    pub fn hide(&mut self, ids: &[usize]) -> Result<(), NoSuchObject> {
+        let objects = self.objects.len();
+        for &id in ids {
+            let index = id.checked_sub(1).filter(|index| *index < objects);
+            let index = index.ok_or(NoSuchObject { id, objects })?;
+            self.set_visible(index, false);
+        }
+        Ok(())
     }
 
     /// Runs of objects that are drawn, and asked for hits, as one: either a single object, or consecutive parts of

@@ -1,0 +1,61 @@
+// Shared by all passes that draw the scene. Structs equal those of src/render/layout.rs.
+enable primitive_index;
+
+struct Frame {
+    ndc_per_view: vec2<f32>,
+    depth_row: vec2<f32>,
+    depth_range: vec2<f32>,
+    viewport_px: vec2<f32>,
+    perspective: u32,
+    front_only: u32,
+    padding: vec2<u32>,
+    key_direction: vec3<f32>,
+    ambient: f32,
+    background_top: vec3<f32>,
+    key: f32,
+    background_bottom: vec3<f32>,
+    fill: f32,
+}
+
+struct ObjectState {
+    colour: vec3<f32>,
+    has_colour: u32,
+    first_triangle: u32,
+    visible: u32,
+    padding: vec2<u32>,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> objects: array<ObjectState>;
+
+// From view space, z as measured depth, to clip space.
+fn project(view: vec3<f32>) -> vec4<f32> {
+    let z = frame.depth_row.x * view.z + frame.depth_row.y;
+    return vec4<f32>(view.xy * frame.ndc_per_view, z, select(1.0, view.z, frame.perspective == 1u));
+}
+
+// What the depth buffer stores for a measured depth.
+fn stored_depth(depth: f32) -> f32 {
+    if frame.perspective == 1u {
+        return frame.depth_row.x + frame.depth_row.y / depth;
+    }
+    return frame.depth_row.x * depth + frame.depth_row.y;
+}
+
+// The unit vector along v; zero for zero.
+fn unit(v: vec3<f32>) -> vec3<f32> {
+    let size = length(v);
+    return select(vec3<f32>(0.0), v / size, size > 0.0);
+}
+
+// look::shade: Lambert under the key light and a soft fill from above, for the normal of the side that is seen.
+fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
+    let normal = unit(normal_view);
+    let lambert = max(dot(normal, frame.key_direction), 0.0);
+    return albedo * (frame.ambient + frame.key * lambert + frame.fill * (0.5 + 0.5 * normal.y));
+}
+
+struct ColourAndId {
+    @location(0) colour: vec4<f32>,
+    @location(1) id: vec2<u32>,
+}

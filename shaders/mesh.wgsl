@@ -1,0 +1,89 @@
+// Triangles: meshes, cubes and squares.
+
+struct Batch {
+    pivot: vec3<f32>,
+    object_of_part_0: u32,
+    linear: mat3x3<f32>,
+    translation: vec3<f32>,
+    first_triangle: u32,
+    normal: mat3x3<f32>,
+    flags: u32,
+    padding_0: u32,
+    padding_1: u32,
+    padding_2: u32,
+}
+
+const NUMBERS_TRIANGLES = 1u;
+const MIRRORS = 2u;
+
+@group(0) @binding(2) var<storage, read> batches: array<Batch>;
+
+struct Vertex {
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) part: u32,
+    @location(3) colour: vec4<f32>,
+}
+
+struct Corner {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) normal_view: vec3<f32>,
+    @location(1) albedo: vec3<f32>,
+    @location(2) @interpolate(flat) object: u32,
+    // Added to the primitive index it gives the triangle's id.
+    @location(3) @interpolate(flat) triangle_base: u32,
+    @location(4) @interpolate(flat) flags: u32,
+}
+
+@vertex
+fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
+    let batch = &batches[instance];
+    let object = in.part + (*batch).object_of_part_0;
+    let state = objects[object];
+    var out: Corner;
+    // Subtracting the pivot first is exact near it: that is where the digits go.
+    out.clip = project((*batch).linear * (in.position - (*batch).pivot) + (*batch).translation);
+    if state.visible == 0u {
+        // All corners at one point outside the picture: no triangle is left.
+        out.clip = vec4<f32>(2.0, 2.0, 2.0, 1.0);
+    }
+    out.normal_view = (*batch).normal * in.normal;
+    out.albedo = select(in.colour.rgb, state.colour, state.has_colour == 1u);
+    out.object = object;
+    out.triangle_base = (*batch).first_triangle - state.first_triangle + 1u;
+    out.flags = (*batch).flags;
+    return out;
+}
+
+fn lit(in: Corner, winding_front: bool) -> vec4<f32> {
+    let front = winding_front != ((in.flags & MIRRORS) != 0u);
+    return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
+}
+
+fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
+    return vec2<u32>(in.object + 1u, select(0u, primitive + in.triangle_base, (in.flags & NUMBERS_TRIANGLES) != 0u));
+}
+
+@fragment
+fn colour(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return lit(in, front);
+}
+
+@fragment
+fn id(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
+    return id_of(in, primitive);
+}
+
+@fragment
+fn colour_and_id(
+    in: Corner,
+    @builtin(front_facing) front: bool,
+    @builtin(primitive_index) primitive: u32,
+) -> ColourAndId {
+    return ColourAndId(lit(in, front), id_of(in, primitive));
+}
+
+@fragment
+fn mask() -> @location(0) f32 {
+    return 1.0;
+}

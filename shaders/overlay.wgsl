@@ -1,0 +1,36 @@
+// What is in the picture but not in the ids: the background and lines.
+
+struct LineVertex {
+    @location(0) position: vec3<f32>,
+    @location(1) colour: vec3<f32>,
+}
+
+struct Point {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) colour: vec3<f32>,
+}
+
+@vertex
+fn line_vertex(in: LineVertex) -> Point {
+    return Point(project(in.position), in.colour);
+}
+
+@fragment
+fn line_colour(in: Point) -> @location(0) vec4<f32> {
+    return vec4<f32>(in.colour, 1.0);
+}
+
+// One triangle that covers the picture.
+@vertex
+fn background_vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
+    let x = select(-1.0, 3.0, corner == 1u);
+    let y = select(-1.0, 3.0, corner == 2u);
+    return vec4<f32>(x, y, 0.5, 1.0);
+}
+
+// look::background.
+@fragment
+fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let down = position.y / frame.viewport_px.y;
+    return vec4<f32>(mix(frame.background_top, frame.background_bottom, down), 1.0);
+}

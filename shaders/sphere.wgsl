@@ -1,0 +1,132 @@
+// Spheres and ellipsoids as impostors: a rectangle that holds the outline, and the ray's quadratic at each pixel.
+
+struct Quadratic {
+    linear: vec3<f32>,
+    padding_linear: f32,
+    square: vec3<f32>,
+    padding_square: f32,
+}
+
+struct Sphere {
+    rect_px: vec4<f32>,
+    pivot_px: vec2<f32>,
+    depth: f32,
+    depth_per_root: f32,
+    a: Quadratic,
+    b: Quadratic,
+    c: Quadratic,
+    discriminant: Quadratic,
+    normal: vec3<f32>,
+    origin_step: f32,
+    normal_per_root: vec3<f32>,
+    direction_step: f32,
+    normal_right: vec3<f32>,
+    object: u32,
+    normal_down: vec3<f32>,
+    padding: f32,
+}
+
+@group(0) @binding(2) var<storage, read> spheres: array<Sphere>;
+
+struct Corner {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) sphere: u32,
+}
+
+// A strip of two triangles over the rectangle.
+@vertex
+fn vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) sphere: u32) -> Corner {
+    let rect = spheres[sphere].rect_px;
+    let px = select(rect.xy, rect.zw, vec2<bool>((corner & 1u) != 0u, (corner & 2u) != 0u));
+    let down = 2.0 * px / frame.viewport_px - 1.0;
+    return Corner(vec4<f32>(down.x, -down.y, 0.5, 1.0), sphere);
+}
+
+fn evaluate(q: Quadratic, at: vec2<f32>) -> f32 {
+    let square = vec3<f32>(at.x * at.x, at.x * at.y, at.y * at.y);
+    return dot(q.linear, vec3<f32>(1.0, at)) + dot(q.square, square);
+}
+
+struct Surface {
+    depth: f32,
+    // Of the side that is seen.
+    normal_view: vec3<f32>,
+}
+
+fn in_range(depth: f32) -> bool {
+    return frame.depth_range.x <= depth && depth < frame.depth_range.y;
+}
+
+// The first surface between near and far at a position in the picture; discards where there is none.
+fn surface(index: u32, px: vec2<f32>) -> Surface {
+    let sphere = &spheres[index];
+    let at = px - (*sphere).pivot_px;
+    let discriminant = evaluate((*sphere).discriminant, at);
+    let b = evaluate((*sphere).b, at);
+    // Roots by the sum that does not cancel (Press et al., Numerical Recipes 5.6).
+    let root = sqrt(max(discriminant, 0.0));
+    let q = b + select(-root, root, b >= 0.0);
+    let r1 = evaluate((*sphere).c, at) / q;
+    let r2 = q / evaluate((*sphere).a, at);
+    let entry = min(r1, r2);
+    let exit = max(r1, r2);
+    let enters = in_range((*sphere).depth + entry * (*sphere).depth_per_root);
+    let s = select(exit, entry, enters);
+    let depth = (*sphere).depth + s * (*sphere).depth_per_root;
+    if !(discriminant >= 0.0) || !in_range(depth) || (!enters && frame.front_only == 1u) {
+        discard;
+    }
+    let step = at.x * (*sphere).normal_right + at.y * (*sphere).normal_down;
+    let normal = (*sphere).normal + s * (*sphere).normal_per_root
+        + ((*sphere).origin_step + s * (*sphere).direction_step) * step;
+    return Surface(depth, select(-normal, normal, enters));
+}
+
+struct Colour {
+    @location(0) colour: vec4<f32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+struct ColourIdDepth {
+    @location(0) colour: vec4<f32>,
+    @location(1) id: vec2<u32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+struct IdDepth {
+    @location(0) id: vec2<u32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+fn lit(index: u32, seen: Surface) -> vec4<f32> {
+    return vec4<f32>(shade(objects[spheres[index].object].colour, seen.normal_view), 1.0);
+}
+
+fn id_of(index: u32) -> vec2<u32> {
+    return vec2<u32>(spheres[index].object + 1u, 0u);
+}
+
+// Naming the sample makes the shader run once for each: the outline is smoothed like that of triangles.
+@fragment
+fn colour(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
+    let seen = surface(in.sphere, in.position.xy);
+    return Colour(lit(in.sphere, seen), stored_depth(seen.depth));
+}
+
+@fragment
+fn id(in: Corner) -> IdDepth {
+    let seen = surface(in.sphere, in.position.xy);
+    return IdDepth(id_of(in.sphere), stored_depth(seen.depth));
+}
+
+@fragment
+fn colour_and_id(in: Corner) -> ColourIdDepth {
+    let seen = surface(in.sphere, in.position.xy);
+    return ColourIdDepth(lit(in.sphere, seen), id_of(in.sphere), stored_depth(seen.depth));
+}
+
+@fragment
+fn mask(in: Corner) -> @location(0) f32 {
+    let seen = surface(in.sphere, in.position.xy);
+    return select(0.0, 1.0, seen.depth < frame.depth_range.y);
+}

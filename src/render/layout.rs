@@ -1,0 +1,185 @@
+//! What the shaders read: each struct equals the one of the same name in `shaders/`, field by field, and a test
+//! compares the two. `f32` throughout; `padding` keeps WGSL's alignment.
+
+use bytemuck::{Pod, Zeroable};
+
+/// What all of a frame shares: projection, light and background. Depth is *measured depth*: view depth in
+/// perspective; in orthographic projection view depth less that of the plane where the depth buffer stores 0, so
+/// that the projection needs no offset and keeps its digits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Frame {
+    /// NDC per view-space unit at depth 1 (perspective) or anywhere (orthographic).
+    pub ndc_per_view: [f32; 2],
+    /// Clip z is `depth_row.x * depth + depth_row.y`.
+    pub depth_row: [f32; 2],
+    /// Measured depth of the near and the far plane.
+    pub depth_range: [f32; 2],
+    /// Size of the picture in pixels.
+    pub viewport_px: [f32; 2],
+    /// 1 in perspective, 0 in orthographic projection.
+    pub perspective: u32,
+    /// 1 when only front sides show.
+    pub front_only: u32,
+    /// Nothing.
+    pub padding: [u32; 2],
+    /// Towards the key light, in view space.
+    pub key_direction: [f32; 3],
+    /// Light from everywhere.
+    pub ambient: f32,
+    /// Linear colour of the background at the top edge.
+    pub background_top: [f32; 3],
+    /// Light from the key light.
+    pub key: f32,
+    /// Linear colour of the background at the bottom edge.
+    pub background_bottom: [f32; 3],
+    /// Light from above.
+    pub fill: f32,
+}
+
+/// One model matrix under this frame's view, for the triangles of a batch.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Batch {
+    /// Vertex-space point near what the camera sees of the batch; subtracted first, which is exact about it.
+    pub pivot: [f32; 3],
+    /// Index of the object that the mesh's part 0 is, or would be; wraps below 0.
+    pub object_of_part_0: u32,
+    /// Columns of the linear part from vertex to view space, each with padding.
+    pub linear: [[f32; 4]; 3],
+    /// View-space position of the pivot, its z as measured depth.
+    pub translation: [f32; 3],
+    /// The mesh's triangle that the draw begins with.
+    pub first_triangle: u32,
+    /// Columns from object to view normals, of any scale, each with padding.
+    pub normal: [[f32; 4]; 3],
+    /// [`Batch::NUMBERS_TRIANGLES`] and [`Batch::MIRRORS`].
+    pub flags: u32,
+    /// Nothing.
+    pub padding: [u32; 3],
+}
+
+impl Batch {
+    /// Flag: ids name triangles.
+    pub const NUMBERS_TRIANGLES: u32 = 1;
+    /// Flag: the model matrix turns counter-clockwise into clockwise.
+    pub const MIRRORS: u32 = 2;
+}
+
+/// What an object looks like, apart from where it stands.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ObjectState {
+    /// Linear colour; counts when `has_colour` is 1.
+    pub colour: [f32; 3],
+    /// 1 when the object's colour replaces its vertices'.
+    pub has_colour: u32,
+    /// First of its triangles in the mesh.
+    pub first_triangle: u32,
+    /// 0 when hidden.
+    pub visible: u32,
+    /// Nothing.
+    pub padding: [u32; 2],
+}
+
+/// A vertex of a mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Vertex {
+    /// Vertex space.
+    pub position: [f32; 3],
+    /// Shading normal in object space.
+    pub normal: [f32; 3],
+    /// Part of the mesh.
+    pub part: u32,
+    /// Linear colour in 65535ths, and one unused.
+    pub colour: [u16; 4],
+}
+
+/// An end of a line.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct LineVertex {
+    /// View space, z as measured depth.
+    pub position: [f32; 3],
+    /// Linear colour.
+    pub colour: [f32; 3],
+}
+
+/// A polynomial in a pixel offset (x right, y down): `linear . (1, x, y) + square . (x^2, x y, y^2)`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Quadratic {
+    /// Coefficients of 1, x, y.
+    pub linear: [f32; 3],
+    /// Nothing.
+    pub padding_linear: f32,
+    /// Coefficients of x^2, x y, y^2.
+    pub square: [f32; 3],
+    /// Nothing.
+    pub padding_square: f32,
+}
+
+/// A sphere under this frame's view: the quadratic equation of its roots along the ray through each pixel, as
+/// polynomials in the pixel's offset from `pivot_px`. A root `s` is counted from a point of the ray near the
+/// surface, in object units.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct Sphere {
+    /// Pixels that may show it: left, top, right, bottom; all equal when none does.
+    pub rect_px: [f32; 4],
+    /// The pixel centre from which offsets count.
+    pub pivot_px: [f32; 2],
+    /// Measured depth at `s = 0`.
+    pub depth: f32,
+    /// Measured depth for one unit of `s`.
+    pub depth_per_root: f32,
+    /// Direction squared: a of `a s^2 - 2 b s + c = 0`.
+    pub a: Quadratic,
+    /// Minus origin times direction.
+    pub b: Quadratic,
+    /// Origin squared less radius squared.
+    pub c: Quadratic,
+    /// `b^2 - a c`, by itself because its zeros are the outline.
+    pub discriminant: Quadratic,
+    /// View-space normal at offset 0, `s = 0`.
+    pub normal: [f32; 3],
+    /// How much of a pixel's step the ray's origin takes.
+    pub origin_step: f32,
+    /// Change of the normal for one unit of `s` at offset 0.
+    pub normal_per_root: [f32; 3],
+    /// How much of a pixel's step the ray's direction takes.
+    pub direction_step: f32,
+    /// View-space normal's change for a step of one pixel right.
+    pub normal_right: [f32; 3],
+    /// Index of the object.
+    pub object: u32,
+    /// View-space normal's change for a step of one pixel down.
+    pub normal_down: [f32; 3],
+    /// Nothing.
+    pub padding: f32,
+}
+
+/// What the composite pass puts over the picture.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Composite {
+    /// Where the picture's top left pixel goes in the destination.
+    pub origin_px: [i32; 2],
+    /// Id of the selected object; 0 for none.
+    pub selection: u32,
+    /// Id of the object under the cursor; 0 for none.
+    pub hover: u32,
+    /// Linear colour of the selection.
+    pub selection_colour: [f32; 3],
+    /// How much of a selected pixel is tint.
+    pub selection_tint: f32,
+    /// Linear colour of what is under the cursor.
+    pub hover_colour: [f32; 3],
+    /// How much of such a pixel is tint.
+    pub hover_tint: f32,
+    /// Half the outline's width in pixels.
+    pub outline_px: f32,
+    /// Nothing.
+    pub padding: [f32; 3],
+}

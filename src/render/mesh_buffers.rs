@@ -1,0 +1,147 @@
+//! Vertex and index buffers of one mesh.
+
+use super::{
+    gpu::{Gpu, GpuError},
+    layout::Vertex,
+};
+use crate::{
+    colour::Srgb,
+    geometry::{Cuboid, Mesh, Square, face_normal},
+};
+use std::collections::HashMap;
+use wgpu::BufferUsages;
+
+/// A mesh in graphics memory. Its triangles are the mesh's, in order.
+#[derive(Clone, Debug)]
+pub(super) struct MeshBuffers {
+    pub vertices: wgpu::Buffer,
+    pub indices: wgpu::Buffer,
+    pub triangles: u32,
+}
+
+impl MeshBuffers {
+    pub fn upload(gpu: &Gpu, mesh: &Mesh) -> Result<Self, GpuError> {
+        let (vertices, triangles) = unify(mesh);
+        Self::new(gpu, &vertices, &triangles)
+    }
+
+    fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
+        Ok(Self {
+            vertices: gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?,
+            indices: gpu.buffer("triangles", BufferUsages::INDEX, triangles)?,
+            triangles: u32::try_from(triangles.len()).unwrap_or(u32::MAX),
+        })
+    }
+
+    /// The unit cube as twelve triangles.
+    pub fn cube(gpu: &Gpu) -> Result<Self, GpuError> {
+        let mut faces = Vec::new();
+        for axis in 0..3 {
+            for side in [-1.0, 1.0] {
+                let at = |u: f64, v: f64| {
+                    let mut p = [0.0; 3];
+                    p[axis] = side;
+                    p[(axis + 1) % 3] = u * side;
+                    p[(axis + 2) % 3] = v;
+                    p.map(|c| super::transform::narrow(c * Cuboid::HALF_SIDE))
+                };
+                faces.push([at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0)]);
+            }
+        }
+        Self::quads(gpu, &faces)
+    }
+
+    /// The unit square as two triangles.
+    pub fn square(gpu: &Gpu) -> Result<Self, GpuError> {
+        let h = super::transform::narrow(Square::HALF_SIDE);
+        Self::quads(
+            gpu,
+            &[[[-h, -h, 0.0], [h, -h, 0.0], [h, h, 0.0], [-h, h, 0.0]]],
+        )
+    }
+
+    /// Flat quadrilaterals, counter-clockwise seen from outside.
+    fn quads(gpu: &Gpu, quads: &[[[f32; 3]; 4]]) -> Result<Self, GpuError> {
+        let mut vertices = Vec::new();
+        let mut triangles = Vec::new();
+        for (first, quad) in (0..).step_by(4).zip(quads) {
+            let normal = face_normal([quad[0], quad[1], quad[2]]).to_array();
+            vertices.extend(quad.map(|position| Vertex {
+                position,
+                normal,
+                part: 0,
+                colour: [0; 4],
+            }));
+            triangles.extend([[0, 1, 2], [0, 2, 3]].map(|corners| corners.map(|i| first + i)));
+        }
+        Self::new(gpu, &vertices, &triangles)
+    }
+}
+
+/// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into
+/// them.
+fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+    const NONE: u32 = u32::MAX;
+    let data = mesh.data();
+    let mut linear = HashMap::new();
+    let mut vertices: Vec<Vertex> = Vec::with_capacity(data.positions.len());
+    // The vertices at each position as a list: the latest, and for each vertex the one before.
+    let mut latest = vec![NONE; data.positions.len()];
+    let mut before: Vec<u32> = Vec::with_capacity(data.positions.len());
+    let mut triangles = Vec::with_capacity(data.triangles.len());
+    let (mut part, mut run) = (0, 0);
+    for (index, corners) in (0..).zip(&data.triangles) {
+        while data.parts[part].triangles.end <= index {
+            part += 1;
+        }
+        while data.colours[run].triangles.end <= index {
+            run += 1;
+        }
+        let own = data.colours[run].colour;
+        let normals: [[f32; 3]; 3] = match data.normals.corners.get(index as usize) {
+            Some(normals) => normals.map(|i| data.normals.normals[i as usize]),
+            None => [face_normal(corners.map(|i| data.positions[i as usize])).to_array(); 3],
+        };
+        triangles.push(std::array::from_fn(|place| {
+            let position = corners[place] as usize;
+            let key = (own, data.vertex_colours.get(position).copied());
+            let vertex = Vertex {
+                position: data.positions[position],
+                normal: normals[place],
+                part: u32::try_from(part).unwrap_or(u32::MAX),
+                colour: *linear.entry(key).or_insert_with(|| colour(key)),
+            };
+            let mut found = latest[position];
+            while found != NONE && vertices[found as usize] != vertex {
+                found = before[found as usize];
+            }
+            if found == NONE {
+                found = u32::try_from(vertices.len()).unwrap_or(NONE);
+                vertices.push(vertex);
+                before.push(latest[position]);
+                latest[position] = found;
+            }
+            found
+        }));
+    }
+    (vertices, triangles)
+}
+
+/// A triangle's colour times a vertex's, as [`Mesh::albedo`] has it: linear, in 65535ths, which is finer than sRGB's
+/// bytes everywhere.
+fn colour((own, vertex): (Option<Srgb>, Option<Srgb>)) -> [u16; 4] {
+    let missing = if vertex.is_some() {
+        Srgb::WHITE
+    } else {
+        Srgb::NEUTRAL
+    };
+    let own = own.unwrap_or(missing).to_linear();
+    let vertex = vertex.unwrap_or(Srgb::WHITE).to_linear();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within [0, 1]"
+    )]
+    let [r, g, b] = std::array::from_fn(|i| (own[i] * vertex[i] * 65535.0).round() as u16);
+    [r, g, b, u16::MAX]
+}

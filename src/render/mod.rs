@@ -1,0 +1,100 @@
+//! Drawing with the GPU. Knows no window, no panels and no picking.
+//!
+//! ```text
+//! Gpu  ->  Renderer (pipelines)                      once
+//! Scene -> SceneBuffers                              when the scene changes
+//! Viewport -> Targets (colours, ids, selection)      when the picture's size changes
+//! Renderer::draw            colours and ids          when scene, view or lines change
+//! Renderer::draw_selection  the outline              when the selection changes too
+//! Renderer::composite       the picture with marks   whenever something is to be shown
+//! ```
+//!
+//! Each step submits its own work. [`render`] does all of them for one picture.
+//!
+//! What decides which surface a pixel shows follows the picker's rules: the same camera, near and far by view depth,
+//! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
+//! [`transform`] and [`sphere`]).
+
+mod gpu;
+pub mod layout;
+mod mesh_buffers;
+mod outline;
+mod overlay;
+mod pipelines;
+mod raster;
+mod readback;
+mod scene_buffers;
+pub mod sphere;
+mod targets;
+pub mod transform;
+
+pub use gpu::{Gpu, GpuError};
+pub use outline::{Destination, Marks};
+pub use overlay::Line;
+pub use pipelines::SHADERS;
+pub use scene_buffers::SceneBuffers;
+pub use targets::Targets;
+
+use crate::{
+    camera::View,
+    image::{Id, Image, Rgb},
+    scene::Scene,
+};
+
+/// The pipelines of one device, for one number of colour samples.
+#[derive(Debug)]
+pub struct Renderer {
+    /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
+    pub scale_factor: f32,
+    pipelines: pipelines::Pipelines,
+    post: outline::PostPasses,
+    frame: wgpu::Buffer,
+}
+
+impl Renderer {
+    /// Shaders compiled, for targets with 1 or 4 colour samples a pixel; see [`Gpu::colour_samples`].
+    #[must_use]
+    pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
+        Self {
+            scale_factor: 1.0,
+            pipelines: pipelines::Pipelines::new(gpu, colour_samples),
+            post: outline::PostPasses::new(gpu),
+            frame: uniform_buffer::<layout::Frame>(gpu, "frame"),
+        }
+    }
+}
+
+/// One picture without a window: ids and colours, `selection` marked, at [`Gpu::colour_samples`].
+///
+/// # Errors
+/// When scene or picture are too large for the adapter, or it fails.
+pub fn render(
+    gpu: &Gpu,
+    scene: &Scene,
+    view: &View,
+    selection: Option<usize>,
+) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
+    let samples = gpu.colour_samples();
+    let targets = Targets::new(gpu, view.viewport, samples)?;
+    let buffers = SceneBuffers::upload(gpu, scene)?;
+    let mut renderer = Renderer::new(gpu, samples);
+    renderer.draw(gpu, &buffers, &targets, view, &[])?;
+    if let Some(object) = selection {
+        renderer.draw_selection(gpu, &buffers, &targets, view, object);
+    }
+    let marks = Marks {
+        selection,
+        hover: None,
+    };
+    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks)?;
+    Ok((targets.read_ids(gpu)?, picture))
+}
+
+fn uniform_buffer<T>(gpu: &Gpu, label: &'static str) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: size_of::<T>() as u64,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}

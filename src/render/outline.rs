@@ -1,0 +1,341 @@
+//! The selection and the finished picture: marks over cached colours, so that moving the mouse redraws nothing.
+
+use super::{
+    Renderer,
+    gpu::Gpu,
+    layout,
+    pipelines::{Pass, shader_module},
+    scene_buffers::{Place, SceneBuffers},
+    targets::{MARKS, Targets},
+};
+use crate::{camera::View, look};
+use glam::DVec2;
+use std::collections::HashMap;
+
+/// What is marked in a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    /// Index of the selected object: tinted, and outlined as [`Renderer::draw_selection`] left it.
+    pub selection: Option<usize>,
+    /// Index of the object under the cursor: tinted.
+    pub hover: Option<usize>,
+}
+
+/// Where a finished picture goes: a window's surface, or a texture.
+#[derive(Clone, Copy, Debug)]
+pub struct Destination<'a> {
+    /// Cleared to black before the picture goes in. Its format must be an sRGB one, since tints mix light.
+    pub view: &'a wgpu::TextureView,
+    /// Its format.
+    pub format: wgpu::TextureFormat,
+    /// Its width and height in pixels.
+    pub size_px: [u32; 2],
+    /// Where in it the picture's top left corner goes, in pixels.
+    pub origin_px: [u32; 2],
+}
+
+/// Pipelines of the passes after the scene.
+#[derive(Debug)]
+pub(super) struct PostPasses {
+    shader: wgpu::ShaderModule,
+    bind_group_layout: wgpu::BindGroupLayout,
+    layout: wgpu::PipelineLayout,
+    uniform: wgpu::Buffer,
+    made: HashMap<(&'static str, wgpu::TextureFormat), wgpu::RenderPipeline>,
+}
+
+impl Renderer {
+    /// Draws the outline of an object, as it would be seen with nothing else in the scene. Needed when the selection,
+    /// the scene or the view changed.
+    ///
+    /// # Panics
+    /// When `targets` have another size than the view, or other samples than this renderer.
+    pub fn draw_selection(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        selection: usize,
+    ) {
+        self.check(targets, view);
+        let bindings = self.bind(gpu, scene, view);
+        let outline_px = self.outline_px();
+        let uniform = layout::Composite {
+            outline_px,
+            ..uniform(&Marks::default(), [0, 0])
+        };
+        let marks = self.post.bind(gpu, targets, &targets.mask_view, &uniform);
+        let pipeline = self.post.pipeline(gpu, "outline", MARKS);
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let place = scene.places.get(selection).filter(|place| place.visible);
+        {
+            let mut pass = begin(&mut encoder, &targets.mask_view);
+            if let Some(place) = place {
+                let draw = &scene.draws[place.draw];
+                let instances = place.instance..place.instance + 1;
+                let triangles = place.triangles.clone();
+                self.draw_part(
+                    gpu,
+                    &mut pass,
+                    Pass::Mask,
+                    view,
+                    &bindings,
+                    draw,
+                    triangles,
+                    instances,
+                );
+            }
+        }
+        {
+            let mut pass = begin(&mut encoder, &targets.outline_view);
+            let rect = place.and_then(|place| screen_rect(place, view, outline_px));
+            if let Some([x, y, width, height]) = rect {
+                pass.set_scissor_rect(x, y, width, height);
+                pass.set_pipeline(&pipeline);
+                pass.set_bind_group(0, &marks, &[]);
+                pass.draw(0..3, 0..1);
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Puts the picture with its marks into a destination: the only pass that a mouse move needs.
+    pub fn composite(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        marks: &Marks,
+        destination: &Destination<'_>,
+    ) {
+        let [x0, y0] = destination.origin_px;
+        let uniform = uniform(marks, destination.origin_px);
+        let bind_group = self
+            .post
+            .bind(gpu, targets, &targets.outline_view, &uniform);
+        let viewport = targets.viewport();
+        let outline_px = self.outline_px();
+        let whole = [0, 0, viewport.width(), viewport.height()];
+        let box_of = |object: Option<usize>| {
+            let place = scene.places.get(object?).filter(|place| place.visible)?;
+            screen_rect(place, view, outline_px)
+        };
+        let passes = [
+            ("copy", Some(whole)),
+            ("hover", box_of(marks.hover)),
+            ("selection", box_of(marks.selection)),
+        ];
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = begin(&mut encoder, destination.view);
+            pass.set_bind_group(0, &bind_group, &[]);
+            for (entry, rect) in passes {
+                let Some([x, y, width, height]) = rect else {
+                    continue;
+                };
+                // A window may have shrunk since the picture was drawn.
+                let right = (x0 + x + width).min(destination.size_px[0]);
+                let bottom = (y0 + y + height).min(destination.size_px[1]);
+                if right <= x0 + x || bottom <= y0 + y {
+                    continue;
+                }
+                pass.set_scissor_rect(x0 + x, y0 + y, right - x0 - x, bottom - y0 - y);
+                pass.set_pipeline(&self.post.pipeline(gpu, entry, destination.format));
+                pass.draw(0..3, 0..1);
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Half the outline's width in pixels.
+    #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
+    fn outline_px(&self) -> f32 {
+        look::OUTLINE_PX as f32 * self.scale_factor
+    }
+}
+
+impl PostPasses {
+    pub fn new(gpu: &Gpu) -> Self {
+        let texture = |binding, sample_type| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::FRAGMENT,
+            ty: wgpu::BindingType::Texture {
+                sample_type,
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
+            count: None,
+        };
+        let float = wgpu::TextureSampleType::Float { filterable: false };
+        let bind_group_layout =
+            (gpu.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("composite"),
+                entries: &[
+                    wgpu::BindGroupLayoutEntry {
+                        binding: 0,
+                        visibility: wgpu::ShaderStages::FRAGMENT,
+                        ty: wgpu::BindingType::Buffer {
+                            ty: wgpu::BufferBindingType::Uniform,
+                            has_dynamic_offset: false,
+                            min_binding_size: None,
+                        },
+                        count: None,
+                    },
+                    texture(1, float),
+                    texture(2, wgpu::TextureSampleType::Uint),
+                    texture(3, float),
+                ],
+            });
+        let layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("composite"),
+                bind_group_layouts: &[Some(&bind_group_layout)],
+                immediate_size: 0,
+            });
+        Self {
+            shader: shader_module(gpu, "composite"),
+            bind_group_layout,
+            layout,
+            uniform: super::uniform_buffer::<layout::Composite>(gpu, "composite"),
+            made: HashMap::new(),
+        }
+    }
+
+    fn bind(
+        &self,
+        gpu: &Gpu,
+        targets: &Targets,
+        marks: &wgpu::TextureView,
+        uniform: &layout::Composite,
+    ) -> wgpu::BindGroup {
+        gpu.queue
+            .write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
+        let resources = [
+            self.uniform.as_entire_binding(),
+            wgpu::BindingResource::TextureView(&targets.colour_view),
+            wgpu::BindingResource::TextureView(&targets.ids_view),
+            wgpu::BindingResource::TextureView(marks),
+        ];
+        let entries: Vec<_> = (0..)
+            .zip(resources)
+            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+            .collect();
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("composite"),
+            layout: &self.bind_group_layout,
+            entries: &entries,
+        })
+    }
+
+    fn pipeline(
+        &mut self,
+        gpu: &Gpu,
+        entry: &'static str,
+        format: wgpu::TextureFormat,
+    ) -> wgpu::RenderPipeline {
+        let (layout, shader) = (&self.layout, &self.shader);
+        let over = matches!(entry, "hover" | "selection");
+        let make = || {
+            gpu.device
+                .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                    label: Some(entry),
+                    layout: Some(layout),
+                    vertex: wgpu::VertexState {
+                        module: shader,
+                        entry_point: Some("vertex"),
+                        compilation_options: wgpu::PipelineCompilationOptions::default(),
+                        buffers: &[],
+                    },
+                    primitive: wgpu::PrimitiveState::default(),
+                    depth_stencil: None,
+                    multisample: wgpu::MultisampleState::default(),
+                    fragment: Some(wgpu::FragmentState {
+                        module: shader,
+                        entry_point: Some(entry),
+                        compilation_options: wgpu::PipelineCompilationOptions::default(),
+                        targets: &[Some(wgpu::ColorTargetState {
+                            format,
+                            blend: over.then_some(wgpu::BlendState::ALPHA_BLENDING),
+                            write_mask: wgpu::ColorWrites::ALL,
+                        })],
+                    }),
+                    multiview_mask: None,
+                    cache: None,
+                })
+        };
+        self.made
+            .entry((entry, format))
+            .or_insert_with(make)
+            .clone()
+    }
+}
+
+fn uniform(marks: &Marks, [x, y]: [u32; 2]) -> layout::Composite {
+    let id = |object: Option<usize>| object.map_or(0, |i| u32::try_from(i + 1).unwrap_or(u32::MAX));
+    let [selection_tint, hover_tint] = look::TINTS;
+    layout::Composite {
+        origin_px: [x.cast_signed(), y.cast_signed()],
+        selection: id(marks.selection),
+        hover: id(marks.hover),
+        selection_colour: look::SELECTION.to_linear(),
+        selection_tint,
+        hover_colour: look::HOVER.to_linear(),
+        hover_tint,
+        outline_px: 0.0,
+        padding: [0.0; 3],
+    }
+}
+
+/// Left, top, width and height of a rectangle of pixels with all that shows an object, and `margin` about it; `None`
+/// when that lies outside the picture.
+fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
+    let size = DVec2::new(
+        f64::from(view.viewport.width()),
+        f64::from(view.viewport.height()),
+    );
+    if place.bounds_world.is_empty() {
+        return None;
+    }
+    let mut min = DVec2::INFINITY;
+    let mut max = DVec2::NEG_INFINITY;
+    for corner in place.bounds_world.corners() {
+        // A box that reaches behind the eye may show anywhere.
+        let px = view.project(corner).map(|corner| corner.px);
+        min = min.min(px.unwrap_or(DVec2::ZERO));
+        max = max.max(px.unwrap_or(size));
+        if px.is_none() {
+            (min, max) = (DVec2::NEG_INFINITY, DVec2::INFINITY);
+        }
+    }
+    let margin = f64::from(margin) + 1.0;
+    let min = (min - margin).floor().clamp(DVec2::ZERO, size);
+    let max = (max + margin).ceil().clamp(DVec2::ZERO, size);
+    let (min, extent) = (min.as_uvec2(), (max - min).as_uvec2());
+    (extent.x > 0 && extent.y > 0).then_some([min.x, min.y, extent.x, extent.y])
+}
+
+fn begin<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    view: &wgpu::TextureView,
+) -> wgpu::RenderPass<'a> {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("marks"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..Default::default()
+    })
+}

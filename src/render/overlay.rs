@@ -1,0 +1,31 @@
+//! Lines in the world: in the picture, hidden by what is before them, but not in the ids.
+
+use super::{layout::LineVertex, transform::depth_origin};
+use crate::{camera::View, colour::Srgb};
+use glam::DVec3;
+
+/// A line one pixel wide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// One end, in world space.
+    pub from: DVec3,
+    /// The other end, in world space.
+    pub to: DVec3,
+    /// Its colour; no light falls on it.
+    pub colour: Srgb,
+}
+
+/// The ends of all lines in view space, taken from the eye in `f64` like everything else.
+pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
+    let origin = DVec3::Z * depth_origin(view);
+    let ends = lines
+        .iter()
+        .flat_map(|line| [(line.from, line.colour), (line.to, line.colour)]);
+    ends.map(|(end_world, colour)| LineVertex {
+        position: (view.camera.to_view(end_world) - origin)
+            .as_vec3()
+            .to_array(),
+        colour: colour.to_linear(),
+    })
+    .collect()
+}

@@ -1,0 +1,292 @@
+//! Pipelines: which shader draws what into which pass. Made at first use, since a driver takes milliseconds for each
+//! and most programs need few.
+
+use super::{
+    gpu::Gpu,
+    layout::{LineVertex, Vertex},
+    targets::{COLOUR, DEPTH, IDS, MARKS},
+};
+use crate::camera::DepthMapping;
+use std::{collections::HashMap, mem::offset_of};
+use wgpu::{VertexAttribute, VertexFormat};
+
+/// WGSL of each shader, by name: the shared head is already before those that need it.
+pub const SHADERS: [(&str, &str); 4] = [
+    (
+        "mesh",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/mesh.wgsl")
+        ),
+    ),
+    (
+        "sphere",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/sphere.wgsl")
+        ),
+    ),
+    (
+        "overlay",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/overlay.wgsl")
+        ),
+    ),
+    ("composite", include_str!("../../shaders/composite.wgsl")),
+];
+
+/// What a pass writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Pass {
+    /// Colours and ids at one sample.
+    ColourAndIds,
+    /// Colours at several samples.
+    Colour,
+    /// Ids.
+    Ids,
+    /// Where the selected object is, whatever lies before it.
+    Mask,
+}
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Drawn {
+    /// Triangles; with `Some`, only those that face the eye under matrices that mirror, or do not.
+    Triangles { culled_mirrored: Option<bool> },
+    /// Spheres, which cull themselves.
+    Spheres,
+    /// Lines.
+    Lines,
+    /// The background.
+    Background,
+}
+
+type Key = (Pass, Drawn, DepthMapping);
+
+/// All pipelines that draw the scene.
+#[derive(Debug)]
+pub(super) struct Pipelines {
+    /// Frame, objects, and batches or spheres.
+    pub bind_group_layout: wgpu::BindGroupLayout,
+    layout: wgpu::PipelineLayout,
+    mesh: wgpu::ShaderModule,
+    sphere: wgpu::ShaderModule,
+    overlay: wgpu::ShaderModule,
+    samples: u32,
+    made: HashMap<Key, wgpu::RenderPipeline>,
+}
+
+const VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Vertex>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &[
+        attribute(0, VertexFormat::Float32x3, offset_of!(Vertex, position)),
+        attribute(1, VertexFormat::Float32x3, offset_of!(Vertex, normal)),
+        attribute(2, VertexFormat::Uint32, offset_of!(Vertex, part)),
+        attribute(3, VertexFormat::Unorm16x4, offset_of!(Vertex, colour)),
+    ],
+};
+
+const LINE_VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
+    array_stride: size_of::<LineVertex>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &[
+        attribute(0, VertexFormat::Float32x3, offset_of!(LineVertex, position)),
+        attribute(1, VertexFormat::Float32x3, offset_of!(LineVertex, colour)),
+    ],
+};
+
+const fn attribute(shader_location: u32, format: VertexFormat, offset: usize) -> VertexAttribute {
+    VertexAttribute {
+        format,
+        offset: offset as u64,
+        shader_location,
+    }
+}
+
+impl Pipelines {
+    pub fn new(gpu: &Gpu, samples: u32) -> Self {
+        let [mesh, sphere, overlay] =
+            ["mesh", "sphere", "overlay"].map(|name| shader_module(gpu, name));
+        let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        let storage = wgpu::BufferBindingType::Storage { read_only: true };
+        let entries = [
+            (0, wgpu::BufferBindingType::Uniform),
+            (1, storage),
+            (2, storage),
+        ]
+        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: both,
+            ty: wgpu::BindingType::Buffer {
+                ty,
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        });
+        let bind_group_layout =
+            (gpu.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("scene"),
+                entries: &entries,
+            });
+        let layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("scene"),
+                bind_group_layouts: &[Some(&bind_group_layout)],
+                immediate_size: 0,
+            });
+        Self {
+            bind_group_layout,
+            layout,
+            mesh,
+            sphere,
+            overlay,
+            samples,
+            made: HashMap::new(),
+        }
+    }
+
+    /// Samples of [`Pass::Colour`].
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    pub fn get(
+        &mut self,
+        gpu: &Gpu,
+        pass: Pass,
+        drawn: Drawn,
+        depth: DepthMapping,
+    ) -> wgpu::RenderPipeline {
+        let key = (pass, drawn, depth);
+        if let Some(pipeline) = self.made.get(&key) {
+            return pipeline.clone();
+        }
+        let pipeline = self.make(gpu, key);
+        self.made.insert(key, pipeline.clone());
+        pipeline
+    }
+
+    fn make(&self, gpu: &Gpu, (pass, drawn, depth): Key) -> wgpu::RenderPipeline {
+        let surface_entry = match pass {
+            Pass::ColourAndIds => "colour_and_id",
+            Pass::Colour => "colour",
+            Pass::Ids => "id",
+            Pass::Mask => "mask",
+        };
+        let (module, vertex, fragment) = match drawn {
+            Drawn::Triangles { .. } => (&self.mesh, "vertex", surface_entry),
+            Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
+            Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
+            Drawn::Background => (&self.overlay, "background_vertex", "background_colour"),
+        };
+        let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
+            Drawn::Triangles { .. } => &[Some(VERTEX)],
+            Drawn::Lines => &[Some(LINE_VERTEX)],
+            Drawn::Spheres | Drawn::Background => &[],
+        };
+        let on_surfaces = matches!(drawn, Drawn::Triangles { .. } | Drawn::Spheres);
+        let write = |format, writes| {
+            Some(wgpu::ColorTargetState {
+                format,
+                blend: None,
+                write_mask: if writes {
+                    wgpu::ColorWrites::ALL
+                } else {
+                    wgpu::ColorWrites::empty()
+                },
+            })
+        };
+        let targets = match pass {
+            // Lines and background are not in the ids.
+            Pass::ColourAndIds => vec![write(COLOUR, true), write(IDS, on_surfaces)],
+            Pass::Colour => vec![write(COLOUR, true)],
+            Pass::Ids => vec![write(IDS, true)],
+            Pass::Mask => vec![write(MARKS, true)],
+        };
+        let samples = if pass == Pass::Colour {
+            self.samples
+        } else {
+            1
+        };
+        gpu.device
+            .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some(fragment),
+                layout: Some(&self.layout),
+                vertex: wgpu::VertexState {
+                    module,
+                    entry_point: Some(vertex),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    buffers,
+                },
+                primitive: primitive(drawn),
+                depth_stencil: (pass != Pass::Mask).then(|| depth_state(drawn, depth)),
+                multisample: wgpu::MultisampleState {
+                    count: samples,
+                    ..Default::default()
+                },
+                fragment: Some(wgpu::FragmentState {
+                    module,
+                    entry_point: Some(fragment),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    targets: &targets,
+                }),
+                multiview_mask: None,
+                cache: None,
+            })
+    }
+}
+
+pub(super) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
+    let source = SHADERS.iter().find(|(other, _)| *other == name);
+    gpu.device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(source.map_or("", |(_, text)| text).into()),
+        })
+}
+
+/// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors. (That view
+/// space is left-handed does not matter: the picture's y runs up again.)
+fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
+    let (topology, culled_mirrored) = match drawn {
+        Drawn::Triangles { culled_mirrored } => {
+            (wgpu::PrimitiveTopology::TriangleList, culled_mirrored)
+        }
+        Drawn::Spheres => (wgpu::PrimitiveTopology::TriangleStrip, None),
+        Drawn::Lines => (wgpu::PrimitiveTopology::LineList, None),
+        Drawn::Background => (wgpu::PrimitiveTopology::TriangleList, None),
+    };
+    wgpu::PrimitiveState {
+        topology,
+        front_face: match culled_mirrored {
+            Some(true) => wgpu::FrontFace::Cw,
+            _ => wgpu::FrontFace::Ccw,
+        },
+        cull_mode: culled_mirrored.map(|_| wgpu::Face::Back),
+        ..Default::default()
+    }
+}
+
+/// Strict, so that of equal depths the first drawn stays: the lower object, the lower triangle.
+fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
+    let nearer = match depth {
+        DepthMapping::Reversed => wgpu::CompareFunction::Greater,
+        DepthMapping::Standard => wgpu::CompareFunction::Less,
+    };
+    let background = drawn == Drawn::Background;
+    wgpu::DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(!background),
+        depth_compare: Some(if background {
+            wgpu::CompareFunction::Always
+        } else {
+            nearer
+        }),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}

@@ -1,0 +1,220 @@
+//! The scene pass and the id pass.
+
+use super::{
+    Renderer,
+    gpu::{Gpu, GpuError},
+    layout::Frame,
+    overlay::{self, Line},
+    pipelines::{Drawn, Pass},
+    scene_buffers::{Draw, DrawnShape, SceneBuffers},
+    targets::Targets,
+    transform,
+};
+use crate::{
+    camera::{DepthMapping, View},
+    geometry::Sides,
+};
+use std::ops::Range;
+use wgpu::BufferUsages;
+
+/// The bind groups of a frame: same frame and objects, but a table of batches or of spheres.
+pub(super) struct Bindings {
+    triangles: wgpu::BindGroup,
+    spheres: wgpu::BindGroup,
+}
+
+impl Renderer {
+    /// Draws colours and ids of the scene as `view` shows it, with lines that are in the colours only. Needed when
+    /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`].
+    ///
+    /// With one colour sample a pixel, both come from one pass.
+    ///
+    /// # Errors
+    /// When memory runs out.
+    ///
+    /// # Panics
+    /// When `targets` have another size than the view, or other samples than this renderer.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        lines: &[Line],
+    ) -> Result<(), GpuError> {
+        self.check(targets, view);
+        let bindings = self.bind(gpu, scene, view);
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let vertices = overlay::vertices(view, lines);
+        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
+        let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let colour_pass = match &targets.multisampled {
+            None => Pass::ColourAndIds,
+            Some(_) => Pass::Colour,
+        };
+        {
+            let mut pass = begin(&mut encoder, targets, view, colour_pass);
+            let depth = view.camera.lens().depth;
+            pass.set_bind_group(0, &bindings.triangles, &[]);
+            pass.set_pipeline(
+                &self
+                    .pipelines
+                    .get(gpu, colour_pass, Drawn::Background, depth),
+            );
+            pass.draw(0..3, 0..1);
+            self.draw_scene(gpu, &mut pass, colour_pass, view, scene, &bindings);
+            if !ends.is_empty() {
+                pass.set_pipeline(&self.pipelines.get(gpu, colour_pass, Drawn::Lines, depth));
+                pass.set_vertex_buffer(0, line_buffer.slice(..));
+                pass.draw(ends, 0..1);
+            }
+        }
+        if colour_pass == Pass::Colour {
+            let mut pass = begin(&mut encoder, targets, view, Pass::Ids);
+            self.draw_scene(gpu, &mut pass, Pass::Ids, view, scene, &bindings);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+
+    pub(super) fn check(&self, targets: &Targets, view: &View) {
+        assert_eq!(targets.viewport(), view.viewport, "targets fit the view");
+        assert_eq!(
+            targets.samples(),
+            self.pipelines.samples(),
+            "targets fit the renderer"
+        );
+    }
+
+    /// Sends what the view decides to the GPU.
+    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers, view: &View) -> Bindings {
+        let frame: Frame = transform::frame(view);
+        gpu.queue
+            .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
+        scene.set_view(gpu, view);
+        let bind = |table: &wgpu::Buffer| {
+            let entries = [&self.frame, &scene.objects, table];
+            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("scene"),
+                layout: &self.pipelines.bind_group_layout,
+                entries: &[0, 1, 2].map(|i: u32| wgpu::BindGroupEntry {
+                    binding: i,
+                    resource: entries[i as usize].as_entire_binding(),
+                }),
+            })
+        };
+        Bindings {
+            triangles: bind(&scene.batches),
+            spheres: bind(&scene.spheres),
+        }
+    }
+
+    fn draw_scene(
+        &mut self,
+        gpu: &Gpu,
+        pass: &mut wgpu::RenderPass<'_>,
+        writes: Pass,
+        view: &View,
+        scene: &SceneBuffers,
+        bindings: &Bindings,
+    ) {
+        for draw in &scene.draws {
+            let triangles = match &draw.shape {
+                DrawnShape::Triangles { triangles, .. } => triangles.clone(),
+                DrawnShape::Spheres => 0..0,
+            };
+            let instances = draw.instances.clone();
+            self.draw_part(
+                gpu, pass, writes, view, bindings, draw, triangles, instances,
+            );
+        }
+    }
+
+    /// Draws some triangles, or spheres, of some instances of a draw.
+    #[expect(clippy::too_many_arguments, reason = "one draw call")]
+    pub(super) fn draw_part(
+        &mut self,
+        gpu: &Gpu,
+        pass: &mut wgpu::RenderPass<'_>,
+        writes: Pass,
+        view: &View,
+        bindings: &Bindings,
+        draw: &Draw,
+        triangles: Range<u32>,
+        instances: Range<u32>,
+    ) {
+        let depth = view.camera.lens().depth;
+        match &draw.shape {
+            DrawnShape::Triangles { buffers, .. } => {
+                let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
+                let drawn = Drawn::Triangles { culled_mirrored };
+                pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, depth));
+                pass.set_bind_group(0, &bindings.triangles, &[]);
+                pass.set_vertex_buffer(0, buffers.vertices.slice(..));
+                pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.draw_indexed(3 * triangles.start..3 * triangles.end, 0, instances);
+            }
+            DrawnShape::Spheres => {
+                pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, depth));
+                pass.set_bind_group(0, &bindings.spheres, &[]);
+                pass.draw(0..4, instances);
+            }
+        }
+    }
+}
+
+/// Begins a pass over the whole picture, cleared to "nothing there".
+fn begin<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    targets: &Targets,
+    view: &View,
+    writes: Pass,
+) -> wgpu::RenderPass<'a> {
+    let attach = |view, resolve_target| {
+        Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                // Samples are of no use once they are resolved.
+                store: if resolve_target.is_some() {
+                    wgpu::StoreOp::Discard
+                } else {
+                    wgpu::StoreOp::Store
+                },
+            },
+        })
+    };
+    let (colours, depth_view) = match (&targets.multisampled, writes) {
+        (Some([colour, depth]), Pass::Colour) => {
+            (vec![attach(colour, Some(&targets.colour_view))], depth)
+        }
+        (_, Pass::Ids) => (vec![attach(&targets.ids_view, None)], &targets.depth_view),
+        _ => (
+            vec![
+                attach(&targets.colour_view, None),
+                attach(&targets.ids_view, None),
+            ],
+            &targets.depth_view,
+        ),
+    };
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("scene"),
+        color_attachments: &colours,
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: depth_view,
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(match view.camera.lens().depth {
+                    DepthMapping::Reversed => 0.0,
+                    DepthMapping::Standard => 1.0,
+                }),
+                store: wgpu::StoreOp::Discard,
+            }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    })
+}

@@ -1,0 +1,96 @@
+//! The textures that a picture is drawn into.
+
+use super::gpu::{Gpu, GpuError};
+use crate::camera::Viewport;
+use wgpu::{TextureFormat, TextureUsages};
+
+/// Colours: sRGB in memory, linear in shaders.
+pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+/// Object and triangle, each plus 1.
+pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
+/// Floating point, without which reversed depth is worth nothing.
+pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+/// How much of a pixel is selected, or outline.
+pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
+
+/// Colours, ids and selection of one picture. Made anew when the picture's size changes.
+#[derive(Debug)]
+pub struct Targets {
+    viewport: Viewport,
+    samples: u32,
+    pub(super) colour: wgpu::Texture,
+    pub(super) ids: wgpu::Texture,
+    pub(super) colour_view: wgpu::TextureView,
+    pub(super) ids_view: wgpu::TextureView,
+    pub(super) depth_view: wgpu::TextureView,
+    pub(super) mask_view: wgpu::TextureView,
+    pub(super) outline_view: wgpu::TextureView,
+    /// Colour and depth with all their samples, where there are several.
+    pub(super) multisampled: Option<[wgpu::TextureView; 2]>,
+}
+
+impl Targets {
+    /// Textures for a picture of this size, with 1 or 4 colour samples a pixel.
+    ///
+    /// # Errors
+    /// When the adapter draws no pictures that large, or memory runs out.
+    pub fn new(gpu: &Gpu, viewport: Viewport, samples: u32) -> Result<Self, GpuError> {
+        gpu.check_picture(viewport)?;
+        let texture = |label, format, sample_count, usage| {
+            gpu.device.create_texture(&wgpu::TextureDescriptor {
+                label: Some(label),
+                size: extent(viewport),
+                mip_level_count: 1,
+                sample_count,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: usage | TextureUsages::RENDER_ATTACHMENT,
+                view_formats: &[],
+            })
+        };
+        let view =
+            |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let read = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC;
+        let none = TextureUsages::empty();
+        gpu.within_memory(|| {
+            let colour = texture("colour", COLOUR, 1, read);
+            let ids = texture("ids", IDS, 1, read);
+            let multisampled = (samples > 1).then(|| {
+                [("colour samples", COLOUR), ("depth samples", DEPTH)]
+                    .map(|(label, format)| view(&texture(label, format, samples, none)))
+            });
+            Self {
+                viewport,
+                samples,
+                colour_view: view(&colour),
+                ids_view: view(&ids),
+                depth_view: view(&texture("depth", DEPTH, 1, none)),
+                mask_view: view(&texture("mask", MARKS, 1, read)),
+                outline_view: view(&texture("outline", MARKS, 1, read)),
+                multisampled,
+                colour,
+                ids,
+            }
+        })
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub fn viewport(&self) -> Viewport {
+        self.viewport
+    }
+
+    /// Colour samples a pixel.
+    #[must_use]
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+}
+
+pub(super) fn extent(viewport: Viewport) -> wgpu::Extent3d {
+    wgpu::Extent3d {
+        width: viewport.width(),
+        height: viewport.height(),
+        depth_or_array_layers: 1,
+    }
+}

@@ -1,0 +1,121 @@
+//! What people are told of a file: what it asks for that is not shown, and what was mended.
+
+use super::{build::LeftOut, material::Material, outline::Outline};
+use crate::scene::Warning;
+use std::{collections::HashMap, path::Path};
+
+/// Names that one warning lists.
+const NAMES_SHOWN: usize = 5;
+
+/// Faces and lines that are left out or mended.
+pub(super) fn about_geometry(
+    path: &Path,
+    outline: &Outline,
+    left_out: &LeftOut,
+) -> impl Iterator<Item = Warning> {
+    let counts = [
+        (left_out.without_area, "triangles without area are left out"),
+        (
+            left_out.oversized,
+            "faces with too many corners are left out",
+        ),
+        (outline.points_and_lines, "points and lines are not shown"),
+        (
+            outline.free_form,
+            "free-form curves and surfaces are not shown",
+        ),
+        (
+            outline.bad_normals,
+            "faces name normals that do not exist; theirs are computed",
+        ),
+    ];
+    let counts = counts.into_iter().filter(|(count, _)| *count > 0);
+    counts.map(|(count, what)| about(path, format!("{what} ({count})")))
+}
+
+/// What a file holds that has no faces to show.
+pub(super) fn what_is_there(outline: &Outline, left_out: &LeftOut) -> String {
+    let counts = [
+        (outline.vertices, "vertices"),
+        (outline.points_and_lines, "points and lines"),
+        (outline.free_form, "free-form curves and surfaces"),
+        (left_out.without_area, "triangles without area"),
+        (left_out.oversized, "faces with too many corners"),
+    ];
+    let counts = counts.into_iter().filter(|(count, _)| *count > 0);
+    let counts: Vec<String> = counts
+        .map(|(count, what)| format!("{what}: {count}"))
+        .collect();
+    counts.join(", ")
+}
+
+fn about(path: &Path, message: String) -> Warning {
+    Warning {
+        file: path.to_owned(),
+        line: None,
+        message,
+    }
+}
+
+/// What the materials in use ask for that is not shown, and those that no file defines.
+pub(super) fn about_materials(
+    path: &Path,
+    outline: &Outline,
+    materials: &HashMap<String, Material>,
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let used = outline.material_names.iter();
+    let (defined, unknown): (Vec<_>, Vec<_>) =
+        used.partition(|(name, _)| materials.contains_key(name));
+    // Where there is no material file at all, nothing is amiss with the one name; a missing file has been told of.
+    if let Some((_, line)) = unknown.first()
+        && !materials.is_empty()
+    {
+        let names = list(unknown.iter().map(|(name, _)| &**name));
+        warnings.push(Warning {
+            line: Some(*line),
+            ..about(path, format!("no material file defines {names}"))
+        });
+    }
+    let defined = || defined.iter().map(|(name, _)| &materials[name]);
+    let mut textures: Vec<&str> = Vec::new();
+    for texture in defined().flat_map(|material| &material.textures) {
+        if !textures.contains(&&**texture) {
+            textures.push(texture);
+        }
+    }
+    if !textures.is_empty() {
+        let (count, names) = (textures.len(), list(textures.into_iter()));
+        let files = if count == 1 { "file" } else { "files" };
+        warnings.push(about(
+            path,
+            format!("textures are not shown ({count} {files}: {names})"),
+        ));
+    }
+    let transparent = defined().filter(|material| material.transparent).count();
+    if transparent > 0 {
+        let drawn = if transparent == 1 {
+            "material is"
+        } else {
+            "materials are"
+        };
+        let message = format!("transparency is not shown: {transparent} {drawn} drawn opaque");
+        warnings.push(about(path, message));
+    }
+    warnings
+}
+
+/// The first few names, each made fit for a line, and how many more there are.
+fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+    let more = names.len().saturating_sub(NAMES_SHOWN);
+    let shown = names.take(NAMES_SHOWN);
+    let shown: Vec<String> = shown
+        .map(|name| name.escape_debug().take(80).collect())
+        .collect();
+    let shown = shown.join(", ");
+    if more > 0 {
+        format!("{shown} and {more} more")
+    } else {
+        shown
+    }
+}

@@ -1,0 +1,73 @@
+//! What a user can do to the scene and the view: the window's own event type. Tests replay it.
+
+use crate::{
+    camera::{DepthMapping, UpAxis, Viewport},
+    geometry::Sides,
+};
+use glam::{DVec2, DVec3};
+
+/// Something a user does. Positions are physical pixels of the scene's rectangle, from its top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action {
+    /// The scene's rectangle has this size now.
+    Resize(Viewport),
+    /// A turn begins: what lies under the cursor becomes the pivot.
+    BeginTurn(DVec2),
+    /// The cursor moved by this while turning.
+    Turn(DVec2),
+    /// A shift begins: what lies under the cursor will follow it.
+    BeginPan(DVec2),
+    /// The cursor moved by this while shifting.
+    Pan(DVec2),
+    /// Zoom at a position, by a factor above 1 to come nearer.
+    Zoom(DVec2, f64),
+    /// A click, and when in seconds.
+    Click(DVec2, f64),
+    /// A double click: what lies there becomes pivot and centre; on nothing, frame all.
+    Recentre(DVec2),
+    /// The cursor rests there, or left.
+    Hover(Option<DVec2>),
+    /// Show all that is visible.
+    FrameAll,
+    /// Show the selected object, or all when there is none.
+    FrameSelection,
+    /// Look from this direction of (right, up, towards the viewer).
+    LookFrom(DVec3),
+    /// Back to the view that the scene opened with.
+    ResetView,
+    /// Eye, target and up, as typed.
+    Pose([DVec3; 3]),
+    /// Field of view, projection, near, far, depth mapping.
+    Lens(LensControls),
+    /// Which world axis points up.
+    UpAxis(UpAxis),
+    /// Show both sides of surfaces or only fronts.
+    Sides(Sides),
+    /// Select an object, or nothing.
+    Select(Option<usize>),
+    /// Show or hide an object.
+    SetVisible(usize, bool),
+    /// Hide the selected object.
+    HideSelection,
+    /// Hide all but the selected object.
+    Isolate,
+    /// Show every object.
+    ShowAll,
+    /// Show or hide the grid with its axes.
+    ToggleGrid,
+}
+
+/// The lens as the panel holds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LensControls {
+    /// Vertical field of view in degrees.
+    pub fov_deg: f64,
+    /// Orthographic in place of perspective.
+    pub orthographic: bool,
+    /// Near plane, or fitted to the scene.
+    pub near: Option<f64>,
+    /// Far plane, or fitted to the scene.
+    pub far: Option<f64>,
+    /// What the depth buffer stores.
+    pub depth: DepthMapping,
+}

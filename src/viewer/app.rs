@@ -1,0 +1,230 @@
+//! The program behind the window: what commands do, and what loads bring.
+
+use super::{
+    Command, Notice, Notices, Options, ViewerError, Wake,
+    action::Action,
+    command,
+    input::Drag,
+    loading::{self, Loading},
+    panels::Statistics,
+    shell::Shell,
+    state::State,
+};
+use crate::{
+    camera::{CameraChoice, CameraError, Viewport},
+    pick::PickLine,
+    scene::{Loaded, Warning},
+};
+use glam::DVec2;
+use std::{io::Write, path::PathBuf, time::Instant};
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+
+/// All that lives as long as the event loop.
+pub(super) struct App {
+    pub options: Options,
+    pub proxy: EventLoopProxy<Wake>,
+    /// The window, once the event loop runs.
+    pub shell: Option<Shell>,
+    pub state: State,
+    /// What the scene was made from, for the command that makes it again.
+    paths: Vec<PathBuf>,
+    pub loading: Option<(Loading, Vec<PathBuf>)>,
+    /// The first scene takes the command line's camera.
+    first: bool,
+    pub notices: Notices,
+    pub help: bool,
+    pub reveal_selection: bool,
+    pub drag: Option<Drag>,
+    /// The scene that the log spoke of last; none for the empty one before the first.
+    announced: u64,
+    pub statistics: Statistics,
+    /// Why the window could not be opened, for the caller of [`super::run`].
+    pub failed: Option<ViewerError>,
+}
+
+impl App {
+    pub fn new(options: Options, proxy: EventLoopProxy<Wake>) -> Result<Self, ViewerError> {
+        let state = State::new(
+            Loaded::default(),
+            CameraChoice::default(),
+            Viewport::DEFAULT,
+            options.sides,
+        )?;
+        let mut app = Self {
+            paths: Vec::new(),
+            loading: None,
+            first: true,
+            notices: Notices::new(),
+            help: false,
+            reveal_selection: false,
+            drag: None,
+            announced: 0,
+            statistics: Statistics::default(),
+            failed: None,
+            shell: None,
+            state,
+            proxy,
+            options,
+        };
+        app.open(app.options.paths.clone());
+        Ok(app)
+    }
+
+    pub fn open(&mut self, paths: Vec<PathBuf>) {
+        let proxy = self.proxy.clone();
+        let wake = move || drop(proxy.send_event(Wake::Look));
+        self.loading = Some((Loading::start(paths.clone(), wake), paths));
+    }
+
+    /// Takes what a load brought: the scene on screen stays until its successor is whole.
+    pub fn take_loaded(&mut self) {
+        let Some((result, paths)) = self
+            .loading
+            .as_ref()
+            .and_then(|(load, paths)| Some((load.poll()?, paths.clone())))
+        else {
+            return;
+        };
+        self.loading = None;
+        let opened = result
+            .map_err(|error| error.to_string())
+            .and_then(|mut loaded| {
+                let warnings = std::mem::take(&mut loaded.warnings);
+                self.show_scene(loaded).map_err(|error| error.to_string())?;
+                Ok(warnings)
+            });
+        match opened {
+            Ok(warnings) => {
+                self.paths = paths;
+                self.notices.clear();
+                self.warn(&warnings);
+                loading::build_trees(self.state.scene());
+            }
+            Err(text) => self.complain(text),
+        }
+    }
+
+    fn show_scene(&mut self, mut loaded: Loaded) -> Result<(), CameraError> {
+        if !self.first {
+            return self.state.open(loaded);
+        }
+        if let Err(error) = loaded.scene.hide(&self.options.hidden) {
+            self.complain(format!("--hide: {error}"));
+        }
+        loaded.camera = self.options.camera.or(loaded.camera);
+        self.state.open(loaded)?;
+        self.first = false;
+        Ok(())
+    }
+
+    /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal.
+    fn complain(&mut self, text: String) {
+        log::error!("{text}");
+        self.notices.push(Notice {
+            text,
+            is_error: true,
+        });
+    }
+
+    fn warn(&mut self, warnings: &[Warning]) {
+        const SHOWN: usize = 4;
+        for warning in warnings {
+            log::warn!("{warning}");
+        }
+        self.notices
+            .extend(warnings.iter().take(SHOWN).map(|warning| Notice {
+                text: warning.to_string(),
+                is_error: false,
+            }));
+        if warnings.len() > SHOWN {
+            let text = format!("and {} more warnings", warnings.len() - SHOWN);
+            self.notices.push(Notice {
+                text,
+                is_error: false,
+            });
+        }
+    }
+
+    pub fn run_command(&mut self, command: Command, event_loop: &ActiveEventLoop) {
+        match command {
+            Command::Act(action) => self.act(action),
+            Command::OpenDialog => {
+                let proxy = self.proxy.clone();
+                loading::open_dialog(move |paths| drop(proxy.send_event(Wake::Open(paths))));
+            }
+            Command::Open(paths) => self.open(paths),
+            Command::CopyCommandLine => {
+                let text = self.view_command();
+                self.copy(text);
+            }
+            Command::CopyPick => {
+                let line = self
+                    .state
+                    .selection()
+                    .and_then(|selection| selection.pick.as_ref());
+                if let Some(text) = line.and_then(|line| serde_json::to_string(line).ok()) {
+                    self.copy(text);
+                }
+            }
+            Command::Escape if self.loading.is_some() => self.loading = None,
+            Command::Escape if self.help => self.help = false,
+            Command::Escape => self.act(Action::Select(None)),
+            Command::ToggleHelp => self.help = !self.help,
+            Command::Quit => event_loop.exit(),
+        }
+    }
+
+    fn act(&mut self, action: Action) {
+        let clicks = matches!(action, Action::Click(..));
+        let start = Instant::now();
+        let picked = self.state.apply(action);
+        if clicks {
+            self.statistics.pick = Some(start.elapsed());
+            self.reveal_selection = true;
+        }
+        if let Some(line) = picked {
+            let command = command::pick_command(&self.state, &self.paths, line.px);
+            log::info!("{command}");
+            if self.options.print_picks {
+                print(&line);
+            }
+        }
+    }
+
+    /// The view as a command, at the pick or else in the middle.
+    fn view_command(&self) -> String {
+        let selection = self.state.selection();
+        let pick = selection.and_then(|selection| selection.pick.as_ref());
+        let viewport = self.state.view().viewport;
+        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        let at_px = pick.map_or(middle, |pick| pick.px);
+        command::pick_command(&self.state, &self.paths, at_px)
+    }
+
+    fn copy(&mut self, text: String) {
+        if let Some(shell) = &mut self.shell {
+            shell.egui.set_clipboard_text(text);
+        }
+    }
+
+    /// Says once that a scene is on the screen.
+    pub fn announce(&mut self) {
+        let scene = self.state.scene();
+        if self.announced != self.state.scene_revision() {
+            self.announced = self.state.scene_revision();
+            log::info!(
+                "scene shown: {} objects, {} triangles",
+                scene.objects().len(),
+                scene.triangle_count()
+            );
+        }
+    }
+}
+
+/// A pick as a line on stdout.@ Who reads it may be gone: that is no reason to stop showing.
+fn print(line: &PickLine) {
+    if let Ok(json) = serde_json::to_string(line) {
+        let mut out = std::io::stdout().lock();
+        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
+    }
+}

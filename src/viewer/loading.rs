@@ -1,0 +1,72 @@
+//! Files in the background: the window answers while they load.
+
+use crate::scene::{self, LoadError, Loaded, Progress, Scene};
+use std::{
+    path::PathBuf,
+    sync::{
+        Arc,
+        mpsc::{Receiver, TryRecvError, channel},
+    },
+    thread,
+};
+
+/// A load under way. Dropping it cancels it.
+pub(super) struct Loading {
+    progress: Arc<Progress>,
+    result: Receiver<Result<Loaded, LoadError>>,
+}
+
+impl Loading {
+    /// Loads `paths` as one scene; calls `wake` when done.
+    pub fn start(paths: Vec<PathBuf>, wake: impl FnOnce() + Send + 'static) -> Self {
+        let progress = Arc::new(Progress::default());
+        let (sender, result) = channel();
+        let shared = Arc::clone(&progress);
+        thread::spawn(move || {
+            // The receiver is gone when the load was cancelled; then nobody wants the result.
+            let _ = sender.send(scene::load(&paths, &shared));
+            wake();
+        });
+        Self { progress, result }
+    }
+
+    /// What is done, in [0, 1].
+    pub fn fraction(&self) -> f32 {
+        self.progress.fraction()
+    }
+
+    /// The scene or why there is none, once there is either.
+    pub fn poll(&self) -> Option<Result<Loaded, LoadError>> {
+        match self.result.try_recv() {
+            Ok(result) => Some(result),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Err(scene::Cancelled.into())),
+        }
+    }
+}
+
+impl Drop for Loading {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}
+
+/// Builds the trees of a scene's meshes beside the window; picks try every triangle until they are there.
+pub(super) fn build_trees(scene: &Scene) {
+    let scene = scene.clone();
+    thread::spawn(move || scene.build_trees());
+}
+
+/// Asks for files; calls `chosen` with them, or not at all.
+pub(super) fn open_dialog(chosen: impl FnOnce(Vec<PathBuf>) + Send + 'static) {
+    let dialog = rfd::AsyncFileDialog::new()
+        .set_title("Open")
+        .add_filter("Scenes", &["obj", "OBJ", "toml"])
+        .add_filter("All files", &["*"])
+        .pick_files();
+    thread::spawn(move || {
+        if let Some(files) = pollster::block_on(dialog) {
+            chosen(files.iter().map(|file| file.path().to_path_buf()).collect());
+        }
+    });
+}

@@ -1,0 +1,36 @@
+//! Keys and mouse, from the very table that works them.
+
+use super::super::{Command, input};
+use egui::{Align2, Context, Grid, Window};
+
+pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
+    let mut open = true;
+    Window::new("Keys and mouse")
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .show(ctx, |ui| {
+            Grid::new("help")
+                .num_columns(2)
+                .striped(true)
+                .show(ui, |ui| {
+                    let keys = input::BINDINGS
+                        .iter()
+                        .map(|binding| (binding.keys, binding.does));
+                    for (input, does) in input::MOUSE
+                        .iter()
+                        .copied()
+                        .chain(keys)
+                        .filter(|(_, does)| !does.is_empty())
+                    {
+                        ui.monospace(input);
+                        ui.label(does);
+                        ui.end_row();
+                    }
+                });
+        });
+    if !open {
+        commands.push(Command::ToggleHelp);
+    }
+}

@@ -1,0 +1,82 @@
+//! The window's panels. They show the state and return what the user asks for; they change nothing themselves.
+
+mod camera;
+mod field;
+mod help;
+mod objects;
+mod overlays;
+mod pick;
+mod status;
+mod toolbar;
+
+pub(super) use status::Statistics;
+
+use super::{
+    Command, Notices,
+    input::{self, Drag, SceneRect},
+    state::State,
+};
+use egui::{CentralPanel, Panel, Ui};
+
+/// What the panels show besides the state.
+pub(super) struct Shown<'a> {
+    /// What is to be seen and how.
+    pub state: &'a State,
+    /// Messages that wait to be read.
+    pub notices: &'a mut Notices,
+    /// How far a load has come, when there is one.
+    pub loading: Option<f32>,
+    /// Whether the help is open.
+    pub help: bool,
+    /// Frame time, adapter and the like.
+    pub statistics: &'a Statistics,
+    /// Whether to bring the selected object's row into view.
+    pub reveal_selection: bool,
+}
+
+/// Lays out the window; returns the scene's rectangle and all that the user asks for.
+pub(super) fn show(
+    ui: &mut Ui,
+    shown: &mut Shown,
+    drag: &mut Option<Drag>,
+) -> (Option<SceneRect>, Vec<Command>) {
+    let mut commands = Vec::new();
+    Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown.state, &mut commands));
+    Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
+    Panel::left("objects")
+        .default_size(210.0)
+        .size_range(120.0..=420.0)
+        .show(ui, |ui| {
+            objects::show(ui, shown.state, shown.reveal_selection, &mut commands);
+        });
+    Panel::right("view")
+        .exact_size(330.0)
+        .resizable(false)
+        .show(ui, |ui| {
+            egui::ScrollArea::vertical()
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    camera::show(ui, shown.state, &mut commands);
+                    ui.separator();
+                    pick::show(ui, shown.state, &mut commands);
+                });
+        });
+    let place = CentralPanel::no_frame().show(ui, |ui| {
+        let rect = ui.max_rect();
+        let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
+        let actions = input::scene(ui, rect, place, drag);
+        commands.extend(actions.into_iter().map(Command::Act));
+        overlays::axes(ui, rect, shown.state);
+        overlays::messages(ui, rect, shown, &mut commands);
+        Some(place)
+    });
+    if shown.help {
+        help::show(ui.ctx(), &mut commands);
+    }
+    commands.extend(input::keys(
+        ui.ctx(),
+        shown.state.view(),
+        shown.state.controls(),
+    ));
+    (place.inner, commands)
+}

@@ -1,0 +1,61 @@
+//! The row of buttons at the top.
+
+use super::super::{Command, action::Action, state::State};
+use egui::Ui;
+use glam::DVec3;
+
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let mut button = |ui: &mut Ui, name: &str, hint: &str, command: Command| {
+            if ui.button(name).on_hover_text(hint).clicked() {
+                commands.push(command);
+            }
+        };
+        button(
+            ui,
+            "Open\u{2026}",
+            "OBJ and scene files (Ctrl+O); or drop them on the window",
+            Command::OpenDialog,
+        );
+        ui.separator();
+        button(ui, "Frame all", "(A)", Command::Act(Action::FrameAll));
+        button(
+            ui,
+            "Frame selection",
+            "(F)",
+            Command::Act(Action::FrameSelection),
+        );
+        ui.separator();
+        for (name, key, to_eye) in [
+            ("Front", "1", DVec3::Z),
+            ("Right", "3", DVec3::X),
+            ("Top", "7", DVec3::Y),
+            ("Corner", "9", DVec3::ONE),
+        ] {
+            let hint = format!("({key}; Ctrl: from the other side)");
+            button(ui, name, &hint, Command::Act(Action::LookFrom(to_eye)));
+        }
+        button(
+            ui,
+            "Reset",
+            "the view that the scene opened with (Enter)",
+            Command::Act(Action::ResetView),
+        );
+        ui.separator();
+        let mut grid = state.grid();
+        if ui
+            .checkbox(&mut grid, "Grid")
+            .on_hover_text("with axes: x red, y green, z blue (G)")
+            .changed()
+        {
+            commands.push(Command::Act(Action::ToggleGrid));
+        }
+        if ui
+            .button("Help")
+            .on_hover_text("keys and mouse (H)")
+            .clicked()
+        {
+            commands.push(Command::ToggleHelp);
+        }
+    });
+}

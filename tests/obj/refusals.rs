@@ -1,0 +1,118 @@
+//! What is refused, in one line that names file, line and fault.
+
+use super::{CUBE, Folder, refusal};
+use sightline::scene::{
+    Progress,
+    obj::{ObjError, load},
+};
+
+#[test]
+fn each_refusal_says_what_is_wrong() {
+    let cases: [(&[u8], &str); 19] = [
+        (b"", "some.obj: the file is empty"),
+        (
+            b"# only\n\n",
+            "some.obj: not an OBJ file: no vertices and no faces",
+        ),
+        (b"<!DOCTYPE html>", "some.obj: not an OBJ file: HTML or XML"),
+        (b"\x1f\x8b\x08\0", "some.obj: not an OBJ file: gzip data"),
+        (
+            b"\xfe\xff\0v\0 \0",
+            "some.obj: not an OBJ file: UTF-16 text",
+        ),
+        (b"\x89PNG\0\0\0", "some.obj: not an OBJ file: binary data"),
+        (
+            b"version https://git-lfs.github.com/spec/v1\n",
+            "some.obj: not an OBJ file: a Git LFS pointer (git lfs pull fetches the file itself)",
+        ),
+        (
+            b"v 0 0 0\nv 1 0 0\n",
+            "some.obj: no faces to show (vertices: 2)",
+        ),
+        (
+            b"v 0 0 0\nv 1 0 0\nl 1 2\n",
+            "some.obj: no faces to show (vertices: 2, points and lines: 1)",
+        ),
+        (
+            b"v 0 0 0\nv 1 0 0\nf 1 2 2\n",
+            "some.obj: no faces to show (vertices: 2, triangles without area: 1)",
+        ),
+        (
+            b"v 0 0 0\nv 1 0\nv 0 1 0\n",
+            "some.obj:2: a vertex needs three numbers",
+        ),
+        (
+            b"v 0 0 0\nv 1 0 one\n",
+            "some.obj:2: a vertex needs three numbers",
+        ),
+        (
+            b"v 0 0 0\nvn 0 1\n",
+            "some.obj:2: a normal needs three numbers",
+        ),
+        (
+            b"v 0 0 0\nf 1/x 1 1\n",
+            "some.obj:2: a corner of a face is written as 1, 1/2, 1//3 or 1/2/3",
+        ),
+        (
+            b"v 0 0 0\nf 1 1 0\n",
+            "some.obj:2: a face names vertex 0 of 1",
+        ),
+        (
+            b"v 0 0 0\nf 1 1 -2\n",
+            "some.obj:2: a face names vertex -2 of 1",
+        ),
+        (
+            b"v 0 0 0\n\\\nf 1 1 4294967297\nv 0 0 0\n",
+            "some.obj:2: a face names vertex 4294967297 of 2",
+        ),
+        (b"f 1 one/2 3\n", "some.obj:1: a face names vertex one of 0"),
+        (
+            b"f 1 99999999999999999999 3\n",
+            "some.obj:1: a face names vertex 99999999999999999999 of 0",
+        ),
+    ];
+    for (bytes, message) in cases {
+        assert_eq!(refusal(bytes), message);
+    }
+}
+
+#[test]
+fn coordinates_without_end_are_refused_where_faces_use_them() {
+    for bad in ["nan", "-inf", "1e400"] {
+        let text = format!("{CUBE}v 0 {bad} 0\nf 1 2 9\n");
+        assert_eq!(
+            refusal(text.as_bytes()),
+            "some.obj:15: a coordinate is not a finite number"
+        );
+    }
+    let far = CUBE.replacen("v 0 0 0", "v -1e39 0 0", 1);
+    let message = "some.obj: its coordinates lie too far apart to show (1e39 units)";
+    assert_eq!(refusal(far.as_bytes()), message);
+}
+
+#[test]
+fn what_is_no_file_is_refused() {
+    let folder = Folder::new(&[]);
+    let missing = folder.load("no.obj").expect_err("it is not there");
+    assert!(
+        folder
+            .relative(&missing)
+            .starts_with("no.obj: cannot be read: "),
+        "{missing}"
+    );
+    std::fs::create_dir(folder.path("dir.obj")).expect("a folder");
+    let refused = folder.load("dir.obj").expect_err("it is a folder");
+    assert_eq!(folder.relative(&refused), "dir.obj: is not a file");
+}
+
+#[test]
+fn a_cancelled_load_stops_and_a_whole_one_is_done() {
+    let folder = Folder::new(&[("some.obj", CUBE.as_bytes())]);
+    let progress = Progress::default();
+    load(&folder.path("some.obj"), &progress).expect("it loads");
+    assert!((progress.fraction() - 1.0).abs() < f32::EPSILON);
+    let progress = Progress::default();
+    progress.cancel();
+    let stopped = load(&folder.path("some.obj"), &progress);
+    assert!(matches!(stopped, Err(ObjError::Cancelled(_))));
+}

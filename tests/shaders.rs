@@ -1,0 +1,147 @@
+//! Every shader is valid, and both sides mean the same by each struct. Needs no GPU.
+
+use sightline::render::{SHADERS, layout};
+use std::mem::{offset_of, size_of};
+
+fn module(name: &str) -> naga::Module {
+    let (_, source) = (SHADERS.iter().find(|(other, _)| *other == name)).expect("such a shader");
+    naga::front::wgsl::parse_str(source)
+        .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)))
+}
+
+#[test]
+fn every_shader_is_valid() {
+    for (name, source) in SHADERS {
+        let needed = naga::valid::Capabilities::PRIMITIVE_INDEX
+            | naga::valid::Capabilities::MULTISAMPLED_SHADING;
+        let mut validator =
+            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), needed);
+        if let Err(error) = validator.validate(&module(name)) {
+            panic!("{name}: {}", error.emit_to_string(source));
+        }
+    }
+}
+
+/// Names, offsets and size of a WGSL struct without its padding.
+fn wgsl_layout(shader: &str, name: &str) -> (Vec<(String, usize)>, usize) {
+    let module = module(shader);
+    let found = module.types.iter().find_map(|(_, ty)| match &ty.inner {
+        naga::TypeInner::Struct { members, span } if ty.name.as_deref() == Some(name) => {
+            let named = members.iter().map(|member| {
+                let name = member.name.clone().expect("members have names");
+                (name, member.offset as usize)
+            });
+            let used = named.filter(|(name, _)| !name.starts_with("padding"));
+            Some((used.collect(), *span as usize))
+        }
+        _ => None,
+    });
+    found.unwrap_or_else(|| panic!("{shader} has no {name}"))
+}
+
+/// Compares a struct of `layout` with that of the same name in a shader.
+macro_rules! same_layout {
+    ($shader:literal, $name:ident { $($field:ident),* }) => {
+        let rust = vec![$((stringify!($field).to_owned(), offset_of!(layout::$name, $field))),*];
+        let rust = (rust, size_of::<layout::$name>());
+        assert_eq!(rust, wgsl_layout($shader, stringify!($name)), "{} in {}", stringify!($name), $shader);
+    };
+}
+
+#[test]
+fn structs_have_one_layout_on_both_sides() {
+    for shader in ["mesh", "sphere", "overlay"] {
+        let frame = wgsl_layout(shader, "Frame");
+        assert_eq!(frame, wgsl_layout("mesh", "Frame"), "{shader}");
+    }
+    same_layout!(
+        "mesh",
+        Frame {
+            ndc_per_view,
+            depth_row,
+            depth_range,
+            viewport_px,
+            perspective,
+            front_only,
+            key_direction,
+            ambient,
+            background_top,
+            key,
+            background_bottom,
+            fill
+        }
+    );
+    same_layout!(
+        "mesh",
+        Batch {
+            pivot,
+            object_of_part_0,
+            linear,
+            translation,
+            first_triangle,
+            normal,
+            flags
+        }
+    );
+    same_layout!(
+        "mesh",
+        ObjectState {
+            colour,
+            has_colour,
+            first_triangle,
+            visible
+        }
+    );
+    same_layout!("sphere", Quadratic { linear, square });
+    same_layout!(
+        "sphere",
+        Sphere {
+            rect_px,
+            pivot_px,
+            depth,
+            depth_per_root,
+            a,
+            b,
+            c,
+            discriminant,
+            normal,
+            origin_step,
+            normal_per_root,
+            direction_step,
+            normal_right,
+            object,
+            normal_down
+        }
+    );
+    same_layout!(
+        "composite",
+        Composite {
+            origin_px,
+            selection,
+            hover,
+            selection_colour,
+            selection_tint,
+            hover_colour,
+            hover_tint,
+            outline_px
+        }
+    );
+}
+
+#[test]
+fn flags_have_one_value_on_both_sides() {
+    let module = module("mesh");
+    let value = |name: &str| {
+        let constant = module
+            .constants
+            .iter()
+            .find(|(_, constant)| constant.name.as_deref() == Some(name));
+        let init = constant.expect("such a constant").1.init;
+        match module.global_expressions[init] {
+            naga::Expression::Literal(naga::Literal::U32(value)) => value,
+            ref other => panic!("{name} is {other:?}"),
+        }
+    };
+    assert_eq!(value("NUMBERS_TRIANGLES"), layout::Batch::NUMBERS_TRIANGLES);
+    assert_eq!(value("MIRRORS"), layout::Batch::MIRRORS);
+}

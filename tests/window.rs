@@ -1,0 +1,268 @@
+//! The real window under Xvfb, with real pointer events: what it prints for a click is what `sightline pick` prints
+//! for the same view.
+
+mod common;
+
+use std::{
+    io::{BufRead, BufReader, Read},
+    path::{Path, PathBuf},
+    process::{Child, Command, Stdio},
+    sync::mpsc::{Receiver, channel},
+    thread,
+    time::Duration,
+};
+
+/// Longest wait for the window to answer: a first frame on a busy machine.
+const PATIENCE: Duration = Duration::from_mins(1);
+const SIGHTLINE: &str = env!("CARGO_BIN_EXE_sightline");
+
+/// A screen of its own, gone when dropped.
+struct Screen {
+    server: Child,
+    display: String,
+}
+
+impl Screen {
+    fn new(width: u32, height: u32) -> Self {
+        let mut server = Command::new("Xvfb")
+            .args([
+                "-displayfd",
+                "1",
+                "-nolisten",
+                "tcp",
+                "-screen",
+                "0",
+                &format!("{width}x{height}x24"),
+            ])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb runs (Debian, Ubuntu: apt-get install xvfb)");
+        let mut number = String::new();
+        let out = server.stdout.take().expect("piped");
+        BufReader::new(out)
+            .read_line(&mut number)
+            .expect("Xvfb says its number");
+        Self {
+            server,
+            display: format!(":{}", number.trim()),
+        }
+    }
+
+    fn xdotool(&self, arguments: &str) {
+        let status = Command::new("xdotool")
+            .args(arguments.split_whitespace())
+            .env("DISPLAY", &self.display)
+            .status()
+            .expect("xdotool runs (Debian, Ubuntu: apt-get install xdotool)");
+        assert!(status.success(), "xdotool {arguments}");
+    }
+}
+
+impl Drop for Screen {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+/// A running window and the lines it writes.
+struct Viewer {
+    process: Child,
+    picks: Receiver<String>,
+    log: Receiver<String>,
+}
+
+impl Viewer {
+    fn open(screen: &Screen, scale: &str, arguments: &[&str]) -> Self {
+        let mut process = Command::new(SIGHTLINE)
+            .args(["-v", "--print-picks"])
+            .args(arguments)
+            .env("DISPLAY", &screen.display)
+            .env("WINIT_X11_SCALE_FACTOR", scale)
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the binary runs");
+        let picks = lines(process.stdout.take().expect("piped"));
+        let log = lines(process.stderr.take().expect("piped"));
+        let viewer = Self {
+            process,
+            picks,
+            log,
+        };
+        viewer.wait_for("scene shown");
+        viewer
+    }
+
+    /// The next log line that contains `what`.
+    fn wait_for(&self, what: &str) -> String {
+        loop {
+            let line = self.log.recv_timeout(PATIENCE);
+            let line = line.unwrap_or_else(|_| panic!("the window never said {what:?}"));
+            if line.contains(what) {
+                return line;
+            }
+        }
+    }
+
+    /// The pick that the window printed, and the command that it says makes the same.
+    fn picked(&self) -> (String, String) {
+        let printed = self
+            .picks
+            .recv_timeout(PATIENCE)
+            .expect("a click prints a pick");
+        let log = self.wait_for("sightline pick");
+        let command = log[log.find("sightline pick").expect("found")..].to_owned();
+        (printed, command)
+    }
+}
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        for line in BufReader::new(from).lines().map_while(Result::ok) {
+            eprintln!("{line}");
+            if sender.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    receiver
+}
+
+/// What a shell prints for a command of ours.
+fn shell(command: &str) -> String {
+    let command = command.replacen("sightline", SIGHTLINE, 1);
+    let output = Command::new("sh")
+        .args(["-c", &command])
+        .output()
+        .expect("sh runs");
+    assert!(
+        output.status.success(),
+        "{command}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    String::from_utf8(output.stdout)
+        .expect("UTF-8")
+        .trim_end()
+        .to_owned()
+}
+
+fn value<'a>(command: &'a str, flag: &str) -> &'a str {
+    let mut words = command.split(' ').skip_while(|word| *word != flag);
+    words
+        .nth(1)
+        .unwrap_or_else(|| panic!("{flag} in {command}"))
+}
+
+fn scene(folder: &Path) -> PathBuf {
+    let path = folder.join("three things.toml");
+    let text = r#"
+        [camera]
+        eye = [2, 3, 7]
+        target = [0, 0.5, 0]
+        fov = 40
+
+        [[object]]
+        name = "ground"
+        shape = "square"
+        rotation = [-90, 0, 0]
+        scale = 8
+
+        [[object]]
+        name = "ball"
+        shape = "sphere"
+        position = [0, 1, 0]
+        scale = 2
+
+        [[object]]
+        name = "box"
+        shape = "cube"
+        position = [-2.2, 0.5, 0.5]
+    "#;
+    std::fs::write(&path, text).expect("written");
+    path
+}
+
+fn clicks_print_what_pick_prints(scale: &str) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = scene(folder.path());
+    let factor: f64 = scale.parse().expect("a number");
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "small"
+    )]
+    let physical = |points: f64| (points * factor).round() as u32;
+    let (width, height) = (physical(1280.0), physical(720.0));
+    let screen = Screen::new(width, height);
+    let viewer = Viewer::open(&screen, scale, &[&path.display().to_string()]);
+    let click = |x: u32, y: u32| {
+        screen.xdotool(&format!("mousemove {x} {y}"));
+        screen.xdotool("click 1");
+        viewer.picked()
+    };
+    let (middle_x, middle_y) = (width / 2, height / 2);
+    let mut hits = 0;
+    for (dx, dy) in [(0, 0), (37, 11), (-90, 41), (13, -160), (150, 77)] {
+        let at = |middle: u32, by: i32| middle.saturating_add_signed(by);
+        let (printed, command) = click(at(middle_x, dx), at(middle_y, dy));
+        assert_eq!(printed, shell(&command), "{command}");
+        hits += usize::from(!printed.contains("\"hit\":null"));
+    }
+    assert!(hits >= 3, "only {hits} clicks hit something");
+
+    let (_, before) = click(middle_x, middle_y);
+    screen.xdotool("mousedown 1");
+    for _ in 0..6 {
+        screen.xdotool("mousemove_relative -- 21 -8");
+    }
+    screen.xdotool("mouseup 1");
+    let (printed, command) = click(middle_x + 5, middle_y + 9);
+    assert_ne!(
+        value(&before, "--eye"),
+        value(&command, "--eye"),
+        "the drag turned the view"
+    );
+    assert_eq!(printed, shell(&command), "{command}");
+    assert!(viewer.picks.try_recv().is_err(), "a drag picks nothing");
+}
+
+#[test]
+fn clicks_print_what_pick_prints_at_scale_1() {
+    clicks_print_what_pick_prints("1");
+}
+
+#[test]
+fn clicks_print_what_pick_prints_at_scale_1_5() {
+    clicks_print_what_pick_prints("1.5");
+}
+
+#[test]
+fn clicks_print_what_pick_prints_at_scale_2() {
+    clicks_print_what_pick_prints("2");
+}
+
+#[test]
+fn without_a_display_it_says_what_to_do() {
+    let output = Command::new(SIGHTLINE)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET")
+        .output()
+        .expect("the binary runs");
+    let message = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(5), "{message}");
+    assert!(message.contains("sightline render"), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+}
