@@ -155,9 +155,9 @@ fn sampled_outline(px: DVec2, hit: impl Fn(DVec2) -> bool) -> f64 {
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
             if hit(px + middle * direction) {
-                inside = middle
+                inside = middle;
             } else {
-                outside = middle
+                outside = middle;
             }
         }
         least = least.min(inside);

@@ -214,7 +214,7 @@ fn errors_say_where_and_what() {
         (&format!("{cube}colour = [0, 0, nan]\n"), 3, "0 to 1"),
         (
             &format!("{cube}colour = \"#ffffff\"\ncolor = \"#ffffff\"\n"),
-            4,
+            1,
             "colo",
         ),
         (&format!("{cube}scale = [1, 2]\n"), 3, "one number"),
@@ -441,4 +441,85 @@ fn the_demo_shows_every_shape_and_kind_of_transform() {
         let shown = camera.project(viewport, corner).unwrap();
         assert!(viewport.contains(shown.px), "{corner} is at {}", shown.px);
     }
+}
+
+#[test]
+fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    let two = "v 0 0 0\nv 1 0 0\nv 0 1 0\no Roof\nf 1 2 3\no Wall\nf 3 2 1\nf 1 3 2\n";
+    write("two.obj", two);
+    let entry = |rest: &str| format!("[[object]]\nshape = \"mesh\"\n{rest}\n");
+    let text = [
+        entry("file = \"two.obj\""),
+        entry("file = \"two.obj\"\nname = \"House\"\nposition = [5, 0, 0]"),
+        entry("file = \"two.obj\"\npart = 2\nname = \"Fence\"\ncolour = \"#102030\""),
+        entry("file = \"one.obj\"\nname = \"Sail\"\nscale = [1, -1, 1]\nvisible = false"),
+    ];
+    let loaded = load(&[write("scene.toml", &text.concat())]).unwrap();
+    let objects = loaded.scene.objects();
+    let names: Vec<_> = objects.iter().map(|object| object.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "Roof",
+            "Wall",
+            "House: Roof",
+            "House: Wall",
+            "Fence",
+            "Sail"
+        ]
+    );
+    let triangles: Vec<_> = objects
+        .iter()
+        .map(|object| object.shape.triangles().unwrap())
+        .collect();
+    assert_eq!(triangles, [0..1, 1..3, 0..1, 1..3, 1..3, 0..1]);
+    assert_eq!(objects[4].colour, Some(Srgb([16, 32, 48])));
+    assert_eq!(loaded.meshes.len(), 2, "each file once");
+    // In one place they are one draw, elsewhere another.
+    assert_eq!(loaded.scene.batches(), [0..2, 2..4, 4..5, 5..6]);
+
+    // From anywhere: the saved scene names its meshes by absolute paths.
+    let elsewhere = tempfile::tempdir().unwrap();
+    let saved = to_toml(&loaded.scene, &loaded.camera, &loaded.meshes).unwrap();
+    let path = elsewhere.path().join("saved.toml");
+    std::fs::write(&path, &saved).unwrap();
+    let again = load(&[path]).unwrap();
+    same(objects, again.scene.objects());
+    let parts = |loaded: &Loaded| {
+        let shapes = loaded
+            .scene
+            .objects()
+            .iter()
+            .map(|object| object.shape.triangles());
+        shapes.collect::<Vec<_>>()
+    };
+    assert_eq!(parts(&loaded), parts(&again));
+    assert_eq!(
+        to_toml(&again.scene, &again.camera, &again.meshes).unwrap(),
+        saved
+    );
+
+    let missing = write("part.toml", &entry("file = \"two.obj\"\npart = 3"));
+    let error = load(&[missing]).unwrap_err();
+    assert!(
+        error.contains("part.toml:1:") && error.contains("2 objects"),
+        "{error}"
+    );
+    let zero = write("zero.toml", &entry("file = \"two.obj\"\npart = 0"));
+    assert!(load(&[zero]).unwrap_err().contains("count from 1"));
+    // After a scene file, an OBJ file's objects go on counting.
+    let both = load(&[
+        folder.path().join("scene.toml"),
+        folder.path().join("one.obj"),
+    ])
+    .unwrap();
+    assert_eq!(both.scene.objects().len(), 7);
+    assert_eq!(both.meshes.len(), 2, "also when both name it");
 }

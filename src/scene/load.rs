@@ -164,10 +164,7 @@ impl From<ObjError> for LoadError {
 impl From<DescriptionError> for LoadError {
     fn from(error: DescriptionError) -> Self {
         match *error.problem {
-            Problem::Mesh {
-                source: ObjError::Cancelled(cancelled),
-                ..
-            } => Self::Cancelled(cancelled),
+            Problem::Mesh(ObjError::Cancelled(cancelled)) => Self::Cancelled(cancelled),
             _ => Self::Scene(error),
         }
     }

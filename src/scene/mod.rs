@@ -2,14 +2,16 @@
 
 mod demo;
 pub mod description;
+mod entry;
 mod load;
 pub mod obj;
+mod problem;
 mod progress;
 mod warning;
 
-pub use description::{DescriptionError, Problem, SaveError};
 pub use load::{LoadError, Loaded, MeshFiles, load};
 pub use obj::{ObjError, ObjFile};
+pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
 pub use warning::Warning;
 

@@ -1,0 +1,292 @@
+//! One `[[object]]` of a scene file, and its colour and model matrix in people's words.
+
+use super::{ObjError, Object, Problem, SaveError, Shape};
+use crate::{
+    camera::{exactly, some_vector},
+    colour::Srgb,
+    geometry::{Mesh, Placement},
+};
+use glam::{DAffine3, DMat3, DVec3};
+use serde::{Deserialize, Serialize};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+/// What a scene file says about one object, or about all objects of a mesh file.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Entry {
+    name: Option<String>,
+    shape: ShapeWord,
+    file: Option<String>,
+    part: Option<usize>,
+    #[serde(alias = "color")]
+    colour: Option<Colour>,
+    #[serde(default, deserialize_with = "some_vector")]
+    position: Option<DVec3>,
+    #[serde(default, deserialize_with = "some_vector")]
+    rotation: Option<DVec3>,
+    scale: Option<Scale>,
+    matrix: Option<Rows>,
+    visible: Option<bool>,
+}
+
+/// The model matrix's upper three rows; the fourth is always (0, 0, 0, 1).
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(transparent)]
+struct Rows(#[serde(deserialize_with = "exactly")] [Row; 3]);
+
+/// A row of the model matrix.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(transparent)]
+struct Row(#[serde(deserialize_with = "exactly")] [f64; 4]);
+
+#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum ShapeWord {
+    Sphere,
+    Cube,
+    Square,
+    Mesh,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(untagged, expecting = "a scale is one number or [x, y, z]")]
+enum Scale {
+    Uniform(f64),
+    Axes(#[serde(deserialize_with = "exactly")] [f64; 3]),
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(try_from = "ColourText", into = "ColourText")]
+struct Colour(Srgb);
+
+#[derive(Serialize, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "a colour is \"#rrggbb\" or [r, g, b] with channels from 0 to 1"
+)]
+enum ColourText {
+    Hex(String),
+    Unit(#[serde(deserialize_with = "exactly")] [f64; 3]),
+}
+
+impl TryFrom<ColourText> for Colour {
+    type Error = &'static str;
+
+    fn try_from(text: ColourText) -> Result<Self, Self::Error> {
+        const WANTED: &str = "a colour is \"#rrggbb\" or [r, g, b] with channels from 0 to 1";
+        match text {
+            ColourText::Hex(text) => {
+                let digits = text.strip_prefix('#').ok_or(WANTED)?;
+                if digits.len() != 6 || !digits.bytes().all(|digit| digit.is_ascii_hexdigit()) {
+                    return Err(WANTED);
+                }
+                let value = u32::from_str_radix(digits, 16).map_err(|_| WANTED)?;
+                let [_, r, g, b] = value.to_be_bytes();
+                Ok(Self(Srgb([r, g, b])))
+            }
+            ColourText::Unit(channels) => {
+                let all_in_range = channels.iter().all(|c| (0.0..=1.0).contains(c));
+                all_in_range
+                    .then(|| Self(Srgb::from_unit(channels)))
+                    .ok_or(WANTED)
+            }
+        }
+    }
+}
+
+impl From<Colour> for ColourText {
+    fn from(Colour(Srgb([r, g, b])): Colour) -> Self {
+        Self::Hex(format!("#{r:02x}{g:02x}{b:02x}"))
+    }
+}
+
+impl Entry {
+    /// The objects that the entry stands for: one, or those of its mesh file.
+    pub(super) fn objects(
+        &self,
+        folder: &Path,
+        load: &mut dyn FnMut(&Path) -> Result<Arc<Mesh>, ObjError>,
+    ) -> Result<Vec<Object>, Problem> {
+        let shape = match self.shape {
+            ShapeWord::Sphere => Shape::Sphere,
+            ShapeWord::Cube => Shape::Cube,
+            ShapeWord::Square => Shape::Square,
+            ShapeWord::Mesh => return self.mesh_objects(folder, load),
+        };
+        if self.file.is_some() {
+            return Err(Problem::NotAMesh("file"));
+        }
+        if self.part.is_some() {
+            return Err(Problem::NotAMesh("part"));
+        }
+        let kind = match shape {
+            Shape::Cube => "Cube",
+            Shape::Square => "Square",
+            _ => "Sphere",
+        };
+        let name = self.name.as_deref().unwrap_or(kind);
+        Ok(vec![self.object(
+            name.to_owned(),
+            shape,
+            self.placement(name)?,
+        )])
+    }
+
+    fn mesh_objects(
+        &self,
+        folder: &Path,
+        load: &mut dyn FnMut(&Path) -> Result<Arc<Mesh>, ObjError>,
+    ) -> Result<Vec<Object>, Problem> {
+        let file = self.file.as_ref().ok_or(Problem::NoFile)?;
+        let placement = self.placement(self.name.as_deref().unwrap_or(file))?;
+        let mesh = load(&folder.join(file)).map_err(Problem::Mesh)?;
+        let parts = mesh.data().parts.len();
+        let wanted = match self.part {
+            None => 0..parts,
+            Some(part) if (1..=parts).contains(&part) => part - 1..part,
+            Some(part) => {
+                return Err(Problem::NoSuchPart {
+                    file: file.clone(),
+                    parts,
+                    part,
+                });
+            }
+        };
+        let single = wanted.len() == 1;
+        let objects = wanted.map(|part| {
+            let own = &mesh.data().parts[part].name;
+            let name = match &self.name {
+                Some(name) if single => name.clone(),
+                Some(name) => format!("{name}: {own}"),
+                None => own.clone(),
+            };
+            let mesh = Arc::clone(&mesh);
+            self.object(name, Shape::Mesh { mesh, part }, placement)
+        });
+        Ok(objects.collect())
+    }
+
+    fn object(&self, name: String, shape: Shape, placement: Placement) -> Object {
+        Object {
+            colour: self.colour.map(|Colour(colour)| colour),
+            visible: self.visible.unwrap_or(true),
+            ..Object::new(name, shape, placement)
+        }
+    }
+
+    fn placement(&self, object: &str) -> Result<Placement, Problem> {
+        let parts = self.position.is_some() || self.rotation.is_some() || self.scale.is_some();
+        let model = match self.matrix {
+            Some(_) if parts => {
+                return Err(Problem::Both("matrix and position, rotation or scale"));
+            }
+            Some(rows) => from_rows(rows),
+            None => DAffine3 {
+                matrix3: self.rotation.map_or(DMat3::IDENTITY, rotation)
+                    * DMat3::from_diagonal(match self.scale {
+                        None => DVec3::ONE,
+                        Some(Scale::Uniform(scale)) => DVec3::splat(scale),
+                        Some(Scale::Axes(scale)) => scale.into(),
+                    }),
+                translation: self.position.unwrap_or(DVec3::ZERO),
+            },
+        };
+        Placement::new(model).map_err(|source| Problem::Placement {
+            object: object.to_owned(),
+            source,
+        })
+    }
+
+    /// The entry that says what an object is.
+    pub(super) fn of(object: &Object, meshes: &[(PathBuf, Arc<Mesh>)]) -> Result<Self, SaveError> {
+        let mut entry = Self {
+            name: Some(object.name.clone()),
+            shape: match object.shape {
+                Shape::Sphere => ShapeWord::Sphere,
+                Shape::Cube => ShapeWord::Cube,
+                Shape::Square => ShapeWord::Square,
+                Shape::Mesh { .. } => ShapeWord::Mesh,
+            },
+            file: None,
+            part: None,
+            colour: object.colour.map(Colour),
+            position: None,
+            rotation: None,
+            scale: None,
+            matrix: None,
+            visible: (!object.visible).then_some(false),
+        };
+        if let Shape::Mesh { mesh, part } = &object.shape {
+            let known = meshes.iter().find(|(_, other)| Arc::ptr_eq(mesh, other));
+            let (path, _) = known.ok_or_else(|| SaveError::NoFile(object.name.clone()))?;
+            let text = path
+                .to_str()
+                .ok_or_else(|| SaveError::Path(path.display().to_string()))?;
+            entry.file = Some(text.to_owned());
+            entry.part = Some(part + 1);
+        }
+        // In words where they give the same bits, for people who read the file; as a matrix otherwise.
+        let model = object.placement.model();
+        let DMat3 {
+            x_axis,
+            y_axis,
+            z_axis,
+        } = model.matrix3;
+        let scale = DVec3::new(x_axis.x, y_axis.y, z_axis.z);
+        entry.position = (model.translation != DVec3::ZERO).then_some(model.translation);
+        entry.scale = (scale != DVec3::ONE).then(|| Scale::Axes(scale.to_array()));
+        let bits = |model: DAffine3| model.to_cols_array().map(f64::to_bits);
+        let same = entry
+            .placement(&object.name)
+            .is_ok_and(|placement| bits(placement.model()) == bits(model));
+        if !same {
+            (entry.position, entry.scale) = (None, None);
+            entry.matrix = Some(rows(model));
+        }
+        Ok(entry)
+    }
+}
+
+/// Turns by degrees about the world's x axis, then its y axis, then its z axis: `Rz * Ry * Rx`.
+fn rotation(degrees: DVec3) -> DMat3 {
+    let [(sx, cx), (sy, cy), (sz, cz)] = degrees.to_array().map(sin_cos_degrees);
+    DMat3::from_cols(
+        DVec3::new(cz * cy, sz * cy, -sy),
+        DVec3::new(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx),
+        DVec3::new(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx),
+    )
+}
+
+/// Sine and cosine of an angle in degrees; exact for quarter turns, so that a box turned by 90 stays axis-aligned.
+fn sin_cos_degrees(angle: f64) -> (f64, f64) {
+    let quarters = (angle / 90.0).round();
+    let (sin, cos) = (angle - 90.0 * quarters).to_radians().sin_cos();
+    match quarters.rem_euclid(4.0) {
+        1.0 => (cos, -sin),
+        2.0 => (-sin, -cos),
+        3.0 => (-cos, sin),
+        _ => (sin, cos),
+    }
+}
+
+fn from_rows(Rows([Row(x), Row(y), Row(z)]): Rows) -> DAffine3 {
+    let column = |i: usize| DVec3::new(x[i], y[i], z[i]);
+    DAffine3 {
+        matrix3: DMat3::from_cols(column(0), column(1), column(2)),
+        translation: column(3),
+    }
+}
+
+fn rows(model: DAffine3) -> Rows {
+    let DAffine3 {
+        matrix3,
+        translation,
+    } = model;
+    Rows(std::array::from_fn(|i| {
+        let row = matrix3.row(i);
+        Row([row.x, row.y, row.z, translation[i]])
+    }))
+}

@@ -1,0 +1,80 @@
+//! What can be wrong with a scene file, and with saving one.
+
+use super::ObjError;
+use crate::geometry::PlacementError;
+use std::path::{Path, PathBuf};
+
+/// Why a scene file was refused. One line that names the file and, where it can be told, the line.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {problem}", place(file, *line))]
+pub struct DescriptionError {
+    /// The scene file.
+    pub file: PathBuf,
+    /// The line in it, from 1.
+    pub line: Option<usize>,
+    /// What is wrong there.
+    #[source]
+    pub problem: Box<Problem>,
+}
+
+fn place(file: &Path, line: Option<usize>) -> String {
+    match line {
+        Some(line) => format!("{}:{line}", file.display()),
+        None => file.display().to_string(),
+    }
+}
+
+/// What is wrong in a scene file.
+#[derive(Debug, thiserror::Error)]
+pub enum Problem {
+    /// It is not TOML, or not a scene's.
+    #[error("{0}")]
+    Syntax(String),
+    /// Two fields that say the same thing.
+    #[error("{0} exclude each other: keep one")]
+    Both(&'static str),
+    /// TOML knows `nan` and `inf`; space does not.
+    #[error("{0} must be finite")]
+    NotFinite(&'static str),
+    /// No such model matrix.
+    #[error("{object}: {source}")]
+    Placement {
+        /// Name of the object.
+        object: String,
+        /// What is wrong with the matrix.
+        source: PlacementError,
+    },
+    /// A mesh comes from a file.
+    #[error("a mesh needs its file: file = \"name.obj\"")]
+    NoFile,
+    /// Only a mesh comes from a file.
+    #[error("{0} is for shape = \"mesh\" only")]
+    NotAMesh(&'static str),
+    /// The mesh file has fewer objects.
+    #[error("{file} has {parts} objects, so there is no part {part}: parts count from 1")]
+    NoSuchPart {
+        /// The mesh file.
+        file: String,
+        /// How many objects it has.
+        parts: usize,
+        /// What was asked for.
+        part: usize,
+    },
+    /// The mesh file was refused; the message names it.
+    #[error(transparent)]
+    Mesh(ObjError),
+}
+
+/// Why a scene cannot be written as a scene file.
+#[derive(Debug, thiserror::Error)]
+pub enum SaveError {
+    /// A mesh that was made, not loaded.
+    #[error("{0} comes from no file, so a scene file cannot name it")]
+    NoFile(String),
+    /// TOML is UTF-8.
+    #[error("the path {0} is not text that a scene file can hold")]
+    Path(String),
+    /// The TOML writer's complaint.
+    #[error("cannot write the scene as TOML: {0}")]
+    Toml(#[from] toml::ser::Error),
+}

@@ -1,0 +1,523 @@
+//! The program as a process: arguments in; results, one-line errors and exit codes out.
+
+mod common;
+
+use serde_json::Value;
+use std::{
+    io::Write,
+    path::PathBuf,
+    process::{Command, Output, Stdio},
+};
+use tempfile::TempDir;
+
+/// Two cubes in a row and a ball behind them, all on the z axis, and a camera that looks along it.
+const SCENE: &str = r#"
+[camera]
+eye = [0, 0, 10]
+target = [0, 0, 0]
+fov = 40
+
+[[object]]
+name = "Front"
+shape = "cube"
+position = [0, 0, 2]
+
+[[object]]
+name = "Middle"
+shape = "cube"
+
+[[object]]
+name = "Ball"
+shape = "sphere"
+position = [0, 0, -2]
+scale = 2
+"#;
+
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        let folder = Self(tempfile::tempdir().unwrap());
+        std::fs::write(folder.path("scene.toml"), SCENE).unwrap();
+        folder
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn command(&self, args: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
+        command
+            .args(args.split_whitespace())
+            .current_dir(self.0.path());
+        command.env_remove("RUST_LOG");
+        command
+    }
+
+    fn run(&self, args: &str) -> Output {
+        self.command(args).output().unwrap()
+    }
+
+    /// Runs with lines on standard input.
+    fn run_with(&self, args: &str, input: &str) -> Output {
+        let mut command = self.command(args);
+        command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let written = child.stdin.take().unwrap().write_all(input.as_bytes());
+        // The program may stop reading at a bad line.
+        written
+            .or_else(|error| {
+                if error.kind() == std::io::ErrorKind::BrokenPipe {
+                    Ok(())
+                } else {
+                    Err(error)
+                }
+            })
+            .unwrap();
+        child.wait_with_output().unwrap()
+    }
+
+    /// Standard output of a run that must succeed in silence, as JSON lines.
+    #[track_caller]
+    fn json(&self, args: &str) -> Vec<Value> {
+        json(&self.run(args))
+    }
+
+    /// The one line on standard error of a run that must fail with this code and no result.
+    #[track_caller]
+    fn error(&self, args: &str, code: i32) -> String {
+        let output = self.run(args);
+        assert!(output.stdout.is_empty(), "{args}: no result");
+        error(&output, code, args)
+    }
+}
+
+#[track_caller]
+fn json(output: &Output) -> Vec<Value> {
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && stderr.is_empty(), "{stderr}");
+    let stdout = std::str::from_utf8(&output.stdout).unwrap();
+    stdout
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("a line of JSON"))
+        .collect()
+}
+
+#[track_caller]
+fn error(output: &Output, code: i32, args: &str) -> String {
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(code), "{args}: {stderr}");
+    assert_eq!(stderr.lines().count(), 1, "{args}: one line, not {stderr}");
+    assert!(stderr.starts_with("sightline: "), "{args}: {stderr}");
+    stderr
+}
+
+#[test]
+fn a_pick_is_a_line_of_json() {
+    let lines = Folder::new().json("pick scene.toml --size 200x100 --at 100,50 5.25,7.5");
+    let [hit, miss] = &lines[..] else {
+        panic!("two lines, not {lines:?}");
+    };
+    assert_eq!(hit["px"], serde_json::json!([100.0, 50.0]));
+    let pick = &hit["hit"];
+    assert_eq!(
+        (&pick["object"], &pick["id"]),
+        (&Value::from("Front"), &Value::from(1))
+    );
+    assert_eq!(pick["point_world"], serde_json::json!([0.0, 0.0, 2.5]));
+    assert_eq!(pick["normal_world"], serde_json::json!([0.0, 0.0, 1.0]));
+    assert_eq!(
+        (&pick["t"], &pick["depth"], &pick["gap"]),
+        (&Value::from(7.5), &Value::from(7.5), &Value::from(1.0))
+    );
+    assert_eq!(
+        (&pick["front"], &pick["triangle"]),
+        (&Value::from(true), &Value::Null)
+    );
+    assert_eq!(miss, &serde_json::json!({"px": [5.25, 7.5], "hit": null}));
+}
+
+#[test]
+fn all_hits_come_from_front_to_back() {
+    let lines = Folder::new().json("pick scene.toml --size 200x100 --at 100,50 --all-hits");
+    let hits = lines[0]["hits"].as_array().unwrap();
+    let found: Vec<_> = hits
+        .iter()
+        .map(|hit| (hit["id"].as_u64().unwrap(), hit["t"].as_f64().unwrap()))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            (1, 7.5),
+            (1, 8.5),
+            (2, 9.5),
+            (2, 10.5),
+            (3, 11.0),
+            (3, 13.0)
+        ]
+    );
+    assert!(lines[0].get("hit").is_none());
+}
+
+#[test]
+fn standard_input_gives_positions() {
+    let folder = Folder::new();
+    let args = "pick scene.toml --size 200x100 --at -";
+    // Enough for trees to be built; blanks and empty lines do not matter.
+    let input = (0..100)
+        .map(|i| format!(" {i}.5, 50\r\n"))
+        .collect::<Vec<_>>()
+        .join("\n");
+    let lines = json(&folder.run_with(args, &input));
+    assert_eq!(lines.len(), 100);
+    assert_eq!(lines[99]["hit"]["object"], "Front");
+    assert_eq!(lines[7]["px"], serde_json::json!([7.5, 50.0]));
+    // The same as on the command line, to the bit.
+    assert_eq!(
+        folder.json("pick scene.toml --size 200x100 --at 99.5,50")[0],
+        lines[99]
+    );
+
+    for (input, line, word) in [
+        ("1,2\nhere\n", 2, "X,Y"),
+        ("1,2,3\n", 1, "X,Y"),
+        ("1,2\n\n1\n", 3, "X,Y"),
+        ("nan,2\n", 1, "X,Y"),
+        ("200,2\n", 1, "outside"),
+    ] {
+        let error = error(&folder.run_with(args, input), 2, input);
+        assert!(
+            error.contains(&format!("line {line}:")) && error.contains(word),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn flags_choose_the_view() {
+    let folder = Folder::new();
+    let pick = |flags: &str| {
+        folder
+            .json(&format!(
+                "pick scene.toml --size 200x100 --at 100,50 {flags}"
+            ))
+            .remove(0)["hit"]
+            .take()
+    };
+    let object = |flags: &str| pick(flags)["object"].as_str().map(str::to_owned);
+    // Negative numbers are values.
+    assert_eq!(object("--eye -0.1,-0.1,-9").as_deref(), Some("Ball"));
+    assert_eq!(
+        object("--eye 0,0,-9 --look 0,0,-1"),
+        None,
+        "away from everything"
+    );
+    assert_eq!(object("--look -0,0,-1").as_deref(), Some("Front"));
+    assert_eq!(pick("--ortho 3 --near -5 --far 20")["t"], 7.5);
+    assert_eq!(pick("--ortho 3 --eye 0,0,-1 --near -5 --far 20")["t"], -2.0);
+    assert_eq!(pick("--near 8")["depth"], 8.5);
+    assert_eq!(
+        pick("--near 8 --cull")["depth"],
+        9.5,
+        "not the back of the first cube"
+    );
+    assert_eq!(object("--far 7"), None);
+    assert_eq!(
+        pick("--near 1 --far 100 --depth standard")["ndc"][2],
+        100.0 / 99.0 - 100.0 / 99.0 / 7.5
+    );
+    assert_eq!(object("--hide 1").as_deref(), Some("Middle"));
+    assert_eq!(object("--hide 2,1").as_deref(), Some("Ball"));
+    assert_eq!(object("--hide 1,2,3"), None);
+    // With z up, the eye above looks down and needs no up.
+    assert_eq!(
+        object("--up-axis z --target 0,0,0").as_deref(),
+        Some("Front")
+    );
+    // The pixel moves with the field of view, and up turns the picture.
+    let at = |flags: &str| {
+        folder
+            .json(&format!(
+                "pick scene.toml --size 200x200 --at 110,100 {flags}"
+            ))
+            .remove(0)["hit"]["point_world"]
+            .take()
+    };
+    let expected = 7.5 * 0.1 * 20_f64.to_radians().tan();
+    assert!((at("")[0].as_f64().unwrap() - expected).abs() < 1e-12);
+    assert!((at("--up 1,0,0")[1].as_f64().unwrap() + expected).abs() < 1e-12);
+    assert_eq!(
+        folder.json("pick scene.toml --at 639.5,719").len(),
+        1,
+        "1280x720 unless said otherwise"
+    );
+}
+
+#[test]
+fn a_wrong_use_is_exit_code_2() {
+    let folder = Folder::new();
+    for (args, word) in [
+        ("pick scene.toml", "--at"),
+        ("pick scene.toml --at 5", "X,Y"),
+        ("pick --at 5,5 scene.toml", "before --at"),
+        ("pick scene.toml --at 5,nan", "X,Y"),
+        ("pick scene.toml --at 1280,5", "outside"),
+        ("pick scene.toml --at 5,720", "outside"),
+        ("pick scene.toml --at=-0.5,5", "outside"),
+        ("pick scene.toml --at -1,5", "-1"),
+        ("pick scene.toml --at 5,5 --size 5", "WxH"),
+        ("pick scene.toml --at 5,5 --size 0x5", "WxH"),
+        ("pick scene.toml --at 5,5 --size 99999x99999", "WxH"),
+        ("pick scene.toml --at 5,5 --eye 1,2", "x,y,z"),
+        ("pick scene.toml --at 5,5 --eye --cull", "x,y,z"),
+        ("pick scene.toml --at 5,5 --fov 0", "180"),
+        ("pick scene.toml --at 5,5 --fov inf", "finite"),
+        ("pick scene.toml --at 5,5 --near 5 --far 4", "near"),
+        ("pick scene.toml --at 5,5 --near 0", "near"),
+        ("pick scene.toml --at 5,5 --far -1", "near"),
+        ("pick scene.toml --at 5,5 --ortho -3", "height"),
+        (
+            "pick scene.toml --at 5,5 --ortho 3 --fov 40",
+            "cannot be used with",
+        ),
+        (
+            "pick scene.toml --at 5,5 --look 0,0,1 --target 1,1,1",
+            "cannot be used with",
+        ),
+        ("pick scene.toml --at 5,5 --up 0,0,1", "line of sight"),
+        ("pick scene.toml --at 5,5 --target 0,0,10", "same point"),
+        ("pick scene.toml --at 5,5 --depth upside", "reversed"),
+        ("pick scene.toml --at 5,5 --up-axis x", "up-axis"),
+        ("pick scene.toml --at 5,5 --hide 4", "1 to 3"),
+        ("pick scene.toml --at 5,5 --hide 0", "1 to 3"),
+        ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
+        ("render scene.toml", "--output"),
+        ("render scene.toml -o a.png --by magic", "raycast"),
+        (
+            "render scene.toml -o a.png --by raycast --pick 1280,0",
+            "outside",
+        ),
+    ] {
+        let error = folder.error(args, 2);
+        assert!(error.contains(word), "{args}: {error} does not say {word}");
+    }
+    assert!(!folder.path("a.png").exists());
+}
+
+#[test]
+fn a_bad_file_is_exit_code_3_and_named() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("bad.toml"), "[[object]]\nshape = \"ball\"\n").unwrap();
+    std::fs::write(folder.path("camera.toml"), "[camera]\nnear = 5\nfar = 4\n").unwrap();
+    std::fs::write(
+        folder.path("odd.toml"),
+        "[[object]]\nshape = \"cu\\nbe\\u0007\"\n",
+    )
+    .unwrap();
+    for (args, word) in [
+        ("pick missing.toml --at 1,1", "missing.toml"),
+        ("list scene.toml bad.toml", "bad.toml:2"),
+        ("pick camera.toml --at 1,1", "camera.toml"),
+        ("list odd.toml", "odd.toml:2"),
+        ("render scene.toml --by raycast -o nowhere/a.png", "nowhere"),
+    ] {
+        let error = folder.error(args, 3);
+        assert!(error.contains(word), "{args}: {error} does not say {word}");
+        assert!(!error.trim_end().contains(char::is_control), "{error:?}");
+    }
+}
+
+#[test]
+fn lists_have_a_line_an_object() {
+    let folder = Folder::new();
+    let lines = folder.json("list scene.toml scene.toml --json");
+    assert_eq!(lines.len(), 6);
+    assert_eq!(
+        lines[5],
+        serde_json::json!({
+            "id": 6, "name": "Ball", "shape": "sphere", "triangles": null, "visible": true,
+            "bounds": {"min": [-1.0, -1.0, -3.0], "max": [1.0, 1.0, -1.0]},
+        })
+    );
+    let output = folder.run("list scene.toml");
+    let table = String::from_utf8(output.stdout).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(rows[0], ["id", "name", "shape", "triangles", "min", "max"]);
+    assert_eq!(
+        rows[1],
+        [
+            "1", "Front", "cube", "-", "-0.5,", "-0.5,", "1.5", "0.5,", "0.5,", "2.5"
+        ]
+    );
+    assert_eq!(rows.len(), 4);
+    // Without a scene it is the demo, which has triangles.
+    let demo = folder.json("list --json");
+    assert!(
+        demo.iter()
+            .any(|line| line["triangles"].as_u64().is_some_and(|count| count > 200))
+    );
+}
+
+/// Colour type, bit depth, size and bytes of a PNG.
+fn read_png(path: &std::path::Path) -> (png::ColorType, png::BitDepth, [u32; 2], Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    (
+        info.color_type,
+        info.bit_depth,
+        [info.width, info.height],
+        bytes,
+    )
+}
+
+#[test]
+fn a_picture_by_raycast_shows_what_is_picked() {
+    let folder = Folder::new();
+    let args = "render scene.toml --by raycast --size 64x48 --eye 3,2,9";
+    let output = folder.run(&format!("{args} -o a.png --ids ids.png"));
+    assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+    let (colour, depth, size, plain) = read_png(&folder.path("a.png"));
+    assert_eq!(
+        (colour, depth, size),
+        (png::ColorType::Rgb, png::BitDepth::Eight, [64, 48])
+    );
+    let (colour, depth, size, ids) = read_png(&folder.path("ids.png"));
+    assert_eq!(
+        (colour, depth, size),
+        (png::ColorType::Grayscale, png::BitDepth::Sixteen, [64, 48])
+    );
+    let ids: Vec<u64> = ids
+        .chunks(2)
+        .map(|id| u64::from(id[0]) << 8 | u64::from(id[1]))
+        .collect();
+
+    let centres: String = (0..48)
+        .flat_map(|y| (0..64).map(move |x| format!("{x}.5,{y}.5\n")))
+        .collect();
+    let picks = folder.run_with("pick scene.toml --size 64x48 --eye 3,2,9 --at -", &centres);
+    let picked: Vec<u64> = json(&picks)
+        .iter()
+        .map(|line| line["hit"]["id"].as_u64().unwrap_or(0))
+        .collect();
+    assert_eq!(ids, picked);
+    for id in 0..=3 {
+        assert!(
+            ids.iter().filter(|&&found| found == id).count() > 20,
+            "object {id} shows"
+        );
+    }
+
+    // Selecting changes the selected object's pixels, and an outline of a few around what it covers.
+    let ball = ids.iter().rposition(|&id| id == 3).unwrap();
+    let at = format!("{}.5,{}.5", ball % 64, ball / 64);
+    assert!(
+        folder
+            .run(&format!("{args} -o b.png --pick {at}"))
+            .status
+            .success()
+    );
+    let (.., selected) = read_png(&folder.path("b.png"));
+    let changed: Vec<bool> = plain
+        .chunks(3)
+        .zip(selected.chunks(3))
+        .map(|(a, b)| a != b)
+        .collect();
+    let count = |id: u64| {
+        ids.iter()
+            .zip(&changed)
+            .filter(|(found, changed)| **found == id && **changed)
+            .count()
+    };
+    assert_eq!(
+        count(3),
+        ids.iter().filter(|&&id| id == 3).count(),
+        "all of it is tinted"
+    );
+    assert!(count(0) > 5, "the outline lies around it");
+    assert!(
+        count(1) + count(2) > 5,
+        "and is seen through what is in front"
+    );
+    assert!(
+        ids.iter()
+            .zip(&changed)
+            .any(|(id, changed)| *id == 1 && !changed)
+    );
+    // Where nothing is, nothing is selected.
+    assert!(
+        folder
+            .run(&format!("{args} -o c.png --pick 0,0"))
+            .status
+            .success()
+    );
+    assert_eq!(read_png(&folder.path("c.png")).3, plain);
+}
+
+#[test]
+fn the_demo_is_there_without_a_scene() {
+    let lines = Folder::new().json("pick --at 640,360");
+    assert_ne!(lines[0]["hit"], Value::Null);
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    let folder = Folder::new();
+    for args in [
+        "--help",
+        "pick --help",
+        "render -h",
+        "list --help",
+        "--version",
+    ] {
+        let output = folder.run(args);
+        assert!(
+            output.status.success() && output.stderr.is_empty(),
+            "{args}"
+        );
+        assert!(!output.stdout.is_empty(), "{args}");
+    }
+    let version = String::from_utf8(folder.run("--version").stdout).unwrap();
+    assert_eq!(
+        version.trim(),
+        concat!("sightline ", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn verbose_says_on_standard_error_what_is_done() {
+    let output = Folder::new().run("pick scene.toml --at 1,1 -v");
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(stderr.contains("loaded scene.toml: 3 objects"), "{stderr}");
+    assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let folder = Folder::new();
+    let mut command = folder.command("pick scene.toml --at -");
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    drop(child.stdout.take());
+    let mut input = child.stdin.take().unwrap();
+    while input.write_all(b"640,360\n").is_ok() {}
+    drop(input);
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{:?}", output.status);
+    assert!(
+        output.stderr.is_empty(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
