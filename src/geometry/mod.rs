@@ -89,7 +89,7 @@ impl Hit {
 /// Which triangle of a mesh, and where on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnTriangle {
-    /// Index into [`Mesh::triangles`].
+    /// Index into [`MeshData::triangles`].
     pub triangle: u32,
     /// Weights of its corners, in order.
     pub barycentric: [f64; 3],

@@ -1,6 +1,6 @@
 //! The window: the only place that names winit or egui.
 //!
-//! Events become egui's input; the panels and the scene widget turn that into [`Command`]s; those that change the
+//! Events become egui's input; the panels and the scene widget turn that into commands; those that change the
 //! picture are [`action::Action`]s, applied to the [`state::State`]; the frame draws what the state says. Nothing is
 //! drawn unless something happened.
 
