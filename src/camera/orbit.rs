@@ -1,7 +1,7 @@
 //! Turning, shifting and zooming the view with the mouse.
 
 use super::{Camera, CameraError, Lens, Projection, Viewport};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, sin_cos_quarters};
 use glam::{DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -170,8 +170,8 @@ impl Orbit {
 
     /// Unit columns R, U and -F.
     fn axes(&self) -> DMat3 {
-        let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
-        let (sin_pitch, cos_pitch) = self.pitch.sin_cos();
+        let (sin_yaw, cos_yaw) = sin_cos_quarters(self.yaw / FRAC_PI_2);
+        let (sin_pitch, cos_pitch) = sin_cos_quarters(self.pitch / FRAC_PI_2);
         self.frame
             * DMat3::from_cols(
                 DVec3::new(cos_yaw, 0.0, -sin_yaw),

@@ -73,36 +73,11 @@ impl Aabb {
         })
     }
 
-    /// The parameters at which `ray`'s line enters and leaves the closed box, not clipped to the ray's
-    /// interval; `None` when it passes by.
+    /// Whether `ray` may hit something in the closed box within its interval, with room for the rounding of the slab
+    /// arithmetic, so that a box never hides what it holds. `inverse` is `1 / direction`.
     ///
-    /// `inverse` is `1 / direction`. A ray that runs within a face (where `0 * inf` is NaN) is inside that
-    /// slab: the comparisons are ordered so that NaN never wins (Barnes 2015, "Fast, branchless
-    /// ray/bounding box intersections, part 2").
-    #[must_use]
-    pub fn span(&self, origin: DVec3, inverse: DVec3) -> Option<(f64, f64)> {
-        let mut enter = f64::NEG_INFINITY;
-        let mut leave = f64::INFINITY;
-        for axis in 0..3 {
-            let a = (self.min[axis] - origin[axis]) * inverse[axis];
-            let b = (self.max[axis] - origin[axis]) * inverse[axis];
-            let (near, far) = if inverse[axis].is_sign_negative() {
-                (b, a)
-            } else {
-                (a, b)
-            };
-            if near > enter {
-                enter = near;
-            }
-            if far < leave {
-                leave = far;
-            }
-        }
-        (enter <= leave).then_some((enter, leave))
-    }
-
-    /// Whether `ray` may hit something in the box: [`Aabb::span`] overlaps its interval, with room for the
-    /// rounding of the slab arithmetic, so that a box never hides what it holds.
+    /// A ray that runs within a face (where `0 * inf` is NaN) is inside that slab: the comparisons are ordered so that
+    /// NaN never wins (Barnes 2015, "Fast, branchless ray/bounding box intersections, part 2").
     ///
     /// Each bound is `(plane - origin) * inverse` with three roundings, one of them in `inverse`: a relative
     /// error of at most `gamma(3)`. Widening both ends by twice that covers near and far plane together

@@ -24,7 +24,7 @@ pub use bvh::Bvh;
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
-pub use placement::{Placement, PlacementError};
+pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub use sphere::Sphere;
 pub use square::Square;
 pub use triangle::{TriangleHit, TriangleTest, signed_volume};

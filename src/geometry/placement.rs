@@ -2,6 +2,7 @@
 
 use super::Ray;
 use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles};
+use std::f64::consts::FRAC_PI_2;
 
 /// An invertible affine model matrix with its inverse: translation, rotation, non-uniform scale, mirroring
 /// and shear alike.
@@ -118,5 +119,19 @@ impl Placement {
         let unit = normal_object / normal_object.abs().max_element();
         let normal = self.inverse_linear.transpose() * unit;
         (normal / normal.abs().max_element()).normalize_or_zero()
+    }
+}
+
+/// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that what is turned by them
+/// stays along the axes.
+#[must_use]
+pub fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
+    let whole = quarter_turns.round();
+    let (sin, cos) = ((quarter_turns - whole) * FRAC_PI_2).sin_cos();
+    match whole.rem_euclid(4.0) {
+        1.0 => (cos, -sin),
+        2.0 => (-sin, -cos),
+        3.0 => (-cos, sin),
+        _ => (sin, cos),
     }
 }

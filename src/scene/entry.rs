@@ -4,7 +4,7 @@ use super::{ObjError, Object, Problem, SaveError, Shape};
 use crate::{
     camera::{exactly, some_vector},
     colour::Srgb,
-    geometry::{Mesh, Placement},
+    geometry::{Mesh, Placement, sin_cos_quarters},
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -252,24 +252,12 @@ impl Entry {
 
 /// Turns by degrees about the world's x axis, then its y axis, then its z axis: `Rz * Ry * Rx`.
 fn rotation(degrees: DVec3) -> DMat3 {
-    let [(sx, cx), (sy, cy), (sz, cz)] = degrees.to_array().map(sin_cos_degrees);
+    let [(sx, cx), (sy, cy), (sz, cz)] = (degrees / 90.0).to_array().map(sin_cos_quarters);
     DMat3::from_cols(
         DVec3::new(cz * cy, sz * cy, -sy),
         DVec3::new(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx),
         DVec3::new(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx),
     )
-}
-
-/// Sine and cosine of an angle in degrees; exact for quarter turns, so that a box turned by 90 stays axis-aligned.
-fn sin_cos_degrees(angle: f64) -> (f64, f64) {
-    let quarters = (angle / 90.0).round();
-    let (sin, cos) = (angle - 90.0 * quarters).to_radians().sin_cos();
-    match quarters.rem_euclid(4.0) {
-        1.0 => (cos, -sin),
-        2.0 => (-sin, -cos),
-        3.0 => (-cos, sin),
-        _ => (sin, cos),
-    }
 }
 
 fn from_rows(Rows([Row(x), Row(y), Row(z)]): Rows) -> DAffine3 {

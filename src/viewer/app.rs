@@ -118,7 +118,7 @@ impl App {
     }
 
     /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal.
-    fn complain(&mut self, text: String) {
+    pub fn complain(&mut self, text: String) {
         log::error!("{text}");
         self.notices.push(Notice {
             text,
@@ -150,7 +150,7 @@ impl App {
             Command::Act(action) => self.act(action),
             Command::OpenDialog => {
                 let proxy = self.proxy.clone();
-                loading::open_dialog(move |paths| drop(proxy.send_event(Wake::Open(paths))));
+                loading::open_dialog(move |answer| drop(proxy.send_event(Wake::Answered(answer))));
             }
             Command::Open(paths) => self.open(paths),
             Command::CopyCommandLine => {

@@ -1,11 +1,12 @@
 //! The event loop's side: events in, passes over the panels, frames out.
 
 use super::{
-    Command, Notice, Wake,
+    Command, Wake,
     action::Action,
     app::App,
     frame::Panels,
     input::SceneRect,
+    loading::Answer,
     panels::{self, Shown},
     shell::Shell,
 };
@@ -104,10 +105,7 @@ impl App {
             Ok(false) => {}
             Err(error) => {
                 context.request_repaint();
-                self.notices.push(Notice {
-                    text: error.to_string(),
-                    is_error: true,
-                });
+                self.complain(error.to_string());
             }
         }
     }
@@ -148,8 +146,13 @@ impl ApplicationHandler<Wake> for App {
     fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
         match wake {
             Wake::Look => self.request_redraw(),
-            Wake::Open(paths) => {
-                self.open(paths);
+            Wake::Answered(answer) => {
+                match answer {
+                    Answer::Files(paths) => self.open(paths),
+                    Answer::NoDialog => self.complain(
+                        "this desktop has no file dialog: drop files on the window, or name them when starting".into(),
+                    ),
+                }
                 self.request_redraw();
             }
             Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),

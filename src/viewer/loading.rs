@@ -8,6 +8,7 @@ use std::{
         mpsc::{Receiver, TryRecvError, channel},
     },
     thread,
+    time::Instant,
 };
 
 /// A load under way. Dropping it cancels it.
@@ -57,16 +58,31 @@ pub(super) fn build_trees(scene: &Scene) {
     thread::spawn(move || scene.build_trees());
 }
 
-/// Asks for files; calls `chosen` with them, or not at all.
-pub(super) fn open_dialog(chosen: impl FnOnce(Vec<PathBuf>) + Send + 'static) {
+/// An answer faster than this, in seconds, is no person's: there is no dialog on this desktop.
+const FASTEST_ANSWER_S: f64 = 0.3;
+
+/// What came of asking for files.
+pub(super) enum Answer {
+    /// These.
+    Files(Vec<PathBuf>),
+    /// Nobody could be asked.
+    NoDialog,
+}
+
+/// Asks for files; calls `answered` unless the user thinks better of it.
+pub(super) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'static) {
     let dialog = rfd::AsyncFileDialog::new()
         .set_title("Open")
         .add_filter("Scenes", &["obj", "OBJ", "toml"])
         .add_filter("All files", &["*"])
         .pick_files();
-    thread::spawn(move || {
-        if let Some(files) = pollster::block_on(dialog) {
-            chosen(files.iter().map(|file| file.path().to_path_buf()).collect());
+    let asked = Instant::now();
+    thread::spawn(move || match pollster::block_on(dialog) {
+        Some(files) => {
+            let paths = files.iter().map(|file| file.path().to_path_buf());
+            answered(Answer::Files(paths.collect()));
         }
+        None if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => answered(Answer::NoDialog),
+        None => {}
     });
 }

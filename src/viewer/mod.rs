@@ -85,7 +85,7 @@ enum Wake {
     /// A load is done, or a tree.
     Look,
     /// The dialog was answered.
-    Open(Vec<PathBuf>),
+    Answered(loading::Answer),
     /// egui wants a frame then.
     RepaintAt(Instant),
 }
