@@ -1,6 +1,6 @@
 //! What can go wrong in a command, and the exit code that says so.
 
-use super::say;
+use super::terminal::say;
 use crate::{
     camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, viewer::ViewerError,
 };

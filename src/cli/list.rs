@@ -48,7 +48,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
             .collect::<Result<String, _>>()
             .map_err(|error| CliError::stdout(error.into()))?
     } else {
-        table(&lines)
+        table(&lines, loaded.scene.bounds().decimal_places())
     };
     std::io::stdout()
         .write_all(text.as_bytes())
@@ -69,14 +69,14 @@ fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// Columns as wide as their widest cell; numbers to the right.
-fn table(lines: &[Line]) -> String {
+/// Columns as wide as their widest cell; numbers to the right, coordinates with so many decimal places.
+fn table(lines: &[Line], places: usize) -> String {
     let mut rows = vec![["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned)];
     rows.extend(lines.iter().map(|line| {
         let corner = |pick: fn(&Bounds) -> DVec3| {
             line.bounds
                 .as_ref()
-                .map_or("-".to_owned(), |bounds| short(pick(bounds)))
+                .map_or("-".to_owned(), |bounds| short(pick(bounds), places))
         };
         [
             line.id.to_string(),
@@ -102,13 +102,13 @@ fn table(lines: &[Line]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// A point with six significant digits a coordinate.
-fn short(point: DVec3) -> String {
+/// A point with so many decimal places, less trailing zeros.
+fn short(point: DVec3, places: usize) -> String {
     let digits = |value: f64| {
-        let rounded = format!("{value:.5e}").parse().unwrap_or(value);
+        let rounded: f64 = format!("{value:.places$}").parse().unwrap_or(value);
         match rounded.abs() {
             0.0 => "0".to_owned(),
-            1e-4..1e7 => rounded.to_string(),
+            1e-5..1e9 => rounded.to_string(),
             _ => format!("{rounded:e}"),
         }
     };

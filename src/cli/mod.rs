@@ -6,6 +6,7 @@ mod error;
 mod list;
 mod pick;
 mod render;
+mod terminal;
 mod value;
 mod view;
 mod window;
@@ -19,7 +20,8 @@ pub use window::WindowArgs;
 
 use crate::scene::{self, Loaded, Progress};
 use clap::{Parser, Subcommand};
-use std::{ffi::OsString, io::Write, path::PathBuf, process::ExitCode, time::Instant};
+use std::{ffi::OsString, path::PathBuf, process::ExitCode, time::Instant};
+use terminal::start_log;
 
 /// How many warnings are printed before the rest is only counted.
 const WARNINGS_SHOWN: usize = 20;
@@ -89,19 +91,6 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// Log lines go to stderr; `RUST_LOG` says more, `-v` tells the phases.
-fn start_log(verbose: bool) {
-    let level = if verbose {
-        log::LevelFilter::Info
-    } else {
-        log::LevelFilter::Warn
-    };
-    env_logger::Builder::new()
-        .filter_level(level)
-        .parse_default_env()
-        .init();
-}
-
 /// Loads the scene that a command names and prints what the load warns of.
 fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     start_log(args.verbose);
@@ -115,10 +104,10 @@ fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
         start.elapsed()
     );
     for warning in loaded.warnings.iter().take(WARNINGS_SHOWN) {
-        say(&format!("warning: {warning}"));
+        log::warn!("{warning}");
     }
     if let Some(more @ 1..) = loaded.warnings.len().checked_sub(WARNINGS_SHOWN) {
-        say(&format!("warning: and {more} more"));
+        log::warn!("and {more} more");
     }
     Ok(loaded)
 }
@@ -128,18 +117,4 @@ fn build_trees(scene: &scene::Scene) {
     let start = Instant::now();
     scene.build_trees();
     log::info!("built the trees in {:.1?}", start.elapsed());
-}
-
-/// A line on stderr, whatever the text holds: names in files may contain control characters.
-fn say(text: &str) {
-    let mut line = String::with_capacity(text.len() + 16);
-    for c in text.chars() {
-        if c.is_control() {
-            line.extend(c.escape_default());
-        } else {
-            line.push(c);
-        }
-    }
-    // Nobody is left to tell when stderr is closed.
-    let _ = writeln!(std::io::stderr(), "sightline: {line}");
 }

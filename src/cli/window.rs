@@ -1,6 +1,6 @@
 //! `sightline` without a command: the window.
 
-use super::{CliError, SceneArgs, ViewArgs, start_log};
+use super::{CliError, SceneArgs, ViewArgs, terminal::start_log};
 use crate::{scene::LoadError, viewer};
 
 /// Arguments of the window.

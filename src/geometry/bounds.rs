@@ -60,6 +60,21 @@ impl Aabb {
         (0.5 * self.max - 0.5 * self.min).length()
     }
 
+    /// Decimal places with which to write coordinates in it: a millionth of its radius, which is about what vertices
+    /// carry. 6 for a box without size.
+    #[must_use]
+    pub fn decimal_places(&self) -> usize {
+        let radius = if self.is_empty() { 0.0 } else { self.radius() };
+        let size = if radius > 0.0 { radius } else { 1.0 };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let places = (6.0 - size.log10().floor()).clamp(0.0, 15.0) as usize;
+        places
+    }
+
     /// The eight corners.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {

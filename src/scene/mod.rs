@@ -186,6 +186,12 @@ impl Scene {
         self.bounds[object]
     }
 
+    /// The world-space box about all objects, hidden ones too; empty when there are none.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        (self.bounds.iter()).fold(Aabb::EMPTY, |all, bounds| all.union(*bounds))
+    }
+
     /// The world-space box about all that is visible; empty when nothing is.
     #[must_use]
     pub fn visible_bounds(&self) -> Aabb {

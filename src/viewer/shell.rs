@@ -39,6 +39,7 @@ impl Shell {
         let frame = Frame::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         let context = egui::Context::default();
         input::options(&context);
+        dark(&context);
         let wake = proxy.clone();
         context.set_request_repaint_callback(move |info| {
             let _ = wake.send_event(Wake::RepaintAt(
@@ -63,4 +64,12 @@ impl Shell {
             textures: egui::TexturesDelta::default(),
         })
     }
+}
+
+/// Panels as dark as the scene, whatever the desktop's theme, with errors that are readable on them.
+fn dark(context: &egui::Context) {
+    context.set_theme(egui::Theme::Dark);
+    let mut visuals = egui::Visuals::dark();
+    visuals.error_fg_color = egui::Color32::from_rgb(255, 120, 105);
+    context.set_visuals(visuals);
 }

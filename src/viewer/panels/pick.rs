@@ -16,22 +16,22 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     };
     let object = &state.scene().objects()[selection.object];
     ui.strong(format!("{} {}", selection.object + 1, object.name));
-    let radius = state.scene().visible_bounds().radius();
+    let places = state.scene().bounds().decimal_places();
     let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
             rows(
                 ui,
                 &[
-                    ("from", vector(bounds.min, places(radius))),
-                    ("to", vector(bounds.max, places(radius))),
+                    ("from", vector(bounds.min, places)),
+                    ("to", vector(bounds.max, places)),
                 ],
             );
         }
         ui.weak("Chosen from the list; click its surface for a point.");
         return;
     };
-    rows(ui, &record(hit, radius));
+    rows(ui, &record(hit, places));
     ui.horizontal(|ui| {
         if ui
             .button("copy JSON")
@@ -53,27 +53,16 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 /// Decimal places of what has no unit, and of pixels.
 const PLACES: usize = 6;
 
-/// Decimal places of lengths in a scene of this radius: a millionth of it, which is about what its vertices carry.
-fn places(radius: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped"
-    )]
-    let places = (6.0 - radius.log10().floor()).clamp(0.0, 15.0) as usize;
-    places
-}
-
-fn record(hit: &Pick, radius: f64) -> Vec<(&'static str, String)> {
-    let length = |value: f64| format!("{value:.*}", places(radius));
+fn record(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
+    let length = |value: f64| format!("{value:.places$}");
     let mut rows = Vec::new();
     if let Some(triangle) = hit.triangle {
         rows.push(("triangle", triangle.to_string()));
     }
     rows.push(("side", if hit.front { "front" } else { "back" }.into()));
-    rows.push(("world", vector(hit.point_world, places(radius))));
+    rows.push(("world", vector(hit.point_world, places)));
     rows.push(("  normal", vector(hit.normal_world, PLACES)));
-    rows.push(("object", vector(hit.point_object, places(radius))));
+    rows.push(("object", vector(hit.point_object, places)));
     rows.push(("  normal", vector(hit.normal_object, PLACES)));
     if let Some(barycentric) = hit.barycentric {
         rows.push(("barycentric", vector(barycentric.into(), PLACES)));

@@ -1,0 +1,45 @@
+//! What people read on stderr: one line a matter, errors, warnings and phases alike.
+
+use log::{Level, LevelFilter};
+use std::io::Write;
+
+/// Log lines go to stderr: warnings always, phases with `verbose`, of other crates only errors. `RUST_LOG` says more.
+pub(super) fn start_log(verbose: bool) {
+    let ours = if verbose {
+        LevelFilter::Info
+    } else {
+        LevelFilter::Warn
+    };
+    env_logger::Builder::new()
+        .filter_level(LevelFilter::Error)
+        .filter_module("sightline", ours)
+        .parse_default_env()
+        .format(|out, record| {
+            let kind = if record.level() == Level::Warn {
+                "warning: "
+            } else {
+                ""
+            };
+            writeln!(out, "{}", line(&format!("{kind}{}", record.args())))
+        })
+        .init();
+}
+
+/// A line on stderr.
+pub(super) fn say(text: &str) {
+    // Nobody is left to tell when stderr is closed.
+    let _ = writeln!(std::io::stderr(), "{}", line(text));
+}
+
+/// One line, whatever the text holds: names in files may contain control characters.
+fn line(text: &str) -> String {
+    let mut line = String::from("sightline: ");
+    for c in text.chars() {
+        if c.is_control() {
+            line.extend(c.escape_default());
+        } else {
+            line.push(c);
+        }
+    }
+    line
+}
