@@ -15,6 +15,7 @@ mod panels;
 mod shell;
 mod stage;
 pub mod state;
+mod update;
 
 use crate::{
     camera::{CameraChoice, CameraError, Viewport},

@@ -1,0 +1,230 @@
+//! What each action does to the state.
+
+use super::{
+    action::{Action, LensControls},
+    state::{DOUBLE_CLICK_S, LastClick, Selection, State, perspective_height},
+};
+use crate::{
+    camera::{Camera, Orbit, pixel_centre},
+    geometry::Aabb,
+    pick::{self, PickLine},
+};
+use glam::{DVec2, DVec3};
+
+/// Radians of orbit for a pixel of drag.
+const TURN_PER_PX: f64 = 0.008;
+
+impl State {
+    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing.
+    pub fn apply(&mut self, action: Action) -> Option<PickLine> {
+        match action {
+            Action::Resize(viewport) => {
+                self.view.viewport = viewport;
+            }
+            Action::BeginTurn(px) => {
+                if let Some(hit) = pick::closest(&self.scene, &self.view.ray(px), self.view.sides) {
+                    self.pivot_world = self.view.ray(px).at(hit.hit.t);
+                }
+            }
+            Action::Turn(by_px) => {
+                self.orbit.turn(
+                    self.pivot_world,
+                    -by_px.x * TURN_PER_PX,
+                    by_px.y * TURN_PER_PX,
+                );
+                self.moved();
+            }
+            Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
+            Action::Pan(by_px) => {
+                self.orbit.pan(
+                    by_px,
+                    self.pan_depth,
+                    self.view.camera.lens(),
+                    self.view.viewport,
+                );
+                self.moved();
+            }
+            Action::Zoom(px, factor) => {
+                self.orbit.zoom(self.point_at(px), factor);
+                self.moved();
+            }
+            Action::Click(px, time_s) => return Some(self.click(px, time_s)),
+            Action::Recentre(px) => {
+                let ray = self.view.ray(px);
+                let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
+                    return self.apply(Action::FrameAll);
+                };
+                self.pivot_world = ray.at(hit.hit.t);
+                self.orbit.center_on(self.pivot_world);
+                self.moved();
+            }
+            Action::Hover(px) => {
+                let hit = px.and_then(|px| {
+                    pick::closest(
+                        &self.scene,
+                        &self.view.ray(pixel_centre(px)),
+                        self.view.sides,
+                    )
+                });
+                self.hover = hit.map(|hit| hit.object);
+            }
+            Action::FrameAll => self.frame(self.scene.visible_bounds()),
+            Action::FrameSelection => {
+                let selected = self
+                    .selection
+                    .as_ref()
+                    .map(|selection| self.scene.bounds_of(selection.object));
+                self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
+            }
+            Action::LookFrom(direction) => {
+                self.orbit.look_from(self.up_axis, direction);
+                self.moved();
+            }
+            Action::ResetView => self.reset_view(),
+            Action::Pose([eye, target, up]) => {
+                if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
+                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
+                    self.view.camera = camera;
+                    self.fit();
+                }
+            }
+            Action::Lens(controls) => self.set_lens(controls),
+            Action::UpAxis(up_axis) => {
+                self.up_axis = up_axis;
+                self.opened_with.up_axis = Some(up_axis);
+                self.reset_view();
+            }
+            Action::Sides(sides) => self.view.sides = sides,
+            Action::Select(object) => {
+                self.selection = object.map(|object| Selection { object, pick: None });
+                self.last_click = None;
+            }
+            Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
+            Action::HideSelection => {
+                if let Some(selection) = self.selection.take() {
+                    self.show(|index| index == selection.object, false);
+                }
+            }
+            Action::Isolate => {
+                if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
+                    self.show(|index| index != object, false);
+                    self.show(|index| index == object, true);
+                }
+            }
+            Action::ShowAll => self.show(|_| true, true),
+            Action::ToggleGrid => self.grid = !self.grid,
+        }
+        None
+    }
+
+    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
+    fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
+        let px = pixel_centre(px);
+        let behind = match self.last_click {
+            Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {
+                last.behind + 1
+            }
+            Some(last) if last.pixel == px => last.behind,
+            _ => 0,
+        };
+        let hit = if behind == 0 {
+            pick::pick(&self.scene, &self.view, px)
+        } else {
+            let mut hits = pick::pick_all(&self.scene, &self.view, px);
+            let index = behind % hits.len().max(1);
+            (index < hits.len()).then(|| hits.swap_remove(index))
+        };
+        let line = PickLine { px, hit };
+        self.last_click = Some(LastClick {
+            pixel: px,
+            time_s,
+            behind,
+        });
+        self.selection = line.hit.as_ref().map(|hit| Selection {
+            object: hit.id - 1,
+            pick: Some(line.clone()),
+        });
+        line
+    }
+
+    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
+    fn point_at(&self, px: DVec2) -> DVec3 {
+        let ray = self.view.ray(px);
+        if let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) {
+            return ray.at(hit.hit.t);
+        }
+        let depth = self.view.camera.to_view(self.pivot_world).z;
+        // A pivot behind the eye, or on it, is no depth to work at.
+        let depth = if depth > 1e-3 * self.orbit.distance() {
+            depth
+        } else {
+            self.orbit.distance()
+        };
+        ray.at(depth / ray.direction.dot(self.view.camera.forward()))
+    }
+
+    fn frame(&mut self, bounds_world: Aabb) {
+        let fov_y = self.controls.fov_deg.to_radians();
+        self.orbit
+            .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
+        self.height_per_distance = perspective_height(self.controls.fov_deg);
+        self.pivot_world = self.orbit.target();
+        self.moved();
+    }
+
+    fn reset_view(&mut self) {
+        // The choices made a camera before; bounds and viewport cannot make them none.
+        if let Ok(camera) = self
+            .opened_with
+            .resolve(&self.scene.visible_bounds(), self.view.viewport)
+        {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.pivot_world = self.orbit.target();
+            self.moved();
+        }
+    }
+
+    fn set_lens(&mut self, controls: LensControls) {
+        if self.camera_with(&controls).is_err() {
+            return;
+        }
+        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
+        match (was_orthographic, controls.orthographic) {
+            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
+            (true, false) => {
+                // To where perspective shows the target as large as it was.
+                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
+                self.orbit.zoom(self.orbit.target(), nearer);
+                return self.moved();
+            }
+            _ => {}
+        }
+        self.fit();
+    }
+
+    fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
+        for index in 0..self.scene.objects().len() {
+            if which(index) {
+                self.scene.set_visible(index, visible);
+            }
+        }
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.fit();
+    }
+
+    /// The orbit changed: the camera follows.
+    fn moved(&mut self) {
+        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
+            self.view.camera = camera;
+        }
+        self.fit();
+    }
+
+    /// The camera's place or the bounds changed: the planes follow.
+    fn fit(&mut self) {
+        if let Ok(camera) = self.camera_with(&self.controls) {
+            self.view.camera = camera;
+        }
+    }
+}
