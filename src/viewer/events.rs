@@ -44,9 +44,10 @@ impl App {
             let mut shown = Shown {
                 state: &self.state,
                 notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, _)| load.fraction()),
+                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
                 help: self.help,
                 statistics: &self.statistics,
+                filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,
             };
             let (scene, asked) = panels::show(ui, &mut shown, &mut self.drag);
@@ -148,9 +149,10 @@ impl ApplicationHandler<Wake> for App {
             Wake::Look => self.request_redraw(),
             Wake::Answered(answer) => {
                 match answer {
-                    Answer::Files(paths) => self.open(paths),
+                    Answer::Open(paths) => self.open(paths),
+                    Answer::Save(path) => self.save(path),
                     Answer::NoDialog => self.complain(
-                        "this desktop has no file dialog: drop files on the window, or name them when starting".into(),
+                        "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
                     ),
                 }
                 self.request_redraw();

@@ -309,6 +309,18 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_, _| Command::OpenDialog,
     },
     Binding {
+        keys: "Ctrl+S",
+        does: "save as a scene file",
+        shortcuts: &[(CTRL, Key::S)],
+        command: |_, _| Command::SaveDialog,
+    },
+    Binding {
+        keys: "R",
+        does: "read the files again",
+        shortcuts: &[(NONE, Key::R)],
+        command: |_, _| Command::Reload,
+    },
+    Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],

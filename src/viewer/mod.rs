@@ -67,8 +67,12 @@ enum Command {
     Act(Action),
     /// Ask for files.
     OpenDialog,
+    /// Ask for a file and write the scene to it.
+    SaveDialog,
     /// Load these.
     Open(Vec<PathBuf>),
+    /// Load the files on screen again.
+    Reload,
     /// Put the view as a command line on the clipboard.
     CopyCommandLine,
     /// Put the pick as JSON on the clipboard.

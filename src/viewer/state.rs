@@ -12,6 +12,7 @@ use crate::{
     scene::{Loaded, Scene},
 };
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -124,6 +125,61 @@ impl State {
             ..next
         };
         Ok(())
+    }
+
+    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
+    pub fn reload(&mut self, loaded: Loaded) {
+        let old = std::mem::replace(&mut self.scene, loaded.scene);
+        let old = old.objects();
+        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
+            .map(|(index, object)| (object.name.as_str(), index))
+            .collect();
+        let before = |index: usize, name: &str| {
+            let same_place = old.get(index).filter(|object| object.name == name);
+            same_place
+                .map(|_| index)
+                .or_else(|| by_name.get(name).copied())
+        };
+        let selected = self.selection.take().map(|selection| selection.object);
+        for index in 0..self.scene.objects().len() {
+            let Some(was) = before(index, &self.scene.objects()[index].name) else {
+                continue;
+            };
+            self.scene.set_visible(index, old[was].visible);
+            if selected == Some(was) && self.selection.is_none() {
+                self.selection = Some(Selection {
+                    object: index,
+                    pick: None,
+                });
+            }
+        }
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.last_click = None;
+        self.fit();
+    }
+
+    /// The camera, all of it, as a scene file keeps it.
+    #[must_use]
+    pub fn camera_choice(&self) -> CameraChoice {
+        let camera = &self.view.camera;
+        let ortho = match camera.lens().projection {
+            Projection::Orthographic { height } => Some(height),
+            Projection::Perspective { .. } => None,
+        };
+        CameraChoice {
+            eye: Some(camera.eye()),
+            target: Some(camera.target()),
+            look: None,
+            up: Some(camera.up_hint()),
+            fov: ortho.is_none().then_some(self.controls.fov_deg),
+            ortho,
+            near: self.controls.near,
+            far: self.controls.far,
+            depth: Some(self.controls.depth),
+            up_axis: Some(self.up_axis),
+        }
     }
 
     /// What there is to see.

@@ -222,7 +222,7 @@ impl State {
     }
 
     /// The camera's place or the bounds changed: the planes follow.
-    fn fit(&mut self) {
+    pub(super) fn fit(&mut self) {
         if let Ok(camera) = self.camera_with(&self.controls) {
             self.view.camera = camera;
         }

@@ -9,6 +9,7 @@ mod pick;
 mod status;
 mod toolbar;
 
+pub(super) use objects::Filter;
 pub(super) use status::Statistics;
 
 use super::{
@@ -30,6 +31,8 @@ pub(super) struct Shown<'a> {
     pub help: bool,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
+    /// What narrows the list of objects.
+    pub filter: &'a mut Filter,
     /// Whether to bring the selected object's row into view.
     pub reveal_selection: bool,
 }
@@ -47,7 +50,13 @@ pub(super) fn show(
         .default_size(210.0)
         .size_range(120.0..=420.0)
         .show(ui, |ui| {
-            objects::show(ui, shown.state, shown.reveal_selection, &mut commands);
+            objects::show(
+                ui,
+                shown.state,
+                shown.filter,
+                shown.reveal_selection,
+                &mut commands,
+            );
         });
     Panel::right("view")
         .exact_size(330.0)

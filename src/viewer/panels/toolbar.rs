@@ -17,6 +17,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             "OBJ and scene files (Ctrl+O); or drop them on the window",
             Command::OpenDialog,
         );
+        button(
+            ui,
+            "Save\u{2026}",
+            "as a scene file (Ctrl+S)",
+            Command::SaveDialog,
+        );
+        button(ui, "Reload", "read the files again (R)", Command::Reload);
         ui.separator();
         button(ui, "Frame all", "(A)", Command::Act(Action::FrameAll));
         button(
