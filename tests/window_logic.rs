@@ -10,6 +10,7 @@ use sightline::{
     scene::{self, Loaded, Object, Progress, Scene, Shape, description},
     viewer::{
         action::{Action, LensControls},
+        pipeline::{Matrices, Steps},
         state::{DOUBLE_CLICK_S, State},
     },
 };
@@ -494,6 +495,69 @@ fn what_is_saved_opens_as_the_same_view() {
         };
         assert_eq!(visible(&again), visible(&state));
     }
+}
+
+#[test]
+fn the_pipeline_follows_a_pick_to_its_own_pixel() {
+    for orthographic in [false, true] {
+        let mut state = front_view();
+        state.apply(Action::Lens(LensControls {
+            orthographic,
+            ..state.controls()
+        }));
+        state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+        let px = DVec2::new(404.5, 310.5);
+        let pick = pick::pick(state.scene(), state.view(), px).expect("something there");
+        let object = &state.scene().objects()[pick.id - 1];
+        let steps = Steps::follow(state.view(), object, pick.point_object).expect("in front");
+        assert!(steps.world.distance(pick.point_world) < 1e-12);
+        assert!((steps.view.z - pick.depth).abs() < 1e-12);
+        assert!(
+            steps.ndc.distance(pick.ndc) < 1e-12,
+            "{} and {}",
+            steps.ndc,
+            pick.ndc
+        );
+        assert_near(steps.px, px, 1e-9);
+        let ray = state.view().ray(px);
+        assert!(steps.ray.direction.distance(ray.direction) < 1e-12);
+        // The product of the matrices says the same in one step.
+        let clip =
+            Matrices::of(state.view(), Some(object)).product() * pick.point_object.extend(1.0);
+        assert!((clip.truncate() / clip.w).distance(pick.ndc) < 1e-12);
+        assert!((clip - steps.clip).length() < 1e-11);
+    }
+}
+
+#[test]
+fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let view = *state.view();
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::Turn(DVec2::new(250.0, 60.0)));
+    state.apply(Action::FrameAll);
+    let frozen = *state.frozen().expect("frozen");
+    assert_eq!((frozen.view, frozen.px), (view, MIDDLE + 0.5));
+    let lens = state.view().camera.lens();
+    for corner in frozen
+        .view
+        .frustum_corners()
+        .into_iter()
+        .chain([view.camera.eye()])
+    {
+        let seen = state.view().project(corner).expect("in front");
+        assert!(
+            lens.near < seen.depth && seen.depth < lens.far,
+            "{corner} is clipped"
+        );
+        assert!(
+            state.view().viewport.contains(seen.px),
+            "{corner} is out of the picture"
+        );
+    }
+    state.apply(Action::ToggleFreeze);
+    assert_eq!(state.frozen(), None);
 }
 
 #[test]

@@ -160,6 +160,20 @@ impl View {
 }
 
 impl View {
+    /// The corners of the frustum in world space: near plane, then far plane, each from the top left clockwise.
+    #[must_use]
+    pub fn frustum_corners(&self) -> [DVec3; 8] {
+        let (width, height) = (
+            f64::from(self.viewport.width),
+            f64::from(self.viewport.height),
+        );
+        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
+        std::array::from_fn(|i| {
+            let ray = self.ray(corners[i % 4].into());
+            ray.at(if i < 4 { ray.t_min } else { ray.t_max })
+        })
+    }
+
     /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the six
     /// planes of the frustum.
     #[must_use]

@@ -55,6 +55,8 @@ pub enum Action {
     ShowAll,
     /// Show or hide the grid with its axes.
     ToggleGrid,
+    /// Leave the present camera standing in the scene, as lines, or take it away.
+    ToggleFreeze,
 }
 
 /// The lens as the panel holds it.

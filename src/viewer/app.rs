@@ -6,7 +6,7 @@ use super::{
     command,
     input::Drag,
     loading::{self, Loading},
-    panels::{Filter, Statistics},
+    panels::{Filter, Floating, Statistics},
     shell::Shell,
     state::State,
 };
@@ -36,7 +36,7 @@ pub(super) struct App {
     /// The first scene takes the command line's camera.
     first: bool,
     pub notices: Notices,
-    pub help: bool,
+    pub floating: Floating,
     pub filter: Filter,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
@@ -65,7 +65,7 @@ impl App {
             loading: None,
             first: true,
             notices: Notices::new(),
-            help: false,
+            floating: Floating::default(),
             filter: Filter::default(),
             reveal_selection: false,
             drag: None,
@@ -215,9 +215,10 @@ impl App {
                 }
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
-            Command::Escape if self.help => self.help = false,
+            Command::Escape if self.floating.help => self.floating.help = false,
             Command::Escape => self.act(Action::Select(None)),
-            Command::ToggleHelp => self.help = !self.help,
+            Command::ToggleHelp => self.floating.help ^= true,
+            Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::Quit => event_loop.exit(),
         }
     }

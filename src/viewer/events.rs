@@ -45,7 +45,7 @@ impl App {
                 state: &self.state,
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
-                help: self.help,
+                floating: self.floating,
                 statistics: &self.statistics,
                 filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,

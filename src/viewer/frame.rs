@@ -1,6 +1,11 @@
 //! One frame: the scene where it changed, its marks, and the panels over it, onto the window's surface.
 
-use super::{input::SceneRect, stage, state::State};
+use super::{
+    frozen,
+    input::SceneRect,
+    stage,
+    state::{Frozen, State},
+};
 use crate::{
     camera::{UpAxis, View},
     render::{Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets},
@@ -39,6 +44,7 @@ struct Drawn {
     revision: u64,
     visibility: u64,
     grid: Option<UpAxis>,
+    frozen: Option<Frozen>,
     selection: Option<usize>,
 }
 
@@ -200,6 +206,7 @@ impl Frame {
             revision: state.scene_revision(),
             visibility: state.visibility_revision(),
             grid: state.grid().then_some(state.up_axis()),
+            frozen: state.frozen().copied(),
             selection: state.selection().map(|selection| selection.object),
         };
         let unmarked = |drawn: Drawn| Drawn {
@@ -212,16 +219,16 @@ impl Frame {
             self.renderer.scale_factor = self.window.scale_factor() as f32;
         }
         if anew {
-            let lines = wanted
+            let scene_now = state.scene();
+            let floor = wanted
                 .grid
-                .map(|up_axis| stage::floor(&state.scene().visible_bounds(), up_axis));
-            self.renderer.draw(
-                &self.gpu,
-                &scene.buffers,
-                targets,
-                &wanted.view,
-                &lines.unwrap_or_default(),
-            )?;
+                .map(|up_axis| stage::floor(&scene_now.visible_bounds(), up_axis));
+            let frozen = wanted
+                .frozen
+                .map(|frozen| frozen::lines(&frozen, scene_now));
+            let lines: Vec<_> = floor.into_iter().chain(frozen).flatten().collect();
+            self.renderer
+                .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
         }
         if let Some(object) = wanted.selection.filter(|_| self.drawn != Some(wanted)) {
             self.renderer

@@ -321,6 +321,18 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_, _| Command::Reload,
     },
     Binding {
+        keys: "T",
+        does: "freeze the camera: it stays as lines, with the pick's ray, while you look from elsewhere",
+        shortcuts: &[(NONE, Key::T)],
+        command: |_, _| Command::Act(Action::ToggleFreeze),
+    },
+    Binding {
+        keys: "P",
+        does: "the matrices, and the pick on its way through them",
+        shortcuts: &[(NONE, Key::P)],
+        command: |_, _| Command::TogglePipeline,
+    },
+    Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],

@@ -9,9 +9,11 @@ mod app;
 mod command;
 mod events;
 mod frame;
+mod frozen;
 mod input;
 mod loading;
 mod panels;
+pub mod pipeline;
 mod shell;
 mod stage;
 pub mod state;
@@ -81,6 +83,8 @@ enum Command {
     Escape,
     /// Show or hide the help.
     ToggleHelp,
+    /// Show or hide the matrices.
+    TogglePipeline,
     /// Close the window.
     Quit,
 }

@@ -7,7 +7,7 @@ use crate::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
         fit_near_far,
     },
-    geometry::Sides,
+    geometry::{Aabb, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
 };
@@ -34,6 +34,15 @@ pub(super) struct LastClick {
     pub behind: usize,
 }
 
+/// A camera that was left standing in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// Its view.
+    pub view: View,
+    /// The position whose ray is shown: the pick's, or the middle of the picture.
+    pub px: DVec2,
+}
+
 /// The window's state.
 pub struct State {
     pub(super) scene: Scene,
@@ -55,6 +64,7 @@ pub struct State {
     pub(super) hover: Option<usize>,
     pub(super) last_click: Option<LastClick>,
     pub(super) grid: bool,
+    pub(super) frozen: Option<Frozen>,
 }
 
 impl State {
@@ -103,6 +113,7 @@ impl State {
             hover: None,
             last_click: None,
             grid: true,
+            frozen: None,
         })
     }
 
@@ -242,6 +253,23 @@ impl State {
         self.grid
     }
 
+    /// The camera that was left standing in the scene.
+    #[must_use]
+    pub fn frozen(&self) -> Option<&Frozen> {
+        self.frozen.as_ref()
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let frustum = self
+            .frozen
+            .iter()
+            .flat_map(|frozen| frozen.view.frustum_corners());
+        let eye = self.frozen.map(|frozen| frozen.view.camera.eye());
+        frustum.chain(eye).fold(bounds, Aabb::including)
+    }
+
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
     ///
     /// # Errors
@@ -273,7 +301,7 @@ impl State {
             depth: controls.depth,
         };
         let camera = pose.with_lens(lens)?;
-        let bounds = self.scene.visible_bounds();
+        let bounds = self.shown_bounds();
         (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
         camera.with_lens(lens)
     }

@@ -2,7 +2,7 @@
 
 use super::{
     action::{Action, LensControls},
-    state::{DOUBLE_CLICK_S, LastClick, Selection, State, perspective_height},
+    state::{DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
 };
 use crate::{
     camera::{Camera, Orbit, pixel_centre},
@@ -68,7 +68,7 @@ impl State {
                 });
                 self.hover = hit.map(|hit| hit.object);
             }
-            Action::FrameAll => self.frame(self.scene.visible_bounds()),
+            Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self
                     .selection
@@ -113,6 +113,7 @@ impl State {
             }
             Action::ShowAll => self.show(|_| true, true),
             Action::ToggleGrid => self.grid = !self.grid,
+            Action::ToggleFreeze => self.toggle_freeze(),
         }
         None
     }
@@ -170,6 +171,23 @@ impl State {
         self.height_per_distance = perspective_height(self.controls.fov_deg);
         self.pivot_world = self.orbit.target();
         self.moved();
+    }
+
+    fn toggle_freeze(&mut self) {
+        let pick = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let viewport = self.view.viewport;
+        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
     }
 
     fn reset_view(&mut self) {

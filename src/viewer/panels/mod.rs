@@ -6,6 +6,7 @@ mod help;
 mod objects;
 mod overlays;
 mod pick;
+mod pipeline;
 mod status;
 mod toolbar;
 
@@ -19,6 +20,15 @@ use super::{
 };
 use egui::{CentralPanel, Panel, Ui};
 
+/// Windows over the scene that are there when asked for.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Floating {
+    /// Keys and mouse.
+    pub help: bool,
+    /// Matrices.
+    pub pipeline: bool,
+}
+
 /// What the panels show besides the state.
 pub(super) struct Shown<'a> {
     /// What is to be seen and how.
@@ -27,8 +37,8 @@ pub(super) struct Shown<'a> {
     pub notices: &'a mut Notices,
     /// How far a load has come, when there is one.
     pub loading: Option<f32>,
-    /// Whether the help is open.
-    pub help: bool,
+    /// Which windows are open over the scene.
+    pub floating: Floating,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
     /// What narrows the list of objects.
@@ -79,7 +89,10 @@ pub(super) fn show(
         overlays::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
-    if shown.help {
+    if shown.floating.pipeline {
+        pipeline::show(ui.ctx(), shown.state, &mut commands);
+    }
+    if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
     commands.extend(input::keys(

@@ -57,6 +57,21 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         {
             commands.push(Command::Act(Action::ToggleGrid));
         }
+        let mut frozen = state.frozen().is_some();
+        if ui
+            .checkbox(&mut frozen, "Freeze")
+            .on_hover_text("leave this camera standing, with the pick's ray, and look at it from elsewhere (T)")
+            .changed()
+        {
+            commands.push(Command::Act(Action::ToggleFreeze));
+        }
+        if ui
+            .button("Pipeline")
+            .on_hover_text("P, V, M and the pick on its way through them (P)")
+            .clicked()
+        {
+            commands.push(Command::TogglePipeline);
+        }
         if ui
             .button("Help")
             .on_hover_text("keys and mouse (H)")
