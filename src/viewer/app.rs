@@ -8,6 +8,7 @@ use super::{
     loading::{self, Loading},
     panels::{Filter, Floating, Statistics},
     shell::Shell,
+    stages::Stage,
     state::State,
 };
 use crate::{
@@ -139,6 +140,7 @@ impl App {
 
     /// Writes what is shown as a scene file, which from then on is what is shown.
     pub fn save(&mut self, path: PathBuf) {
+        self.act(Action::Stage(Stage::World));
         let text = description::to_toml(
             self.state.scene(),
             &self.state.camera_choice(),

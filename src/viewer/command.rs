@@ -10,7 +10,7 @@ use std::{fmt::Write, path::PathBuf};
 
 /// `sightline pick` with all that the window shows now, at a pixel position. `paths` is what was opened.
 pub(super) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> String {
-    let view = state.view();
+    let (scene, view) = state.world();
     let camera = &view.camera;
     let lens = camera.lens();
     let controls = state.controls();
@@ -41,8 +41,7 @@ pub(super) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> St
     if lens.depth == DepthMapping::Standard {
         flag("depth", lens.depth.to_string());
     }
-    let hidden = state
-        .scene()
+    let hidden = scene
         .objects()
         .iter()
         .enumerate()

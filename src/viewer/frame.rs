@@ -226,7 +226,13 @@ impl Frame {
             let frozen = wanted
                 .frozen
                 .map(|frozen| frozen::lines(&frozen, scene_now));
-            let lines: Vec<_> = floor.into_iter().chain(frozen).flatten().collect();
+            let stage = stage::of(state.stage());
+            let lines: Vec<_> = floor
+                .into_iter()
+                .chain(frozen)
+                .chain([stage])
+                .flatten()
+                .collect();
             self.renderer
                 .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
         }

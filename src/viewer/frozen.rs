@@ -1,10 +1,12 @@
 //! A frozen camera as lines: what "casting a ray" looks like from outside.
 
-use super::{stage::AXES, state::Frozen};
+use super::{
+    stage::{AXES, FRUSTUM},
+    state::Frozen,
+};
 use crate::{colour::Srgb, geometry::Placement, look, pick, render::Line, scene::Scene};
 use glam::{DVec2, DVec3};
 
-const FRUSTUM: Srgb = Srgb([236, 214, 120]);
 const PIXELS: Srgb = Srgb([134, 124, 84]);
 const RAY: Srgb = look::SELECTION;
 const HIT: Srgb = Srgb([255, 255, 255]);

@@ -16,6 +16,7 @@ mod panels;
 pub mod pipeline;
 mod shell;
 mod stage;
+pub mod stages;
 pub mod state;
 mod update;
 

@@ -1,7 +1,10 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
 //! [`Action`].
 
-use super::action::{Action, LensControls};
+use super::{
+    action::{Action, LensControls},
+    stages::Stage,
+};
 use crate::{
     camera::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
@@ -65,6 +68,9 @@ pub struct State {
     pub(super) last_click: Option<LastClick>,
     pub(super) grid: bool,
     pub(super) frozen: Option<Frozen>,
+    pub(super) stage: Stage,
+    /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
+    pub(super) world: Option<(Scene, View)>,
 }
 
 impl State {
@@ -114,6 +120,8 @@ impl State {
             last_click: None,
             grid: true,
             frozen: None,
+            stage: Stage::World,
+            world: None,
         })
     }
 
@@ -140,6 +148,7 @@ impl State {
 
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
     pub fn reload(&mut self, loaded: Loaded) {
+        self.show_stage(Stage::World);
         let old = std::mem::replace(&mut self.scene, loaded.scene);
         let old = old.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -229,10 +238,13 @@ impl State {
         self.controls
     }
 
-    /// Which world axis points up.
+    /// Which axis points up in what is shown: the world's, or y of view space and NDC.
     #[must_use]
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis
+        match self.stage {
+            Stage::Object | Stage::World => self.up_axis,
+            Stage::View | Stage::Ndc => UpAxis::Y,
+        }
     }
 
     /// What is selected.
@@ -253,20 +265,34 @@ impl State {
         self.grid
     }
 
-    /// The camera that was left standing in the scene.
+    /// The camera that was left standing in the scene. At other stages than the world's it is not shown.
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
-        self.frozen.as_ref()
+        self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// How far along the pipeline the scene is shown.
+    #[must_use]
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// The scene itself and the view that its matrices are of, whatever stage is shown.
+    #[must_use]
+    pub fn world(&self) -> (&Scene, &View) {
+        self.world
+            .as_ref()
+            .map_or((&self.scene, &self.view), |(scene, view)| (scene, view))
     }
 
     /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
     pub(super) fn shown_bounds(&self) -> Aabb {
         let bounds = self.scene.visible_bounds();
-        let frustum = self
-            .frozen
-            .iter()
+        let frozen = self.frozen();
+        let frustum = frozen
+            .into_iter()
             .flat_map(|frozen| frozen.view.frustum_corners());
-        let eye = self.frozen.map(|frozen| frozen.view.camera.eye());
+        let eye = frozen.map(|frozen| frozen.view.camera.eye());
         frustum.chain(eye).fold(bounds, Aabb::including)
     }
 

@@ -9,13 +9,14 @@ mod scenes;
 
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{
-    camera::{CameraChoice, Projection, UpAxis, Viewport},
-    geometry::{Placement, Sides},
+    camera::{CameraChoice, DepthMapping, Projection, UpAxis, Viewport},
+    geometry::{Aabb, Placement, Sides},
     pick,
     scene::{self, Loaded, Object, Progress, Scene, Shape, description},
     viewer::{
         action::{Action, LensControls},
         pipeline::{Matrices, Steps},
+        stages::Stage,
         state::{DOUBLE_CLICK_S, State},
     },
 };

@@ -202,3 +202,73 @@ fn a_frozen_camera_stays_and_its_frustum_is_not_clipped() {
     state.apply(Action::ToggleFreeze);
     assert_eq!(state.frozen(), None);
 }
+
+#[test]
+fn stages_show_what_each_matrix_leaves_and_the_world_comes_back() {
+    let mut state = front_view();
+    state.apply(Action::SetVisible(2, false));
+    let (before, corners) = (*state.view(), state.scene().bounds_of(0).corners());
+    let near = |bounds: Aabb, points: Vec<DVec3>, what: &str| {
+        let expected = Aabb::around(points);
+        let apart = (bounds.min - expected.min).length() + (bounds.max - expected.max).length();
+        assert!(apart < 1e-6, "{what}: {bounds:?}, not {expected:?}");
+    };
+    state.apply(Action::Stage(Stage::Object));
+    near(
+        state.scene().bounds_of(0),
+        vec![DVec3::splat(-0.5), DVec3::splat(0.5)],
+        "no matrix",
+    );
+    state.apply(Action::Stage(Stage::View));
+    let seen = corners.map(|corner| before.camera.to_view(corner));
+    near(state.scene().bounds_of(0), seen.to_vec(), "V M");
+    state.apply(Action::Stage(Stage::Ndc));
+    let standard = LensControls {
+        depth: DepthMapping::Standard,
+        ..state.controls()
+    };
+    let mut through = front_view();
+    through.apply(Action::SetVisible(2, false));
+    through.apply(Action::Lens(standard));
+    let ndc = corners.map(|corner| through.view().project(corner).expect("in front").ndc);
+    near(state.scene().bounds_of(0), ndc.to_vec(), "P V M");
+    assert!(
+        !state.scene().objects()[2].visible,
+        "what is hidden stays hidden"
+    );
+    let px = state
+        .view()
+        .project(state.scene().bounds_of(0).center())
+        .expect("in front")
+        .px;
+    assert_eq!(
+        state.apply(Action::Click(px, 0.0)),
+        None,
+        "points of a stage are not the scene's"
+    );
+    assert!(state.selection().is_some());
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(state.view().camera, before.camera);
+    assert_eq!(state.scene().bounds_of(0).corners(), corners);
+}
+
+#[test]
+fn what_lies_before_the_near_plane_is_cut_off_in_ndc() {
+    let mut state = front_view();
+    state.apply(Action::Lens(LensControls {
+        near: Some(8.0),
+        ..state.controls()
+    }));
+    state.apply(Action::Stage(Stage::Ndc));
+    let bounds = state.scene().bounds_of(0);
+    assert!(
+        bounds.min.z.abs() < 1e-6,
+        "the cube begins on the near plane, not at {}",
+        bounds.min.z
+    );
+    assert!(
+        bounds.max.z > 0.05 && bounds.max.z < 1.0,
+        "{}",
+        bounds.max.z
+    );
+}

@@ -3,7 +3,9 @@
 use super::{
     super::{
         Command,
+        action::Action,
         pipeline::{Matrices, Steps},
+        stages::Stage,
         state::State,
     },
     field::short,
@@ -23,10 +25,11 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
         .resizable(false)
         .default_pos([225.0, 60.0])
         .show(ctx, |ui| {
-            let view = state.view();
+            let (scene, view) = state.world();
+            stages(ui, state, commands);
             let object = state
                 .selection()
-                .map(|selection| &state.scene().objects()[selection.object]);
+                .map(|selection| &scene.objects()[selection.object]);
             let matrices = Matrices::of(view, object);
             ui.horizontal_top(|ui| {
                 matrix(ui, "P", "projection: view to clip", &matrices.projection);
@@ -59,6 +62,18 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
     }
 }
 
+/// The scene with no matrix, with M, with V M, with P V M.
+fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label("show the scene with");
+        for (stage, name) in Stage::ALL {
+            if ui.selectable_label(state.stage() == stage, name).clicked() {
+                commands.push(Command::Act(Action::Stage(stage)));
+            }
+        }
+    });
+}
+
 /// The object-space point of the pick.
 fn picked_point(state: &State) -> Option<DVec3> {
     let pick = state.selection()?.pick.as_ref()?;
@@ -67,7 +82,7 @@ fn picked_point(state: &State) -> Option<DVec3> {
 
 /// What the third row of P does to depth.
 fn mapping(state: &State) -> String {
-    let lens = state.view().camera.lens();
+    let lens = state.world().1.camera.lens();
     let (a, b) = lens.depth_row();
     let formula = match lens.projection {
         Projection::Perspective { .. } => format!("z_ndc = {} + {} / z", short(a), short(b)),
