@@ -19,7 +19,7 @@ mod picture;
 mod round;
 mod surface;
 
-pub use picture::{COLOURS, paint};
+pub use picture::{COLOURS, marks, paint};
 
 use crate::{
     camera::{Projection, View, pixel_centre},

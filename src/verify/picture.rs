@@ -2,6 +2,7 @@
 
 use super::{Class, Disagreement};
 use crate::{
+    camera::Viewport,
     colour::Srgb,
     image::{Image, Rgb},
 };
@@ -14,8 +15,7 @@ pub const COLOURS: [(Class, Srgb, &str); 4] = [
     (Class::Unexplained, Srgb([213, 94, 0]), "orange"),
 ];
 
-/// The picture in grey with each pixel that differs in its class's colour, and about it a paler ring of a pixel so that
-/// it can be seen. Rings cover no pixel that differs itself.
+/// The picture in grey with its [`marks`].
 #[must_use]
 pub fn paint(colours: &Image<Rgb>, disagreements: &[Disagreement]) -> Image<Rgb> {
     let mut picture = colours.clone();
@@ -23,27 +23,33 @@ pub fn paint(colours: &Image<Rgb>, disagreements: &[Disagreement]) -> Image<Rgb>
         *pixel = grey(*pixel);
     }
     let size = picture.size();
-    let mut sorted: Vec<&Disagreement> = disagreements.iter().collect();
-    // The gravest last, over the others.
-    sorted.sort_by_key(|at| at.class);
     let width = size.width() as usize;
     let pixels = picture.pixels_mut();
-    for reach in [1, 0] {
-        for at in &sorted {
-            let [x, y] = at.pixel;
-            for j in y.saturating_sub(reach)..=(y + reach).min(size.height() - 1) {
-                for i in x.saturating_sub(reach)..=(x + reach).min(size.width() - 1) {
-                    let colour = colour(at.class).0;
-                    pixels[j as usize * width + i as usize] = if reach == 0 {
-                        colour
-                    } else {
-                        colour.map(|c| c / 2)
-                    };
-                }
-            }
-        }
+    for ([x, y], Srgb(colour)) in marks(size, disagreements) {
+        pixels[y as usize * width + x as usize] = colour;
     }
     picture
+}
+
+/// What to paint where, in this order: about each pixel that differs a darker ring of a pixel, so that it can be seen,
+/// then the pixel itself in its class's colour; the gravest last.
+pub fn marks(
+    size: Viewport,
+    disagreements: &[Disagreement],
+) -> impl Iterator<Item = ([u32; 2], Srgb)> {
+    let mut sorted: Vec<Disagreement> = disagreements.to_vec();
+    sorted.sort_by_key(|at| at.class);
+    let rings = sorted.clone().into_iter().flat_map(move |at| {
+        let [x, y] = at.pixel;
+        let rows = y.saturating_sub(1)..=(y + 1).min(size.height() - 1);
+        let around = rows.flat_map(move |j| {
+            let columns = x.saturating_sub(1)..=(x + 1).min(size.width() - 1);
+            columns.map(move |i| [i, j])
+        });
+        let ring = Srgb(colour(at.class).0.map(|c| c / 2));
+        around.map(move |pixel| (pixel, ring))
+    });
+    rings.chain((sorted.into_iter()).map(|at| (at.pixel, colour(at.class))))
 }
 
 /// What a class is painted in.

@@ -3,6 +3,7 @@
 use super::{
     Command, Notice, Notices, Options, ViewerError, Wake,
     action::Action,
+    check::{Check, Checking, OnScreen},
     command,
     input::Drag,
     loading::{self, Loading},
@@ -33,6 +34,7 @@ pub(super) struct App {
     first: bool,
     pub notices: Notices,
     pub help: bool,
+    pub checking: Checking,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -56,6 +58,7 @@ impl App {
             first: true,
             notices: Notices::new(),
             help: false,
+            checking: Checking::Off,
             reveal_selection: false,
             drag: None,
             announced: 0,
@@ -168,9 +171,60 @@ impl App {
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.help => self.help = false,
+            Command::Escape if matches!(self.checking, Checking::On(_)) => {
+                self.checking = Checking::Off;
+            }
             Command::Escape => self.act(Action::Select(None)),
+            Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.help = !self.help,
             Command::Quit => event_loop.exit(),
+        }
+    }
+
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for.
+    pub fn start_check(&mut self) {
+        let (Checking::Wanted, Some(shell)) = (&self.checking, &self.shell) else {
+            return;
+        };
+        match shell.frame.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let proxy = self.proxy.clone();
+                let wake = move || drop(proxy.send_event(Wake::Look));
+                let check = Check::start(&self.state, drawn, wake);
+                self.checking = Checking::On(Box::new(check));
+                shell.egui.egui_ctx().request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let (Checking::On(check), Some(shell)) = (&mut self.checking, &self.shell) else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            self.checking = Checking::Off;
+        } else if check.poll(shell.egui.egui_ctx())
+            && let Some(found) = &check.found
+        {
+            let command = command::verify_command(&self.state, &self.paths);
+            let differ = found.report.disagreements.len();
+            log::info!("{differ} pixels differ: {command}");
         }
     }
 

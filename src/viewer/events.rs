@@ -45,6 +45,7 @@ impl App {
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, _)| load.fraction()),
                 help: self.help,
+                checking: &self.checking,
                 statistics: &self.statistics,
                 reveal_selection: self.reveal_selection,
             };
@@ -83,6 +84,7 @@ impl App {
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
         let start = Instant::now();
         self.take_loaded();
+        self.take_checked();
         let Some(pass) = self.pass(event_loop) else {
             return;
         };
@@ -110,6 +112,7 @@ impl App {
                 });
             }
         }
+        self.start_check();
     }
 
     fn request_redraw(&self) {
