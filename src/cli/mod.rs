@@ -8,6 +8,7 @@ mod pick;
 mod render;
 mod terminal;
 mod value;
+mod verify;
 mod view;
 mod window;
 
@@ -15,6 +16,7 @@ pub use error::CliError;
 pub use list::ListArgs;
 pub use pick::{At, PickArgs};
 pub use render::{By, RenderArgs};
+pub use verify::{Picker, VerifyArgs};
 pub use view::ViewArgs;
 pub use window::WindowArgs;
 
@@ -54,6 +56,8 @@ pub enum Command {
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     List(ListArgs),
+    /// Compare what is drawn with what is picked, pixel by pixel
+    Verify(VerifyArgs),
 }
 
 /// What every command takes.
@@ -83,6 +87,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Pick(args)) => pick::run(args),
         Some(Command::List(args)) => list::run(args),
+        Some(Command::Verify(args)) => verify::run(args),
         None => window::run(&cli.window),
     };
     match done {

@@ -3,6 +3,7 @@
 use super::{
     Command, Notice, Notices, Options, ViewerError, Wake,
     action::Action,
+    check::{Check, Checking, OnScreen},
     command,
     input::Drag,
     loading::{self, Loading},
@@ -39,6 +40,7 @@ pub(super) struct App {
     pub notices: Notices,
     pub floating: Floating,
     pub filter: Filter,
+    pub checking: Checking,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -68,6 +70,7 @@ impl App {
             notices: Notices::new(),
             floating: Floating::default(),
             filter: Filter::default(),
+            checking: Checking::Off,
             reveal_selection: false,
             drag: None,
             announced: 0,
@@ -218,10 +221,61 @@ impl App {
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if matches!(self.checking, Checking::On(_)) => {
+                self.checking = Checking::Off;
+            }
             Command::Escape => self.act(Action::Select(None)),
+            Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::Quit => event_loop.exit(),
+        }
+    }
+
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for.
+    pub fn start_check(&mut self) {
+        let (Checking::Wanted, Some(shell)) = (&self.checking, &self.shell) else {
+            return;
+        };
+        match shell.frame.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let proxy = self.proxy.clone();
+                let wake = move || drop(proxy.send_event(Wake::Look));
+                let check = Check::start(&self.state, drawn, wake);
+                self.checking = Checking::On(Box::new(check));
+                shell.egui.egui_ctx().request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let (Checking::On(check), Some(shell)) = (&mut self.checking, &self.shell) else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            self.checking = Checking::Off;
+        } else if check.poll(shell.egui.egui_ctx())
+            && let Some(found) = &check.found
+        {
+            let command = command::verify_command(&self.state, &self.paths);
+            let differ = found.report.disagreements.len();
+            log::info!("{differ} pixels differ: {command}");
         }
     }
 

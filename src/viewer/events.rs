@@ -46,6 +46,7 @@ impl App {
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
                 floating: self.floating,
+                checking: &self.checking,
                 statistics: &self.statistics,
                 filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,
@@ -85,6 +86,7 @@ impl App {
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
         let start = Instant::now();
         self.take_loaded();
+        self.take_checked();
         let Some(pass) = self.pass(event_loop) else {
             return;
         };
@@ -109,6 +111,7 @@ impl App {
                 self.complain(error.to_string());
             }
         }
+        self.start_check();
     }
 
     fn request_redraw(&self) {

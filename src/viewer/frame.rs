@@ -1,6 +1,7 @@
 //! One frame: the scene where it changed, its marks, and the panels over it, onto the window's surface.
 
 use super::{
+    check::OnScreen,
     frozen,
     input::SceneRect,
     stage,
@@ -8,6 +9,7 @@ use super::{
 };
 use crate::{
     camera::{UpAxis, View},
+    image::{Id, Image},
     render::{Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets},
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
@@ -95,6 +97,20 @@ impl Frame {
     /// Whether the processor draws.
     pub fn is_software(&self) -> bool {
         self.gpu.is_software()
+    }
+
+    /// The ids on screen, when they are those of `wanted`.
+    pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
+        let (Some(targets), Some(drawn)) = (&self.targets, &self.drawn) else {
+            return Ok(None);
+        };
+        let shown = OnScreen {
+            view: drawn.view,
+            scene_revision: drawn.revision,
+            visibility_revision: drawn.visibility,
+        };
+        let is_wanted = shown == *wanted;
+        is_wanted.then(|| targets.read_ids(&self.gpu)).transpose()
     }
 
     /// The window has another size; 0 while it is minimised.

@@ -6,6 +6,7 @@
 
 pub mod action;
 mod app;
+mod check;
 mod command;
 mod events;
 mod frame;
@@ -80,7 +81,9 @@ enum Command {
     CopyCommandLine,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
-    /// Stop loading, or close the help, or select nothing.
+    /// Compare the picture with its picks, or close the comparison.
+    ToggleCheck,
+    /// Stop loading, or close the help or the comparison, or select nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,

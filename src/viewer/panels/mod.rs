@@ -1,6 +1,7 @@
 //! The window's panels. They show the state and return what the user asks for; they change nothing themselves.
 
 mod camera;
+mod check;
 mod field;
 mod help;
 mod objects;
@@ -15,6 +16,7 @@ pub(super) use status::Statistics;
 
 use super::{
     Command, Notices,
+    check::Checking,
     input::{self, Drag, SceneRect},
     state::State,
 };
@@ -39,6 +41,8 @@ pub(super) struct Shown<'a> {
     pub loading: Option<f32>,
     /// Which windows are open over the scene.
     pub floating: Floating,
+    /// The comparison of drawn and picked.
+    pub checking: &'a Checking,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
     /// What narrows the list of objects.
@@ -85,6 +89,7 @@ pub(super) fn show(
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
         let actions = input::scene(ui, rect, place, drag);
         commands.extend(actions.into_iter().map(Command::Act));
+        check::show(ui, rect, place, shown.checking);
         overlays::axes(ui, rect, shown.state);
         overlays::messages(ui, rect, shown, &mut commands);
         Some(place)

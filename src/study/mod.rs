@@ -1,0 +1,3 @@
+//! Other ways to pick, to be compared with the one that is used.
+
+pub mod methods;
