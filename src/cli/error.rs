@@ -45,7 +45,7 @@ pub enum CliError {
     NothingDrawn(GpuError),
     /// Drawn and picked differ without a reason.
     #[error(
-        "{0} pixels are drawn as one thing and picked as another for no known reason: please report the scene and this command"
+        "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
     Unexplained(usize),
     /// Nowhere to open a window.

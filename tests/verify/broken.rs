@@ -238,3 +238,30 @@ fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
         );
     }
 }
+
+/// An outline through pixel centres explains nothing where its surface is hidden anyway.
+#[test]
+fn a_hidden_outline() {
+    let square = |z: f64, side: f64| {
+        let model = DAffine3::from_scale_rotation_translation(
+            DVec3::splat(side),
+            glam::DQuat::IDENTITY,
+            dvec3(0.0, 0.0, z),
+        );
+        let placement = Placement::new(model).expect("invertible");
+        Object::new("square", Shape::Square, placement)
+    };
+    let scene = Scene::new(vec![square(0.0, 20.0), square(-1.0, 2.1)]);
+    // A tenth of a unit a pixel: the smaller square's rim runs through pixel centres.
+    let lens = common::orthographic(12.0, 1.0, 100.0);
+    let view = common::view([0.0, 0.0, 10.0], [0.0, 0.0, 0.0], lens, [160, 120]);
+    let drawn = pick::ids(&scene, &view);
+    let behind = pick::ids_by(&scene, &view, |px| {
+        let hits = pick::all(&scene, &view.ray(px), view.sides);
+        hits.last().copied()
+    });
+    let report = compare(&scene, &view, &drawn, &behind);
+    assert!(report.disagreements.len() >= 20 * 20, "{report:?}");
+    let found = report.count(Class::Unexplained);
+    assert_eq!(found, report.disagreements.len(), "{:?}", report.worst());
+}
