@@ -13,9 +13,9 @@
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //! ```
 //!
-//! Imports point one way: `camera`, `geometry` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <- `cli`. Only `render` and
-//! `viewer` know wgpu; only `viewer` knows winit and egui. `colour`, `image` and `look` (what both renderers make
-//! pictures look like) stand beside them and know none of these.
+//! Imports point one way: `camera`, `geometry` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
+//! `cli`. Only `render` and `viewer` know wgpu; only `viewer` knows winit and egui. `colour`, `image` and `look` (what
+//! both renderers make pictures look like) stand beside them and know none of these.
 //!
 //! # Spaces
 //!

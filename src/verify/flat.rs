@@ -85,9 +85,13 @@ fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Surfac
     let rounded = clipping_error(view, corners);
     let error = rounded + corners.iter().fold(DVec3::ZERO, |e, at| e.max(at.error));
     let covers = covers(&ray, corners);
-    // All that may be behind the near plane.
     let cut_error = error.z + near_error(view);
-    let seen = clip_near(corners, near - cut_error);
+    // All that may be behind the near plane; but the eye's plane has no place in the picture.
+    let nearest = match view.camera.lens().projection {
+        Projection::Perspective { .. } => (near - cut_error).max(0.5 * near),
+        Projection::Orthographic { .. } => near - cut_error,
+    };
+    let seen = clip_near(corners, nearest);
     let edges = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let edges = edges.filter(|[from, to]| !(from.is_cut && to.is_cut));
     let edges = edges.map(|ends| edge(view, px, ends, rounded));
