@@ -44,7 +44,7 @@ impl SceneHit {
 /// A parameter that lies behind every hit whose `t`, as `f64` rounds it, is not behind `t`: triangles keep half of
 /// its digits at least, everything else more.
 fn just_behind(t: f64) -> f64 {
-    t + t.abs() * f64::EPSILON.sqrt()
+    t + 2.0 * f64::EPSILON.sqrt() * t.abs()
 }
 
 /// What a click at a pixel position picks: the surface nearest to the eye at that very position. `None` where the
