@@ -11,7 +11,7 @@ use std::{collections::HashMap, sync::Arc, thread};
 
 const RAYS_FROM_INSIDE: u32 = 1_000_000;
 /// Triangles that the oracle tries for each solid, over all rays from outside.
-const TRIED_FROM_OUTSIDE: usize = 500_000;
+const TRIED_FROM_OUTSIDE: usize = 300_000;
 
 /// A closed surface about the origin whose points are at least 1 and at most 2 from it.
 struct Solid {
@@ -238,7 +238,7 @@ fn from_outside_the_nearest_triangle_is_the_oracles() {
         }
         println!("{:<45} {hits} hits, {misses} misses", solid.name);
         // A ray at a silhouette may miss.
-        assert!(hits > 5 * misses && hits > 100, "{}", solid.name);
+        assert!(hits > 5 * misses && hits > 50, "{}", solid.name);
         missed += misses;
     }
     assert!(missed > 0, "no ray passed by");

@@ -6,7 +6,7 @@
 //! Predicates", 1997), by a microsecond or two for the rare triangle that comes here, and holds for every finite
 //! input, where expansions fail as soon as a product underflows.
 
-use super::{TriangleHit, VertexRay};
+use super::{Ray, TriangleHit, VertexRay};
 use glam::DVec3;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
@@ -24,15 +24,14 @@ pub(super) fn hit(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     if front == any(Sign::Plus) {
         return None;
     }
-    let exact = system.parameter()?;
-    let bounds = &ray.ray;
-    if exact.compare(bounds.t_min).is_lt() || exact.compare(bounds.t_max).is_ge() {
+    let sum: BigInt = volumes.iter().sum();
+    let exact = system.parameter(&sum)?;
+    if !exact.is_within(&ray.ray) {
         return None;
     }
     // Rounding may have crossed an end of the interval.
     let t = exact.to_f64();
-    let t = t.max(bounds.t_min).min(bounds.t_max.next_down());
-    let sum: BigInt = volumes.iter().sum();
+    let t = t.max(ray.ray.t_min).min(ray.ray.t_max.next_down());
     let weight = |volume| Fraction::new(volume, sum.clone()).map_or(0.0, |share| share.to_f64());
     Some(TriangleHit {
         t,
@@ -44,11 +43,37 @@ pub(super) fn hit(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
 
 /// Which of two triangles the ray's line meets first. Both must be hit by it.
 pub(super) fn compare_t(ray: &VertexRay, a: [DVec3; 3], b: [DVec3; 3]) -> Ordering {
-    let t = |corners| System::new(ray, corners).and_then(|system| system.parameter());
-    match (t(a), t(b)) {
+    match (plane_parameter(ray, a), plane_parameter(ray, b)) {
         (Some(a), Some(b)) => (a.numerator * b.denominator).cmp(&(b.numerator * a.denominator)),
         _ => Ordering::Equal,
     }
+}
+
+/// Whether the ray meets the triangle's plane within its interval, or runs along it.
+pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
+    plane_parameter(ray, corners).is_none_or(|t| t.is_within(&ray.ray))
+}
+
+/// Where the ray's line meets the triangle's plane; `None` when it runs along it.
+fn plane_parameter(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Fraction> {
+    let system = System::new(ray, corners)?;
+    system.parameter(&system.volumes().into_iter().sum())
+}
+
+/// How far volumes that were computed are from the exact ones.
+#[cfg(test)]
+pub(super) fn errors(ray: &VertexRay, corners: [DVec3; 3], computed: [f64; 3]) -> [f64; 3] {
+    let system = System::new(ray, corners).expect("finite");
+    let volumes = system.volumes();
+    std::array::from_fn(|i| {
+        let (mantissa, exponent) = split(computed[i]);
+        // Both in the smaller unit.
+        let unit = exponent.min(system.unit_of_volume);
+        let error = (&volumes[i] << (system.unit_of_volume - unit))
+            - (BigInt::from(mantissa) << (exponent - unit));
+        let error = Fraction::new(error, BigInt::from(1)).expect("not 0");
+        times_power_of_two(error.to_f64().abs(), unit)
+    })
 }
 
 /// A ray's line and a triangle, seen from the ray's origin, in integers.
@@ -57,6 +82,9 @@ struct System {
     corners: [IntegerVector; 3],
     /// The corners' unit is this power of two times the direction's.
     shift: i64,
+    /// The volumes' unit is this power of two.
+    #[cfg(test)]
+    unit_of_volume: i64,
 }
 
 impl System {
@@ -78,6 +106,8 @@ impl System {
             direction: integers(direction, unit_of_direction),
             corners: corners.map(seen_from),
             shift: unit - unit_of_direction,
+            #[cfg(test)]
+            unit_of_volume: 2 * unit + unit_of_direction,
         })
     }
 
@@ -87,12 +117,11 @@ impl System {
         [(b, c), (c, a), (a, b)].map(|(p, q)| dot(&self.direction, &cross(p, q)))
     }
 
-    /// `t = a . (b x c) / d . (b x c + c x a + a x b)`, which is N . a / N . d; `None` when it is parallel to the
-    /// plane.
-    fn parameter(&self) -> Option<Fraction> {
+    /// `t = a . (b x c) / d . (b x c + c x a + a x b)`, which is N . a / N . d; the denominator is the volumes' sum.
+    /// `None` when it is 0: parallel to the plane.
+    fn parameter(&self, sum: &BigInt) -> Option<Fraction> {
         let [a, b, c] = &self.corners;
-        let (mut numerator, mut denominator) =
-            (dot(a, &cross(b, c)), self.volumes().into_iter().sum());
+        let (mut numerator, mut denominator) = (dot(a, &cross(b, c)), sum.clone());
         if self.shift >= 0 {
             numerator <<= self.shift;
         } else {
@@ -121,6 +150,10 @@ impl Fraction {
                 denominator: -denominator,
             }),
         }
+    }
+
+    fn is_within(&self, ray: &Ray) -> bool {
+        self.compare(ray.t_min).is_ge() && self.compare(ray.t_max).is_lt()
     }
 
     /// Against a number that is not NaN.

@@ -44,7 +44,7 @@ impl SceneHit {
 /// A parameter that lies behind every hit whose `t`, as `f64` rounds it, is not behind `t`: triangles keep half of
 /// its digits at least, everything else more.
 fn just_behind(t: f64) -> f64 {
-    t + t.abs() * f64::EPSILON.sqrt()
+    t + 2.0 * f64::EPSILON.sqrt() * t.abs()
 }
 
 /// What a click at a pixel position picks: the surface nearest to the eye at that very position. `None` where the
@@ -52,16 +52,18 @@ fn just_behind(t: f64) -> f64 {
 #[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let hits = all(scene, &view.ray(px), view.sides);
-    let differs_px = hits
-        .first()
-        .and_then(|_| certainty::differs_px(scene, view, px));
-    (!hits.is_empty()).then(|| Pick::of(scene, view, px, &hits, 0, differs_px))
+    hits.first()?;
+    let differs_px = certainty::differs_px(scene, view, px);
+    Some(Pick::of(scene, view, px, &hits, 0, differs_px))
 }
 
 /// Every surface at a pixel position, from front to back.
 #[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let hits = all(scene, &view.ray(px), view.sides);
+    if hits.is_empty() {
+        return Vec::new();
+    }
     let differs_px = certainty::differs_px(scene, view, px);
     let picks = (0..hits.len()).map(|i| Pick::of(scene, view, px, &hits, i, differs_px));
     picks.collect()
@@ -121,25 +123,21 @@ fn merged(a: Vec<SceneHit>, b: Vec<SceneHit>) -> Vec<SceneHit> {
 fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
     let first = &scene.objects()[batch.start];
     let local = first.placement.ray_to_object(ray);
-    let at = |object| move |hit| SceneHit { object, hit };
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            let found = mesh.all(&local, sides, guarded_volume, accept);
-            let object_of = |hit: &Hit| {
-                hit.on_triangle.map_or(batch.start, |at| {
-                    batch.start + mesh.part_of(at.triangle) - part
-                })
-            };
-            found
-                .into_iter()
-                .map(|hit| at(object_of(&hit))(hit))
-                .collect()
+            let found = mesh.all(&local, sides, guarded_volume, accept).into_iter();
+            let hits = found.filter_map(|hit| {
+                let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
+                Some(SceneHit { object, hit })
+            });
+            hits.collect()
         }
         shape if first.visible => {
             let found = analytic_hits(shape, &local).into_iter().flatten();
             let shown = found.filter(|hit| sides.shows(local.direction, hit.normal));
-            shown.map(at(batch.start)).collect()
+            let object = batch.start;
+            shown.map(|hit| SceneHit { object, hit }).collect()
         }
         _ => Vec::new(),
     }
