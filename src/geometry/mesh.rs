@@ -173,6 +173,12 @@ impl Mesh {
         }
     }
 
+    /// Whether rays are as fast as they will be: there is a tree, or no need of one.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some()
+    }
+
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
     /// the lowest triangle. By [`guarded_volume`](super::guarded_volume) the choice is that of exact arithmetic.
     pub fn closest(
