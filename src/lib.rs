@@ -47,4 +47,5 @@ pub mod look;
 pub mod pick;
 pub mod render;
 pub mod scene;
+pub mod study;
 pub mod viewer;
