@@ -1,6 +1,6 @@
 //! `sightline study`: speed against accuracy.
 
-use super::{CliError, SceneArgs, ViewArgs, load};
+use super::{CliError, SceneArgs, ViewArgs, load, value};
 use crate::study::{self, Effort, SceneRays, chart};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
@@ -20,13 +20,22 @@ pub struct StudyArgs {
     /// Where random numbers start; the same seed gives the same verdicts on every machine
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+    /// Say instead which precision the scene needs to stay within so many pixels
+    #[arg(long, value_name = "PX", value_parser = value::number)]
+    pub budget: Option<f64>,
     /// How to look at the scene.
     #[command(flatten)]
     pub view: ViewArgs,
 }
 
+/// Rays of a scene for its budget.
+const BUDGET_RAYS: usize = 2000;
+
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
+    if let Some(px) = args.budget {
+        return budget(args, px);
+    }
     let effort = Effort {
         seed: args.seed,
         ..if args.quick {
@@ -74,6 +83,25 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         }
     }
     Ok(())
+}
+
+/// Prints what the scene (or the demo) needs.
+fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
+    if !(px > 0.0) {
+        return Err(CliError::Usage("--budget takes pixels above 0".to_owned()));
+    }
+    let mut loaded = load(&args.scene)?;
+    let view = args.view.apply(&mut loaded)?;
+    let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
+    let effort = Effort {
+        seed: args.seed,
+        ..Effort::SCENE_ONLY
+    };
+    let report = study::run(effort, Some(&rays), &|_, _| {});
+    let page = study::budget(&loaded.scene, &view, &rays.triangles(), &report, px);
+    std::io::stdout()
+        .write_all(page.as_bytes())
+        .map_err(CliError::stdout)
 }
 
 /// A bar on stderr where that is a terminal, nothing where it is not.

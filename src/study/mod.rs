@@ -1,6 +1,7 @@
 //! Speed against accuracy: the known methods for each step of a pick, over workloads that stress them, held against
 //! exact truth and timed.
 
+mod budget;
 pub mod chart;
 mod csv;
 pub mod exact;
@@ -14,6 +15,7 @@ mod timing;
 pub mod truth;
 pub mod workloads;
 
+pub use budget::{Term, budget};
 pub use csv::{COLUMNS, csv};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use table::{Summary, table};

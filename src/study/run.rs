@@ -3,7 +3,7 @@
 use super::{
     methods::{Visitor, each_step},
     random::Random,
-    step::{About, Case, Precision, Verdict},
+    step::{About, Bound, Case, Precision, Verdict},
     timing::{self, Time},
     workloads::scene::SceneRays,
 };
@@ -34,6 +34,13 @@ impl Effort {
     pub const QUICK: Self = Self {
         cases: 500,
         picks: 200,
+        rounds: 11,
+        seed: 1,
+    };
+    /// A scene's own rays only.
+    pub const SCENE_ONLY: Self = Self {
+        cases: 0,
+        picks: 0,
         rounds: 11,
         seed: 1,
     };
@@ -79,6 +86,8 @@ pub struct Row {
     pub worst_error: f64,
     /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
+    /// The largest of these bounds.
+    pub bound: Option<Bound>,
 }
 
 impl Row {
@@ -264,6 +273,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 median_error: 0.0,
                 worst_error: 0.0,
                 of_bound: method.ours.then_some(0.0),
+                bound: method.ours.then_some(Bound::NONE),
             };
             let mut errors = Vec::with_capacity(cases.len());
             for (case, truth) in cases.iter().zip(&truths) {
@@ -291,6 +301,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                     }
                 };
                 row.of_bound = row.of_bound.map(|most| most.max(share));
+                row.bound = row.bound.map(|most| most.max(bound));
             }
             errors.sort_by(f64::total_cmp);
             row.median_error = errors.get(errors.len() / 2).copied().unwrap_or(0.0);

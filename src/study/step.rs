@@ -153,3 +153,20 @@ pub struct Bound {
     /// Of the distance from where a wrong decision would be right; 0 where no decision is wrong.
     pub wrong: f64,
 }
+
+impl Bound {
+    /// Nothing can be wrong.
+    pub const NONE: Self = Self {
+        error: 0.0,
+        wrong: 0.0,
+    };
+
+    /// The larger of both, each.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self {
+            error: self.error.max(other.error),
+            wrong: self.wrong.max(other.wrong),
+        }
+    }
+}

@@ -25,10 +25,14 @@ impl Axis {
     pub fn new(values: &[f64], ends: [f64; 2], least: i32) -> Self {
         let finite = || values.iter().copied().filter(|v| v.is_finite() && *v > 0.0);
         #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
-        let decade = |v: f64| v.log10().floor() as i32;
-        let low = finite().map(decade).min().unwrap_or(0).max(least);
+        let decade = |v: f64, to: fn(f64) -> f64| to(v.log10()) as i32;
+        let low = finite()
+            .map(|v| decade(v * 1.000_001, f64::floor))
+            .min()
+            .unwrap_or(0)
+            .max(least);
         let high = finite()
-            .map(|v| decade(v) + 1)
+            .map(|v| decade(v * 0.999_999, f64::ceil))
             .max()
             .unwrap_or(1)
             .max(low + 1);
@@ -58,6 +62,11 @@ impl Axis {
             ends: [b, a],
             ..self
         }
+    }
+
+    /// The power of ten at its lower end.
+    fn least(&self) -> f64 {
+        10_f64.powi(self.decades[0])
     }
 
     /// The pixel position of a value.
@@ -130,6 +139,8 @@ pub struct Labels<'a> {
     pub y: &'a str,
     /// At the place of 0.
     pub zero: &'a str,
+    /// At the least value that is told apart, where that stands for something else.
+    pub least: Option<&'a str>,
 }
 
 /// Size of tick labels.
@@ -157,6 +168,8 @@ impl Panel {
         for (value, word) in self.y.ticks(5) {
             let y = self.y.at(value);
             picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
+            let least = labels.least.filter(|_| value <= 1.000_001 * self.y.least());
+            let word = least.map_or(word, str::to_owned);
             picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
         }
         if let Some(y) = self.y.zero {

@@ -67,6 +67,13 @@ impl Measure {
         }
     }
 
+    /// The word for the least value, where some of these are ties.
+    #[must_use]
+    pub fn least(self, values: &[f64]) -> Option<&'static str> {
+        let ties = values.iter().any(|v| v.total_cmp(&Self::TIE).is_eq());
+        (self == Self::Wrong && ties).then_some("ties")
+    }
+
     /// A method at its worst over all rows of a summary.
     fn worst(self, summary: &Summary<'_>) -> f64 {
         [summary.most_wrong, summary.worst_wrong, summary.worst_error]
@@ -81,7 +88,7 @@ const COLUMNS: usize = 5;
 const WIDTH: f64 = 1600.0;
 const TOP: f64 = 92.0;
 const PANEL_HEIGHT: f64 = 404.0;
-const PLOT_HEIGHT: f64 = 196.0;
+const PLOT_HEIGHT: f64 = 186.0;
 
 /// The chart; `wanted` says which rows count. Steps that were not timed have no panel.
 #[must_use]
@@ -127,6 +134,7 @@ fn panel(picture: &mut Picture, step: About, timed: &[&Summary<'_>], [left, top]
             x: "time (ns)",
             y: &y,
             zero: measure.zero(),
+            least: measure.least(&ys),
         },
     );
     let front = front(&points).into_iter().map(|(x, y)| panel.at(x, y));
@@ -142,7 +150,7 @@ fn panel(picture: &mut Picture, step: About, timed: &[&Summary<'_>], [left, top]
         style.point(picture, panel.at(*ns, *y));
     }
     let entries = points.iter().map(|(_, _, style)| style);
-    legend(picture, entries, [left + 22.0, to[1] + 52.0], 17.0);
+    legend(picture, entries, [left + 22.0, to[1] + 50.0], 16.5);
 }
 
 /// The points that no other is both faster and better than, fastest first.

@@ -6,9 +6,9 @@ use super::{
 };
 use crate::study::methods::depth::Mapping;
 
-/// A mapping with its name and colour.
-const MAPPINGS: [(&str, Mapping, Colour); 5] = [
-    ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1]),
+/// A mapping with its name, colour and line width: those below are wider than those that cover them.
+const MAPPINGS: [(&str, Mapping, Colour, u32); 5] = [
+    ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1], 9),
     (
         "standard, 24-bit integer",
         Mapping {
@@ -16,6 +16,7 @@ const MAPPINGS: [(&str, Mapping, Colour); 5] = [
             ..Mapping::STANDARD
         },
         COLOURS[5],
+        6,
     ),
     (
         "reversed, 24-bit integer",
@@ -24,6 +25,7 @@ const MAPPINGS: [(&str, Mapping, Colour); 5] = [
             ..Mapping::REVERSED
         },
         COLOURS[0],
+        2,
     ),
     (
         "reversed, infinite far plane, 32-bit float",
@@ -32,11 +34,13 @@ const MAPPINGS: [(&str, Mapping, Colour); 5] = [
             ..Mapping::REVERSED
         },
         COLOURS[2],
+        7,
     ),
     (
         "reversed, 32-bit float: Sightline's",
         Mapping::REVERSED,
         [0, 0, 0],
+        3,
     ),
 ];
 
@@ -56,17 +60,17 @@ pub fn chart(title: &str) -> Picture {
     let depths: Vec<f64> = decades
         .map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)))
         .collect();
-    let curves = MAPPINGS.map(|(name, mapping, colour)| {
+    let curves = MAPPINGS.map(|(name, mapping, colour, width)| {
         let steps: Vec<f64> = depths
             .iter()
             .map(|z| resolution(mapping, *z, NEAR, FAR))
             .collect();
-        (name, colour, steps)
+        (name, colour, width, steps)
     });
     let xs = [depths[0], depths[depths.len() - 1]];
     let ys: Vec<f64> = curves
         .iter()
-        .flat_map(|(_, _, steps)| steps)
+        .flat_map(|(_, _, _, steps)| steps)
         .copied()
         .filter(|y| y.is_finite())
         .collect();
@@ -78,10 +82,11 @@ pub fn chart(title: &str) -> Picture {
             x: "view depth (world units)",
             y: "least step in depth (world units)",
             zero: "0",
+            least: None,
         },
     );
     let mut ends: Vec<(f64, &str, Colour)> = Vec::new();
-    for (name, colour, steps) in &curves {
+    for (name, colour, width, steps) in &curves {
         let points = depths
             .iter()
             .zip(steps)
@@ -90,12 +95,7 @@ pub fn chart(title: &str) -> Picture {
         if let Some(&[_, y]) = points.last() {
             ends.push((y, name, *colour));
         }
-        picture.line(
-            points,
-            *colour,
-            if *colour == [0, 0, 0] { 5 } else { 3 },
-            false,
-        );
+        picture.line(points, *colour, *width, false);
     }
     // Labels beside the lines' ends, from the top, moved apart where lines end together.
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -26,7 +26,7 @@ const COLUMNS: usize = 4;
 const WIDTH: f64 = 1600.0;
 const TOP: f64 = 92.0;
 const PANEL_HEIGHT: f64 = 404.0;
-const PLOT_HEIGHT: f64 = 196.0;
+const PLOT_HEIGHT: f64 = 186.0;
 
 /// The chart.
 #[must_use]
@@ -77,6 +77,7 @@ fn panel(picture: &mut Picture, step: About, rows: &[&Row], [left, top]: [f64; 2
             x: rows[0].parameter,
             y: &y,
             zero: measure.zero(),
+            least: measure.least(&ys),
         },
     );
     let first_value = rows[0].value.to_bits();

@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::{num::NonZero, sync::Arc, thread};
 
 /// How far out the scene stands, in the ball's radii.
-pub const OFFSET: f64 = 1e4;
+pub const OFFSET: f64 = 100.0;
 /// Every how many pixels a pick is made.
 const STRIDE: u32 = 2;
 
@@ -53,10 +53,10 @@ pub fn chart(title: &str) -> Picture {
     };
     let cases: Vec<PickCase> = (0..columns * rows).map(at).collect();
     let truths = each(&cases, &PickCase::truth);
-    let mut picture = Picture::new(1600, 720);
+    let mut picture = Picture::new(1600, 650);
     picture.text([40.0, 36.0], Anchor::Left, 27.0, INK, title);
     let line = format!(
-        "The same {} picks on a ball of 5120 triangles, {OFFSET:e} of its radii from the origin: every one decided by exact arithmetic.",
+        "The same {} picks on a ball of 5120 triangles, {OFFSET} of its radii from the origin: every one decided by exact arithmetic.",
         cases.len()
     );
     picture.text([40.0, 68.0], Anchor::Left, 17.0, QUIET, line);

@@ -70,7 +70,7 @@ pub fn ball_scene(offset: f64) -> (Scene, View) {
         far: 16.0,
         depth: DepthMapping::Reversed,
     };
-    let camera = Camera::new(at + DVec3::new(0.9, 0.7, 2.2), at, DVec3::Y, lens);
+    let camera = Camera::new(at + DVec3::new(0.75, 0.5, 1.75), at, DVec3::Y, lens);
     let viewport = Viewport::new(320, 180);
     let view = View {
         camera: camera.expect("a camera"),

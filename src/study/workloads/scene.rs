@@ -120,7 +120,8 @@ impl SceneRays {
     }
 
     /// The triangle that is hit, those beside it in the file, and any other.
-    pub(in crate::study) fn triangles(&self) -> Vec<TriangleCase> {
+    #[must_use]
+    pub fn triangles(&self) -> Vec<TriangleCase> {
         let mut random = Random::named(self.seed, &["triangles"]);
         let mut cases = Vec::new();
         for (ray, object, hit) in self.objects() {
@@ -178,15 +179,18 @@ impl SceneRays {
         rays.map(case).collect()
     }
 
+    /// In the world, where planes lie as they like.
     pub(in crate::study) fn planes(&self) -> Vec<PlaneCase> {
-        let rays = self
-            .local(|shape| matches!(shape, Shape::Square))
-            .into_iter();
-        let rays = rays.filter(|(ray, _)| ray.direction.z != 0.0 && ray.origin.z != 0.0);
-        let sides = [V3::new(1.0, 0.0, 0.0), V3::new(0.0, 1.0, 0.0)];
-        let middle = V3::new(0.0, 0.0, 0.0);
-        rays.map(|(ray, _)| PlaneCase::new(ray.origin.into(), ray.direction.into(), middle, sides))
-            .collect()
+        let squares = self
+            .objects()
+            .filter(|(_, object, _)| matches!(object.shape, Shape::Square));
+        let case = |(ray, object, _): (&Ray, &Object, &SceneHit)| {
+            let model = object.placement.model();
+            let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
+            let point = model.translation.into();
+            PlaneCase::new(ray.origin.into(), ray.direction.into(), point, sides)
+        };
+        squares.map(case).collect()
     }
 
     pub(in crate::study) fn clips(&self) -> Vec<ClipCase> {
