@@ -2,9 +2,13 @@
 
 use super::terminal::say;
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, viewer::ViewerError,
+    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError,
+    study::chart::ChartError, viewer::ViewerError,
 };
-use std::{path::PathBuf, process::ExitCode};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 /// Why a command did not do what it was asked. One line, with what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -37,6 +41,17 @@ pub enum CliError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A file or folder could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// Which one.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A chart could not be written.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
     /// Nothing to draw with.
     #[error(transparent)]
     Gpu(#[from] GpuError),
@@ -62,7 +77,12 @@ impl CliError {
         match self {
             Self::Unexplained(_) => 1,
             Self::Usage(_) | Self::View(_) => 2,
-            Self::SceneCamera { .. } | Self::Load(_) | Self::Image(_) | Self::Stream { .. } => 3,
+            Self::SceneCamera { .. }
+            | Self::Load(_)
+            | Self::Image(_)
+            | Self::Stream { .. }
+            | Self::Write { .. }
+            | Self::Chart(_) => 3,
             Self::Gpu(_) | Self::NothingDrawn(_) => 4,
             Self::NoDisplay => 5,
         }
@@ -77,6 +97,14 @@ impl CliError {
         }
         say(&self.to_string());
         ExitCode::from(self.exit_code())
+    }
+
+    /// A file or folder that could not be written.
+    pub(super) fn file(path: &Path, source: std::io::Error) -> Self {
+        Self::Write {
+            path: path.to_owned(),
+            source,
+        }
     }
 
     /// A failure of standard output.
