@@ -55,6 +55,14 @@ pub enum CliError {
     /// Nothing to draw with.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// Nothing to compare picks with.
+    #[error("{0}; picking itself needs no driver")]
+    NothingDrawn(GpuError),
+    /// Drawn and picked differ without a reason.
+    #[error(
+        "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
+    )]
+    Unexplained(usize),
     /// Nowhere to open a window.
     #[error(
         "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
@@ -63,10 +71,11 @@ pub enum CliError {
 }
 
 impl CliError {
-    /// The exit code: 2 usage, 3 a file, 4 no graphics adapter, 5 no display.
+    /// The exit code: 1 a defect, 2 usage, 3 a file, 4 no graphics adapter, 5 no display.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
+            Self::Unexplained(_) => 1,
             Self::Usage(_) | Self::View(_) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)
@@ -74,7 +83,7 @@ impl CliError {
             | Self::Stream { .. }
             | Self::Write { .. }
             | Self::Chart(_) => 3,
-            Self::Gpu(_) => 4,
+            Self::Gpu(_) | Self::NothingDrawn(_) => 4,
             Self::NoDisplay => 5,
         }
     }

@@ -9,6 +9,7 @@ mod render;
 mod study;
 mod terminal;
 mod value;
+mod verify;
 mod view;
 mod window;
 
@@ -17,6 +18,7 @@ pub use list::ListArgs;
 pub use pick::{At, PickArgs};
 pub use render::{By, RenderArgs};
 pub use study::StudyArgs;
+pub use verify::{Picker, VerifyArgs};
 pub use view::ViewArgs;
 pub use window::WindowArgs;
 
@@ -58,6 +60,8 @@ pub enum Command {
     List(ListArgs),
     /// Measure how fast and how right the known methods are
     Study(StudyArgs),
+    /// Compare what is drawn with what is picked, pixel by pixel
+    Verify(VerifyArgs),
 }
 
 /// What every command takes.
@@ -88,6 +92,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::Pick(args)) => pick::run(args),
         Some(Command::List(args)) => list::run(args),
         Some(Command::Study(args)) => study::run(args),
+        Some(Command::Verify(args)) => verify::run(args),
         None => window::run(&cli.window),
     };
     match done {

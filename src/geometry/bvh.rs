@@ -1,9 +1,9 @@
 //! A bounding volume hierarchy over a mesh's triangles.
 //!
-//! Built by `obvhs`, walked here: its boxes are `f32` about `f32` vertices and therefore exact, and the walk
-//! is in `f64` with boxes widened by the rounding of the slab test, so that no hit is lost between them.
+//! Built by `obvhs`, walked here: its boxes are `f32` about `f32` vertices and therefore exact, and
+//! [`Aabb::may_hit`] allows for all rounding of the walk in `f64`, so that no hit is lost between them.
 
-use super::{Aabb, Ray};
+use super::{Aabb, VertexRay};
 use glam::DVec3;
 use obvhs::{BvhBuildParams, bvh2::Bvh2};
 use std::time::Duration;
@@ -40,15 +40,15 @@ impl Bvh {
     }
 
     /// Calls `visit` with every triangle whose box `ray` may hit, nearer boxes first. `visit` returns the new
-    /// end of the ray's interval; boxes that begin beyond it are passed over, one that begins *at* it is not,
-    /// so that equal hits are all seen.
-    pub fn visit(&self, ray: &Ray, mut visit: impl FnMut(u32) -> f64) {
+    /// end of the ray's interval, which must not be before the exact parameter of the best hit so far; boxes that
+    /// begin beyond it are passed over, one that begins *at* it is not, so that equal hits are all seen.
+    pub fn visit(&self, ray: &VertexRay, mut visit: impl FnMut(u32) -> f64) {
         let nodes = &self.tree.nodes;
         if nodes.is_empty() {
             return;
         }
         let mut ray = *ray;
-        let inverse = ray.direction.recip();
+        let inverse = ray.ray.direction.recip();
         let mut stack = Vec::with_capacity(64);
         if self.bounds(0).may_hit(&ray, inverse) {
             stack.push(0);
@@ -64,7 +64,7 @@ impl Bvh {
                 for &triangle in
                     &self.tree.primitive_indices[first..first + node.prim_count as usize]
                 {
-                    ray.t_max = visit(triangle);
+                    ray.ray.t_max = visit(triangle);
                 }
                 continue;
             }
@@ -78,9 +78,9 @@ impl Bvh {
     }
 
     /// Whether box `a` lies before box `b` along the ray, by their centres.
-    fn begins_before(&self, ray: &Ray, a: usize, b: usize) -> bool {
+    fn begins_before(&self, ray: &VertexRay, a: usize, b: usize) -> bool {
         let apart = self.bounds(b).center() - self.bounds(a).center();
-        ray.direction.dot(apart) >= 0.0
+        ray.ray.direction.dot(apart) >= 0.0
     }
 
     fn bounds(&self, node: usize) -> Aabb {

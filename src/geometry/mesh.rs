@@ -1,9 +1,12 @@
 //! Triangle meshes: what one file holds.
 
-use super::{Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest};
+use super::{
+    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
+    triangle::{compare_t, is_in_doubt},
+};
 use crate::colour::Srgb;
 use glam::DVec3;
-use std::{ops::Range, sync::OnceLock};
+use std::{cmp::Ordering, ops::Range, sync::OnceLock};
 
 /// Below this many triangles a tree costs more than it saves in any session of picks.
 const WORTH_A_TREE: usize = 512;
@@ -170,8 +173,14 @@ impl Mesh {
         }
     }
 
+    /// Whether rays are as fast as they will be: there is a tree, or no need of one.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some()
+    }
+
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
-    /// the lowest triangle.
+    /// the lowest triangle. By [`guarded_volume`](super::guarded_volume) the choice is that of exact arithmetic.
     pub fn closest(
         &self,
         ray: &Ray,
@@ -179,49 +188,67 @@ impl Mesh {
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        let local = self.to_vertex_space(ray);
+        let local = VertexRay::new(ray, self.data.origin);
         let mut best: Option<(u32, TriangleHit)> = None;
+        let mut end = ray.t_max;
         self.visit(&local, |triangle| {
-            let end = best.map_or(ray.t_max, |(_, hit)| hit.t);
-            // Equal hits beyond the first are wanted too: the end is open, so it is moved by one step.
-            let within = Ray {
-                t_max: if best.is_some() { end.next_up() } else { end },
-                ..local
-            };
-            if let Some(hit) = self.test(&within, triangle, sides, test)
-                && best.is_none_or(|(winner, nearest)| (hit.t, triangle) < (nearest.t, winner))
+            if let Some(hit) = test(&local, self.vertex_corners(triangle))
+                && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
+                && best.is_none_or(|best| self.compare(&local, (triangle, hit), best).is_lt())
             {
                 best = Some((triangle, hit));
-                return hit.t;
+                // The exact parameter may be this much further, and nearer or equal ones may lie before it.
+                end = hit.t + hit.t_error;
             }
             end
         });
-        best.map(|(triangle, hit)| self.hit(triangle, hit))
+        best.map(|found| self.hit(found))
     }
 
-    /// All hits of an object-space ray on the parts that `accept` names, in no order.
+    /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
     pub fn all(
         &self,
         ray: &Ray,
         sides: Sides,
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
-        hits: &mut Vec<Hit>,
-    ) {
-        let local = self.to_vertex_space(ray);
+    ) -> Vec<Hit> {
+        let local = VertexRay::new(ray, self.data.origin);
+        let mut found = Vec::new();
         self.visit(&local, |triangle| {
-            if let Some(hit) = self.test(&local, triangle, sides, test)
+            if let Some(hit) = test(&local, self.vertex_corners(triangle))
+                && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
-                hits.push(self.hit(triangle, hit));
+                found.push((triangle, hit));
             }
             ray.t_max
         });
+        found.sort_by(|&a, &b| self.compare(&local, a, b));
+        found.into_iter().map(|found| self.hit(found)).collect()
+    }
+
+    /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and
+    /// whose parts `accept` names. The same with and without a tree.
+    pub fn is_in_doubt(&self, ray: &Ray, accept: impl Fn(usize) -> bool) -> bool {
+        let local = VertexRay::new(ray, self.data.origin);
+        let inverse = ray.direction.recip();
+        let mut found = false;
+        self.visit(&local, |triangle| {
+            let corners = self.vertex_corners(triangle);
+            found = found
+                || is_in_doubt(&local, corners)
+                    && Aabb::around(corners).may_hit(&local, inverse)
+                    && accept(self.part_of(triangle));
+            // Once is enough: nothing lies before this.
+            if found { f64::NEG_INFINITY } else { ray.t_max }
+        });
+        found
     }
 
     /// Every triangle that the ray may hit: through the tree, or all of them in order.
-    fn visit(&self, local: &Ray, mut visit: impl FnMut(u32) -> f64) {
+    fn visit(&self, local: &VertexRay, mut visit: impl FnMut(u32) -> f64) {
         if let Some(tree) = self.tree.get() {
             tree.visit(local, visit);
         } else {
@@ -231,32 +258,27 @@ impl Mesh {
         }
     }
 
-    fn test(
+    /// The order of hits along a ray.
+    fn compare(
         &self,
-        local: &Ray,
-        triangle: u32,
-        sides: Sides,
-        test: TriangleTest,
-    ) -> Option<TriangleHit> {
-        let corners = self.vertex_corners(triangle);
-        test(local, corners).filter(|_| sides.shows(local.direction, normal(corners)))
+        local: &VertexRay,
+        (a, hit_a): (u32, TriangleHit),
+        (b, hit_b): (u32, TriangleHit),
+    ) -> Ordering {
+        let [corners_a, corners_b] = [a, b].map(|triangle| self.vertex_corners(triangle));
+        compare_t(local, (corners_a, hit_a), (corners_b, hit_b)).then(a.cmp(&b))
     }
 
-    fn hit(&self, triangle: u32, hit: TriangleHit) -> Hit {
+    fn hit(&self, (triangle, hit): (u32, TriangleHit)) -> Hit {
         Hit {
             t: hit.t,
             normal: normal(self.vertex_corners(triangle)),
             on_triangle: Some(OnTriangle {
                 triangle,
                 barycentric: hit.barycentric,
+                front: hit.front,
+                t_error: hit.t_error,
             }),
-        }
-    }
-
-    fn to_vertex_space(&self, ray: &Ray) -> Ray {
-        Ray {
-            origin: ray.origin - self.data.origin,
-            ..*ray
         }
     }
 

@@ -1,20 +1,22 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
 //! [`Action`].
 
-use super::action::{Action, LensControls};
+use super::{
+    action::{Action, LensControls},
+    stages::Stage,
+};
 use crate::{
     camera::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
-        fit_near_far, pixel_centre,
+        fit_near_far,
     },
     geometry::{Aabb, Sides},
-    pick::{self, PickLine},
+    pick::PickLine,
     scene::{Loaded, Scene},
 };
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
-/// Radians of orbit for a pixel of drag.
-const TURN_PER_PX: f64 = 0.008;
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
 
@@ -28,34 +30,47 @@ pub struct Selection {
 }
 
 #[derive(Clone, Copy)]
-struct LastClick {
-    pixel: DVec2,
-    time_s: f64,
+pub(super) struct LastClick {
+    pub pixel: DVec2,
+    pub time_s: f64,
     /// How many surfaces in front of the picked one were passed over.
-    behind: usize,
+    pub behind: usize,
+}
+
+/// A camera that was left standing in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// Its view.
+    pub view: View,
+    /// The position whose ray is shown: the pick's, or the middle of the picture.
+    pub px: DVec2,
 }
 
 /// The window's state.
 pub struct State {
-    scene: Scene,
+    pub(super) scene: Scene,
     /// Counts scenes, for those who keep something made from one.
-    scene_revision: u64,
+    pub(super) scene_revision: u64,
     /// Counts changes of visibility.
-    visibility_revision: u64,
-    name: String,
-    opened_with: CameraChoice,
-    orbit: Orbit,
-    up_axis: UpAxis,
-    controls: LensControls,
+    pub(super) visibility_revision: u64,
+    pub(super) name: String,
+    pub(super) opened_with: CameraChoice,
+    pub(super) orbit: Orbit,
+    pub(super) up_axis: UpAxis,
+    pub(super) controls: LensControls,
     /// Height of the orthographic picture over the orbit's distance.
-    height_per_distance: f64,
-    view: View,
-    pivot_world: DVec3,
-    pan_depth: f64,
-    selection: Option<Selection>,
-    hover: Option<usize>,
-    last_click: Option<LastClick>,
-    grid: bool,
+    pub(super) height_per_distance: f64,
+    pub(super) view: View,
+    pub(super) pivot_world: DVec3,
+    pub(super) pan_depth: f64,
+    pub(super) selection: Option<Selection>,
+    pub(super) hover: Option<usize>,
+    pub(super) last_click: Option<LastClick>,
+    pub(super) grid: bool,
+    pub(super) frozen: Option<Frozen>,
+    pub(super) stage: Stage,
+    /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
+    pub(super) world: Option<(Scene, View)>,
 }
 
 impl State {
@@ -104,6 +119,9 @@ impl State {
             hover: None,
             last_click: None,
             grid: true,
+            frozen: None,
+            stage: Stage::World,
+            world: None,
         })
     }
 
@@ -126,6 +144,62 @@ impl State {
             ..next
         };
         Ok(())
+    }
+
+    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
+    pub fn reload(&mut self, loaded: Loaded) {
+        self.show_stage(Stage::World);
+        let old = std::mem::replace(&mut self.scene, loaded.scene);
+        let old = old.objects();
+        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
+            .map(|(index, object)| (object.name.as_str(), index))
+            .collect();
+        let before = |index: usize, name: &str| {
+            let same_place = old.get(index).filter(|object| object.name == name);
+            same_place
+                .map(|_| index)
+                .or_else(|| by_name.get(name).copied())
+        };
+        let selected = self.selection.take().map(|selection| selection.object);
+        for index in 0..self.scene.objects().len() {
+            let Some(was) = before(index, &self.scene.objects()[index].name) else {
+                continue;
+            };
+            self.scene.set_visible(index, old[was].visible);
+            if selected == Some(was) && self.selection.is_none() {
+                self.selection = Some(Selection {
+                    object: index,
+                    pick: None,
+                });
+            }
+        }
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.last_click = None;
+        self.fit();
+    }
+
+    /// The camera, all of it, as a scene file keeps it.
+    #[must_use]
+    pub fn camera_choice(&self) -> CameraChoice {
+        let camera = &self.view.camera;
+        let ortho = match camera.lens().projection {
+            Projection::Orthographic { height } => Some(height),
+            Projection::Perspective { .. } => None,
+        };
+        CameraChoice {
+            eye: Some(camera.eye()),
+            target: Some(camera.target()),
+            look: None,
+            up: Some(camera.up_hint()),
+            fov: ortho.is_none().then_some(self.controls.fov_deg),
+            ortho,
+            near: self.controls.near,
+            far: self.controls.far,
+            depth: Some(self.controls.depth),
+            up_axis: Some(self.up_axis),
+        }
     }
 
     /// What there is to see.
@@ -164,10 +238,13 @@ impl State {
         self.controls
     }
 
-    /// Which world axis points up.
+    /// Which axis points up in what is shown: the world's, or y of view space and NDC.
     #[must_use]
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis
+        match self.stage {
+            Stage::Object | Stage::World => self.up_axis,
+            Stage::View | Stage::Ndc => UpAxis::Y,
+        }
     }
 
     /// What is selected.
@@ -188,6 +265,37 @@ impl State {
         self.grid
     }
 
+    /// The camera that was left standing in the scene. At other stages than the world's it is not shown.
+    #[must_use]
+    pub fn frozen(&self) -> Option<&Frozen> {
+        self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// How far along the pipeline the scene is shown.
+    #[must_use]
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// The scene itself and the view that its matrices are of, whatever stage is shown.
+    #[must_use]
+    pub fn world(&self) -> (&Scene, &View) {
+        self.world
+            .as_ref()
+            .map_or((&self.scene, &self.view), |(scene, view)| (scene, view))
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let frozen = self.frozen();
+        let frustum = frozen
+            .into_iter()
+            .flat_map(|frozen| frozen.view.frustum_corners());
+        let eye = frozen.map(|frozen| frozen.view.camera.eye());
+        frustum.chain(eye).fold(bounds, Aabb::including)
+    }
+
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
     ///
     /// # Errors
@@ -202,221 +310,8 @@ impl State {
         }
     }
 
-    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing.
-    pub fn apply(&mut self, action: Action) -> Option<PickLine> {
-        match action {
-            Action::Resize(viewport) => {
-                self.view.viewport = viewport;
-            }
-            Action::BeginTurn(px) => {
-                if let Some(hit) = pick::closest(&self.scene, &self.view.ray(px), self.view.sides) {
-                    self.pivot_world = self.view.ray(px).at(hit.hit.t);
-                }
-            }
-            Action::Turn(by_px) => {
-                self.orbit.turn(
-                    self.pivot_world,
-                    -by_px.x * TURN_PER_PX,
-                    by_px.y * TURN_PER_PX,
-                );
-                self.moved();
-            }
-            Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
-            Action::Pan(by_px) => {
-                self.orbit.pan(
-                    by_px,
-                    self.pan_depth,
-                    self.view.camera.lens(),
-                    self.view.viewport,
-                );
-                self.moved();
-            }
-            Action::Zoom(px, factor) => {
-                self.orbit.zoom(self.point_at(px), factor);
-                self.moved();
-            }
-            Action::Click(px, time_s) => return Some(self.click(px, time_s)),
-            Action::Recentre(px) => {
-                let ray = self.view.ray(px);
-                let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
-                    return self.apply(Action::FrameAll);
-                };
-                self.pivot_world = ray.at(hit.hit.t);
-                self.orbit.center_on(self.pivot_world);
-                self.moved();
-            }
-            Action::Hover(px) => {
-                let hit = px.and_then(|px| {
-                    pick::closest(
-                        &self.scene,
-                        &self.view.ray(pixel_centre(px)),
-                        self.view.sides,
-                    )
-                });
-                self.hover = hit.map(|hit| hit.object);
-            }
-            Action::FrameAll => self.frame(self.scene.visible_bounds()),
-            Action::FrameSelection => {
-                let selected = self
-                    .selection
-                    .as_ref()
-                    .map(|selection| self.scene.bounds_of(selection.object));
-                self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
-            }
-            Action::LookFrom(direction) => {
-                self.orbit.look_from(self.up_axis, direction);
-                self.moved();
-            }
-            Action::ResetView => self.reset_view(),
-            Action::Pose([eye, target, up]) => {
-                if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
-                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
-                    self.view.camera = camera;
-                    self.fit();
-                }
-            }
-            Action::Lens(controls) => self.set_lens(controls),
-            Action::UpAxis(up_axis) => {
-                self.up_axis = up_axis;
-                self.opened_with.up_axis = Some(up_axis);
-                self.reset_view();
-            }
-            Action::Sides(sides) => self.view.sides = sides,
-            Action::Select(object) => {
-                self.selection = object.map(|object| Selection { object, pick: None });
-                self.last_click = None;
-            }
-            Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
-            Action::HideSelection => {
-                if let Some(selection) = self.selection.take() {
-                    self.show(|index| index == selection.object, false);
-                }
-            }
-            Action::Isolate => {
-                if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
-                    self.show(|index| index != object, false);
-                    self.show(|index| index == object, true);
-                }
-            }
-            Action::ShowAll => self.show(|_| true, true),
-            Action::ToggleGrid => self.grid = !self.grid,
-        }
-        None
-    }
-
-    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
-    fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
-        let px = pixel_centre(px);
-        let behind = match self.last_click {
-            Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {
-                last.behind + 1
-            }
-            Some(last) if last.pixel == px => last.behind,
-            _ => 0,
-        };
-        let hit = if behind == 0 {
-            pick::pick(&self.scene, &self.view, px)
-        } else {
-            let mut hits = pick::pick_all(&self.scene, &self.view, px);
-            let index = behind % hits.len().max(1);
-            (index < hits.len()).then(|| hits.swap_remove(index))
-        };
-        let line = PickLine { px, hit };
-        self.last_click = Some(LastClick {
-            pixel: px,
-            time_s,
-            behind,
-        });
-        self.selection = line.hit.as_ref().map(|hit| Selection {
-            object: hit.id - 1,
-            pick: Some(line.clone()),
-        });
-        line
-    }
-
-    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
-    fn point_at(&self, px: DVec2) -> DVec3 {
-        let ray = self.view.ray(px);
-        if let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) {
-            return ray.at(hit.hit.t);
-        }
-        let depth = self.view.camera.to_view(self.pivot_world).z;
-        // A pivot behind the eye, or on it, is no depth to work at.
-        let depth = if depth > 1e-3 * self.orbit.distance() {
-            depth
-        } else {
-            self.orbit.distance()
-        };
-        ray.at(depth / ray.direction.dot(self.view.camera.forward()))
-    }
-
-    fn frame(&mut self, bounds_world: Aabb) {
-        let fov_y = self.controls.fov_deg.to_radians();
-        self.orbit
-            .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
-        self.height_per_distance = perspective_height(self.controls.fov_deg);
-        self.pivot_world = self.orbit.target();
-        self.moved();
-    }
-
-    fn reset_view(&mut self) {
-        // The choices made a camera before; bounds and viewport cannot make them none.
-        if let Ok(camera) = self
-            .opened_with
-            .resolve(&self.scene.visible_bounds(), self.view.viewport)
-        {
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.pivot_world = self.orbit.target();
-            self.moved();
-        }
-    }
-
-    fn set_lens(&mut self, controls: LensControls) {
-        if self.camera_with(&controls).is_err() {
-            return;
-        }
-        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
-        match (was_orthographic, controls.orthographic) {
-            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
-            (true, false) => {
-                // To where perspective shows the target as large as it was.
-                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
-                self.orbit.zoom(self.orbit.target(), nearer);
-                return self.moved();
-            }
-            _ => {}
-        }
-        self.fit();
-    }
-
-    fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
-        for index in 0..self.scene.objects().len() {
-            if which(index) {
-                self.scene.set_visible(index, visible);
-            }
-        }
-        self.visibility_revision += 1;
-        self.hover = None;
-        self.fit();
-    }
-
-    /// The orbit changed: the camera follows.
-    fn moved(&mut self) {
-        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
-            self.view.camera = camera;
-        }
-        self.fit();
-    }
-
-    /// The camera's place or the bounds changed: the planes follow.
-    fn fit(&mut self) {
-        if let Ok(camera) = self.camera_with(&self.controls) {
-            self.view.camera = camera;
-        }
-    }
-
     /// The present pose through another lens.
-    fn camera_with(&self, controls: &LensControls) -> Result<Camera, CameraError> {
+    pub(super) fn camera_with(&self, controls: &LensControls) -> Result<Camera, CameraError> {
         let pose = &self.view.camera;
         let fov_y = controls.fov_deg.to_radians();
         let mut lens = Lens {
@@ -432,13 +327,13 @@ impl State {
             depth: controls.depth,
         };
         let camera = pose.with_lens(lens)?;
-        let bounds = self.scene.visible_bounds();
+        let bounds = self.shown_bounds();
         (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
         camera.with_lens(lens)
     }
 }
 
 /// Height of the picture over the distance at which perspective shows it.
-fn perspective_height(fov_deg: f64) -> f64 {
+pub(super) fn perspective_height(fov_deg: f64) -> f64 {
     2.0 * (0.5 * fov_deg.to_radians()).tan()
 }

@@ -2,7 +2,7 @@
 //! none. Methods differ in what they make of a ray that runs along a slab, where `0 * inf` is NaN.
 
 use crate::{
-    geometry::{Aabb, Cuboid, Placement, Ray},
+    geometry::{Aabb, Cuboid, Placement, Ray, VertexRay},
     study::{
         real::{Real, V3},
         step::{
@@ -153,7 +153,7 @@ fn may_hit(case: &BoxCase) -> Option<f64> {
         max: case.wide.max.into(),
     };
     let inverse = DVec3::from(case.wide.direction).recip();
-    let may = bounds.may_hit(&ray(&case.wide), inverse);
+    let may = bounds.may_hit(&VertexRay::new(&ray(&case.wide), DVec3::ZERO), inverse);
     may.then(|| nan_safe(&case.wide, 3.0)).flatten()
 }
 

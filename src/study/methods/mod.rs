@@ -12,6 +12,7 @@ pub mod planes;
 pub mod rays;
 pub mod spheres;
 pub mod triangles;
+pub mod usual;
 
 use super::step::{About, Case, Precision};
 

@@ -1,7 +1,7 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
 use crate::{
-    geometry::{Ray, TriangleTest, signed_volume},
+    geometry::{Ray, TriangleTest, VertexRay, guarded_volume},
     study::{
         real::{Real, V3},
         step::{
@@ -17,9 +17,9 @@ use glam::DVec3;
 
 /// The triangle test that the rest of this program uses, and what it computes with. The study knows it by these names
 /// only.
-pub const SIGHTLINES: TriangleTest = signed_volume;
+pub const SIGHTLINES: TriangleTest = guarded_volume;
 /// See [`SIGHTLINES`]; tests read it to know which promises hold.
-pub const SIGHTLINES_PRECISION: Precision = F64;
+pub const SIGHTLINES_PRECISION: Precision = Precision::Exact;
 
 /// A ray and a triangle, edges and corners included. The ray has no end.
 #[derive(Clone, Copy, Debug)]
@@ -158,7 +158,11 @@ pub fn sightlines(case: &RayTriangle<f64>) -> Option<f64> {
         t_min: 0.0,
         t_max: f64::INFINITY,
     };
-    SIGHTLINES(&ray, case.corners.map(DVec3::from)).map(|hit| hit.t)
+    SIGHTLINES(
+        &VertexRay::new(&ray, DVec3::ZERO),
+        case.corners.map(DVec3::from),
+    )
+    .map(|hit| hit.t)
 }
 
 fn from_start<T: Real>(t: T) -> Option<f64> {

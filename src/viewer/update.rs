@@ -1,0 +1,293 @@
+//! What each action does to the state.
+
+use super::{
+    action::{Action, LensControls},
+    stages::{Stage, staged},
+    state::{DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
+};
+use crate::{
+    camera::{Camera, Orbit, UpAxis, pixel_centre},
+    geometry::Aabb,
+    pick::{self, PickLine},
+};
+use glam::{DVec2, DVec3};
+use std::iter;
+
+/// Radians of orbit for a pixel of drag.
+const TURN_PER_PX: f64 = 0.008;
+
+impl State {
+    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing.
+    pub fn apply(&mut self, action: Action) -> Option<PickLine> {
+        match action {
+            Action::Resize(viewport) => {
+                self.view.viewport = viewport;
+            }
+            Action::BeginTurn(px) => {
+                if let Some(hit) = pick::closest(&self.scene, &self.view.ray(px), self.view.sides) {
+                    self.pivot_world = self.view.ray(px).at(hit.hit.t);
+                }
+            }
+            Action::Turn(by_px) => {
+                self.orbit.turn(
+                    self.pivot_world,
+                    -by_px.x * TURN_PER_PX,
+                    by_px.y * TURN_PER_PX,
+                );
+                self.moved();
+            }
+            Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
+            Action::Pan(by_px) => {
+                self.orbit.pan(
+                    by_px,
+                    self.pan_depth,
+                    self.view.camera.lens(),
+                    self.view.viewport,
+                );
+                self.moved();
+            }
+            Action::Zoom(px, factor) => {
+                self.orbit.zoom(self.point_at(px), factor);
+                self.moved();
+            }
+            Action::Click(px, time_s) => {
+                let line = self.click(px, time_s);
+                if self.stage == Stage::World {
+                    return Some(line);
+                }
+                // Points of another stage are not the scene's.
+                self.selection = self.selection.take().map(|selection| Selection {
+                    pick: None,
+                    ..selection
+                });
+            }
+            Action::Recentre(px) => self.recentre(px),
+            Action::Hover(px) => self.hover = px.and_then(|px| self.object_at(px)),
+            Action::FrameAll => self.frame(self.shown_bounds()),
+            Action::FrameSelection => {
+                let selected = self
+                    .selection
+                    .as_ref()
+                    .map(|selection| self.scene.bounds_of(selection.object));
+                self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
+            }
+            Action::LookFrom(direction) => {
+                self.orbit.look_from(self.up_axis, direction);
+                self.moved();
+            }
+            Action::ResetView => self.reset_view(),
+            Action::Pose([eye, target, up]) => {
+                if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
+                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
+                    self.view.camera = camera;
+                    self.fit();
+                }
+            }
+            Action::Lens(controls) => self.set_lens(controls),
+            Action::UpAxis(up_axis) => {
+                self.up_axis = up_axis;
+                self.opened_with.up_axis = Some(up_axis);
+                self.reset_view();
+            }
+            Action::Sides(sides) => self.view.sides = sides,
+            Action::Select(object) => {
+                self.selection = object.map(|object| Selection { object, pick: None });
+                self.last_click = None;
+            }
+            Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
+            Action::HideSelection => {
+                if let Some(selection) = self.selection.take() {
+                    self.show(|index| index == selection.object, false);
+                }
+            }
+            Action::Isolate => {
+                if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
+                    self.show(|index| index != object, false);
+                    self.show(|index| index == object, true);
+                }
+            }
+            Action::ShowAll => self.show(|_| true, true),
+            Action::ToggleGrid => self.grid = !self.grid,
+            Action::ToggleFreeze => self.toggle_freeze(),
+            Action::Stage(stage) => self.show_stage(stage),
+        }
+        None
+    }
+
+    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
+    fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
+        let px = pixel_centre(px);
+        let behind = match self.last_click {
+            Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {
+                last.behind + 1
+            }
+            Some(last) if last.pixel == px => last.behind,
+            _ => 0,
+        };
+        let hit = if behind == 0 {
+            pick::pick(&self.scene, &self.view, px)
+        } else {
+            let mut hits = pick::pick_all(&self.scene, &self.view, px);
+            let index = behind % hits.len().max(1);
+            (index < hits.len()).then(|| hits.swap_remove(index))
+        };
+        let line = PickLine { px, hit };
+        self.last_click = Some(LastClick {
+            pixel: px,
+            time_s,
+            behind,
+        });
+        self.selection = line.hit.as_ref().map(|hit| Selection {
+            object: hit.id - 1,
+            pick: Some(line.clone()),
+        });
+        line
+    }
+
+    fn object_at(&self, px: DVec2) -> Option<usize> {
+        let ray = self.view.ray(pixel_centre(px));
+        pick::closest(&self.scene, &ray, self.view.sides).map(|hit| hit.object)
+    }
+
+    fn recentre(&mut self, px: DVec2) {
+        let ray = self.view.ray(px);
+        let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
+            return self.frame(self.shown_bounds());
+        };
+        self.pivot_world = ray.at(hit.hit.t);
+        self.orbit.center_on(self.pivot_world);
+        self.moved();
+    }
+
+    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
+    fn point_at(&self, px: DVec2) -> DVec3 {
+        let ray = self.view.ray(px);
+        if let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) {
+            return ray.at(hit.hit.t);
+        }
+        let depth = self.view.camera.to_view(self.pivot_world).z;
+        // A pivot behind the eye, or on it, is no depth to work at.
+        let depth = if depth > 1e-3 * self.orbit.distance() {
+            depth
+        } else {
+            self.orbit.distance()
+        };
+        ray.at(depth / ray.direction.dot(self.view.camera.forward()))
+    }
+
+    fn frame(&mut self, bounds_world: Aabb) {
+        let fov_y = self.controls.fov_deg.to_radians();
+        self.orbit
+            .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
+        self.height_per_distance = perspective_height(self.controls.fov_deg);
+        self.pivot_world = self.orbit.target();
+        self.moved();
+    }
+
+    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one; back in the world
+    /// the view is that camera's again.
+    pub(super) fn show_stage(&mut self, stage: Stage) {
+        if stage == self.stage {
+            return;
+        }
+        let through = self.frozen.map_or(self.view, |frozen| frozen.view);
+        let (scene, through) =
+            (self.world.take()).unwrap_or_else(|| (std::mem::take(&mut self.scene), through));
+        self.stage = stage;
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.last_click = None;
+        if let Some(selection) = &mut self.selection {
+            selection.pick = None;
+        }
+        if stage == Stage::World {
+            self.scene = scene;
+            self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
+            self.view.camera = through.camera;
+            self.fit();
+        } else {
+            self.scene = staged(&scene, &through, stage);
+            self.world = Some((scene, through));
+            if matches!(stage, Stage::View | Stage::Ndc) {
+                // From the eye's side, a little to the right and above.
+                self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+            }
+            self.frame(self.shown_bounds());
+        }
+    }
+
+    fn toggle_freeze(&mut self) {
+        let pick = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let viewport = self.view.viewport;
+        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
+    }
+
+    fn reset_view(&mut self) {
+        // The choices made a camera before; bounds and viewport cannot make them none.
+        if let Ok(camera) = self
+            .opened_with
+            .resolve(&self.scene.visible_bounds(), self.view.viewport)
+        {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.pivot_world = self.orbit.target();
+            self.moved();
+        }
+    }
+
+    fn set_lens(&mut self, controls: LensControls) {
+        if self.camera_with(&controls).is_err() {
+            return;
+        }
+        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
+        match (was_orthographic, controls.orthographic) {
+            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
+            (true, false) => {
+                // To where perspective shows the target as large as it was.
+                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
+                self.orbit.zoom(self.orbit.target(), nearer);
+                return self.moved();
+            }
+            _ => {}
+        }
+        self.fit();
+    }
+
+    fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
+        for scene in iter::once(&mut self.scene).chain(self.world.as_mut().map(|(scene, _)| scene))
+        {
+            for index in (0..scene.objects().len()).filter(|&index| which(index)) {
+                scene.set_visible(index, visible);
+            }
+        }
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.fit();
+    }
+
+    /// The orbit changed: the camera follows.
+    fn moved(&mut self) {
+        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
+            self.view.camera = camera;
+        }
+        self.fit();
+    }
+
+    /// The camera's place or the bounds changed: the planes follow.
+    pub(super) fn fit(&mut self) {
+        if let Ok(camera) = self.camera_with(&self.controls) {
+            self.view.camera = camera;
+        }
+    }
+}
