@@ -139,6 +139,12 @@ impl<T> Index<usize> for V3<T> {
     }
 }
 
+impl<T> From<[T; 3]> for V3<T> {
+    fn from([x, y, z]: [T; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
 impl From<V3<f64>> for DVec3 {
     fn from(v: V3<f64>) -> Self {
         Self::new(v.x, v.y, v.z)

@@ -112,9 +112,6 @@ pub struct Report {
     pub scene: Option<&'static str>,
 }
 
-/// How many steps there are, for the progress.
-const STEPS: f64 = 10.0;
-
 /// The family that a scene's own rays make.
 pub const SCENE: &str = "this scene";
 
@@ -129,20 +126,35 @@ pub fn run(
         effort,
         scene,
         progress,
+        steps: 0,
         done: 0,
         report: Report {
             scene: scene.map(|_| SCENE),
             ..Report::default()
         },
     };
+    let mut count = Count(0);
+    each_step(&mut count);
+    run.steps = count.0;
     each_step(&mut run);
     run.report
+}
+
+/// Counts steps.
+struct Count(u32);
+
+impl Visitor for Count {
+    fn visit<C: Case>(&mut self) {
+        self.0 += 1;
+    }
 }
 
 struct Run<'a> {
     effort: Effort,
     scene: Option<&'a SceneRays>,
     progress: &'a (dyn Fn(f64, &str) + Sync),
+    /// How many steps there are, and how many are done: for the progress.
+    steps: u32,
     done: u32,
     report: Report,
 }
@@ -179,7 +191,10 @@ impl Run<'_> {
             {
                 #[expect(clippy::cast_precision_loss, reason = "few workloads")]
                 let share = index as f64 / workloads.len() as f64;
-                (self.progress)((f64::from(self.done) + share) / STEPS, C::ABOUT.name);
+                (self.progress)(
+                    (f64::from(self.done) + share) / f64::from(self.steps),
+                    C::ABOUT.name,
+                );
                 let rows = judge(work, &(work.make)());
                 // The lock is only ever lost to a panic, which ends the scope anyway.
                 if let Ok(mut found) = found.lock() {

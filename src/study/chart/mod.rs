@@ -1,6 +1,7 @@
 //! The study's charts, each as SVG and PNG.
 
 mod axis;
+mod outlines;
 mod pareto;
 pub mod picture;
 mod resolution;

@@ -1,14 +1,15 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
 use super::{
-    rays::{Pixel, PixelCase, course, unprojected_f32},
-    triangles::{RayTriangle, SIGHTLINES, SIGHTLINES_PRECISION, areas, moeller_trumbore},
+    rays::{Pixel, PixelCase, course},
+    triangles::{RayTriangle, SIGHTLINES, SIGHTLINES_PRECISION, areas},
+    usual,
 };
 use crate::{
     camera::View,
     geometry::{Mesh, Ray},
     image::{Id, Image},
-    pick,
+    pick::{self, SceneHit},
     render::{Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
     study::{
@@ -90,7 +91,8 @@ pub struct PickCase {
 pub type Picked = Option<(usize, Option<u32>)>;
 
 const COURSE: &str = "courses: every step as they teach it, over all triangles";
-const USUAL: &str = "many engines: inverse(P V) and Moeller-Trumbore, over all triangles";
+const USUAL: &str =
+    "study::methods::usual, over all triangles: as most viewers and tutorials have it";
 const IDS: &str = "picking by colour: draw ids, read the pixel back";
 
 impl Case for PickCase {
@@ -112,9 +114,9 @@ impl Case for PickCase {
                     c.cast_f32(&pixel, course(&pixel), |case| areas(case, 0.0))
                 }),
                 Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
-                    let pixel = c.pixel().narrow;
-                    let direction = unprojected_f32(&pixel);
-                    c.cast_f32(&pixel, direction, |case| moeller_trumbore(case, 0.0))
+                    let world = &c.world;
+                    usual::closest(&world.treeless, &world.view, c.px)
+                        .map(|hit| picked(&world.treeless, hit))
                 }),
                 Method::new(GPU_IDS, F32, IDS, |c| {
                     let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
@@ -277,12 +279,13 @@ impl PickCase {
 fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
     let view = &case.world.view;
     let hit = pick::closest_by(scene, &view.ray(case.px), view.sides, SIGHTLINES)?;
-    let first = scene.objects()[hit.object]
-        .shape
-        .triangles()
-        .map_or(0, |t| t.start);
-    Some((
-        hit.object,
-        hit.hit.on_triangle.map(|at| at.triangle - first),
-    ))
+    Some(picked(scene, hit))
+}
+
+/// A hit as methods answer it.
+fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
+    let triangles = scene.objects()[hit.object].shape.triangles();
+    let first = triangles.map_or(0, |triangles| triangles.start);
+    let triangle = hit.hit.on_triangle.map(|at| at.triangle - first);
+    (hit.object, triangle)
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     camera::{Projection, View},
-    geometry::Ray,
+    geometry::{MeshData, Ray},
     pick::{self, SceneHit},
     render,
     scene::{Object, Scene, Shape},
@@ -138,10 +138,18 @@ impl SceneRays {
                 random.below(count),
             ];
             for triangle in others.into_iter().filter_map(|i| u32::try_from(i).ok()) {
+                // In the vertices' own space, where triangles are tested.
+                let MeshData {
+                    origin,
+                    positions,
+                    triangles,
+                    ..
+                } = mesh.data();
+                let corner = |i: u32| V3::<f32>::from(positions[i as usize]).wide();
                 let wide = RayTriangle {
-                    origin: local.origin.into(),
+                    origin: (local.origin - *origin).into(),
                     direction: local.direction.into(),
-                    corners: mesh.corners(triangle).map(V3::from),
+                    corners: triangles[triangle as usize].map(corner),
                 };
                 cases.push(TriangleCase::new(wide, self.px(hit.hit.t)));
             }
