@@ -217,8 +217,7 @@ impl Run<'_> {
         let Effort {
             cases, picks, seed, ..
         } = self.effort;
-        // Steps that are timed by few cases are slow to judge too.
-        let count = if C::TIMED < cases { picks } else { cases };
+        let count = if C::SLOW { picks } else { cases };
         let families = C::families().iter().flat_map(|family| {
             family.values.iter().map(move |&value| Workload {
                 family: family.name,

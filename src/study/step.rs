@@ -118,8 +118,10 @@ pub trait Case: Sized + Sync + Send + 'static {
     type Truth;
     /// Names and units.
     const ABOUT: About;
+    /// Whether an answer takes so long that fewer cases have to do.
+    const SLOW: bool = false;
     /// How many cases are timed in a row: too many for the processor to learn their branches.
-    const TIMED: usize = 4096;
+    const TIMED: usize = if Self::SLOW { 24 } else { 4096 };
 
     /// Every method, the reference that times are relative to first.
     fn methods() -> &'static [Method<Self>];

@@ -104,7 +104,7 @@ impl Case for PickCase {
         error_unit: "",
         wrong_unit: "",
     };
-    const TIMED: usize = 24;
+    const SLOW: bool = true;
 
     fn methods() -> &'static [Method<Self>] {
         const {

@@ -39,6 +39,8 @@ pub struct TriangleCase {
     pub narrow: RayTriangle<f32>,
     /// As given.
     pub wide: RayTriangle<f64>,
+    /// The ray as this program's test wants it: made once for all triangles of a mesh.
+    pub ray: VertexRay,
     /// What Baldwin & Weber keep for the triangle.
     pub world_to_unit: (BaldwinWeber<f32>, BaldwinWeber<f64>),
     /// An angle that is one pixel wide, in radians.
@@ -54,9 +56,16 @@ impl TriangleCase {
             direction: V3::of(wide.direction),
             corners: wide.corners.map(V3::of),
         };
+        let ray = Ray {
+            origin: wide.origin.into(),
+            direction: wide.direction.into(),
+            t_min: 0.0,
+            t_max: f64::INFINITY,
+        };
         Self {
             narrow,
             wide,
+            ray: VertexRay::new(&ray, DVec3::ZERO),
             world_to_unit: (
                 BaldwinWeber::new(narrow.corners),
                 BaldwinWeber::new(wide.corners),
@@ -122,7 +131,7 @@ impl Case for TriangleCase {
                     "Sightline's",
                     SIGHTLINES_PRECISION,
                     "geometry::triangle, which names its papers",
-                    |c| sightlines(&c.wide),
+                    sightlines,
                 ),
             ]
         }
@@ -150,19 +159,8 @@ impl Case for TriangleCase {
 }
 
 /// The test that picks use.
-#[must_use]
-pub fn sightlines(case: &RayTriangle<f64>) -> Option<f64> {
-    let ray = Ray {
-        origin: case.origin.into(),
-        direction: case.direction.into(),
-        t_min: 0.0,
-        t_max: f64::INFINITY,
-    };
-    SIGHTLINES(
-        &VertexRay::new(&ray, DVec3::ZERO),
-        case.corners.map(DVec3::from),
-    )
-    .map(|hit| hit.t)
+fn sightlines(case: &TriangleCase) -> Option<f64> {
+    SIGHTLINES(&case.ray, case.wide.corners.map(DVec3::from)).map(|hit| hit.t)
 }
 
 fn from_start<T: Real>(t: T) -> Option<f64> {
