@@ -21,7 +21,7 @@ use std::{
 /// More passes than these for one event mean that the panels never come to rest.
 const MOST_PASSES: usize = 100;
 /// Nothing that the window does beside itself takes as long as this.
-const LONGEST_WAIT: Duration = Duration::from_secs(120);
+const LONGEST_WAIT: Duration = Duration::from_mins(2);
 
 /// Seconds between two passes.
 const FRAME_S: f64 = 1.0 / 60.0;
@@ -141,13 +141,14 @@ impl Offscreen {
             !canvas.gpu.is_lost()
                 && [texture.width(), texture.height()] == [size.width(), size.height()]
         };
-        let (canvas, texture) = match self.canvas.take().filter(fits) {
-            Some(canvas) => self.canvas.insert(canvas),
+        let canvas = self.canvas.take().filter(fits);
+        let (canvas, texture) = self.canvas.insert(match canvas {
+            Some(canvas) => canvas,
             None => {
                 self.app.textures.renew();
-                self.canvas.insert(Self::canvas(size)?)
+                new_canvas(size)?
             }
-        };
+        });
         let laid = self.app.lay(pass, canvas);
         let drawn = canvas.draw(texture, &self.app.state, &laid);
         self.app.drawn(drawn.clone(), canvas);
@@ -174,26 +175,6 @@ impl Offscreen {
             // What is lost is known from the next poll on.
             let _ = canvas.gpu.wait();
         }
-    }
-
-    fn canvas(size: Viewport) -> Result<(Canvas, wgpu::Texture), GpuError> {
-        let gpu = Gpu::headless()?;
-        let format = wgpu::TextureFormat::Rgba8Unorm;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("window"),
-            size: wgpu::Extent3d {
-                width: size.width(),
-                height: size.height(),
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[format.add_srgb_suffix()],
-        });
-        Ok((Canvas::new(gpu, format), texture))
     }
 
     fn pass(
@@ -246,4 +227,24 @@ impl Offscreen {
             }
         }
     }
+}
+
+fn new_canvas(size: Viewport) -> Result<(Canvas, wgpu::Texture), GpuError> {
+    let gpu = Gpu::headless()?;
+    let format = wgpu::TextureFormat::Rgba8Unorm;
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("window"),
+        size: wgpu::Extent3d {
+            width: size.width(),
+            height: size.height(),
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[format.add_srgb_suffix()],
+    });
+    Ok((Canvas::new(gpu, format), texture))
 }

@@ -13,7 +13,7 @@ use winit::{event_loop::OwnedDisplayHandle, window::Window};
 pub(super) struct Surface {
     window: Arc<Window>,
     instance: wgpu::Instance,
-    surface: wgpu::Surface<'static>,
+    screen: wgpu::Surface<'static>,
     config: SurfaceConfiguration,
     pub canvas: Canvas,
 }
@@ -24,14 +24,14 @@ impl Surface {
         let descriptor =
             wgpu::InstanceDescriptor::new_with_display_handle_from_env(Box::new(display));
         let instance = wgpu::Instance::new(descriptor);
-        let surface = create(&instance, &window)?;
-        let gpu = Gpu::for_surface(&instance, &surface)?;
-        let config = configuration(&gpu, &surface, &window)?;
+        let screen = create(&instance, &window)?;
+        let gpu = Gpu::for_surface(&instance, &screen)?;
+        let config = configuration(&gpu, &screen, &window)?;
         let canvas = Canvas::new(gpu, config.format);
         let surface = Self {
             window,
             instance,
-            surface,
+            screen,
             config,
             canvas,
         };
@@ -50,11 +50,11 @@ impl Surface {
         if !self.canvas.gpu.is_lost() {
             return Ok(false);
         }
-        let surface = create(&self.instance, &self.window)?;
-        let gpu = Gpu::for_surface(&self.instance, &surface)?;
-        self.config = configuration(&gpu, &surface, &self.window)?;
+        let screen = create(&self.instance, &self.window)?;
+        let gpu = Gpu::for_surface(&self.instance, &screen)?;
+        self.config = configuration(&gpu, &screen, &self.window)?;
         self.canvas = Canvas::new(gpu, self.config.format);
-        self.surface = surface;
+        self.screen = screen;
         self.configure();
         Ok(true)
     }
@@ -76,7 +76,7 @@ impl Surface {
             if self.config.width == 0 || self.config.height == 0 {
                 return Ok(None);
             }
-            match self.surface.get_current_texture() {
+            match self.screen.get_current_texture() {
                 CurrentSurfaceTexture::Success(texture)
                 | CurrentSurfaceTexture::Suboptimal(texture) => {
                     return Ok(Some(texture));
@@ -85,7 +85,7 @@ impl Surface {
                     return Ok(None);
                 }
                 CurrentSurfaceTexture::Lost => {
-                    self.surface = create(&self.instance, &self.window)?;
+                    self.screen = create(&self.instance, &self.window)?;
                 }
                 CurrentSurfaceTexture::Outdated | CurrentSurfaceTexture::Validation => {}
             }
@@ -98,8 +98,7 @@ impl Surface {
 
     fn configure(&self) {
         if self.config.width > 0 && self.config.height > 0 {
-            self.surface
-                .configure(&self.canvas.gpu.device, &self.config);
+            self.screen.configure(&self.canvas.gpu.device, &self.config);
         }
     }
 }
