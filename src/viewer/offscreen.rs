@@ -26,6 +26,8 @@ const LONGEST_WAIT: Duration = Duration::from_mins(2);
 /// Seconds between two passes.
 const FRAME_S: f64 = 1.0 / 60.0;
 
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
 #[derive(Debug)]
 struct Dropped(PathBuf);
 
@@ -136,19 +138,19 @@ impl Offscreen {
     /// When there is no graphics adapter, or it fails.
     pub fn draw(&mut self) -> Result<bool, GpuError> {
         let pass = self.pass(Vec::new(), Vec::new());
-        let size = self.size;
-        let fits = |(canvas, texture): &(Canvas, wgpu::Texture)| {
-            !canvas.gpu.is_lost()
-                && [texture.width(), texture.height()] == [size.width(), size.height()]
+        let lost = |(canvas, _): &(Canvas, wgpu::Texture)| canvas.gpu.is_lost();
+        if self.canvas.as_ref().is_none_or(lost) {
+            let gpu = Gpu::headless()?;
+            let texture = texture(&gpu, self.size);
+            self.app.textures.renew();
+            self.canvas = Some((Canvas::new(gpu, FORMAT), texture));
+        }
+        let Some((canvas, texture)) = &mut self.canvas else {
+            return Ok(false);
         };
-        let canvas = self.canvas.take().filter(fits);
-        let (canvas, texture) = self.canvas.insert(match canvas {
-            Some(canvas) => canvas,
-            None => {
-                self.app.textures.renew();
-                new_canvas(size)?
-            }
-        });
+        if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
+            *texture = self::texture(&canvas.gpu, self.size);
+        }
         let laid = self.app.lay(pass, canvas);
         let drawn = canvas.draw(texture, &self.app.state, &laid);
         self.app.drawn(drawn.clone(), canvas);
@@ -229,10 +231,8 @@ impl Offscreen {
     }
 }
 
-fn new_canvas(size: Viewport) -> Result<(Canvas, wgpu::Texture), GpuError> {
-    let gpu = Gpu::headless()?;
-    let format = wgpu::TextureFormat::Rgba8Unorm;
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+fn texture(gpu: &Gpu, size: Viewport) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("window"),
         size: wgpu::Extent3d {
             width: size.width(),
@@ -242,9 +242,8 @@ fn new_canvas(size: Viewport) -> Result<(Canvas, wgpu::Texture), GpuError> {
         mip_level_count: 1,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format,
+        format: FORMAT,
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[format.add_srgb_suffix()],
-    });
-    Ok((Canvas::new(gpu, format), texture))
+        view_formats: &[FORMAT.add_srgb_suffix()],
+    })
 }
