@@ -7,6 +7,7 @@ use super::{
     canvas::{Canvas, Laid},
     input::{self, SceneRect},
     panels::{self, Shown},
+    state::Cursor,
 };
 use crate::render::GpuError;
 use std::time::Duration;
@@ -21,7 +22,7 @@ pub(super) struct Pass {
     pub platform: egui::PlatformOutput,
 }
 
-/// egui as the viewer wants it: panels as dark as the scene, whatever the desktop's theme, with errors that are
+/// egui as the viewer wants it: panels as dark as the scene, whatever the desktop's theme, with words that are
 /// readable on them.
 pub(super) fn context() -> egui::Context {
     let context = egui::Context::default();
@@ -29,6 +30,9 @@ pub(super) fn context() -> egui::Context {
     context.set_theme(egui::Theme::Dark);
     let mut visuals = egui::Visuals::dark();
     visuals.error_fg_color = egui::Color32::from_rgb(255, 120, 105);
+    // For projectors, which swallow dark greys.
+    visuals.override_text_color = Some(egui::Color32::from_gray(222));
+    visuals.weak_text_color = Some(egui::Color32::from_gray(160));
     context.set_visuals(visuals);
     context
 }
@@ -67,12 +71,14 @@ impl App {
         let idle = |command: &Command| {
             matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
         };
-        let (acted, hover) = (!commands.iter().all(idle), self.state.hover());
+        let (acted, cursor) = (!commands.iter().all(idle), self.state.cursor());
         for command in commands {
             self.run_command(command);
         }
         // The panels showed the state before that: they show what came of it in the next pass.
-        if acted || hover != self.state.hover() {
+        let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
+        let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
+        if acted || follows_cursor || hovered(cursor) != self.state.hover() {
             context.request_repaint();
         } else if self.loading.is_some() {
             context.request_repaint_after(Duration::from_millis(50));
