@@ -132,12 +132,33 @@ impl Offscreen {
         self.app.quit
     }
 
+    /// The frame that follows an event, as a window draws it without waiting for more.
+    ///
+    /// # Errors
+    /// When there is no graphics adapter, or it fails.
+    pub fn frame(&mut self, event: egui::Event) -> Result<bool, GpuError> {
+        let pass = self.pass(vec![event], Vec::new());
+        self.draw_pass(pass)
+    }
+
+    /// What the adapter calls itself, once something was drawn.
+    #[must_use]
+    pub fn adapter_name(&self) -> &str {
+        self.canvas
+            .as_ref()
+            .map_or("", |(canvas, _)| canvas.gpu.adapter_name())
+    }
+
     /// Draws a frame, the scene only where it changed, as a window does. Returns whether it was drawn anew.
     ///
     /// # Errors
     /// When there is no graphics adapter, or it fails.
     pub fn draw(&mut self) -> Result<bool, GpuError> {
         let pass = self.pass(Vec::new(), Vec::new());
+        self.draw_pass(pass)
+    }
+
+    fn draw_pass(&mut self, pass: Pass) -> Result<bool, GpuError> {
         let lost = |(canvas, _): &(Canvas, wgpu::Texture)| canvas.gpu.is_lost();
         if self.canvas.as_ref().is_none_or(lost) {
             let gpu = Gpu::headless()?;
