@@ -12,6 +12,7 @@ mod events;
 mod frame;
 mod frozen;
 mod input;
+mod keys;
 mod loading;
 mod panels;
 pub mod pipeline;

@@ -18,6 +18,7 @@ use super::{
     Command, Notices,
     check::Checking,
     input::{self, Drag, SceneRect},
+    keys,
     state::State,
 };
 use egui::{CentralPanel, Panel, Ui};
@@ -100,7 +101,7 @@ pub(super) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(input::keys(
+    commands.extend(keys::pressed(
         ui.ctx(),
         shown.state.view(),
         shown.state.controls(),
