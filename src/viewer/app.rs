@@ -5,6 +5,7 @@ use super::{
     action::Action,
     check::{Check, Checking, OnScreen},
     command,
+    exhibit::Chart,
     input::Drag,
     loading::{self, Loading},
     panels::{Filter, Floating, Statistics},
@@ -41,6 +42,9 @@ pub(super) struct App {
     pub floating: Floating,
     pub filter: Filter,
     pub checking: Checking,
+    pub chart: Option<Chart>,
+    /// What was open before the gallery.
+    outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -71,6 +75,8 @@ impl App {
             floating: Floating::default(),
             filter: Filter::default(),
             checking: Checking::Off,
+            chart: None,
+            outside: Vec::new(),
             reveal_selection: false,
             drag: None,
             announced: 0,
@@ -114,6 +120,9 @@ impl App {
             });
         match shown {
             Ok(warnings) => {
+                if self.state.showing().is_none() {
+                    self.outside.clone_from(&paths);
+                }
                 self.paths = paths;
                 self.notices.clear();
                 self.warn(&warnings);
@@ -221,10 +230,13 @@ impl App {
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
             Command::Escape if matches!(self.checking, Checking::On(_)) => {
                 self.checking = Checking::Off;
             }
             Command::Escape => self.act(Action::Select(None)),
+            Command::NextExhibit { forward } => self.open_next_exhibit(forward),
+            Command::LeaveGallery => self.open(self.outside.clone()),
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
@@ -269,9 +281,14 @@ impl App {
             return;
         };
         if !check.is_about(&self.state) {
-            self.checking = Checking::Off;
+            // What another method gets wrong stays marked, wherever one looks from.
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
         } else if check.poll(shell.egui.egui_ctx())
             && let Some(found) = &check.found
+            && self.state.method().is_none()
         {
             let command = command::verify_command(&self.state, &self.paths);
             let differ = found.report.disagreements.len();
@@ -282,7 +299,14 @@ impl App {
     fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
+        let method = self.state.method();
         let picked = self.state.apply(action);
+        if self.state.method() != method {
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        }
         if clicks {
             self.statistics.pick = Some(start.elapsed());
             self.reveal_selection = true;

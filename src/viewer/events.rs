@@ -46,6 +46,7 @@ impl App {
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
                 floating: self.floating,
+                chart: self.chart.as_ref(),
                 checking: &self.checking,
                 statistics: &self.statistics,
                 filter: &mut self.filter,
@@ -87,6 +88,7 @@ impl App {
         let start = Instant::now();
         self.take_loaded();
         self.take_checked();
+        self.take_chart();
         let Some(pass) = self.pass(event_loop) else {
             return;
         };

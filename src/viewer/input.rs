@@ -68,6 +68,15 @@ impl SceneRect {
         Rect::from_min_size(points(self.origin_px).into(), size.into())
     }
 
+    /// A position within the rectangle in pixels as a position in points.
+    #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
+    pub fn to_position(self, px: DVec2) -> Pos2 {
+        let scale = f64::from(self.pixels_per_point);
+        let origin = DVec2::from(self.origin_px.map(f64::from));
+        let points = (px + origin) / scale;
+        Pos2::new(points.x as f32, points.y as f32)
+    }
+
     /// A position in points as a position within the rectangle in pixels. The pointer's own pixels went through
     /// `f32` points and back: what is off by that rounding is put right.
     pub fn to_px(self, position: Pos2) -> DVec2 {

@@ -14,15 +14,17 @@ pub(super) struct Binding {
     pub keys: &'static str,
     /// What it does, for the help.
     pub does: &'static str,
-    shortcuts: &'static [(Modifiers, Key)],
-    command: fn(&View, LensControls) -> Command,
+    /// Any of these.
+    pub shortcuts: &'static [(Modifiers, Key)],
+    /// What it asks for, by what is on screen.
+    pub command: fn(&View, LensControls) -> Command,
 }
 
 const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
 const CTRL: Modifiers = Modifiers::COMMAND;
 
-/// Every key, in the order of the help.
+/// Every key, in the order of the help. With Shift comes before without: a pattern without it takes both.
 pub(super) const BINDINGS: &[Binding] = &[
     Binding {
         keys: "F",
@@ -168,6 +170,30 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_, _| Command::ToggleCheck,
     },
     Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::E)],
+        command: |_, _| Command::NextExhibit { forward: false },
+    },
+    Binding {
+        keys: "E, Shift+E",
+        does: "the gallery of scenes on which known methods break: the next, the one before",
+        shortcuts: &[(NONE, Key::E)],
+        command: |_, _| Command::NextExhibit { forward: true },
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::M)],
+        command: |_, _| Command::Act(Action::NextMethod { forward: false }),
+    },
+    Binding {
+        keys: "M, Shift+M",
+        does: "in the gallery: pick by the next method, the one before",
+        shortcuts: &[(NONE, Key::M)],
+        command: |_, _| Command::Act(Action::NextMethod { forward: true }),
+    },
+    Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],
@@ -181,7 +207,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop loading, close the help or the comparison, select nothing",
+        does: "stop loading, close the help, pick by Sightline's own method again, close the comparison, select nothing",
         shortcuts: &[(NONE, Key::Escape)],
         command: |_, _| Command::Escape,
     },

@@ -9,6 +9,7 @@ mod app;
 mod check;
 mod command;
 mod events;
+pub mod exhibit;
 mod frame;
 mod frozen;
 mod input;
@@ -84,7 +85,14 @@ enum Command {
     CopyPick,
     /// Compare the picture with its picks, or close the comparison.
     ToggleCheck,
-    /// Stop loading, or close the help or the comparison, or select nothing.
+    /// Open the gallery's scene after the present one, or before it.
+    NextExhibit {
+        /// After it.
+        forward: bool,
+    },
+    /// Open again what was open before the gallery.
+    LeaveGallery,
+    /// Stop loading, pick by Sightline's own method again, or close the help or the comparison, or select nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
