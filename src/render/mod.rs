@@ -32,6 +32,7 @@ pub use gpu::{Gpu, GpuError};
 pub use outline::{Destination, Marks};
 pub use overlay::Line;
 pub use pipelines::SHADERS;
+pub(crate) use readback::read_rgb;
 pub use scene_buffers::SceneBuffers;
 pub use targets::Targets;
 

@@ -262,8 +262,8 @@ impl App {
         match &mut self.chart {
             Some(chart) if chart.is_of(subject) => chart.poll(),
             _ => {
-                let proxy = self.proxy.clone();
-                let wake = move || drop(proxy.send_event(Wake::Look));
+                let wake = self.wake.clone();
+                let wake = move || wake(Wake::Look);
                 self.chart = Some(Chart::start(subject, wake));
             }
         }

@@ -39,6 +39,15 @@ pub(super) struct LastClick {
     pub behind: usize,
 }
 
+/// The pixel under the cursor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    /// Its centre.
+    pub px: DVec2,
+    /// The object that it shows, by index, and the point on it in object space; `None` for the background.
+    pub hit: Option<(usize, DVec3)>,
+}
+
 /// A camera that was left standing in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frozen {
@@ -66,7 +75,7 @@ pub struct State {
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
-    pub(super) hover: Option<usize>,
+    pub(super) cursor: Option<Cursor>,
     pub(super) last_click: Option<LastClick>,
     pub(super) grid: bool,
     pub(super) frozen: Option<Frozen>,
@@ -120,7 +129,7 @@ impl State {
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
             selection: None,
-            hover: None,
+            cursor: None,
             last_click: None,
             grid: true,
             frozen: None,
@@ -183,7 +192,7 @@ impl State {
         }
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.last_click = None;
         self.fit();
     }
@@ -264,7 +273,13 @@ impl State {
     /// The object under the cursor.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
-        self.hover
+        self.cursor?.hit.map(|(object, _)| object)
+    }
+
+    /// The pixel under the cursor; `None` while the cursor is elsewhere.
+    #[must_use]
+    pub fn cursor(&self) -> Option<Cursor> {
+        self.cursor
     }
 
     /// Whether the grid shows.

@@ -3,12 +3,12 @@
 use super::{
     action::{Action, LensControls},
     stages::{Stage, staged},
-    state::{DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
+    state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
 };
 use crate::{
     camera::{Camera, Orbit, UpAxis, pixel_centre},
     geometry::Aabb,
-    pick::{self, PickLine},
+    pick::{self, PickLine, SceneHit},
 };
 use glam::{DVec2, DVec3};
 use std::iter;
@@ -63,7 +63,7 @@ impl State {
                 });
             }
             Action::Recentre(px) => self.recentre(px),
-            Action::Hover(px) => self.hover = px.and_then(|px| self.object_at(px)),
+            Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
             Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self
@@ -151,9 +151,18 @@ impl State {
         line
     }
 
-    fn object_at(&self, px: DVec2) -> Option<usize> {
-        let ray = self.view.ray(pixel_centre(px));
-        pick::closest(&self.scene, &ray, self.view.sides).map(|hit| hit.object)
+    fn cursor_at(&self, px: DVec2) -> Cursor {
+        let px = pixel_centre(px);
+        let ray = self.view.ray(px);
+        let hit = pick::closest(&self.scene, &ray, self.view.sides);
+        let point = |hit: SceneHit| {
+            let placement = &self.scene.objects()[hit.object].placement;
+            (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))
+        };
+        Cursor {
+            px,
+            hit: hit.map(point),
+        }
     }
 
     fn recentre(&mut self, px: DVec2) {
@@ -203,7 +212,7 @@ impl State {
         self.stage = stage;
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.last_click = None;
         if let Some(selection) = &mut self.selection {
             selection.pick = None;
@@ -279,7 +288,7 @@ impl State {
             }
         }
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.fit();
     }
 
