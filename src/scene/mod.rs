@@ -3,6 +3,7 @@
 mod demo;
 pub mod description;
 mod entry;
+pub mod gallery;
 mod load;
 pub mod obj;
 mod problem;

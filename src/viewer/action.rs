@@ -4,6 +4,7 @@ use super::stages::Stage;
 use crate::{
     camera::{DepthMapping, UpAxis, Viewport},
     geometry::Sides,
+    study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
 
@@ -58,6 +59,13 @@ pub enum Action {
     ToggleGrid,
     /// Show the scene at a stage of the pipeline.
     Stage(Stage),
+    /// In the gallery: pick by this method, or by this program's own.
+    PickBy(Option<Swap>),
+    /// In the gallery: pick by the next method, or the one before.
+    NextMethod {
+        /// The next.
+        forward: bool,
+    },
     /// Leave the present camera standing in the scene, as lines, or take it away.
     ToggleFreeze,
 }

@@ -6,6 +6,7 @@ use super::{
     canvas::Canvas,
     check::{Check, Checking, OnScreen},
     command,
+    exhibit::Chart,
     input::Drag,
     loading::{self, Answer, Loading},
     panels::{Filter, Floating, Statistics},
@@ -43,6 +44,9 @@ pub(super) struct App {
     pub floating: Floating,
     pub filter: Filter,
     pub checking: Checking,
+    pub chart: Option<Chart>,
+    /// What was open before the gallery.
+    outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -76,6 +80,8 @@ impl App {
             floating: Floating::default(),
             filter: Filter::default(),
             checking: Checking::Off,
+            chart: None,
+            outside: Vec::new(),
             reveal_selection: false,
             drag: None,
             announced: 0,
@@ -93,7 +99,7 @@ impl App {
     }
 
     /// Loads files in place of what is shown, once they are whole.
-    fn open(&mut self, paths: Vec<PathBuf>) {
+    pub fn open(&mut self, paths: Vec<PathBuf>) {
         self.load(paths, Reload(false));
     }
 
@@ -121,6 +127,9 @@ impl App {
             });
         match shown {
             Ok(warnings) => {
+                if self.state.showing().is_none() {
+                    self.outside.clone_from(&paths);
+                }
                 self.paths = paths;
                 self.notices.clear();
                 self.warn(&warnings);
@@ -151,7 +160,11 @@ impl App {
     /// Whether something is under way that will change what is shown.
     pub fn is_busy(&self) -> bool {
         let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
-        self.loading.is_some() || checks || !self.state.scene().trees_are_built()
+        let studies = self
+            .chart
+            .as_ref()
+            .is_some_and(|chart| chart.rows.is_none());
+        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
     }
 
     /// Takes what the user answered.
@@ -247,10 +260,13 @@ impl App {
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
             Command::Escape if matches!(self.checking, Checking::On(_)) => {
                 self.checking = Checking::Off;
             }
             Command::Escape => self.act(Action::Select(None)),
+            Command::NextExhibit { forward } => self.open_next_exhibit(forward),
+            Command::LeaveGallery => self.open(self.outside.clone()),
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
@@ -294,9 +310,14 @@ impl App {
             return;
         };
         if !check.is_about(&self.state) {
-            self.checking = Checking::Off;
+            // What another method gets wrong stays marked, wherever one looks from.
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
         } else if check.poll(&self.context)
             && let Some(found) = &check.found
+            && self.state.method().is_none()
         {
             let command = command::verify_command(&self.state, &self.paths);
             let differ = found.report.disagreements.len();
@@ -307,7 +328,14 @@ impl App {
     fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
+        let method = self.state.method();
         let picked = self.state.apply(action);
+        if self.state.method() != method {
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        }
         if clicks {
             self.statistics.pick = Some(start.elapsed());
             self.reveal_selection = true;

@@ -16,8 +16,10 @@ mod canvas;
 mod check;
 mod command;
 mod events;
+pub mod exhibit;
 mod frozen;
 mod input;
+mod keys;
 mod loading;
 pub mod offscreen;
 mod panels;
@@ -98,7 +100,14 @@ enum Command {
     CopyPick,
     /// Compare the picture with its picks, or close the comparison.
     ToggleCheck,
-    /// Stop loading, or close the help or the comparison, or select nothing.
+    /// Open the gallery's scene after the present one, or before it.
+    NextExhibit {
+        /// After it.
+        forward: bool,
+    },
+    /// Open again what was open before the gallery.
+    LeaveGallery,
+    /// Stop loading, pick by Sightline's own method again, or close the help or the comparison, or select nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,

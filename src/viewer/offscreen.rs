@@ -243,6 +243,7 @@ impl Offscreen {
                 }
                 self.app.take_loaded();
                 self.app.take_checked();
+                self.app.take_chart();
             }
             self.pass(Vec::new(), Vec::new());
             if !self.app.context.has_requested_repaint() && !self.app.is_busy() {

@@ -45,6 +45,7 @@ impl App {
             .iter()
             .map(|file| file.path().to_path_buf())
             .collect();
+        self.take_chart();
         let mut commands = Vec::new();
         let mut place = None;
         let context = self.context.clone();
@@ -54,6 +55,7 @@ impl App {
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
                 floating: self.floating,
+                chart: self.chart.as_ref(),
                 checking: &self.checking,
                 statistics: &self.statistics,
                 filter: &mut self.filter,

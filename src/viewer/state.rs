@@ -3,6 +3,7 @@
 
 use super::{
     action::{Action, LensControls},
+    exhibit::Showing,
     stages::Stage,
 };
 use crate::{
@@ -13,6 +14,7 @@ use crate::{
     geometry::{Aabb, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
+    study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
@@ -80,6 +82,8 @@ pub struct State {
     pub(super) stage: Stage,
     /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
     pub(super) world: Option<(Scene, View)>,
+    /// The gallery's scene that this is.
+    pub(super) showing: Option<Showing>,
 }
 
 impl State {
@@ -131,6 +135,7 @@ impl State {
             frozen: None,
             stage: Stage::World,
             world: None,
+            showing: loaded.exhibit.map(Showing::new),
         })
     }
 
@@ -158,6 +163,9 @@ impl State {
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
     pub fn reload(&mut self, loaded: Loaded) {
         self.show_stage(Stage::World);
+        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
+            self.showing = loaded.exhibit.map(Showing::new);
+        }
         let old = std::mem::replace(&mut self.scene, loaded.scene);
         let old = old.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -284,6 +292,19 @@ impl State {
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
         self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// The gallery's scene that this is, and by which method it is picked from.
+    #[must_use]
+    pub fn showing(&self) -> Option<&Showing> {
+        self.showing.as_ref()
+    }
+
+    /// The method of others that picks now; `None` for this program's own. Stages other than the world's know no other.
+    #[must_use]
+    pub fn method(&self) -> Option<Swap> {
+        let showing = self.showing.as_ref().filter(|_| self.stage == Stage::World);
+        showing?.method
     }
 
     /// How far along the pipeline the scene is shown.

@@ -50,6 +50,7 @@ impl State {
                 self.orbit.zoom(self.point_at(px), factor);
                 self.moved();
             }
+            Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
             Action::Click(px, time_s) => {
                 let line = self.click(px, time_s);
                 if self.stage == Stage::World {
@@ -109,13 +110,19 @@ impl State {
             Action::ShowAll => self.show(|_| true, true),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
+            Action::PickBy(method) => self.pick_by(method),
+            Action::NextMethod { forward } => {
+                if let Some(showing) = &self.showing {
+                    self.pick_by(showing.next_method(forward));
+                }
+            }
             Action::Stage(stage) => self.show_stage(stage),
         }
         None
     }
 
     /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
-    fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
+    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
         let px = pixel_centre(px);
         let behind = match self.last_click {
             Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {

@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod gallery;
 mod lens;
 mod moving;
 mod picking;

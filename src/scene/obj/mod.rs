@@ -126,13 +126,26 @@ pub enum ObjError {
 /// When it cannot be read, breaks the format or holds nothing to show; see [`ObjError`]. Missing or broken MTL files
 /// are warnings.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
+    read(path, progress, || open(path, progress))
+}
+
+/// [`load`] from the bytes of a file that is part of the program; errors name it by `path`.
+pub(super) fn parse(bytes: &[u8], path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
+    read(path, progress, || Ok(bytes))
+}
+
+fn read<R: BufRead>(
+    path: &Path,
+    progress: &Progress,
+    open: impl Fn() -> Result<R, ObjError>,
+) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
-    let mut input = open(path, progress)?;
+    let mut input = open()?;
     let looks_like = looks_like(&mut input);
     let mut source = Source::new(input, progress, false);
     let mut parsed = tobj::load_obj_buf(&mut source, &tobj::LoadOptions::default(), no_materials);
     if matches!(source.stop, Some(Stop::ColoursComeLate)) {
-        source = Source::new(open(path, progress)?, progress, true);
+        source = Source::new(open()?, progress, true);
         parsed = tobj::load_obj_buf(&mut source, &tobj::LoadOptions::default(), no_materials);
     }
     let file = || path.to_owned();

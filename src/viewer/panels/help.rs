@@ -1,6 +1,6 @@
 //! Keys and mouse, from the very table that works them.
 
-use super::super::{Command, input};
+use super::super::{Command, keys};
 use egui::{Align2, Context, Grid, Window};
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
@@ -15,13 +15,13 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 .num_columns(2)
                 .striped(true)
                 .show(ui, |ui| {
-                    let keys = input::BINDINGS
+                    let bindings = keys::BINDINGS
                         .iter()
                         .map(|binding| (binding.keys, binding.does));
-                    for (input, does) in input::MOUSE
+                    for (input, does) in keys::MOUSE
                         .iter()
                         .copied()
-                        .chain(keys)
+                        .chain(bindings)
                         .filter(|(_, does)| !does.is_empty())
                     {
                         ui.monospace(input);

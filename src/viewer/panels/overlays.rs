@@ -2,11 +2,10 @@
 
 use super::{
     super::{Command, Notices, stage::AXES, state::State},
-    Shown,
+    Shown, banner,
 };
 use egui::{
-    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, Vec2, pos2,
-    vec2,
+    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -41,8 +40,9 @@ pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
 /// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
 pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
+    let below = shown.state.method().map_or(0.0, |_| banner::HEIGHT);
     Area::new(Id::unique("notices"))
-        .fixed_pos(rect.left_top() + Vec2::splat(10.0))
+        .fixed_pos(rect.left_top() + vec2(10.0, 10.0 + below))
         .show(&ctx, |ui| {
             ui.set_max_width((rect.width() - 20.0).max(100.0));
             notices(ui, shown.notices);

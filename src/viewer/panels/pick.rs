@@ -10,6 +10,10 @@ const VALUE_SIZE: f32 = 11.0;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.heading("Pick");
+    if state.method().is_some() {
+        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.");
+        return;
+    }
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.");
         return;

@@ -1,6 +1,9 @@
 //! The row of buttons at the top.
 
-use super::super::{Command, action::Action, state::State};
+use super::{
+    super::{Command, action::Action, state::State},
+    gallery,
+};
 use egui::Ui;
 use glam::DVec3;
 
@@ -72,6 +75,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         {
             commands.push(Command::TogglePipeline);
         }
+        gallery::menu(ui, state, commands);
         if ui
             .button("Help")
             .on_hover_text("keys and mouse (H)")

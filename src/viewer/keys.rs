@@ -1,0 +1,264 @@
+//! Keys to commands, as one table that the help is made from.
+
+use super::{
+    Command,
+    action::{Action, LensControls},
+};
+use crate::{camera::View, geometry::Sides};
+use egui::{Key, Modifiers};
+use glam::DVec3;
+
+/// A key and what it does.
+pub(super) struct Binding {
+    /// As the help writes it.
+    pub keys: &'static str,
+    /// What it does, for the help.
+    pub does: &'static str,
+    /// Any of these.
+    pub shortcuts: &'static [(Modifiers, Key)],
+    /// What it asks for, by what is on screen.
+    pub command: fn(&View, LensControls) -> Command,
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+/// Every key, in the order of the help. With Shift comes before without: a pattern without it takes both.
+pub(super) const BINDINGS: &[Binding] = &[
+    Binding {
+        keys: "F",
+        does: "frame the selection",
+        shortcuts: &[(NONE, Key::F)],
+        command: |_, _| Command::Act(Action::FrameSelection),
+    },
+    Binding {
+        keys: "A, Home",
+        does: "frame all",
+        shortcuts: &[(NONE, Key::A), (NONE, Key::Home)],
+        command: |_, _| Command::Act(Action::FrameAll),
+    },
+    Binding {
+        keys: "Enter",
+        does: "the view that the scene opened with",
+        shortcuts: &[(NONE, Key::Enter)],
+        command: |_, _| Command::Act(Action::ResetView),
+    },
+    Binding {
+        keys: "1, Ctrl+1",
+        does: "front, back",
+        shortcuts: &[(NONE, Key::Num1)],
+        command: |_, _| look(DVec3::Z),
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(CTRL, Key::Num1)],
+        command: |_, _| look(DVec3::NEG_Z),
+    },
+    Binding {
+        keys: "3, Ctrl+3",
+        does: "right, left",
+        shortcuts: &[(NONE, Key::Num3)],
+        command: |_, _| look(DVec3::X),
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(CTRL, Key::Num3)],
+        command: |_, _| look(DVec3::NEG_X),
+    },
+    Binding {
+        keys: "7, Ctrl+7",
+        does: "top, bottom",
+        shortcuts: &[(NONE, Key::Num7)],
+        command: |_, _| look(DVec3::Y),
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(CTRL, Key::Num7)],
+        command: |_, _| look(DVec3::NEG_Y),
+    },
+    Binding {
+        keys: "9",
+        does: "from the corner",
+        shortcuts: &[(NONE, Key::Num9)],
+        command: |_, _| look(DVec3::ONE),
+    },
+    Binding {
+        keys: "5",
+        does: "perspective, orthographic",
+        shortcuts: &[(NONE, Key::Num5)],
+        command: |_, controls| {
+            Command::Act(Action::Lens(LensControls {
+                orthographic: !controls.orthographic,
+                ..controls
+            }))
+        },
+    },
+    Binding {
+        keys: "B",
+        does: "back faces",
+        shortcuts: &[(NONE, Key::B)],
+        command: |view, _| {
+            Command::Act(Action::Sides(if view.sides == Sides::Both {
+                Sides::Front
+            } else {
+                Sides::Both
+            }))
+        },
+    },
+    Binding {
+        keys: "G",
+        does: "grid and axes",
+        shortcuts: &[(NONE, Key::G)],
+        command: |_, _| Command::Act(Action::ToggleGrid),
+    },
+    Binding {
+        keys: "Shift+H",
+        does: "hide the selection",
+        shortcuts: &[(SHIFT, Key::H)],
+        command: |_, _| Command::Act(Action::HideSelection),
+    },
+    Binding {
+        keys: "I",
+        does: "hide all but the selection",
+        shortcuts: &[(NONE, Key::I)],
+        command: |_, _| Command::Act(Action::Isolate),
+    },
+    Binding {
+        keys: "U",
+        does: "show all",
+        shortcuts: &[(NONE, Key::U)],
+        command: |_, _| Command::Act(Action::ShowAll),
+    },
+    Binding {
+        keys: "Ctrl+O",
+        does: "open files",
+        shortcuts: &[(CTRL, Key::O)],
+        command: |_, _| Command::OpenDialog,
+    },
+    Binding {
+        keys: "Ctrl+S",
+        does: "save as a scene file",
+        shortcuts: &[(CTRL, Key::S)],
+        command: |_, _| Command::SaveDialog,
+    },
+    Binding {
+        keys: "R",
+        does: "read the files again",
+        shortcuts: &[(NONE, Key::R)],
+        command: |_, _| Command::Reload,
+    },
+    Binding {
+        keys: "T",
+        does: "freeze the camera: it stays as lines, with the pick's ray, while you look from elsewhere",
+        shortcuts: &[(NONE, Key::T)],
+        command: |_, _| Command::Act(Action::ToggleFreeze),
+    },
+    Binding {
+        keys: "P",
+        does: "the matrices, and the pick on its way through them",
+        shortcuts: &[(NONE, Key::P)],
+        command: |_, _| Command::TogglePipeline,
+    },
+    Binding {
+        keys: "V",
+        does: "compare what is drawn with what is picked, pixel by pixel",
+        shortcuts: &[(NONE, Key::V)],
+        command: |_, _| Command::ToggleCheck,
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::E)],
+        command: |_, _| Command::NextExhibit { forward: false },
+    },
+    Binding {
+        keys: "E, Shift+E",
+        does: "the gallery of scenes on which known methods break: the next, the one before",
+        shortcuts: &[(NONE, Key::E)],
+        command: |_, _| Command::NextExhibit { forward: true },
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::M)],
+        command: |_, _| Command::Act(Action::NextMethod { forward: false }),
+    },
+    Binding {
+        keys: "M, Shift+M",
+        does: "in the gallery: pick by the next method, the one before",
+        shortcuts: &[(NONE, Key::M)],
+        command: |_, _| Command::Act(Action::NextMethod { forward: true }),
+    },
+    Binding {
+        keys: "C",
+        does: "copy the view as a command",
+        shortcuts: &[(NONE, Key::C)],
+        command: |_, _| Command::CopyCommandLine,
+    },
+    Binding {
+        keys: "J",
+        does: "copy the pick as JSON",
+        shortcuts: &[(NONE, Key::J)],
+        command: |_, _| Command::CopyPick,
+    },
+    Binding {
+        keys: "Esc",
+        does: "stop loading, close the help, pick by Sightline's own method again, close the comparison, select nothing",
+        shortcuts: &[(NONE, Key::Escape)],
+        command: |_, _| Command::Escape,
+    },
+    Binding {
+        keys: "H, ?",
+        does: "this help",
+        shortcuts: &[
+            (NONE, Key::H),
+            (SHIFT, Key::Questionmark),
+            (NONE, Key::Questionmark),
+        ],
+        command: |_, _| Command::ToggleHelp,
+    },
+    Binding {
+        keys: "Ctrl+Q",
+        does: "quit",
+        shortcuts: &[(CTRL, Key::Q)],
+        command: |_, _| Command::Quit,
+    },
+];
+
+/// What the mouse does, for the help.
+pub(super) const MOUSE: &[(&str, &str)] = &[
+    ("left drag", "orbit about the point under the cursor"),
+    ("right, middle or Shift + left drag", "pan"),
+    ("wheel, pinch", "zoom at the cursor"),
+    ("click", "pick; the same pixel again: the surface behind"),
+    (
+        "double click",
+        "set pivot and centre; on nothing: frame all",
+    ),
+];
+
+fn look(to_eye: DVec3) -> Command {
+    Command::Act(Action::LookFrom(to_eye))
+}
+
+/// What the keys that were pressed ask for, unless somebody is typing.
+pub(super) fn pressed(ctx: &egui::Context, view: &View, controls: LensControls) -> Vec<Command> {
+    if ctx.egui_wants_keyboard_input() {
+        return Vec::new();
+    }
+    ctx.input_mut(|input| {
+        let pressed = BINDINGS.iter().filter(|binding| {
+            binding
+                .shortcuts
+                .iter()
+                .any(|(modifiers, key)| input.consume_key(*modifiers, *key))
+        });
+        pressed
+            .map(|binding| (binding.command)(view, controls))
+            .collect()
+    })
+}
