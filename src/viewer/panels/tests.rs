@@ -107,7 +107,11 @@ fn each_key_asks_for_what_its_line_says() {
             };
             let (_, asked) = pass(&state, vec![press(*key, modifiers)]);
             let asked: Vec<_> = asked.into_iter().filter(idle).collect();
-            assert_eq!(asked, [expected.clone()], "{key:?} with {modifiers:?}");
+            assert_eq!(
+                asked,
+                std::slice::from_ref(&expected),
+                "{key:?} with {modifiers:?}"
+            );
         }
     }
 }
