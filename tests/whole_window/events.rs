@@ -171,6 +171,26 @@ fn a_bad_file_leaves_the_scene_and_a_message_that_stays() {
 }
 
 #[test]
+fn messages_go_one_by_one_or_all_at_once() {
+    let (mut window, folder) = row(1.0);
+    for i in 0..8 {
+        window.drop_file(folder.path().join(format!("absent {i}.obj")));
+    }
+    assert_eq!(window.messages().count(), 8);
+    // The cross of the first that is shown, under the button for all: the earliest three are not shown.
+    click(&mut window, pos2(236.0, 72.0));
+    let left: Vec<_> = window.messages().map(str::to_owned).collect();
+    assert_eq!(left.len(), 7);
+    assert!(
+        !left.iter().any(|text| text.contains("absent 3")),
+        "{left:?}"
+    );
+    click(&mut window, pos2(240.0, 45.0));
+    assert_eq!(window.messages().count(), 0);
+    assert_eq!(selected(&window), None, "the clicks were not the scene's");
+}
+
+#[test]
 fn keys_act_and_typing_does_not() {
     let (mut window, _folder) = row(1.0);
     let none = Modifiers::NONE;
