@@ -153,19 +153,19 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "T",
-        does: "freeze the camera: it stays as lines, with the pick's ray, while you look from elsewhere",
+        does: "freeze the camera: it stays as lines, seen from elsewhere",
         shortcuts: &[(NONE, Key::T)],
         command: |_, _| Command::Act(Action::ToggleFreeze),
     },
     Binding {
         keys: "P",
-        does: "the matrices, and the pick on its way through them",
+        does: "the matrices, and the pick's way through them",
         shortcuts: &[(NONE, Key::P)],
         command: |_, _| Command::TogglePipeline,
     },
     Binding {
         keys: "V",
-        does: "compare what is drawn with what is picked, pixel by pixel",
+        does: "compare drawn with picked, pixel by pixel",
         shortcuts: &[(NONE, Key::V)],
         command: |_, _| Command::ToggleCheck,
     },
@@ -177,7 +177,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "E, Shift+E",
-        does: "the gallery of scenes on which known methods break: the next, the one before",
+        does: "failure gallery: the next scene, the one before",
         shortcuts: &[(NONE, Key::E)],
         command: |_, _| Command::NextExhibit { forward: true },
     },
@@ -189,7 +189,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "M, Shift+M",
-        does: "in the gallery: pick by the next method, the one before",
+        does: "in it: pick by the next method, the one before",
         shortcuts: &[(NONE, Key::M)],
         command: |_, _| Command::Act(Action::NextMethod { forward: true }),
     },
@@ -207,7 +207,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop loading, close the help, pick by Sightline's own method again, close the comparison, select nothing",
+        does: "stop loading, close, pick by the default, select nothing",
         shortcuts: &[(NONE, Key::Escape)],
         command: |_, _| Command::Escape,
     },
@@ -232,7 +232,7 @@ pub(super) const BINDINGS: &[Binding] = &[
 /// What the mouse does, for the help.
 pub(super) const MOUSE: &[(&str, &str)] = &[
     ("left drag", "orbit about the point under the cursor"),
-    ("right, middle or Shift + left drag", "pan"),
+    ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),
     (

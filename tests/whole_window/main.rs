@@ -4,6 +4,7 @@
 mod common;
 mod device;
 mod events;
+mod gallery;
 mod pictures;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};

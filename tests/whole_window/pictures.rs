@@ -1,8 +1,8 @@
 //! Panels as they were when somebody last looked at them: `goldens/*.png`. After a wanted change, run with
 //! `SIGHTLINE_GOLDENS=write` and look at each.
 
-use super::{MIDDLE, click, here, press_key, px, row};
-use egui::{Key, Modifiers};
+use super::{MIDDLE, click, here, open, press_key, px, row};
+use egui::{Key, Modifiers, pos2};
 use sightline::image::{Image, Rgb};
 use sightline::viewer::offscreen::Offscreen;
 
@@ -14,6 +14,13 @@ fn shown(name: &str) -> (Offscreen, [u32; 4]) {
     window.send([egui::Event::PointerGone]);
     match name {
         "panels" => (window, [940, 0, 340, 720]),
+        "gallery" => {
+            let mut window = open(vec!["gallery:stretched".into()], 1.0);
+            press_key(&mut window, Modifiers::NONE, Key::M);
+            click(&mut window, pos2(735.0, 330.0));
+            window.send([egui::Event::PointerGone]);
+            (window, [0, 0, 950, 690])
+        }
         "pipeline" => {
             press_key(&mut window, Modifiers::NONE, Key::P);
             (window, [215, 50, 620, 560])
@@ -48,7 +55,7 @@ fn read(path: &std::path::Path) -> Image<Rgb> {
 
 #[test]
 fn panels_look_as_they_did() {
-    for name in ["panels", "pipeline", "help"] {
+    for name in ["panels", "pipeline", "help", "gallery"] {
         let (mut window, at) = shown(name);
         let picture = crop(&window.picture().expect("a picture"), at);
         let path = here("goldens").join(name).with_extension("png");

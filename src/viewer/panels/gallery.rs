@@ -56,13 +56,9 @@ pub(super) fn width(ctx: &Context, other: f32) -> f32 {
     const WIDTH: f32 = 400.0;
     let scale = ctx.pixels_per_point();
     let px = |points: f32| (points * scale).round();
-    let left = px(ctx.content_rect().width()) - px(other) - px(WIDTH);
-    WIDTH
-        + if left.rem_euclid(2.0) > 0.5 {
-            0.0
-        } else {
-            1.0 / scale
-        }
+    let picture = px(ctx.content_rect().width() - other) - px(WIDTH);
+    let is_odd = picture.rem_euclid(2.0) > 0.5;
+    (px(WIDTH) + if is_odd { 0.0 } else { 1.0 }) / scale
 }
 
 /// In place of the list of objects.
