@@ -19,6 +19,7 @@ mod events;
 pub mod exhibit;
 mod frozen;
 mod input;
+pub mod inspect;
 mod keys;
 mod loading;
 pub mod offscreen;
