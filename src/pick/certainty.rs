@@ -3,7 +3,7 @@
 use super::{SceneHit, closest, is_in_doubt, just_behind};
 use crate::{
     camera::View,
-    geometry::{Hit, Placement, Ray, Sphere},
+    geometry::{Cuboid, Hit, Placement, Ray, Sphere, Square},
     scene::{Object, Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -54,13 +54,8 @@ pub(super) fn needs_exact(scene: &Scene, ray: &Ray, hits: &[SceneHit], i: usize)
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     match &object.shape {
         Shape::Sphere => sphere_outline_px(&object.placement, view, px),
-        Shape::Cube => polygon_px(&object.placement, view, px, &face(hit.normal)),
-        Shape::Square => polygon_px(
-            &object.placement,
-            view,
-            px,
-            &face(DVec3::Z).map(|p| p - 0.5 * DVec3::Z),
-        ),
+        Shape::Cube => polygon_px(&object.placement, view, px, &Cuboid::face(hit.normal)),
+        Shape::Square => polygon_px(&object.placement, view, px, &Square::corners()),
         Shape::Mesh { mesh, .. } => polygon_px(
             &object.placement,
             view,
@@ -68,19 +63,6 @@ pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Opt
             &mesh.corners(hit.on_triangle?.triangle),
         ),
     }
-}
-
-/// The corners of the unit cube's face with this unit normal.
-fn face(normal: DVec3) -> [DVec3; 4] {
-    let u = 0.5 * DVec3::new(normal.y.abs(), normal.z.abs(), normal.x.abs());
-    let v = 0.5 * DVec3::new(normal.z.abs(), normal.x.abs(), normal.y.abs());
-    let center = 0.5 * normal;
-    [
-        center - u - v,
-        center + u - v,
-        center + u + v,
-        center - u + v,
-    ]
 }
 
 fn polygon_px(

@@ -2,11 +2,13 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod mended;
 mod real;
 mod refusals;
 mod shading;
 mod shapes;
 mod structure;
+mod written;
 
 use glam::DVec3;
 use sightline::{
