@@ -6,7 +6,7 @@ use super::{
     state::State,
 };
 use crate::geometry::Sides;
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 use glam::DVec3;
 
 /// A key and what it does.
@@ -219,6 +219,18 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_| Command::Act(Action::NextMethod { forward: true }),
     },
     Binding {
+        keys: "Shift+C",
+        does: "copy the camera; Ctrl+V takes over a copied one",
+        shortcuts: &[(SHIFT, Key::C)],
+        command: |_| Command::CopyCamera,
+    },
+    Binding {
+        keys: "F12",
+        does: "save what is on screen as a PNG file",
+        shortcuts: &[(NONE, Key::F12)],
+        command: |_| Command::Screenshot,
+    },
+    Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],
@@ -289,6 +301,11 @@ pub(super) fn pressed(ctx: &egui::Context, state: &State) -> Vec<Command> {
                 .iter()
                 .any(|(modifiers, key)| input.consume_key(*modifiers, *key))
         });
-        pressed.map(|binding| (binding.command)(state)).collect()
+        let mut asked: Vec<_> = pressed.map(|binding| (binding.command)(state)).collect();
+        asked.extend(input.events.iter().filter_map(|event| match event {
+            Event::Paste(text) => Some(Command::Paste(text.clone())),
+            _ => None,
+        }));
+        asked
     })
 }

@@ -106,12 +106,13 @@ impl App {
     }
 
     /// Takes what came of drawing a frame: whether the scene itself was drawn anew.
-    pub fn drawn(&mut self, drawn: Result<bool, GpuError>, canvas: &Canvas) {
+    pub fn drawn(&mut self, drawn: Result<bool, GpuError>, canvas: &mut Canvas, laid: &Laid) {
         match drawn {
             Ok(true) => self.announce(),
             Ok(false) => {}
             Err(error) => self.complain(error.to_string()),
         }
         self.start_check(canvas);
+        self.take_screenshot(canvas, laid);
     }
 }

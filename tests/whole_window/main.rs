@@ -5,6 +5,7 @@ mod common;
 mod device;
 mod events;
 mod gallery;
+mod inspect;
 mod pictures;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
