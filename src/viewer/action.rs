@@ -1,6 +1,6 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::stages::Stage;
+use super::{overlay::Overlay, stages::Stage};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     geometry::Sides,
@@ -68,8 +68,8 @@ pub enum Action {
     ShowAll,
     /// Show or hide the grid with its axes.
     ToggleGrid,
-    /// Show these over the picture.
-    Overlays(Overlays),
+    /// Show something over the scene, or no more.
+    Toggle(Overlay),
     /// Show the scene at a stage of the pipeline.
     Stage(Stage),
     /// In the gallery: pick by this method, or by this program's own.
@@ -81,24 +81,6 @@ pub enum Action {
     },
     /// Leave the present camera standing in the scene, as lines, or take it away.
     ToggleFreeze,
-}
-
-/// What is shown over the scene when asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Overlays {
-    /// The triangle under the pick, with its corners and barycentrics.
-    pub triangle: bool,
-    /// The way from the pick before to this one.
-    pub distance: bool,
-}
-
-impl Default for Overlays {
-    fn default() -> Self {
-        Self {
-            triangle: true,
-            distance: false,
-        }
-    }
 }
 
 /// The lens as the panel holds it.

@@ -376,7 +376,7 @@ impl App {
         }
     }
 
-    fn act(&mut self, action: Action) {
+    pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
         let method = self.state.method();

@@ -4,13 +4,16 @@ use super::{
     check::OnScreen,
     frozen,
     input::SceneRect,
+    overlay::{self, Overlay, Overlays},
     stage,
     state::{Frozen, State},
 };
 use crate::{
     camera::{UpAxis, View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets, read_rgb},
+    render::{
+        Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets, Wireframe, read_rgb,
+    },
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
 use std::mem;
@@ -48,6 +51,8 @@ struct Drawn {
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
+    /// What is drawn with the scene, and about which object.
+    overlays: Option<(Overlays, Option<usize>)>,
     selection: Option<usize>,
 }
 
@@ -212,7 +217,10 @@ impl Canvas {
         let (Some(scene), Some(targets)) = (&self.scene, &self.targets) else {
             return Ok(false);
         };
+        let selection = state.selection().map(|selection| selection.object);
+        let overlays = state.overlays();
         let wanted = Drawn {
+            overlays: overlays.in_scene().then_some((overlays, selection)),
             view: View {
                 viewport,
                 ..*state.view()
@@ -221,7 +229,7 @@ impl Canvas {
             visibility: state.visibility_revision(),
             grid: state.grid().then_some(state.up_axis()),
             frozen: state.frozen().copied(),
-            selection: state.selection().map(|selection| selection.object),
+            selection,
         };
         let unmarked = |drawn: Drawn| Drawn {
             selection: None,
@@ -240,9 +248,12 @@ impl Canvas {
             let lines: Vec<_> = floor
                 .into_iter()
                 .chain(frozen)
-                .chain([stage])
+                .chain([stage, overlay::lines(state)])
                 .flatten()
                 .collect();
+            self.renderer.wireframe = overlays
+                .shows(Overlay::Wireframe)
+                .then(|| selection.map_or(Wireframe::OfAll, Wireframe::Of));
             self.renderer
                 .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
         }

@@ -2,7 +2,8 @@
 
 use super::{
     Command,
-    action::{Action, LensControls, Overlays},
+    action::{Action, LensControls},
+    overlay::Overlay,
     state::State,
 };
 use crate::geometry::Sides;
@@ -168,13 +169,31 @@ pub(super) const BINDINGS: &[Binding] = &[
         keys: "Y",
         does: "the triangle under the pick, with its barycentrics",
         shortcuts: &[(NONE, Key::Y)],
-        command: |state| overlay(state, |overlays| overlays.triangle ^= true),
+        command: |_| Command::Act(Action::Toggle(Overlay::Triangle)),
     },
     Binding {
         keys: "D",
         does: "the distance between the last two picks",
         shortcuts: &[(NONE, Key::D)],
-        command: |state| overlay(state, |overlays| overlays.distance ^= true),
+        command: |_| Command::Act(Action::Toggle(Overlay::Distance)),
+    },
+    Binding {
+        keys: "W",
+        does: "wireframe, of the selection or of everything",
+        shortcuts: &[(NONE, Key::W)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Wireframe)),
+    },
+    Binding {
+        keys: "L",
+        does: "normals of faces, of the selection or of everything",
+        shortcuts: &[(NONE, Key::L)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Normals)),
+    },
+    Binding {
+        keys: "X",
+        does: "bounding boxes, of the selection or of everything",
+        shortcuts: &[(NONE, Key::X)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Boxes)),
     },
     Binding {
         keys: "T",
@@ -277,13 +296,6 @@ pub(super) const MOUSE: &[(&str, &str)] = &[
         "set pivot and centre; on nothing: frame all",
     ),
 ];
-
-/// The overlays with a change.
-fn overlay(state: &State, change: impl Fn(&mut Overlays)) -> Command {
-    let mut overlays = state.overlays();
-    change(&mut overlays);
-    Command::Act(Action::Overlays(overlays))
-}
 
 fn look(to_eye: DVec3) -> Command {
     Command::Act(Action::LookFrom(to_eye))

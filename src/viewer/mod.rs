@@ -23,6 +23,7 @@ pub mod inspect;
 mod keys;
 mod loading;
 pub mod offscreen;
+pub mod overlay;
 mod panels;
 mod pass;
 pub mod pipeline;

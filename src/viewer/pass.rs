@@ -6,6 +6,7 @@ use super::{
     app::App,
     canvas::{Canvas, Laid},
     input::{self, SceneRect},
+    overlay::Overlay,
     panels::{self, Shown},
     state::Cursor,
 };
@@ -111,6 +112,13 @@ impl App {
             Ok(true) => self.announce(),
             Ok(false) => {}
             Err(error) => self.complain(error.to_string()),
+        }
+        if self.state.overlays().shows(Overlay::Wireframe) && !canvas.gpu.draws_wireframes() {
+            self.act(Action::Toggle(Overlay::Wireframe));
+            let adapter = canvas.gpu.adapter_name();
+            self.complain(format!(
+                "{adapter} draws no edges of triangles: there is no wireframe"
+            ));
         }
         self.start_check(canvas);
         self.take_screenshot(canvas, laid);

@@ -2,9 +2,10 @@
 //! [`Action`].
 
 use super::{
-    action::{Action, LensControls, Overlays},
+    action::{Action, LensControls},
     exhibit::Showing,
     inspect::{Landmark, RayHits},
+    overlay::Overlays,
     stages::Stage,
 };
 use crate::{

@@ -99,7 +99,7 @@ impl State {
                 }
             }
             Action::ShowAll => self.show(|_| true, true),
-            Action::Overlays(overlays) => self.overlays = overlays,
+            Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
             Action::PickBy(method) => self.pick_by(method),

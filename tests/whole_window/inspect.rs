@@ -1,6 +1,7 @@
 //! Inspecting by keys and clipboard.
 
 use super::*;
+use sightline::viewer::overlay::Overlay;
 
 /// What F12 wrote, oldest first.
 fn screenshots(folder: &Path) -> Vec<PathBuf> {
@@ -94,14 +95,10 @@ fn keys_step_through_the_ray() {
     press_key(&mut window, Modifiers::SHIFT, Key::N);
     seen.push(selected(&window).expect("picked").to_owned());
     assert_eq!(seen, ["front", "middle", "middle", "back", "middle"]);
-    for (key, which) in [(Key::Y, false), (Key::D, true)] {
+    for (overlay, _, key, _) in Overlay::ALL {
+        let shows = window.state().overlays().shows(overlay);
+        let key = Key::from_name(key).expect("a key");
         press_key(&mut window, Modifiers::NONE, key);
-        let overlays = window.state().overlays();
-        let now = if key == Key::Y {
-            overlays.triangle
-        } else {
-            overlays.distance
-        };
-        assert_eq!(now, which);
+        assert_ne!(window.state().overlays().shows(overlay), shows, "{key:?}");
     }
 }

@@ -6,6 +6,7 @@ mod device;
 mod events;
 mod gallery;
 mod inspect;
+mod overlays;
 mod pictures;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};

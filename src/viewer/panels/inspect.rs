@@ -3,12 +3,14 @@
 use super::{
     super::{
         Command,
-        action::{Action, Overlays},
+        action::Action,
         inspect::{DepthSteps, triangle},
+        overlay::Overlay,
         state::State,
     },
     field::short,
     pick::{PLACES, rows, vector},
+    toolbar,
 };
 use crate::pick::Pick;
 use egui::{CollapsingHeader, Grid, RichText, Ui};
@@ -30,25 +32,6 @@ pub(super) fn show(
 fn section(ui: &mut Ui, salt: &str, title: String, hint: &str, inside: impl FnOnce(&mut Ui)) {
     let header = CollapsingHeader::new(title).id_salt(salt).show(ui, inside);
     header.header_response.on_hover_text(hint);
-}
-
-/// A box that turns one of the overlays on and off.
-fn overlay(
-    ui: &mut Ui,
-    state: &State,
-    name: &str,
-    hint: &str,
-    which: fn(&mut Overlays) -> &mut bool,
-    commands: &mut Vec<Command>,
-) {
-    let mut next = state.overlays();
-    if ui
-        .checkbox(which(&mut next), name)
-        .on_hover_text(hint)
-        .changed()
-    {
-        commands.push(Command::Act(Action::Overlays(next)));
-    }
 }
 
 fn hits(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Command>) {
@@ -91,15 +74,7 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, places: usize, commands: &mut
             ];
             rows(ui, name, &lines);
         }
-        let hint = "outline, corners and weights over the picture (Y)";
-        overlay(
-            ui,
-            state,
-            "draw",
-            hint,
-            |overlays| &mut overlays.triangle,
-            commands,
-        );
+        toolbar::overlay(ui, state, Overlay::Triangle, commands);
     });
 }
 
@@ -121,15 +96,7 @@ fn distance(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Comman
             ("along z", length(by.z)),
         ];
         rows(ui, "between", &lines);
-        let hint = "a line between both points over the picture (D)";
-        overlay(
-            ui,
-            state,
-            "draw",
-            hint,
-            |overlays| &mut overlays.distance,
-            commands,
-        );
+        toolbar::overlay(ui, state, Overlay::Distance, commands);
     });
 }
 

@@ -1,6 +1,8 @@
 //! Over the picture: the triangle that was hit, with its corners and barycentrics, and the way from the pick before.
 
-use super::super::{input::SceneRect, inspect::triangle, stages::Stage, state::State};
+use super::super::{
+    input::SceneRect, inspect::triangle, overlay::Overlay, stages::Stage, state::State,
+};
 use crate::{camera::View, pick::Pick};
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
@@ -23,10 +25,10 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     let pick = state
         .selection()
         .and_then(|selection| selection.pick.as_ref()?.hit.as_ref());
-    if let Some(pick) = pick.filter(|_| state.overlays().triangle) {
+    if let Some(pick) = pick.filter(|_| state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
     }
-    if let ([from, to], true) = (state.landmarks(), state.overlays().distance) {
+    if let ([from, to], true) = (state.landmarks(), state.overlays().shows(Overlay::Distance)) {
         page.distance(from.point_world, to.point_world);
     }
 }
