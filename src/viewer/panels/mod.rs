@@ -86,7 +86,6 @@ pub(super) fn show(
                     camera::show(ui, shown.state, &mut commands);
                     ui.separator();
                     pick::show(ui, shown.state, &mut commands);
-                    object::show(ui, shown.state, &mut commands);
                 });
         });
     let place = CentralPanel::no_frame().show(ui, |ui| {

@@ -51,16 +51,14 @@ const PARTS: [(Part, &str, &str); 3] = [
     ),
 ];
 
-pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    let Some(selection) = state.selection() else {
-        return;
-    };
-    if state.stage() != Stage::World || state.method().is_some() {
+pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec<Command>) {
+    // Other stages are made from the world, and would not follow.
+    if state.stage() != Stage::World {
         return;
     }
     let header = CollapsingHeader::new("Model matrix").show(ui, |ui| {
-        let model = state.scene().objects()[selection.object].placement.model();
-        edit(ui, state, selection.object, model, commands);
+        let model = state.scene().objects()[object].placement.model();
+        edit(ui, state, object, model, commands);
     });
     let hint = "where the selected object stands: typed, or dragged at the letters";
     header.header_response.on_hover_text(hint);

@@ -2,7 +2,7 @@
 
 use super::{
     super::{Command, state::State},
-    inspect,
+    inspect, object,
 };
 use crate::pick::Pick;
 use egui::{Grid, RichText, Ui};
@@ -23,6 +23,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     };
     let object = &state.scene().objects()[selection.object];
     ui.strong(format!("{} {}", selection.object + 1, object.name));
+    // First, so that it stays where it is while what it does changes the rest.
+    object::show(ui, state, selection.object, commands);
     let places = state.scene().bounds().decimal_places();
     let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
         let bounds = state.scene().bounds_of(selection.object);
@@ -36,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 ],
             );
         }
-        ui.weak("Chosen from the list; click its surface for a point.");
+        ui.weak("No point of it is picked: click its surface.");
         return;
     };
     rows(ui, "record", &record(hit, places));
