@@ -117,6 +117,28 @@ impl Lens {
         }
     }
 
+    /// The least step in view depth that a 32-bit floating-point depth buffer shows at a view depth: from the number that
+    /// it stores there to the next one away from the eye. Infinite where there is none before the far plane.
+    #[must_use]
+    pub fn depth_step(&self, depth: f64) -> f64 {
+        #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]
+        let stored = self.ndc_depth(depth) as f32;
+        let next = match self.depth {
+            DepthMapping::Reversed => stored.next_down(),
+            DepthMapping::Standard => stored.next_up(),
+        };
+        let (a, b) = self.depth_row();
+        let view_depth = |ndc: f32| match self.projection {
+            Projection::Perspective { .. } => b / (f64::from(ndc) - a),
+            Projection::Orthographic { .. } => (f64::from(ndc) - b) / a,
+        };
+        if (0.0..=1.0).contains(&next) {
+            view_depth(next) - view_depth(stored)
+        } else {
+            f64::INFINITY
+        }
+    }
+
     /// From view to clip space, for column vectors; `aspect` is width over height.
     #[must_use]
     pub fn projection(&self, aspect: f64) -> DMat4 {

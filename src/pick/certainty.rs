@@ -76,23 +76,10 @@ fn polygon_px(
         .map(|&corner| placement.point_to_world(corner))
         .collect();
     let edges = (0..world.len()).filter_map(|i| {
-        let [a, b] = clip_near(view, world[i], world[(i + 1) % world.len()])?;
-        Some(segment_px(px, view.project(a)?.px, view.project(b)?.px))
+        let [a, b] = view.project_segment(world[i], world[(i + 1) % world.len()])?;
+        Some(segment_px(px, a, b))
     });
     edges.min_by(f64::total_cmp)
-}
-
-/// The part of a world-space segment at or behind the near plane.
-fn clip_near(view: &View, a: DVec3, b: DVec3) -> Option<[DVec3; 2]> {
-    let near = view.camera.lens().near;
-    let [da, db] = [a, b].map(|p| view.camera.to_view(p).z - near);
-    let cut = || a.lerp(b, da / (da - db));
-    match (da >= 0.0, db >= 0.0) {
-        (true, true) => Some([a, b]),
-        (true, false) => Some([a, cut()]),
-        (false, true) => Some([cut(), b]),
-        (false, false) => None,
-    }
 }
 
 fn segment_px(p: DVec2, a: DVec2, b: DVec2) -> f64 {

@@ -124,7 +124,8 @@ impl Gpu {
         }
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("sightline"),
-            required_features: wgpu::Features::PRIMITIVE_INDEX,
+            required_features: wgpu::Features::PRIMITIVE_INDEX
+                | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
             // All there is: meshes and pictures are as large as the user says.
             required_limits: adapter.limits(),
             ..Default::default()
@@ -155,6 +156,13 @@ impl Gpu {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// Whether triangles can be drawn as their edges.
+    #[must_use]
+    pub fn draws_wireframes(&self) -> bool {
+        let features = self.device.features();
+        features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
     /// Samples a pixel that colours are worth: 4 on hardware, 1 in software.

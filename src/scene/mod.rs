@@ -214,6 +214,13 @@ impl Scene {
         self.objects[object].visible = visible;
     }
 
+    /// Puts an object somewhere else.
+    pub fn place(&mut self, object: usize, placement: Placement) {
+        self.objects[object].placement = placement;
+        self.bounds[object] = self.objects[object].bounds_world();
+        self.batches = batches(&self.objects);
+    }
+
     /// Hides the objects with these ids (from 1).
     ///
     /// # Errors

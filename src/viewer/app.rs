@@ -11,6 +11,7 @@ use super::{
     loading::{self, Answer, Loading},
     panels::{Filter, Floating, Statistics},
     pass,
+    screenshot::Screenshots,
     stages::Stage,
     state::State,
     textures::Textures,
@@ -19,7 +20,7 @@ use crate::{
     camera::{CameraChoice, CameraError, Viewport},
     geometry::Mesh,
     pick::PickLine,
-    scene::{Loaded, Warning, description},
+    scene::{Loaded, Scene, Warning, description},
 };
 use glam::DVec2;
 use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
@@ -45,6 +46,7 @@ pub(super) struct App {
     pub filter: Filter,
     pub checking: Checking,
     pub chart: Option<Chart>,
+    pub screenshots: Screenshots,
     /// What was open before the gallery.
     outside: Vec<PathBuf>,
     pub reveal_selection: bool,
@@ -61,6 +63,12 @@ pub(super) struct App {
 /// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
 #[derive(Clone, Copy)]
 pub(super) struct Reload(bool);
+
+/// What is of use of a text on the clipboard; the rest may be objects.
+#[derive(serde::Deserialize)]
+struct Clipping {
+    camera: Option<CameraChoice>,
+}
 
 impl App {
     /// Begins to load what the options name.
@@ -81,6 +89,7 @@ impl App {
             filter: Filter::default(),
             checking: Checking::Off,
             chart: None,
+            screenshots: Screenshots::default(),
             outside: Vec::new(),
             reveal_selection: false,
             drag: None,
@@ -194,9 +203,22 @@ impl App {
             Ok(()) => {
                 log::info!("saved {}", path.display());
                 self.paths = vec![path];
+                self.state.edited = false;
             }
             Err(text) => self.complain(text),
         }
+    }
+
+    /// Takes over the camera that a text has, as a scene file writes it.
+    fn paste_camera(&mut self, text: &str) -> Result<(), String> {
+        let none = "the clipboard holds no camera: Shift+C copies one, and so does the [camera] of a scene file";
+        let says = toml::from_str::<Clipping>(text).map_err(|_| none)?;
+        let camera = Action::Camera(says.camera.ok_or(none)?);
+        self.state
+            .check(&camera)
+            .map_err(|error| format!("the camera on the clipboard: {error}"))?;
+        self.act(camera);
+        Ok(())
     }
 
     /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
@@ -209,6 +231,16 @@ impl App {
         self.notices.push(Notice {
             text,
             is_error: true,
+        });
+        self.context.request_repaint();
+    }
+
+    /// Says that something is done.
+    pub fn say(&mut self, text: String) {
+        log::info!("{text}");
+        self.notices.push(Notice {
+            text,
+            is_error: false,
         });
         self.context.request_repaint();
     }
@@ -250,6 +282,25 @@ impl App {
             Command::Reload => {}
             Command::CopyCommandLine => {
                 self.copied = Some(self.view_command());
+                if self.state.edited() {
+                    self.complain(
+                        "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
+                            .into(),
+                    );
+                }
+            }
+            Command::CopyCamera => {
+                let camera = self.state.camera_choice();
+                self.copied = description::to_toml(&Scene::default(), &camera, &[]).ok();
+            }
+            Command::Paste(text) => {
+                if let Err(reason) = self.paste_camera(&text) {
+                    self.complain(reason);
+                }
+            }
+            Command::Screenshot => {
+                self.screenshots.wanted = true;
+                self.context.request_repaint();
             }
             Command::CopyPick => {
                 let line = self
@@ -325,7 +376,7 @@ impl App {
         }
     }
 
-    fn act(&mut self, action: Action) {
+    pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
         let method = self.state.method();

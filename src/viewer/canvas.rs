@@ -4,13 +4,16 @@ use super::{
     check::OnScreen,
     frozen,
     input::SceneRect,
+    overlay::{self, Overlay, Overlays},
     stage,
     state::{Frozen, State},
 };
 use crate::{
     camera::{UpAxis, View, Viewport},
-    image::{Id, Image},
-    render::{Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets},
+    image::{Id, Image, Rgb},
+    render::{
+        Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets, Wireframe, read_rgb,
+    },
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
 use std::mem;
@@ -23,6 +26,8 @@ pub(super) struct Canvas {
     pub format: TextureFormat,
     renderer: Renderer,
     panels: EguiRenderer,
+    /// Of the texture that was drawn onto last.
+    size: Viewport,
     scene: Option<Scene>,
     /// What the targets hold.
     drawn: Option<Drawn>,
@@ -46,6 +51,8 @@ struct Drawn {
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
+    /// What is drawn with the scene, and about which object.
+    overlays: Option<(Overlays, Option<usize>)>,
     selection: Option<usize>,
 }
 
@@ -69,6 +76,7 @@ impl Canvas {
             format,
             renderer,
             panels,
+            size: Viewport::DEFAULT,
             scene: None,
             drawn: None,
             targets: None,
@@ -122,6 +130,7 @@ impl Canvas {
         };
         let format = self.format;
         let size_px = [texture.width(), texture.height()];
+        self.size = Viewport::new(size_px[0], size_px[1]).unwrap_or(self.size);
         let mut anew = false;
         if let Some(place) = laid.place {
             self.renderer.scale_factor = laid.pixels_per_point;
@@ -157,6 +166,39 @@ impl Canvas {
         Ok(anew)
     }
 
+    /// The frame that was drawn last, as a picture.
+    ///
+    /// # Errors
+    /// When memory runs out, or the device fails.
+    pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
+        let texture = self.texture(self.size);
+        self.draw(&texture, state, laid)?;
+        let picture = read_rgb(&self.gpu, &texture, self.size)?;
+        if !matches!(self.format, TextureFormat::Bgra8Unorm) {
+            return Ok(picture);
+        }
+        let pixels = picture.pixels().iter().map(|[b, g, r]| [*r, *g, *b]);
+        Ok(Image::new(self.size, pixels.collect()))
+    }
+
+    /// A texture of this size that it can draw onto and that can be read.
+    pub fn texture(&self, size: Viewport) -> wgpu::Texture {
+        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("window"),
+            size: wgpu::Extent3d {
+                width: size.width(),
+                height: size.height(),
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[self.format.add_srgb_suffix()],
+        })
+    }
+
     /// Brings the targets up to date. Returns whether colours had to be drawn.
     fn draw_scene(&mut self, state: &State, viewport: Viewport) -> Result<bool, GpuError> {
         self.upload(state)?;
@@ -175,7 +217,10 @@ impl Canvas {
         let (Some(scene), Some(targets)) = (&self.scene, &self.targets) else {
             return Ok(false);
         };
+        let selection = state.selection().map(|selection| selection.object);
+        let overlays = state.overlays();
         let wanted = Drawn {
+            overlays: overlays.in_scene().then_some((overlays, selection)),
             view: View {
                 viewport,
                 ..*state.view()
@@ -184,7 +229,7 @@ impl Canvas {
             visibility: state.visibility_revision(),
             grid: state.grid().then_some(state.up_axis()),
             frozen: state.frozen().copied(),
-            selection: state.selection().map(|selection| selection.object),
+            selection,
         };
         let unmarked = |drawn: Drawn| Drawn {
             selection: None,
@@ -203,9 +248,12 @@ impl Canvas {
             let lines: Vec<_> = floor
                 .into_iter()
                 .chain(frozen)
-                .chain([stage])
+                .chain([stage, overlay::lines(state)])
                 .flatten()
                 .collect();
+            self.renderer.wireframe = overlays
+                .shows(Overlay::Wireframe)
+                .then(|| selection.map_or(Wireframe::OfAll, Wireframe::Of));
             self.renderer
                 .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
         }

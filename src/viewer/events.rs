@@ -54,7 +54,7 @@ impl Host {
         if let Ok(true) = drawn {
             app.statistics.frame = start.elapsed();
         }
-        app.drawn(drawn, &shell.surface.canvas);
+        app.drawn(drawn, &mut shell.surface.canvas, &laid);
     }
 
     fn request_redraw(&self) {

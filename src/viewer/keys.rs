@@ -3,9 +3,11 @@
 use super::{
     Command,
     action::{Action, LensControls},
+    overlay::Overlay,
+    state::State,
 };
-use crate::{camera::View, geometry::Sides};
-use egui::{Key, Modifiers};
+use crate::geometry::Sides;
+use egui::{Event, Key, Modifiers};
 use glam::DVec3;
 
 /// A key and what it does.
@@ -17,7 +19,7 @@ pub(super) struct Binding {
     /// Any of these.
     pub shortcuts: &'static [(Modifiers, Key)],
     /// What it asks for, by what is on screen.
-    pub command: fn(&View, LensControls) -> Command,
+    pub command: fn(&State) -> Command,
 }
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -30,70 +32,70 @@ pub(super) const BINDINGS: &[Binding] = &[
         keys: "F",
         does: "frame the selection",
         shortcuts: &[(NONE, Key::F)],
-        command: |_, _| Command::Act(Action::FrameSelection),
+        command: |_| Command::Act(Action::FrameSelection),
     },
     Binding {
         keys: "A, Home",
         does: "frame all",
         shortcuts: &[(NONE, Key::A), (NONE, Key::Home)],
-        command: |_, _| Command::Act(Action::FrameAll),
+        command: |_| Command::Act(Action::FrameAll),
     },
     Binding {
         keys: "Enter",
         does: "the view that the scene opened with",
         shortcuts: &[(NONE, Key::Enter)],
-        command: |_, _| Command::Act(Action::ResetView),
+        command: |_| Command::Act(Action::ResetView),
     },
     Binding {
         keys: "1, Ctrl+1",
         does: "front, back",
         shortcuts: &[(NONE, Key::Num1)],
-        command: |_, _| look(DVec3::Z),
+        command: |_| look(DVec3::Z),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num1)],
-        command: |_, _| look(DVec3::NEG_Z),
+        command: |_| look(DVec3::NEG_Z),
     },
     Binding {
         keys: "3, Ctrl+3",
         does: "right, left",
         shortcuts: &[(NONE, Key::Num3)],
-        command: |_, _| look(DVec3::X),
+        command: |_| look(DVec3::X),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num3)],
-        command: |_, _| look(DVec3::NEG_X),
+        command: |_| look(DVec3::NEG_X),
     },
     Binding {
         keys: "7, Ctrl+7",
         does: "top, bottom",
         shortcuts: &[(NONE, Key::Num7)],
-        command: |_, _| look(DVec3::Y),
+        command: |_| look(DVec3::Y),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num7)],
-        command: |_, _| look(DVec3::NEG_Y),
+        command: |_| look(DVec3::NEG_Y),
     },
     Binding {
         keys: "9",
         does: "from the corner",
         shortcuts: &[(NONE, Key::Num9)],
-        command: |_, _| look(DVec3::ONE),
+        command: |_| look(DVec3::ONE),
     },
     Binding {
         keys: "5",
         does: "perspective, orthographic",
         shortcuts: &[(NONE, Key::Num5)],
-        command: |_, controls| {
+        command: |state| {
             Command::Act(Action::Lens(LensControls {
-                orthographic: !controls.orthographic,
-                ..controls
+                orthographic: !state.controls().orthographic,
+                ..state.controls()
             }))
         },
     },
@@ -101,8 +103,8 @@ pub(super) const BINDINGS: &[Binding] = &[
         keys: "B",
         does: "back faces",
         shortcuts: &[(NONE, Key::B)],
-        command: |view, _| {
-            Command::Act(Action::Sides(if view.sides == Sides::Both {
+        command: |state| {
+            Command::Act(Action::Sides(if state.view().sides == Sides::Both {
                 Sides::Front
             } else {
                 Sides::Both
@@ -113,103 +115,157 @@ pub(super) const BINDINGS: &[Binding] = &[
         keys: "G",
         does: "grid and axes",
         shortcuts: &[(NONE, Key::G)],
-        command: |_, _| Command::Act(Action::ToggleGrid),
+        command: |_| Command::Act(Action::ToggleGrid),
     },
     Binding {
         keys: "Shift+H",
         does: "hide the selection",
         shortcuts: &[(SHIFT, Key::H)],
-        command: |_, _| Command::Act(Action::HideSelection),
+        command: |_| Command::Act(Action::HideSelection),
     },
     Binding {
         keys: "I",
         does: "hide all but the selection",
         shortcuts: &[(NONE, Key::I)],
-        command: |_, _| Command::Act(Action::Isolate),
+        command: |_| Command::Act(Action::Isolate),
     },
     Binding {
         keys: "U",
         does: "show all",
         shortcuts: &[(NONE, Key::U)],
-        command: |_, _| Command::Act(Action::ShowAll),
+        command: |_| Command::Act(Action::ShowAll),
     },
     Binding {
         keys: "Ctrl+O",
         does: "open files",
         shortcuts: &[(CTRL, Key::O)],
-        command: |_, _| Command::OpenDialog,
+        command: |_| Command::OpenDialog,
     },
     Binding {
         keys: "Ctrl+S",
         does: "save as a scene file",
         shortcuts: &[(CTRL, Key::S)],
-        command: |_, _| Command::SaveDialog,
+        command: |_| Command::SaveDialog,
     },
     Binding {
         keys: "R",
         does: "read the files again",
         shortcuts: &[(NONE, Key::R)],
-        command: |_, _| Command::Reload,
+        command: |_| Command::Reload,
+    },
+    Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::N)],
+        command: |_| Command::Act(Action::Step { forward: false }),
+    },
+    Binding {
+        keys: "N, Shift+N",
+        does: "the next surface on the pick's ray, the one before",
+        shortcuts: &[(NONE, Key::N)],
+        command: |_| Command::Act(Action::Step { forward: true }),
+    },
+    Binding {
+        keys: "Y",
+        does: "the triangle under the pick, with its barycentrics",
+        shortcuts: &[(NONE, Key::Y)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Triangle)),
+    },
+    Binding {
+        keys: "D",
+        does: "the distance between the last two picks",
+        shortcuts: &[(NONE, Key::D)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Distance)),
+    },
+    Binding {
+        keys: "W",
+        does: "wireframe, of the selection or of everything",
+        shortcuts: &[(NONE, Key::W)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Wireframe)),
+    },
+    Binding {
+        keys: "L",
+        does: "normals of faces, of the selection or of everything",
+        shortcuts: &[(NONE, Key::L)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Normals)),
+    },
+    Binding {
+        keys: "X",
+        does: "bounding boxes, of the selection or of everything",
+        shortcuts: &[(NONE, Key::X)],
+        command: |_| Command::Act(Action::Toggle(Overlay::Boxes)),
     },
     Binding {
         keys: "T",
         does: "freeze the camera: it stays as lines, seen from elsewhere",
         shortcuts: &[(NONE, Key::T)],
-        command: |_, _| Command::Act(Action::ToggleFreeze),
+        command: |_| Command::Act(Action::ToggleFreeze),
     },
     Binding {
         keys: "P",
         does: "the matrices, and the pick's way through them",
         shortcuts: &[(NONE, Key::P)],
-        command: |_, _| Command::TogglePipeline,
+        command: |_| Command::TogglePipeline,
     },
     Binding {
         keys: "V",
         does: "compare drawn with picked, pixel by pixel",
         shortcuts: &[(NONE, Key::V)],
-        command: |_, _| Command::ToggleCheck,
+        command: |_| Command::ToggleCheck,
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::E)],
-        command: |_, _| Command::NextExhibit { forward: false },
+        command: |_| Command::NextExhibit { forward: false },
     },
     Binding {
         keys: "E, Shift+E",
         does: "failure gallery: the next scene, the one before",
         shortcuts: &[(NONE, Key::E)],
-        command: |_, _| Command::NextExhibit { forward: true },
+        command: |_| Command::NextExhibit { forward: true },
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::M)],
-        command: |_, _| Command::Act(Action::NextMethod { forward: false }),
+        command: |_| Command::Act(Action::NextMethod { forward: false }),
     },
     Binding {
         keys: "M, Shift+M",
         does: "in it: pick by the next method, the one before",
         shortcuts: &[(NONE, Key::M)],
-        command: |_, _| Command::Act(Action::NextMethod { forward: true }),
+        command: |_| Command::Act(Action::NextMethod { forward: true }),
+    },
+    Binding {
+        keys: "Shift+C",
+        does: "copy the camera; Ctrl+V takes over a copied one",
+        shortcuts: &[(SHIFT, Key::C)],
+        command: |_| Command::CopyCamera,
+    },
+    Binding {
+        keys: "F12",
+        does: "save what is on screen as a PNG file",
+        shortcuts: &[(NONE, Key::F12)],
+        command: |_| Command::Screenshot,
     },
     Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],
-        command: |_, _| Command::CopyCommandLine,
+        command: |_| Command::CopyCommandLine,
     },
     Binding {
         keys: "J",
         does: "copy the pick as JSON",
         shortcuts: &[(NONE, Key::J)],
-        command: |_, _| Command::CopyPick,
+        command: |_| Command::CopyPick,
     },
     Binding {
         keys: "Esc",
         does: "stop loading, close, pick by the default, select nothing",
         shortcuts: &[(NONE, Key::Escape)],
-        command: |_, _| Command::Escape,
+        command: |_| Command::Escape,
     },
     Binding {
         keys: "H, ?",
@@ -219,13 +275,13 @@ pub(super) const BINDINGS: &[Binding] = &[
             (SHIFT, Key::Questionmark),
             (NONE, Key::Questionmark),
         ],
-        command: |_, _| Command::ToggleHelp,
+        command: |_| Command::ToggleHelp,
     },
     Binding {
         keys: "Ctrl+Q",
         does: "quit",
         shortcuts: &[(CTRL, Key::Q)],
-        command: |_, _| Command::Quit,
+        command: |_| Command::Quit,
     },
 ];
 
@@ -246,7 +302,7 @@ fn look(to_eye: DVec3) -> Command {
 }
 
 /// What the keys that were pressed ask for, unless somebody is typing.
-pub(super) fn pressed(ctx: &egui::Context, view: &View, controls: LensControls) -> Vec<Command> {
+pub(super) fn pressed(ctx: &egui::Context, state: &State) -> Vec<Command> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
     }
@@ -257,8 +313,11 @@ pub(super) fn pressed(ctx: &egui::Context, view: &View, controls: LensControls) 
                 .iter()
                 .any(|(modifiers, key)| input.consume_key(*modifiers, *key))
         });
-        pressed
-            .map(|binding| (binding.command)(view, controls))
-            .collect()
+        let mut asked: Vec<_> = pressed.map(|binding| (binding.command)(state)).collect();
+        asked.extend(input.events.iter().filter_map(|event| match event {
+            Event::Paste(text) => Some(Command::Paste(text.clone())),
+            _ => None,
+        }));
+        asked
     })
 }

@@ -19,12 +19,15 @@ mod events;
 pub mod exhibit;
 mod frozen;
 mod input;
+pub mod inspect;
 mod keys;
 mod loading;
 pub mod offscreen;
+pub mod overlay;
 mod panels;
 mod pass;
 pub mod pipeline;
+mod screenshot;
 mod shell;
 mod stage;
 pub mod stages;
@@ -96,6 +99,12 @@ enum Command {
     Reload,
     /// Put the view as a command line on the clipboard.
     CopyCommandLine,
+    /// Put the camera on the clipboard, as a scene file writes it.
+    CopyCamera,
+    /// Take over the camera in this text from the clipboard.
+    Paste(String),
+    /// Write what is on screen into a PNG file.
+    Screenshot,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
     /// Compare the picture with its picks, or close the comparison.

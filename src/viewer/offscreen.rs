@@ -126,6 +126,11 @@ impl Offscreen {
         self.copied.as_deref()
     }
 
+    /// Where screenshots go.
+    pub fn save_screenshots_in(&mut self, folder: PathBuf) {
+        self.app.screenshots.folder = folder;
+    }
+
     /// Whether the user has closed it.
     #[must_use]
     pub fn has_quit(&self) -> bool {
@@ -162,19 +167,20 @@ impl Offscreen {
         let lost = |(canvas, _): &(Canvas, wgpu::Texture)| canvas.gpu.is_lost();
         if self.canvas.as_ref().is_none_or(lost) {
             let gpu = Gpu::headless()?;
-            let texture = texture(&gpu, self.size);
             self.app.textures.renew();
-            self.canvas = Some((Canvas::new(gpu, FORMAT), texture));
+            let canvas = Canvas::new(gpu, FORMAT);
+            let texture = canvas.texture(self.size);
+            self.canvas = Some((canvas, texture));
         }
         let Some((canvas, texture)) = &mut self.canvas else {
             return Ok(false);
         };
         if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
-            *texture = self::texture(&canvas.gpu, self.size);
+            *texture = canvas.texture(self.size);
         }
         let laid = self.app.lay(pass, canvas);
         let drawn = canvas.draw(texture, &self.app.state, &laid);
-        self.app.drawn(drawn.clone(), canvas);
+        self.app.drawn(drawn.clone(), canvas, &laid);
         drawn
     }
 
@@ -251,21 +257,4 @@ impl Offscreen {
             }
         }
     }
-}
-
-fn texture(gpu: &Gpu, size: Viewport) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("window"),
-        size: wgpu::Extent3d {
-            width: size.width(),
-            height: size.height(),
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: FORMAT,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[FORMAT.add_srgb_suffix()],
-    })
 }

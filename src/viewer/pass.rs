@@ -6,6 +6,7 @@ use super::{
     app::App,
     canvas::{Canvas, Laid},
     input::{self, SceneRect},
+    overlay::Overlay,
     panels::{self, Shown},
     state::Cursor,
 };
@@ -106,12 +107,20 @@ impl App {
     }
 
     /// Takes what came of drawing a frame: whether the scene itself was drawn anew.
-    pub fn drawn(&mut self, drawn: Result<bool, GpuError>, canvas: &Canvas) {
+    pub fn drawn(&mut self, drawn: Result<bool, GpuError>, canvas: &mut Canvas, laid: &Laid) {
         match drawn {
             Ok(true) => self.announce(),
             Ok(false) => {}
             Err(error) => self.complain(error.to_string()),
         }
+        if self.state.overlays().shows(Overlay::Wireframe) && !canvas.gpu.draws_wireframes() {
+            self.act(Action::Toggle(Overlay::Wireframe));
+            let adapter = canvas.gpu.adapter_name();
+            self.complain(format!(
+                "{adapter} draws no edges of triangles: there is no wireframe"
+            ));
+        }
         self.start_check(canvas);
+        self.take_screenshot(canvas, laid);
     }
 }

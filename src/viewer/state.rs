@@ -4,6 +4,8 @@
 use super::{
     action::{Action, LensControls},
     exhibit::Showing,
+    inspect::{Landmark, RayHits},
+    overlay::Overlays,
     stages::Stage,
 };
 use crate::{
@@ -11,7 +13,7 @@ use crate::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
         fit_near_far,
     },
-    geometry::{Aabb, Sides},
+    geometry::{Aabb, Placement, PlacementError, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
     study::swap::Swap,
@@ -35,8 +37,6 @@ pub struct Selection {
 pub(super) struct LastClick {
     pub pixel: DVec2,
     pub time_s: f64,
-    /// How many surfaces in front of the picked one were passed over.
-    pub behind: usize,
 }
 
 /// The pixel under the cursor.
@@ -46,6 +46,17 @@ pub struct Cursor {
     pub px: DVec2,
     /// The object that it shows, by index, and the point on it in object space; `None` for the background.
     pub hit: Option<(usize, DVec3)>,
+}
+
+/// Why an action does nothing.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CannotBe {
+    /// It makes no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// It makes no model matrix.
+    #[error(transparent)]
+    Placement(#[from] PlacementError),
 }
 
 /// A camera that was left standing in the scene.
@@ -62,7 +73,7 @@ pub struct State {
     pub(super) scene: Scene,
     /// Counts scenes, for those who keep something made from one.
     pub(super) scene_revision: u64,
-    /// Counts changes of visibility.
+    /// Counts changes of visibility and of model matrices.
     pub(super) visibility_revision: u64,
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
@@ -77,7 +88,12 @@ pub struct State {
     pub(super) selection: Option<Selection>,
     pub(super) cursor: Option<Cursor>,
     pub(super) last_click: Option<LastClick>,
+    pub(super) hits: Option<RayHits>,
+    pub(super) landmarks: Vec<Landmark>,
+    /// Whether a model matrix is not that of the files any more.
+    pub(super) edited: bool,
     pub(super) grid: bool,
+    pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     pub(super) stage: Stage,
     /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
@@ -101,14 +117,8 @@ impl State {
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
-        let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
-        let controls = LensControls {
-            fov_deg,
-            orthographic: choice.ortho.is_some(),
-            near: choice.near,
-            far: choice.far,
-            depth: choice.depth.unwrap_or_default(),
-        };
+        let controls = LensControls::of(&choice);
+        let fov_deg = controls.fov_deg;
         Ok(Self {
             scene: loaded.scene,
             scene_revision: 0,
@@ -131,7 +141,11 @@ impl State {
             selection: None,
             cursor: None,
             last_click: None,
+            hits: None,
+            landmarks: Vec::new(),
+            edited: false,
             grid: true,
+            overlays: Overlays::default(),
             frozen: None,
             stage: Stage::World,
             world: None,
@@ -155,6 +169,7 @@ impl State {
             scene_revision: self.scene_revision + 1,
             visibility_revision: self.visibility_revision + 1,
             grid: self.grid,
+            overlays: self.overlays,
             ..next
         };
         Ok(())
@@ -194,6 +209,9 @@ impl State {
         self.visibility_revision += 1;
         self.cursor = None;
         self.last_click = None;
+        self.hits = None;
+        self.landmarks.clear();
+        self.edited = false;
         self.fit();
     }
 
@@ -231,7 +249,7 @@ impl State {
         self.scene_revision
     }
 
-    /// Changes whenever objects are shown or hidden.
+    /// Changes whenever objects are shown, hidden or moved.
     #[must_use]
     pub fn visibility_revision(&self) -> u64 {
         self.visibility_revision
@@ -270,6 +288,12 @@ impl State {
         self.selection.as_ref()
     }
 
+    /// Whether a model matrix is not that of the files any more.
+    #[must_use]
+    pub fn edited(&self) -> bool {
+        self.edited
+    }
+
     /// The object under the cursor.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
@@ -280,6 +304,12 @@ impl State {
     #[must_use]
     pub fn cursor(&self) -> Option<Cursor> {
         self.cursor
+    }
+
+    /// What is shown over the scene.
+    #[must_use]
+    pub fn overlays(&self) -> Overlays {
+        self.overlays
     }
 
     /// Whether the grid shows.
@@ -335,15 +365,24 @@ impl State {
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
     ///
     /// # Errors
-    /// When the action makes no camera.
-    pub fn check(&self, action: &Action) -> Result<(), CameraError> {
+    /// When the action makes no camera, or no model matrix.
+    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
         match action {
-            Action::Lens(controls) => self.camera_with(controls).map(|_| ()),
-            Action::Pose([eye, target, up]) => {
-                Camera::new(*eye, *target, *up, *self.view.camera.lens()).map(|_| ())
+            Action::Lens(controls) => {
+                self.camera_with(controls)?;
             }
-            _ => Ok(()),
+            Action::Pose([eye, target, up]) => {
+                Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
+            }
+            Action::Camera(choice) => {
+                choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
+            }
+            Action::Place(_, model) => {
+                Placement::new(*model)?;
+            }
+            _ => {}
         }
+        Ok(())
     }
 
     /// The present pose through another lens.

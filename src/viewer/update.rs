@@ -2,15 +2,16 @@
 
 use super::{
     action::{Action, LensControls},
+    inspect::RayHits,
     stages::{Stage, staged},
     state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
 };
 use crate::{
-    camera::{Camera, Orbit, UpAxis, pixel_centre},
-    geometry::Aabb,
+    camera::{Camera, CameraChoice, Orbit, UpAxis, pixel_centre},
+    geometry::{Aabb, Placement},
     pick::{self, PickLine, SceneHit},
 };
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use std::iter;
 
 /// Radians of orbit for a pixel of drag.
@@ -28,24 +29,9 @@ impl State {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }
-            Action::Turn(by_px) => {
-                self.orbit.turn(
-                    self.pivot_world,
-                    -by_px.x * TURN_PER_PX,
-                    by_px.y * TURN_PER_PX,
-                );
-                self.moved();
-            }
+            Action::Turn(by_px) => self.turn(by_px),
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
-            Action::Pan(by_px) => {
-                self.orbit.pan(
-                    by_px,
-                    self.pan_depth,
-                    self.view.camera.lens(),
-                    self.view.viewport,
-                );
-                self.moved();
-            }
+            Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {
                 self.orbit.zoom(self.point_at(px), factor);
                 self.moved();
@@ -91,8 +77,13 @@ impl State {
                 self.reset_view();
             }
             Action::Sides(sides) => self.view.sides = sides,
+            Action::StepTo(at) => self.step_to(at),
+            Action::Step { forward } => self.step(forward),
+            Action::Place(object, model) => self.place(object, model),
+            Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => {
                 self.selection = object.map(|object| Selection { object, pick: None });
+                self.hits = None;
                 self.last_click = None;
             }
             Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
@@ -108,6 +99,7 @@ impl State {
                 }
             }
             Action::ShowAll => self.show(|_| true, true),
+            Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
             Action::PickBy(method) => self.pick_by(method),
@@ -121,34 +113,37 @@ impl State {
         None
     }
 
+    fn turn(&mut self, by_px: DVec2) {
+        self.orbit.turn(
+            self.pivot_world,
+            -by_px.x * TURN_PER_PX,
+            by_px.y * TURN_PER_PX,
+        );
+        self.moved();
+    }
+
+    fn pan(&mut self, by_px: DVec2) {
+        self.orbit.pan(
+            by_px,
+            self.pan_depth,
+            self.view.camera.lens(),
+            self.view.viewport,
+        );
+        self.moved();
+    }
+
     /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
         let px = pixel_centre(px);
-        let behind = match self.last_click {
-            Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {
-                last.behind + 1
+        let last = self.last_click.filter(|last| last.pixel == px);
+        let at = match (last, &self.hits) {
+            (Some(last), Some(hits)) => {
+                hits.at + usize::from(time_s - last.time_s > DOUBLE_CLICK_S)
             }
-            Some(last) if last.pixel == px => last.behind,
             _ => 0,
         };
-        let hit = if behind == 0 {
-            pick::pick(&self.scene, &self.view, px)
-        } else {
-            let mut hits = pick::pick_all(&self.scene, &self.view, px);
-            let index = behind % hits.len().max(1);
-            (index < hits.len()).then(|| hits.swap_remove(index))
-        };
-        let line = PickLine { px, hit };
-        self.last_click = Some(LastClick {
-            pixel: px,
-            time_s,
-            behind,
-        });
-        self.selection = line.hit.as_ref().map(|hit| Selection {
-            object: hit.id - 1,
-            pick: Some(line.clone()),
-        });
-        line
+        self.last_click = Some(LastClick { pixel: px, time_s });
+        self.take_hits(RayHits::cast(&self.scene, self.view, px, at))
     }
 
     fn cursor_at(&self, px: DVec2) -> Cursor {
@@ -217,6 +212,7 @@ impl State {
         if let Some(selection) = &mut self.selection {
             selection.pick = None;
         }
+        self.hits = None;
         if stage == Stage::World {
             self.scene = scene;
             self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
@@ -262,6 +258,46 @@ impl State {
         }
     }
 
+    /// A camera from elsewhere, to the bit; nothing when it is none.
+    fn set_camera(&mut self, choice: CameraChoice) {
+        let bounds = self.scene.visible_bounds();
+        let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
+            return;
+        };
+        self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
+        self.controls = LensControls {
+            // An orthographic one says nothing of it.
+            fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
+            ..LensControls::of(&choice)
+        };
+        self.orbit = Orbit::of_camera(&camera, self.up_axis);
+        self.height_per_distance = choice
+            .ortho
+            .map_or(perspective_height(self.controls.fov_deg), |height| {
+                height / self.orbit.distance()
+            });
+        self.pivot_world = self.orbit.target();
+        self.view.camera = camera;
+    }
+
+    /// Moves an object; its pick follows.
+    fn place(&mut self, object: usize, model: DAffine3) {
+        let Ok(placement) = Placement::new(model) else {
+            return;
+        };
+        // Other stages are made from the world, and show it as it was when they were.
+        if self.stage != Stage::World || object >= self.scene.objects().len() {
+            return;
+        }
+        self.scene.place(object, placement);
+        self.visibility_revision += 1;
+        self.edited = true;
+        self.cursor = None;
+        self.last_click = None;
+        self.repick();
+        self.fit();
+    }
+
     fn set_lens(&mut self, controls: LensControls) {
         if self.camera_with(&controls).is_err() {
             return;
@@ -289,6 +325,7 @@ impl State {
         }
         self.visibility_revision += 1;
         self.cursor = None;
+        self.repick();
         self.fit();
     }
 

@@ -5,6 +5,8 @@ mod common;
 mod device;
 mod events;
 mod gallery;
+mod inspect;
+mod overlays;
 mod pictures;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};

@@ -37,7 +37,7 @@ fn crop(picture: &Image<Rgb>, [left, top, width, height]: [u32; 4]) -> Image<Rgb
     Image::new(px([width, height], 1.0), pixels.collect())
 }
 
-fn read(path: &std::path::Path) -> Image<Rgb> {
+pub fn read(path: &std::path::Path) -> Image<Rgb> {
     let file = std::fs::File::open(path).unwrap_or_else(|error| {
         panic!(
             "{}: {error}; SIGHTLINE_GOLDENS=write makes it",

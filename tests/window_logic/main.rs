@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod gallery;
+mod inspect;
 mod lens;
 mod moving;
 mod picking;

@@ -7,6 +7,9 @@ mod check;
 mod field;
 mod gallery;
 mod help;
+mod inspect;
+mod marks;
+mod object;
 mod objects;
 mod overlays;
 mod pick;
@@ -91,6 +94,7 @@ pub(super) fn show(
         let actions = input::scene(ui, rect, place, drag);
         commands.extend(actions.into_iter().map(Command::Act));
         check::show(ui, rect, place, shown.checking);
+        marks::show(ui, rect, place, shown.state);
         overlays::axes(ui, rect, shown.state);
         banner::show(ui, rect, place, shown.state, &mut commands);
         overlays::messages(ui, rect, shown, &mut commands);
@@ -102,11 +106,7 @@ pub(super) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(keys::pressed(
-        ui.ctx(),
-        shown.state.view(),
-        shown.state.controls(),
-    ));
+    commands.extend(keys::pressed(ui.ctx(), shown.state));
     (place.inner, commands)
 }
 

@@ -99,7 +99,7 @@ fn each_key_asks_for_what_its_line_says() {
     let idle =
         |command: &Command| !matches!(command, Command::Act(Action::Resize(_) | Action::Hover(_)));
     for binding in BINDINGS {
-        let expected = (binding.command)(state.view(), state.controls());
+        let expected = (binding.command)(&state);
         for (modifiers, key) in binding.shortcuts {
             let modifiers = Modifiers {
                 ctrl: modifiers.command,
