@@ -247,3 +247,21 @@ fn degenerate_scenes_are_searched_too() {
         assert_eq!(pick::all(&apart, &ray, Sides::Both), expected);
     }
 }
+
+#[test]
+fn what_was_moved_is_found_where_it_is() {
+    let mut scene = scattered(50, DVec3::ZERO, 5.0, 2.0);
+    let far = DVec3::new(100.0, 0.0, 0.0);
+    scene.place(
+        0,
+        Placement::new(DAffine3::from_translation(far)).expect("invertible"),
+    );
+    let ray = Ray {
+        origin: far + DVec3::Z,
+        direction: DVec3::NEG_Z,
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    };
+    let hit = pick::closest(&scene, &ray, Sides::Both).expect("the sphere");
+    assert_eq!((hit.object, hit.hit.t), (0, 0.5));
+}

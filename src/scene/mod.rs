@@ -219,6 +219,7 @@ impl Scene {
         self.objects[object].placement = placement;
         self.bounds[object] = self.objects[object].bounds_world();
         self.batches = batches(&self.objects);
+        self.tree = BatchTree::new(&self.objects, &self.batches, &self.bounds);
     }
 
     /// Hides the objects with these ids (from 1).

@@ -2,6 +2,7 @@
 
 use super::{bounds, common::shared};
 use sightline::scene::{Progress, obj::load};
+use std::fmt::Write;
 use std::{fs, path::Path};
 
 /// The rows of a table with a header, as text.
@@ -95,7 +96,7 @@ fn hostile_files_get_their_verdict() {
         assert_eq!(said.lines().count(), usize::from(verdict != "ok"), "{said}");
         let said = said.replace(&format!("{}/", hostile.display()), "");
         assert!(verdict != "error" || said.contains(name), "{said}");
-        verdicts += &format!("{name}\t{verdict}\t{triangles}\t{said}\n");
+        writeln!(verdicts, "{name}\t{verdict}\t{triangles}\t{said}").expect("memory");
 
         let right = (allowed == "any" || allowed.split('|').any(|v| v == verdict))
             && (verdict == "error"
