@@ -21,7 +21,7 @@ use std::{
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
 /// A face with more than this many corners of which half are repeats is left out, too.
-const MOST_REPEATS: usize = 1 << 8;
+const MOST_REPEATS: usize = 1 << 5;
 
 /// In place of indices to the file's normals.
 const COMPUTED: [u32; 3] = [u32::MAX; 3];

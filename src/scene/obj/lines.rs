@@ -39,12 +39,15 @@ impl<'a> Lines<'a> {
     pub fn next(&mut self, line: &mut Vec<u8>) -> Result<bool, Stop> {
         line.clear();
         self.number = self.read + 1;
+        let mut start = 0;
         while self.append(line)? {
-            let continued = line.trim_ascii_end().last() == Some(&b'\\') && !line.contains(&b'#');
-            if !continued {
+            // Only of what is new: a line may be continued a million times.
+            let new = line[start..].trim_ascii_end();
+            if new.last() != Some(&b'\\') || new.contains(&b'#') {
                 return Ok(true);
             }
-            line.truncate(line.trim_ascii_end().len() - 1);
+            start += new.len() - 1;
+            line.truncate(start);
             line.push(b' ');
         }
         Ok(!line.is_empty())

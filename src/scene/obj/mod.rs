@@ -1,6 +1,6 @@
 //! OBJ and MTL files: `tobj` reads the numbers, this module decides what they mean.
 //!
-//! Lines (`lines`) reach `tobj` washed (`wash`); polygons become triangles (`polygon`); colours come from the MTL files
+//! Lines (`lines`) reach `tobj` washed (`wash`); polygons become triangles (`polygon`, `delaunay`); colours come from the MTL files
 //! (`material`); `build` puts the mesh together. The rules:
 //!
 //! - **What is valid loads.** A face that names a vertex which is not there, or one without three finite coordinates, is
@@ -14,6 +14,7 @@
 //! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown, which a warning says once.
 
 mod build;
+mod delaunay;
 mod lines;
 mod material;
 mod notes;

@@ -15,11 +15,11 @@ use std::{
     ops::Range,
 };
 
-/// A face with more corners is left out: no modeller writes one, and splitting it could take minutes.
+/// A face with more corners is left out: no modeller writes one.
 const MOST_CORNERS: usize = 1 << 16;
 
 /// A longer name of an object or group is cut, in characters.
-const LONGEST_NAME: usize = 250;
+const LONGEST_NAME: usize = 120;
 
 /// What only the end of a file tells about its beginning. Where it matters, the file is read again.
 #[derive(Clone, Copy, Default)]
