@@ -78,6 +78,12 @@ impl Lens {
         Ok(())
     }
 
+    /// Whether all lines of sight are parallel.
+    #[must_use]
+    pub fn is_orthographic(&self) -> bool {
+        matches!(self.projection, Projection::Orthographic { .. })
+    }
+
     /// Half the picture's width and height: in world units for orthographic projection, at view depth 1 in
     /// perspective (so `tan(fov_y / 2)` high).
     #[must_use]

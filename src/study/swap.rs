@@ -3,8 +3,15 @@
 
 use super::{
     methods::{
-        MethodInfo, boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
-        object_space::PlacedCase, planes::PlaneCase, rays::PixelCase, spheres::SphereCase,
+        MethodInfo,
+        boxes::BoxCase,
+        clipping::ClipCase,
+        depth::DepthCase,
+        normals::NormalCase,
+        object_space::PlacedCase,
+        planes::PlaneCase,
+        rays::{PixelCase, Sight},
+        spheres::SphereCase,
         triangles::TriangleCase,
     },
     real::V3,
@@ -149,18 +156,25 @@ fn nearest(
 }
 
 impl Step for PixelCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> [f64; 3]) -> Option<Found> {
-        let direction = DVec3::from(run(&Self::of_view(view, px)));
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Sight) -> Option<Found> {
+        let sight = run(&Self::of_view(view, px));
+        let [origin, direction] = [sight.from, sight.along].map(DVec3::from);
         let along = direction.dot(view.camera.forward());
-        if !(direction.is_finite() && along > 0.0) {
+        if !(origin.is_finite() && direction.is_finite() && along > 0.0) {
             return None;
         }
         let lens = view.camera.lens();
+        // In perspective rays start at the eye, whatever that is in the method's precision.
+        let (origin, start) = if lens.is_orthographic() {
+            (origin, view.camera.to_view(origin).z)
+        } else {
+            (view.camera.eye(), 0.0)
+        };
         let ray = Ray {
+            origin,
             direction,
-            t_min: lens.near / along,
-            t_max: lens.far / along,
-            ..view.ray(px)
+            t_min: (lens.near - start) / along,
+            t_max: (lens.far - start) / along,
         };
         let hit = pick::closest(scene, &ray, view.sides)?;
         Some(Found::of(scene, &ray, hit))
@@ -329,6 +343,7 @@ impl Step for DepthCase {
             depth,
             near: lens.near,
             far: lens.far,
+            parallel: lens.is_orthographic(),
         });
         Some(Found {
             point_world: ray.at(read / along),

@@ -9,7 +9,7 @@ use sightline::{
         self, Effort, Report, Row, SCENE, SceneRays,
         gallery::{BREAKS, breaks_on},
         methods::MethodInfo,
-        step::Precision::F64,
+        step::Precision::{F32, F64},
         swap::{Found, Swap},
     },
 };
@@ -192,12 +192,11 @@ fn a_good_method_swapped_in_changes_nothing() {
             sides: Sides::Both,
         };
         for step in steps {
-            let ray_of_parallel = step.about.key == "ray" && exhibit.name == "along_a_face";
             let good = |info: &MethodInfo| {
                 info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)
             };
             let methods = step.methods();
-            for method in (0..methods.len()).filter(|i| good(&methods[*i]) && !ray_of_parallel) {
+            for method in (0..methods.len()).filter(|i| good(&methods[*i])) {
                 let swap = Swap { step, method };
                 let mut hits = 0;
                 for (x, y) in (0..161)
@@ -228,6 +227,80 @@ fn a_good_method_swapped_in_changes_nothing() {
                 }
                 assert!(hits > 100, "{exhibit:?} {hits}");
             }
+        }
+    }
+}
+
+/// Through an orthographic lens all steps have cases, methods break as they do in perspective, and bounds hold.
+#[test]
+fn parallel_rays_are_studied_too() {
+    for (name, far) in [
+        ("far_from_the_origin", true),
+        ("far_over_near", false),
+        ("stretched", false),
+    ] {
+        let path = format!("gallery:{name}").into();
+        let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
+        let viewport = Viewport::new(321, 180).expect("a picture");
+        let mut choice = loaded.camera;
+        let height = loaded.scene.visible_bounds().radius();
+        (choice.fov, choice.ortho) = (None, Some(height));
+        let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport);
+        let view = View {
+            camera: camera.expect("a camera"),
+            viewport,
+            sides: Sides::Both,
+        };
+        let rays = SceneRays::new(&loaded.scene, view, 600, 1);
+        let effort = Effort {
+            rounds: 0,
+            ..Effort::SCENE_ONLY
+        };
+        let report = study::run(effort, Some(&rays), &|_, _| {});
+        let rows = |step: &str| {
+            let rows = report
+                .rows
+                .iter()
+                .filter(|row| row.step.key == step && row.family == SCENE);
+            rows.copied().collect::<Vec<Row>>()
+        };
+        for step in ["ray", "depth", "pick", "clip", "normal", "object-space"] {
+            let ours: Vec<Row> = rows(step).into_iter().filter(|row| row.ours).collect();
+            let [ours] = ours.as_slice() else {
+                panic!("{name}: {step}")
+            };
+            assert!(ours.cases > 100, "{name}: {ours:?}");
+            assert_eq!(ours.wrong_percent(), 0.0, "{name}: {ours:?}");
+            assert!(
+                ours.of_bound.is_some_and(|share| share <= 1.0),
+                "{name}: {ours:?}"
+            );
+            assert!(ours.worst_error < 1e-3, "{name}: {ours:?}");
+        }
+        let worst = |method: &str, precision| {
+            let rays = rows("ray").into_iter();
+            let row = rays
+                .filter(|row| (row.method, row.precision) == (method, precision))
+                .last();
+            row.expect("a row").worst_error
+        };
+        // All that hold a point of the world in f32 lose it far out; f64 does not.
+        for method in [
+            "eye basis",
+            "target + sx H + sy V - eye",
+            "inverse(P V), near - eye",
+        ] {
+            assert_eq!(
+                worst(method, F32) > 1.0,
+                far,
+                "{name}: {method}: {}",
+                worst(method, F32)
+            );
+            assert!(
+                worst(method, F64) < 1e-3,
+                "{name}: {method}: {}",
+                worst(method, F64)
+            );
         }
     }
 }

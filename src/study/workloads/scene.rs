@@ -96,10 +96,6 @@ impl SceneRays {
     }
 
     pub(in crate::study) fn pixels(&self) -> Vec<PixelCase> {
-        // Parallel rays all run along F.
-        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
-            return Vec::new();
-        }
         let case = |px: &DVec2| PixelCase::of_view(&self.world.view, *px);
         self.at.iter().map(case).collect()
     }
@@ -172,9 +168,6 @@ impl SceneRays {
     pub(in crate::study) fn depths(&self) -> Vec<DepthCase> {
         let camera = &self.world.view.camera;
         let lens = camera.lens();
-        let Projection::Perspective { .. } = lens.projection else {
-            return Vec::new();
-        };
         let case = |(ray, hit): &(Ray, SceneHit)| {
             #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
             let depth = (hit.hit.t * ray.direction.dot(camera.forward())) as f32;
@@ -182,6 +175,7 @@ impl SceneRays {
                 depth,
                 near: lens.near,
                 far: lens.far,
+                parallel: lens.is_orthographic(),
             }
         };
         self.hits.iter().map(case).collect()
@@ -190,9 +184,6 @@ impl SceneRays {
     pub(in crate::study) fn picks(&self) -> Vec<PickCase> {
         // The methods without a tree are slow, and so is truth.
         const MOST: usize = 256;
-        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
-            return Vec::new();
-        }
         let case = |px: &DVec2| PickCase {
             world: Arc::clone(&self.world),
             px: *px,
