@@ -2,7 +2,7 @@
 
 use super::{bounds, common::shared};
 use sightline::scene::{Progress, obj::load};
-use std::{fs, path::Path};
+use std::{fmt::Write, fs, path::Path};
 
 /// The rows of a table with a header, as text.
 fn table(path: &Path) -> Vec<Vec<String>> {
@@ -95,7 +95,7 @@ fn hostile_files_get_their_verdict() {
         assert_eq!(said.lines().count(), usize::from(verdict != "ok"), "{said}");
         let said = said.replace(&format!("{}/", hostile.display()), "");
         assert!(verdict != "error" || said.contains(name), "{said}");
-        verdicts += &format!("{name}\t{verdict}\t{triangles}\t{said}\n");
+        writeln!(verdicts, "{name}\t{verdict}\t{triangles}\t{said}").expect("text");
 
         let right = (allowed == "any" || allowed.split('|').any(|v| v == verdict))
             && (verdict == "error"
