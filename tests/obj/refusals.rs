@@ -131,6 +131,7 @@ fn a_load_can_be_cancelled_after_the_last_byte_is_read() {
             std::thread::yield_now();
         }
         progress.cancel();
+        let cancelled = std::time::Instant::now();
         let stopped = loading.join().expect("no panic");
         assert!(
             matches!(stopped, Err(ObjError::Cancelled(_))),
