@@ -79,26 +79,35 @@ pub fn closest(scene: &Scene, ray: &Ray, sides: Sides) -> Option<SceneHit> {
 #[must_use]
 pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
-    for batch in scene.batches() {
-        let within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
+    let mut within = *ray;
+    scene.visit_batches(ray, |batch| {
         let found = closest_in_batch(scene, batch, &within, sides, test);
         best = match (best, found) {
             (Some(best), Some(found)) if best.is_before(&found) => Some(best),
             (best, found) => found.or(best),
         };
-    }
+        within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
+        within.t_max
+    });
     best
 }
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let mut hits = Vec::new();
-    for batch in scene.batches() {
+    let mut by_batch = Vec::new();
+    scene.visit_batches(ray, |batch| {
         let found = all_in_batch(scene, batch, ray, sides);
-        hits = merged(hits, found);
-    }
-    hits
+        if !found.is_empty() {
+            by_batch.push((batch.start, found));
+        }
+        ray.t_max
+    });
+    // Whatever the order in which they were visited.
+    by_batch.sort_by_key(|(first, _)| *first);
+    by_batch
+        .into_iter()
+        .fold(Vec::new(), |hits, (_, found)| merged(hits, found))
 }
 
 /// Two lists of hits as one, each in its own order.
@@ -145,16 +154,18 @@ fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) ->
 
 /// Whether `f64` alone leaves open if a world-space ray hits one of the visible triangles in its interval.
 fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
-    scene.batches().iter().any(|batch| {
+    let mut found = false;
+    scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        let local = first.placement.ray_to_object(ray);
-        let Shape::Mesh { mesh, part } = &first.shape else {
-            return false;
-        };
-        mesh.is_in_doubt(&local, |part_hit| {
-            visible_part(scene, batch, *part, part_hit).is_some()
-        })
-    })
+        if let (Shape::Mesh { mesh, part }, false) = (&first.shape, found) {
+            let local = first.placement.ray_to_object(ray);
+            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            found = mesh.is_in_doubt(&local, accept);
+        }
+        // Once is enough: nothing lies before this.
+        if found { f64::NEG_INFINITY } else { ray.t_max }
+    });
+    found
 }
 
 fn closest_in_batch(

@@ -3,10 +3,12 @@
 mod demo;
 pub mod description;
 mod entry;
+pub mod gallery;
 mod load;
 pub mod obj;
 mod problem;
 mod progress;
+mod tree;
 mod warning;
 
 pub use load::{LoadError, Loaded, MeshFiles, load};
@@ -17,10 +19,11 @@ pub use warning::Warning;
 
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Sphere, Square},
+    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Ray, Sphere, Square},
 };
 use glam::DVec3;
 use std::{ops::Range, sync::Arc};
+use tree::BatchTree;
 
 /// A shape in its object space.
 #[derive(Clone, Debug)]
@@ -159,18 +162,21 @@ pub struct Scene {
     objects: Vec<Object>,
     bounds: Vec<Aabb>,
     batches: Vec<Range<usize>>,
+    tree: BatchTree,
 }
 
 impl Scene {
     /// The objects in this order.
     #[must_use]
     pub fn new(objects: Vec<Object>) -> Self {
-        let bounds = objects.iter().map(Object::bounds_world).collect();
+        let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
         let batches = batches(&objects);
+        let tree = BatchTree::new(&objects, &batches, &bounds);
         Self {
             objects,
             bounds,
             batches,
+            tree,
         }
     }
 
@@ -208,6 +214,14 @@ impl Scene {
         self.objects[object].visible = visible;
     }
 
+    /// Puts an object somewhere else.
+    pub fn place(&mut self, object: usize, placement: Placement) {
+        self.objects[object].placement = placement;
+        self.bounds[object] = self.objects[object].bounds_world();
+        self.batches = batches(&self.objects);
+        self.tree = BatchTree::new(&self.objects, &self.batches, &self.bounds);
+    }
+
     /// Hides the objects with these ids (from 1).
     ///
     /// # Errors
@@ -227,6 +241,14 @@ impl Scene {
     #[must_use]
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
+    }
+
+    /// Calls `visit` with every batch that a world-space ray may hit within its interval, those of nearer boxes first
+    /// where there are many. `visit` returns the new end of the interval: what lies behind it is passed over.
+    pub fn visit_batches(&self, ray: &Ray, mut visit: impl FnMut(&Range<usize>) -> f64) {
+        let batches = &self.batches;
+        self.tree
+            .visit(ray, batches.len(), |index| visit(&batches[index]));
     }
 
     /// Triangles of all meshes, hidden ones too.

@@ -39,6 +39,8 @@ pub struct Term {
 struct Sizes {
     /// A rounding in pixels.
     q: f64,
+    /// Whether rays are parallel.
+    parallel: bool,
     /// From the world's origin to the eye, over what the eye is from its target.
     eye_over_length: f64,
     /// The same over the near plane.
@@ -56,6 +58,15 @@ struct Sizes {
     graze: f64,
 }
 
+fn term(step: &'static str, method: &'static str, formula: &'static str, px: f64) -> Term {
+    Term {
+        step,
+        method,
+        formula,
+        px,
+    }
+}
+
 impl Sizes {
     fn new(scene: &Scene, view: &View, triangles: &[TriangleCase]) -> Self {
         let lens = view.camera.lens();
@@ -69,6 +80,7 @@ impl Sizes {
         };
         let mut sizes = Self {
             q: UNIT_F32 / px,
+            parallel: lens.is_orthographic(),
             eye_over_length: eye.length() / length,
             eye_over_near: eye.length() / lens.near.abs(),
             far_over_near: lens.far / lens.near.abs(),
@@ -121,33 +133,42 @@ impl Sizes {
         sizes
     }
 
-    /// Every estimate that this scene has a use for.
-    fn terms(&self) -> Vec<Term> {
+    /// Estimates for the ways from a pixel to a ray.
+    fn ray_terms(&self) -> [Term; 3] {
         /// Where a clip-space w in f32 is 0 at the far plane.
         const SINGULAR: f64 = 8_388_608.0;
         let q = self.q;
-        let term = |step, method, formula, px| Term {
-            step,
-            method,
-            formula,
-            px,
-        };
-        let unproject = 6.0 * q * self.eye_over_near.max(1.0);
+        let term = |method, formula, px| term("ray", method, formula, px);
+        let basis = term("eye basis", "5 q", 5.0 * q);
+        let placed = "5 q + 2 q |eye| / length";
+        let by_place = 5.0 * q + 2.0 * q * self.eye_over_length;
+        let course = term("target + sx H + sy V - eye", placed, by_place);
+        let unproject = "inverse(P V), far - near";
+        if self.parallel {
+            // Such a ray starts at a place in the world, whatever it is made by.
+            let [basis, unproject] =
+                ["eye basis", unproject].map(|method| term(method, placed, by_place));
+            return [basis, course, unproject];
+        }
         let fails = self.far_over_near > SINGULAR;
-        let mut terms = vec![
-            term("ray", "eye basis", "5 q", 5.0 * q),
+        let worst = 6.0 * q * self.eye_over_near.max(1.0);
+        let formula = "6 q |eye| / near, fails where far / near > 2^23";
+        [
+            basis,
+            course,
             term(
-                "ray",
-                "target + sx H + sy V - eye",
-                "5 q + 2 q |eye| / length",
-                5.0 * q + 2.0 * q * self.eye_over_length,
+                unproject,
+                formula,
+                if fails { f64::INFINITY } else { worst },
             ),
-            term(
-                "ray",
-                "inverse(P V), far - near",
-                "6 q |eye| / near, fails where far / near > 2^23",
-                if fails { f64::INFINITY } else { unproject },
-            ),
+        ]
+    }
+
+    /// Every estimate that this scene has a use for.
+    fn terms(&self) -> Vec<Term> {
+        let q = self.q;
+        let mut terms = self.ray_terms().to_vec();
+        terms.extend([
             term(
                 "object-space",
                 "inverse(A) (o - T)",
@@ -160,7 +181,7 @@ impl Sizes {
                 "2 q anisotropy + 2 q |T| / t",
                 2.0 * q * (self.anisotropy + self.translation),
             ),
-        ];
+        ]);
         if self.meshes {
             let steep = self.graze > 3e-3;
             terms.extend([

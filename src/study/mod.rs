@@ -4,6 +4,7 @@
 //! ```text
 //! methods (the registry) + workloads -> run -> Report -> table, csv, chart
 //!                          truth (exact numbers) --^         scene + Report -> budget
+//! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
 //! Every method is one entry in its step's list under [`methods`]; every workload is a seeded family with one
@@ -47,11 +48,13 @@ mod budget;
 pub mod chart;
 mod csv;
 pub mod exact;
+pub mod gallery;
 pub mod methods;
 pub mod random;
 pub mod real;
 mod run;
 pub mod step;
+pub mod swap;
 mod table;
 mod timing;
 pub mod truth;

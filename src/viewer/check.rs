@@ -5,6 +5,7 @@ use crate::{
     camera::View,
     image::{Id, Image},
     pick,
+    study::swap::Swap,
     verify::{self, Report},
 };
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
@@ -30,6 +31,8 @@ pub(super) enum Checking {
 /// A check under way or done. It is about what was on screen when it began, and goes when that changes.
 pub(super) struct Check {
     of: OnScreen,
+    /// The method of others that picks.
+    method: Option<Swap>,
     cancelled: Arc<AtomicBool>,
     result: Receiver<Report>,
     pub found: Option<Found>,
@@ -63,7 +66,7 @@ impl OnScreen {
 impl Check {
     /// Begins to compare `drawn`, the ids on screen, with picks of the state's scene; calls `wake` when done.
     pub fn start(state: &State, drawn: Image<Id>, wake: impl FnOnce() + Send + 'static) -> Self {
-        let of = OnScreen::of(state);
+        let (of, method) = (OnScreen::of(state), state.method());
         let scene = state.scene().clone();
         let cancelled = Arc::new(AtomicBool::new(false));
         let stop = Arc::clone(&cancelled);
@@ -74,7 +77,10 @@ impl Check {
                 if stop.load(Ordering::Relaxed) {
                     return None;
                 }
-                pick::closest(&scene, &of.view.ray(px), of.view.sides)
+                match method {
+                    Some(method) => Some(method.pick(&scene, &of.view, px)?.hit),
+                    None => pick::closest(&scene, &of.view.ray(px), of.view.sides),
+                }
             });
             if !stop.load(Ordering::Relaxed) {
                 // The receiver is gone when the view has changed; then nobody wants the report.
@@ -84,6 +90,7 @@ impl Check {
         });
         Self {
             of,
+            method,
             cancelled,
             result,
             found: None,
@@ -103,7 +110,13 @@ impl Check {
 
     /// Whether it is about what the state shows.
     pub fn is_about(&self, state: &State) -> bool {
-        self.of == OnScreen::of(state)
+        (self.of, self.method) == (OnScreen::of(state), state.method())
+    }
+
+    /// Whose picks these are, where they are not this program's own.
+    pub fn by(&self) -> String {
+        let name = |method: Swap| format!(" by\n{}", method.info().name);
+        self.method.map_or_else(String::new, name)
     }
 }
 

@@ -3,6 +3,9 @@
 
 use super::{
     action::{Action, LensControls},
+    exhibit::Showing,
+    inspect::{Landmark, RayHits},
+    overlay::Overlays,
     stages::Stage,
 };
 use crate::{
@@ -10,9 +13,10 @@ use crate::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
         fit_near_far,
     },
-    geometry::{Aabb, Sides},
+    geometry::{Aabb, Placement, PlacementError, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
+    study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
@@ -33,8 +37,26 @@ pub struct Selection {
 pub(super) struct LastClick {
     pub pixel: DVec2,
     pub time_s: f64,
-    /// How many surfaces in front of the picked one were passed over.
-    pub behind: usize,
+}
+
+/// The pixel under the cursor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    /// Its centre.
+    pub px: DVec2,
+    /// The object that it shows, by index, and the point on it in object space; `None` for the background.
+    pub hit: Option<(usize, DVec3)>,
+}
+
+/// Why an action does nothing.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CannotBe {
+    /// It makes no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// It makes no model matrix.
+    #[error(transparent)]
+    Placement(#[from] PlacementError),
 }
 
 /// A camera that was left standing in the scene.
@@ -51,7 +73,7 @@ pub struct State {
     pub(super) scene: Scene,
     /// Counts scenes, for those who keep something made from one.
     pub(super) scene_revision: u64,
-    /// Counts changes of visibility.
+    /// Counts changes of visibility and of model matrices.
     pub(super) visibility_revision: u64,
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
@@ -64,13 +86,20 @@ pub struct State {
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
-    pub(super) hover: Option<usize>,
+    pub(super) cursor: Option<Cursor>,
     pub(super) last_click: Option<LastClick>,
+    pub(super) hits: Option<RayHits>,
+    pub(super) landmarks: Vec<Landmark>,
+    /// Whether a model matrix is not that of the files any more.
+    pub(super) edited: bool,
     pub(super) grid: bool,
+    pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     pub(super) stage: Stage,
     /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
     pub(super) world: Option<(Scene, View)>,
+    /// The gallery's scene that this is.
+    pub(super) showing: Option<Showing>,
 }
 
 impl State {
@@ -88,14 +117,8 @@ impl State {
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
-        let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
-        let controls = LensControls {
-            fov_deg,
-            orthographic: choice.ortho.is_some(),
-            near: choice.near,
-            far: choice.far,
-            depth: choice.depth.unwrap_or_default(),
-        };
+        let controls = LensControls::of(&choice);
+        let fov_deg = controls.fov_deg;
         Ok(Self {
             scene: loaded.scene,
             scene_revision: 0,
@@ -116,12 +139,17 @@ impl State {
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
             selection: None,
-            hover: None,
+            cursor: None,
             last_click: None,
+            hits: None,
+            landmarks: Vec::new(),
+            edited: false,
             grid: true,
+            overlays: Overlays::default(),
             frozen: None,
             stage: Stage::World,
             world: None,
+            showing: loaded.exhibit.map(Showing::new),
         })
     }
 
@@ -141,6 +169,7 @@ impl State {
             scene_revision: self.scene_revision + 1,
             visibility_revision: self.visibility_revision + 1,
             grid: self.grid,
+            overlays: self.overlays,
             ..next
         };
         Ok(())
@@ -149,6 +178,9 @@ impl State {
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
     pub fn reload(&mut self, loaded: Loaded) {
         self.show_stage(Stage::World);
+        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
+            self.showing = loaded.exhibit.map(Showing::new);
+        }
         let old = std::mem::replace(&mut self.scene, loaded.scene);
         let old = old.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -175,8 +207,11 @@ impl State {
         }
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.last_click = None;
+        self.hits = None;
+        self.landmarks.clear();
+        self.edited = false;
         self.fit();
     }
 
@@ -214,7 +249,7 @@ impl State {
         self.scene_revision
     }
 
-    /// Changes whenever objects are shown or hidden.
+    /// Changes whenever objects are shown, hidden or moved.
     #[must_use]
     pub fn visibility_revision(&self) -> u64 {
         self.visibility_revision
@@ -253,10 +288,28 @@ impl State {
         self.selection.as_ref()
     }
 
+    /// Whether a model matrix is not that of the files any more.
+    #[must_use]
+    pub fn edited(&self) -> bool {
+        self.edited
+    }
+
     /// The object under the cursor.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
-        self.hover
+        self.cursor?.hit.map(|(object, _)| object)
+    }
+
+    /// The pixel under the cursor; `None` while the cursor is elsewhere.
+    #[must_use]
+    pub fn cursor(&self) -> Option<Cursor> {
+        self.cursor
+    }
+
+    /// What is shown over the scene.
+    #[must_use]
+    pub fn overlays(&self) -> Overlays {
+        self.overlays
     }
 
     /// Whether the grid shows.
@@ -269,6 +322,19 @@ impl State {
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
         self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// The gallery's scene that this is, and by which method it is picked from.
+    #[must_use]
+    pub fn showing(&self) -> Option<&Showing> {
+        self.showing.as_ref()
+    }
+
+    /// The method of others that picks now; `None` for this program's own. Stages other than the world's know no other.
+    #[must_use]
+    pub fn method(&self) -> Option<Swap> {
+        let showing = self.showing.as_ref().filter(|_| self.stage == Stage::World);
+        showing?.method
     }
 
     /// How far along the pipeline the scene is shown.
@@ -299,15 +365,24 @@ impl State {
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
     ///
     /// # Errors
-    /// When the action makes no camera.
-    pub fn check(&self, action: &Action) -> Result<(), CameraError> {
+    /// When the action makes no camera, or no model matrix.
+    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
         match action {
-            Action::Lens(controls) => self.camera_with(controls).map(|_| ()),
-            Action::Pose([eye, target, up]) => {
-                Camera::new(*eye, *target, *up, *self.view.camera.lens()).map(|_| ())
+            Action::Lens(controls) => {
+                self.camera_with(controls)?;
             }
-            _ => Ok(()),
+            Action::Pose([eye, target, up]) => {
+                Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
+            }
+            Action::Camera(choice) => {
+                choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
+            }
+            Action::Place(_, model) => {
+                Placement::new(*model)?;
+            }
+            _ => {}
         }
+        Ok(())
     }
 
     /// The present pose through another lens.

@@ -121,7 +121,7 @@ fn a_load_can_be_cancelled_after_the_last_byte_is_read() {
     let mut face = String::from("f");
     (1..=10_000).for_each(|i| write!(face, " {i}").expect("text"));
     // Seconds of work in a few bytes.
-    text += &(face + "\n").repeat(100);
+    text += &(face + "\n").repeat(300);
     let folder = Folder::new(&[("some.obj", text.as_bytes())]);
     let progress = Progress::default();
     std::thread::scope(|scope| {

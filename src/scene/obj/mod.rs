@@ -172,6 +172,23 @@ enum Stop {
 /// When it cannot be read or holds nothing to show; see [`ObjError`]. What else is wrong with it or with its MTL files
 /// is a warning.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
+    read(path, progress, || open(path))
+}
+
+/// [`load`] from the bytes of a file that is part of the program; errors name it by `path`.
+pub(super) fn from_bytes(
+    bytes: &'static [u8],
+    path: &Path,
+    progress: &Progress,
+) -> Result<ObjFile, ObjError> {
+    read(path, progress, || Ok((bytes, bytes.len() as u64)))
+}
+
+fn read<R: BufRead + Send + 'static>(
+    path: &Path,
+    progress: &Progress,
+    open: impl Fn() -> Result<(R, u64), ObjError>,
+) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
     let unreadable = |source| ObjError::Unreadable {
         file: path.to_owned(),
@@ -179,7 +196,7 @@ pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
     };
     let mut foresight = Foresight::default();
     let (parsed, outline, looks_like, bytes) = loop {
-        let (mut input, bytes) = open(path)?;
+        let (mut input, bytes) = open()?;
         // Putting the mesh together takes about half as long as reading.
         progress.expect(bytes + bytes / 2);
         let looks_like = looks_like(&mut input);

@@ -11,11 +11,12 @@ use super::{
     field::short,
 };
 use crate::{
-    camera::{DepthMapping, Projection},
+    camera::{DepthMapping, Projection, View},
+    geometry::Ray,
     scene::Object,
 };
 use egui::{Context, Grid, RichText, Ui, Window};
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 
 pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
     let mut open = true;
@@ -27,18 +28,20 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
         .show(ctx, |ui| {
             let (scene, view) = state.world();
             stages(ui, state, commands);
-            let object = state
-                .selection()
-                .map(|selection| &scene.objects()[selection.object]);
+            let point = followed_point(state);
+            let selected = state.selection().map(|selection| selection.object);
+            let object = point.map(|(object, _)| object).or(selected);
+            let object = object.map(|object| &scene.objects()[object]);
             let matrices = Matrices::of(view, object);
             ui.horizontal_top(|ui| {
                 matrix(ui, "P", "projection: view to clip", &matrices.projection);
                 matrix(ui, "V", "view: world to view", &matrices.view);
             });
             ui.horizontal_top(|ui| {
-                let hint =
-                    object.map_or("model: nothing is selected", |_| "model: object to world");
-                matrix(ui, "M", hint, &matrices.model);
+                let hint = object.map_or("model: no object, so the identity".into(), |object| {
+                    format!("model: object to world, of {}", object.name)
+                });
+                matrix(ui, "M", &hint, &matrices.model);
                 matrix(
                     ui,
                     "P V M",
@@ -48,11 +51,18 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
             });
             ui.weak(mapping(state));
             ui.separator();
-            match (object, picked_point(state)) {
-                (Some(object), Some(point)) => followed(ui, state, object, point),
+            match (object, point, cursor(state)) {
+                (Some(object), Some((_, point)), _) => {
+                    ui.strong(if is_picked(state) { "The pick" } else { "Under the cursor" });
+                    followed(ui, state, object, point);
+                }
+                (_, _, Some(px)) => {
+                    ui.strong("Under the cursor");
+                    background(ui, view, px);
+                }
                 _ => {
                     ui.weak(
-                        "Click a surface: its point is followed from object to pixel and back.",
+                        "Point at a surface, or click it: its point is followed from object to pixel and back.",
                     );
                 }
             }
@@ -74,10 +84,29 @@ fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// The object-space point of the pick.
-fn picked_point(state: &State) -> Option<DVec3> {
-    let pick = state.selection()?.pick.as_ref()?;
-    Some(pick.hit.as_ref()?.point_object)
+/// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
+fn followed_point(state: &State) -> Option<(usize, DVec3)> {
+    let picked = || {
+        let selection = state.selection()?;
+        let hit = selection.pick.as_ref()?.hit.as_ref()?;
+        Some((selection.object, hit.point_object))
+    };
+    let under_cursor = || state.cursor().filter(|_| in_world(state))?.hit;
+    picked().or_else(under_cursor)
+}
+
+fn is_picked(state: &State) -> bool {
+    (state.selection()).is_some_and(|selection| selection.pick.is_some())
+}
+
+/// The cursor's pixel, where it is one of the picture that the matrices make.
+fn cursor(state: &State) -> Option<DVec2> {
+    let cursor = state.cursor().filter(|_| in_world(state))?;
+    Some(cursor.px)
+}
+
+fn in_world(state: &State) -> bool {
+    state.stage() == Stage::World
 }
 
 /// What the third row of P does to depth.
@@ -133,8 +162,7 @@ fn followed(ui: &mut Ui, state: &State, object: &Object, point_object: DVec3) {
         ui.weak("The picked point lies behind the eye now.");
         return;
     };
-    let ray = &steps.ray;
-    let rows: [(&str, &str, Vec<f64>); 8] = [
+    let rows = [
         (
             "object",
             "where the shape has it",
@@ -144,18 +172,33 @@ fn followed(ui: &mut Ui, state: &State, object: &Object, point_object: DVec3) {
         ("view", "V * world", steps.view.to_array().to_vec()),
         ("clip", "P * view", steps.clip.to_array().to_vec()),
         ("NDC", "clip / w", steps.ndc.to_array().to_vec()),
-        (
-            "pixel",
-            "from the top left corner",
-            steps.px.to_array().to_vec(),
-        ),
+    ];
+    table(ui, rows.into_iter().chain(back(steps.px, &steps.ray)));
+}
+
+/// A pixel in which nothing shows: the way back alone.
+fn background(ui: &mut Ui, view: &View, px: DVec2) {
+    let ndc = view.viewport.px_to_ndc(px).to_array().to_vec();
+    let rows = [("NDC", "of the pixel", ndc)];
+    table(ui, rows.into_iter().chain(back(px, &view.ray(px))));
+}
+
+type Row = (&'static str, &'static str, Vec<f64>);
+
+/// From a pixel back as a ray.
+fn back(px: DVec2, ray: &Ray) -> [Row; 3] {
+    [
+        ("pixel", "from the top left corner", px.to_array().to_vec()),
         ("ray from", "back again", ray.origin.to_array().to_vec()),
         (
             "ray along",
             "a unit vector",
             ray.direction.to_array().to_vec(),
         ),
-    ];
+    ]
+}
+
+fn table(ui: &mut Ui, rows: impl Iterator<Item = Row>) {
     Grid::new("steps")
         .num_columns(6)
         .striped(true)
