@@ -91,58 +91,49 @@ fn panels_look_as_they_did() {
     }
 }
 
+/// Compares a picture of README's with the window that it is of: on the driver that it was made with to the pixel;
+/// others may draw edges and lines otherwise.
+fn compare_asset(name: &str, mut window: Offscreen) {
+    window.send([Event::PointerGone]);
+    let picture = window.picture().expect("a picture");
+    let most = if window.adapter_name().contains("llvmpipe") {
+        0
+    } else {
+        picture.pixels().len() / 20
+    };
+    let path = here("../../assets").join(name).with_extension("png");
+    compare(&picture, &path, most);
+}
+
 /// The demo with the cube behind the ring picked: its outline shows through what hides it.
-fn window() -> Offscreen {
+#[test]
+fn readme_shows_this_window() {
     let mut window = open(Vec::new(), 1.0);
     click(&mut window, pos2(440.0, 235.0));
-    window.send([Event::PointerGone]);
-    window
+    compare_asset("window", window);
 }
 
 /// That camera frozen, seen from the side.
-fn freeze() -> Offscreen {
+#[test]
+fn readme_shows_this_frozen_camera() {
     let mut window = open(Vec::new(), 1.0);
     click(&mut window, pos2(590.0, 390.0));
     press_key(&mut window, Modifiers::NONE, Key::T);
-    press_key(&mut window, Modifiers::NONE, Key::A);
     let from = pos2(500.0, 600.0);
-    drag(
-        &mut window,
-        PointerButton::Primary,
-        from,
-        from + vec2(-130.0, 25.0),
-    );
+    let to = from + vec2(-130.0, 25.0);
     press_key(&mut window, Modifiers::NONE, Key::A);
-    window.send([Event::PointerMoved(pos2(450.0, 345.0)), Event::Zoom(1.12)]);
-    window.send([Event::PointerGone]);
-    window
+    drag(&mut window, PointerButton::Primary, from, to);
+    press_key(&mut window, Modifiers::NONE, Key::A);
+    let zoom = [Event::PointerMoved(pos2(450.0, 345.0)), Event::Zoom(1.12)];
+    window.send(zoom);
+    compare_asset("freeze", window);
 }
 
 /// A scene on which a method breaks, picked by that method.
-fn gallery() -> Offscreen {
+#[test]
+fn readme_shows_this_gallery() {
     let mut window = open(vec!["gallery:needles".into()], 1.0);
     press_key(&mut window, Modifiers::NONE, Key::M);
     click(&mut window, pos2(680.0, 322.0));
-    window.send([Event::PointerGone]);
-    window
-}
-
-/// On the driver that they were made with to the pixel; others may draw edges and lines otherwise.
-#[test]
-fn the_pictures_of_readme_are_of_this_program() {
-    let pictures = [
-        ("window", window()),
-        ("freeze", freeze()),
-        ("gallery", gallery()),
-    ];
-    for (name, mut window) in pictures {
-        let picture = window.picture().expect("a picture");
-        let most = if window.adapter_name().contains("llvmpipe") {
-            0
-        } else {
-            picture.pixels().len() / 20
-        };
-        let path = here("../../assets").join(name).with_extension("png");
-        compare(&picture, &path, most);
-    }
+    compare_asset("gallery", window);
 }
