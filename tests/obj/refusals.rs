@@ -137,5 +137,7 @@ fn a_load_can_be_cancelled_after_the_last_byte_is_read() {
             matches!(stopped, Err(ObjError::Cancelled(_))),
             "{stopped:?}"
         );
+        let took = cancelled.elapsed().as_secs_f64();
+        assert!(took < 1.0, "one polygon more, not all: {took} s");
     });
 }
