@@ -173,7 +173,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
+        self.loading.is_some() || checks || studies || !self.state.world().0.trees_are_built()
     }
 
     /// Takes what the user answered.

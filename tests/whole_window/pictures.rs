@@ -132,8 +132,8 @@ fn readme_shows_this_frozen_camera() {
 /// A scene on which a method breaks, picked by that method.
 #[test]
 fn readme_shows_this_gallery() {
-    let mut window = open(vec!["gallery:needles".into()], 1.0);
+    let mut window = open(vec!["gallery:small_and_far".into()], 1.0);
     press_key(&mut window, Modifiers::NONE, Key::M);
-    click(&mut window, pos2(680.0, 322.0));
+    click(&mut window, pos2(430.0, 500.0));
     compare_asset("gallery", window);
 }
