@@ -281,7 +281,7 @@ fn parallel_rays_are_studied_too() {
             let rays = rows("ray").into_iter();
             let row = rays
                 .filter(|row| (row.method, row.precision) == (method, precision))
-                .last();
+                .next_back();
             row.expect("a row").worst_error
         };
         // All that hold a point of the world in f32 lose it far out; f64 does not.
