@@ -1,5 +1,5 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
-//! [`Action`].
+//! [`Action`](super::action::Action).
 
 use super::{
     action::LensControls,
