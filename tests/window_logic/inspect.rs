@@ -325,6 +325,26 @@ fn a_moved_object_s_pick_follows() {
     assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
 }
 
+/// Its pick is of its own surface, whatever lies before it.
+#[test]
+fn an_object_behind_another_keeps_its_own_pick() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::StepTo(3));
+    assert_eq!(selected(&state), Some("middle"));
+    place(
+        &mut state,
+        1,
+        Trs {
+            translation: DVec3::new(0.1, 0.0, 0.0),
+            ..STILL
+        },
+    );
+    let pick = picked(&state).expect("its back, still");
+    assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
+    assert_eq!(state.hits().map(|hits| hits.at), Some(3));
+}
+
 #[test]
 fn a_singular_matrix_is_refused_with_the_reason() {
     let mut state = front_view();
@@ -375,6 +395,9 @@ fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     let model = loaded.scene.objects()[0].placement.model();
     assert_eq!(model, trs.to_model(), "to the bit");
+    // What words say to the bit is said in words.
+    let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
+    assert!(!plain.contains("matrix"), "{plain}");
     state.reload(row());
     assert!(!state.edited());
     assert_eq!(
