@@ -1,5 +1,6 @@
 //! OBJ files, good and hostile: what they say is what the mesh holds, and what they cannot say is refused in a line.
 
+mod adverse;
 #[path = "../common/mod.rs"]
 mod common;
 mod mended;

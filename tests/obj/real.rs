@@ -2,8 +2,7 @@
 
 use super::{bounds, common::shared};
 use sightline::scene::{Progress, obj::load};
-use std::fmt::Write;
-use std::{fs, path::Path};
+use std::{fmt::Write, fs, path::Path};
 
 /// The rows of a table with a header, as text.
 fn table(path: &Path) -> Vec<Vec<String>> {
@@ -96,7 +95,7 @@ fn hostile_files_get_their_verdict() {
         assert_eq!(said.lines().count(), usize::from(verdict != "ok"), "{said}");
         let said = said.replace(&format!("{}/", hostile.display()), "");
         assert!(verdict != "error" || said.contains(name), "{said}");
-        writeln!(verdicts, "{name}\t{verdict}\t{triangles}\t{said}").expect("memory");
+        writeln!(verdicts, "{name}\t{verdict}\t{triangles}\t{said}").expect("text");
 
         let right = (allowed == "any" || allowed.split('|').any(|v| v == verdict))
             && (verdict == "error"

@@ -109,3 +109,35 @@ fn a_cancelled_load_stops_and_a_whole_one_is_done() {
     let stopped = load(&folder.path("some.obj"), &progress);
     assert!(matches!(stopped, Err(ObjError::Cancelled(_))));
 }
+
+#[test]
+fn a_load_can_be_cancelled_after_the_last_byte_is_read() {
+    use std::fmt::Write;
+    let mut text = String::new();
+    for i in 0..10_000 {
+        let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 10_000.0).sin_cos();
+        writeln!(text, "v {cos} {sin} 0").expect("text");
+    }
+    let mut face = String::from("f");
+    (1..=10_000).for_each(|i| write!(face, " {i}").expect("text"));
+    // Seconds of work in a few bytes.
+    text += &(face + "\n").repeat(300);
+    let folder = Folder::new(&[("some.obj", text.as_bytes())]);
+    let progress = Progress::default();
+    std::thread::scope(|scope| {
+        let loading = scope.spawn(|| load(&folder.path("some.obj"), &progress));
+        // Less is for reading, more for splitting polygons.
+        while progress.fraction() < 0.8 {
+            std::thread::yield_now();
+        }
+        progress.cancel();
+        let cancelled = std::time::Instant::now();
+        let stopped = loading.join().expect("no panic");
+        assert!(
+            matches!(stopped, Err(ObjError::Cancelled(_))),
+            "{stopped:?}"
+        );
+        let took = cancelled.elapsed().as_secs_f64();
+        assert!(took < 1.0, "one polygon more, not all: {took} s");
+    });
+}

@@ -6,7 +6,7 @@ use sightline::{
     camera::Lens,
     geometry::{ColourRun, Mesh, MeshData, Part, Trs},
     pick::Pick,
-    viewer::inspect::{DepthSteps, triangle},
+    viewer::inspect::triangle,
 };
 use std::sync::Arc;
 
@@ -210,7 +210,10 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     state.apply(Action::Click(MIDDLE, 0.0));
     let pick = picked(&state).expect("the poster");
     assert_eq!(pick.object, "poster");
-    let steps = DepthSteps::at(state.view().camera.lens(), pick);
+    let steps = state.depth_steps().expect("a pick");
+    // It stays the clicked picture's, wherever the camera goes.
+    state.apply(Action::Zoom(MIDDLE, 0.001));
+    assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
     assert_eq!(
         (reversed, standard),

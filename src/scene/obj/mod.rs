@@ -236,16 +236,26 @@ fn read<R: BufRead + Send + 'static>(
 
 /// The file, when it is one and not empty, and its size.
 fn open(path: &Path) -> Result<(BufReader<File>, u64), ObjError> {
-    let file = path.to_owned();
-    // Looked at before it is opened: opening a pipe waits for somebody to write into it.
-    let about = fs::metadata(path).map(|about| (about.is_file(), about.len()));
-    let most = MOST_BYTES;
-    match about.and_then(|about| Ok((about, File::open(path)?))) {
-        Err(source) => Err(ObjError::Unreadable { file, source }),
-        Ok(((false, _), _)) => Err(ObjError::NotAFile { file }),
-        Ok(((_, 0), _)) => Err(ObjError::Empty { file }),
-        Ok(((_, bytes), _)) if bytes > most => Err(ObjError::TooManyBytes { file, most }),
-        Ok(((_, bytes), opened)) => Ok((BufReader::with_capacity(BLOCK, opened), bytes)),
+    let file = || path.to_owned();
+    let unreadable = |source| ObjError::Unreadable {
+        file: file(),
+        source,
+    };
+    let about = fs::metadata(path).map_err(unreadable)?;
+    // Not even opened: a pipe would wait for somebody to write into it.
+    if !about.is_file() {
+        return Err(ObjError::NotAFile { file: file() });
+    }
+    match about.len() {
+        0 => Err(ObjError::Empty { file: file() }),
+        bytes if bytes > MOST_BYTES => Err(ObjError::TooManyBytes {
+            file: file(),
+            most: MOST_BYTES,
+        }),
+        bytes => {
+            let opened = File::open(path).map_err(unreadable)?;
+            Ok((BufReader::with_capacity(BLOCK, opened), bytes))
+        }
     }
 }
 
