@@ -101,6 +101,7 @@ impl State {
             }
             Action::ShowAll => self.show(|_| true, true),
             Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
+            Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
             Action::PickBy(method) => self.pick_by(method),
