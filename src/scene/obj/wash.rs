@@ -229,37 +229,18 @@ impl<'a> Washer<'a> {
     /// Checks the corners, of which `tobj` would refuse the bad ones without saying where, and read absent normals as
     /// those of the corner before.
     fn face(&mut self, keyword_end: usize) {
-        let known = self.foresight.vertices.unwrap_or(usize::MAX);
         let corners = &self.line[keyword_end..];
-        let (mut count, mut with_normals, mut bad_normals) = (0, true, false);
-        let (mut highest, mut fault) = (0, None);
-        for corner in fields(corners).map(|at| &corners[at]) {
-            let mut parts = corner.split(|&b| b == b'/');
-            let vertex = parts.next().unwrap_or_default();
-            let Some(vertex) = index(vertex, self.outline.vertices).filter(|&i| i <= known) else {
-                let named = String::from_utf8_lossy(&vertex[..vertex.len().min(24)]);
-                fault = Some(BadLine::NoSuchVertex {
-                    vertex: named.escape_debug().to_string(),
-                    vertices: self.foresight.vertices.unwrap_or(self.outline.vertices),
-                });
-                break;
-            };
+        let (mut count, mut highest) = (0, 0);
+        let (mut with_normals, mut bad_normals) = (true, false);
+        let checked = fields(corners).try_for_each(|at| {
+            let (vertex, normal) = self.corner(&corners[at])?;
             highest = highest.max(vertex);
-            let texture = parts.next().unwrap_or_default();
-            let readable = texture.is_empty() || integer(texture).is_some();
-            match parts.next() {
-                None | Some(b"") => with_normals = false,
-                Some(normal) => {
-                    bad_normals |= index(normal, self.normals).is_none_or(|i| i > self.normals);
-                }
-            }
-            if !readable || parts.next().is_some() {
-                fault = Some(BadLine::Corner);
-                break;
-            }
+            with_normals &= normal == Normal::There;
+            bad_normals |= normal == Normal::Nowhere;
             count += 1;
-        }
-        if let Some(fault) = fault {
+            Ok(())
+        });
+        if let Err(fault) = checked {
             self.outline.note(self.lines.number, fault);
             self.line.clear();
             return;
@@ -286,7 +267,35 @@ impl<'a> Washer<'a> {
                 self.outline.objects.push((face, self.name.clone()));
             }
         }
-        self.outline.with_normals.push(with_normals && !bad_normals);
+        self.outline.with_normals.push(with_normals);
+    }
+
+    /// The vertex, from 1, and the normal that a corner of a face names. Its texture coordinate need only look like one.
+    fn corner(&self, corner: &[u8]) -> Result<(usize, Normal), BadLine> {
+        let slash = corner.iter().position(|&b| b == b'/');
+        let (vertex, others) = corner.split_at(slash.unwrap_or(corner.len()));
+        let known = self.foresight.vertices.unwrap_or(usize::MAX);
+        let Some(number) = index(vertex, self.outline.vertices).filter(|&i| i <= known) else {
+            let named = String::from_utf8_lossy(&vertex[..vertex.len().min(24)]);
+            return Err(BadLine::NoSuchVertex {
+                vertex: named.escape_debug().to_string(),
+                vertices: self.foresight.vertices.unwrap_or(self.outline.vertices),
+            });
+        };
+        if others.is_empty() {
+            return Ok((number, Normal::Absent));
+        }
+        let mut others = others[1..].split(|&b| b == b'/');
+        let [texture, normal] = [(); 2].map(|()| others.next().unwrap_or_default());
+        if !(texture.is_empty() || integer(texture).is_some()) || others.next().is_some() {
+            return Err(BadLine::Corner);
+        }
+        let normal = match index(normal, self.normals) {
+            _ if normal.is_empty() => Normal::Absent,
+            Some(normal) if normal <= self.normals => Normal::There,
+            _ => Normal::Nowhere,
+        };
+        Ok((number, normal))
     }
 
     /// Leaves only the vertex of each corner.
@@ -311,6 +320,17 @@ pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
         at = start + length.unwrap_or(rest.len());
         Some(start..at)
     })
+}
+
+/// What a corner says of its normal.
+#[derive(PartialEq, Eq)]
+enum Normal {
+    /// Nothing.
+    Absent,
+    /// Which it is.
+    There,
+    /// One that does not exist.
+    Nowhere,
 }
 
 /// What a word is as a number.
@@ -364,10 +384,12 @@ fn integer(text: &[u8]) -> Option<(usize, bool)> {
     if !(1..=18).contains(&digits.len()) {
         return None;
     }
-    let value = digits.iter().try_fold(0, |value, digit| {
-        digit
-            .is_ascii_digit()
-            .then(|| 10 * value + usize::from(digit - b'0'))
-    })?;
+    let mut value = 0;
+    for digit in digits {
+        if !digit.is_ascii_digit() {
+            return None;
+        }
+        value = 10 * value + usize::from(digit - b'0');
+    }
     Some((value, negative))
 }
