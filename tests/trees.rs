@@ -30,7 +30,7 @@ fn soup(seed: u64, scale: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
 /// All hits in the order of picks.
 fn sorted(mesh: &Mesh, ray: &Ray, sides: Sides) -> Vec<Hit> {
     let mut hits = Vec::new();
-    mesh.all(ray, sides, signed_volume, |_| true, &mut hits);
+    mesh.all(ray, sides, |_| true, &mut hits);
     let key = |hit: &Hit| (hit.t, hit.on_triangle.map(|at| at.triangle));
     hits.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("no NaN"));
     hits
@@ -78,7 +78,7 @@ fn the_tree_finds_what_brute_force_finds() {
                     "ray {i} of seed {seed}"
                 );
                 for mesh in [&brute, &with_tree] {
-                    let closest = mesh.closest(&ray, sides, signed_volume, |_| true);
+                    let closest = mesh.closest(&ray, sides, |_| true);
                     assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
                 }
                 if expected.is_empty() {
@@ -134,7 +134,7 @@ fn a_closed_mesh_lets_no_ray_through() {
         } else {
             random.point(0.4)
         };
-        let hit = closed.closest(&ray_to(eye, target), Sides::Both, signed_volume, |_| true);
+        let hit = closed.closest(&ray_to(eye, target), Sides::Both, |_| true);
         assert!(hit.is_some(), "ray {i} leaks");
     }
 }

@@ -1,9 +1,14 @@
 //! Triangle meshes: what one file holds.
 
-use super::{Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest};
+use super::{
+    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, signed_volume,
+};
 use crate::colour::Srgb;
 use glam::DVec3;
-use std::{ops::Range, sync::OnceLock};
+use std::{
+    ops::Range,
+    sync::{OnceLock, atomic::AtomicBool},
+};
 
 /// Below this many triangles a tree costs more than it saves in any session of picks.
 const WORTH_A_TREE: usize = 512;
@@ -164,40 +169,83 @@ impl Mesh {
     /// Builds the tree, if the mesh is large enough to be worth one and has none yet. Until then picks try
     /// every triangle: the answer is the same.
     pub fn build_tree(&self) {
-        if self.data.triangles.len() >= WORTH_A_TREE {
-            self.tree
-                .get_or_init(|| Bvh::new(&self.data.positions, &self.data.triangles));
+        self.build_tree_unless(&AtomicBool::new(false));
+    }
+
+    /// [`Mesh::build_tree`], given up soon after `stop` is set.
+    pub fn build_tree_unless(&self, stop: &AtomicBool) {
+        let MeshData {
+            positions,
+            triangles,
+            ..
+        } = &self.data;
+        if triangles.len() < WORTH_A_TREE || self.tree.get().is_some() {
+            return;
         }
+        if let Some(tree) = Bvh::build(positions, triangles, stop) {
+            debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
+            // Whoever else may have built one meanwhile has built the same.
+            let _ = self.tree.set(tree);
+        }
+    }
+
+    /// The tree, once it is built.
+    #[must_use]
+    pub fn tree(&self) -> Option<&Bvh> {
+        self.tree.get()
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
     /// the lowest triangle.
-    pub fn closest(
+    #[must_use]
+    pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
+        self.nearest::<true>(ray, sides, signed_volume, accept)
+    }
+
+    /// [`Mesh::closest`] by another triangle test, which sees every triangle whose box the ray meets.
+    #[must_use]
+    pub fn closest_by(
         &self,
         ray: &Ray,
         sides: Sides,
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
+        self.nearest::<false>(ray, sides, test, accept)
+    }
+
+    #[inline]
+    fn nearest<const SIFT: bool>(
+        &self,
+        ray: &Ray,
+        sides: Sides,
+        test: impl Fn(&Ray, [DVec3; 3]) -> Option<TriangleHit>,
+        accept: impl Fn(usize) -> bool,
+    ) -> Option<Hit> {
         let local = self.to_vertex_space(ray);
-        let mut best: Option<(u32, TriangleHit)> = None;
-        self.visit(&local, |triangle| {
-            let end = best.map_or(ray.t_max, |(_, hit)| hit.t);
+        let mut best: Option<Found> = None;
+        self.visit::<SIFT>(&local, |triangle, corners| {
+            let end = best.map_or(ray.t_max, |best| best.hit.t);
             // Equal hits beyond the first are wanted too: the end is open, so it is moved by one step.
             let within = Ray {
                 t_max: if best.is_some() { end.next_up() } else { end },
                 ..local
             };
-            if let Some(hit) = self.test(&within, triangle, sides, test)
-                && best.is_none_or(|(winner, nearest)| (hit.t, triangle) < (nearest.t, winner))
+            if let Some(hit) = test(&within, corners)
+                && sides.shows(local.direction, normal(corners))
+                && best.is_none_or(|best| (hit.t, triangle) < (best.hit.t, best.triangle))
                 && accept(self.part_of(triangle))
             {
-                best = Some((triangle, hit));
+                best = Some(Found {
+                    triangle,
+                    corners,
+                    hit,
+                });
                 return hit.t;
             }
             end
         });
-        best.map(|(triangle, hit)| self.hit(triangle, hit))
+        best.map(Found::into_hit)
     }
 
     /// All hits of an object-space ray on the parts that `accept` names, in no order.
@@ -205,51 +253,37 @@ impl Mesh {
         &self,
         ray: &Ray,
         sides: Sides,
-        test: TriangleTest,
         accept: impl Fn(usize) -> bool,
         hits: &mut Vec<Hit>,
     ) {
         let local = self.to_vertex_space(ray);
-        self.visit(&local, |triangle| {
-            if let Some(hit) = self.test(&local, triangle, sides, test)
+        self.visit::<true>(&local, |triangle, corners| {
+            if let Some(hit) = signed_volume(&local, corners)
+                && sides.shows(local.direction, normal(corners))
                 && accept(self.part_of(triangle))
             {
-                hits.push(self.hit(triangle, hit));
+                let found = Found {
+                    triangle,
+                    corners,
+                    hit,
+                };
+                hits.push(found.into_hit());
             }
             ray.t_max
         });
     }
 
-    /// Every triangle that the ray may hit: through the tree, or all of them in order.
-    fn visit(&self, local: &Ray, mut visit: impl FnMut(u32) -> f64) {
-        if let Some(tree) = self.tree.get() {
-            tree.visit(local, visit);
-        } else {
-            for triangle in (0..).take(self.data.triangles.len()) {
-                visit(triangle);
+    /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order.
+    #[inline]
+    fn visit<const SIFT: bool>(&self, local: &Ray, mut visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+        match self.tree.get() {
+            Some(tree) if SIFT => tree.visit(local, visit),
+            Some(tree) => tree.visit_boxes(local, visit),
+            None => {
+                for triangle in (0..).take(self.data.triangles.len()) {
+                    visit(triangle, self.vertex_corners(triangle));
+                }
             }
-        }
-    }
-
-    fn test(
-        &self,
-        local: &Ray,
-        triangle: u32,
-        sides: Sides,
-        test: TriangleTest,
-    ) -> Option<TriangleHit> {
-        let corners = self.vertex_corners(triangle);
-        test(local, corners).filter(|_| sides.shows(local.direction, normal(corners)))
-    }
-
-    fn hit(&self, triangle: u32, hit: TriangleHit) -> Hit {
-        Hit {
-            t: hit.t,
-            normal: normal(self.vertex_corners(triangle)),
-            on_triangle: Some(OnTriangle {
-                triangle,
-                barycentric: hit.barycentric,
-            }),
         }
     }
 
@@ -262,6 +296,27 @@ impl Mesh {
 
     fn vertex_corners(&self, triangle: u32) -> [DVec3; 3] {
         self.data.triangles[triangle as usize].map(|i| wide(self.data.positions[i as usize]))
+    }
+}
+
+/// A triangle that is hit.
+#[derive(Clone, Copy)]
+struct Found {
+    triangle: u32,
+    corners: [DVec3; 3],
+    hit: TriangleHit,
+}
+
+impl Found {
+    fn into_hit(self) -> Hit {
+        Hit {
+            t: self.hit.t,
+            normal: normal(self.corners),
+            on_triangle: Some(OnTriangle {
+                triangle: self.triangle,
+                barycentric: self.hit.barycentric,
+            }),
+        }
     }
 }
 

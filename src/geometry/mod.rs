@@ -20,7 +20,7 @@ mod square;
 mod triangle;
 
 pub use bounds::Aabb;
-pub use bvh::Bvh;
+pub use bvh::{Bvh, Simd};
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};

@@ -11,7 +11,7 @@ pub use selection::draw_selection;
 
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest, signed_volume},
+    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest},
     scene::{Scene, Shape},
 };
 use glam::DVec2;
@@ -67,12 +67,16 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
 /// The nearest hit of a world-space ray on the visible objects.
 #[must_use]
 pub fn closest(scene: &Scene, ray: &Ray, sides: Sides) -> Option<SceneHit> {
-    closest_by(scene, ray, sides, signed_volume)
+    nearest(scene, ray, sides, None)
 }
 
 /// [`closest`] by another triangle test.
 #[must_use]
 pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) -> Option<SceneHit> {
+    nearest(scene, ray, sides, Some(test))
+}
+
+fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
     for batch in scene.batches() {
         // Equal hits count too: a later object never wins them, but the interval is half open.
@@ -97,7 +101,7 @@ pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
             Shape::Mesh { mesh, part } => {
                 let mut found = Vec::new();
                 let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-                mesh.all(&local, sides, signed_volume, accept, &mut found);
+                mesh.all(&local, sides, accept, &mut found);
                 hits.extend(found.into_iter().map(|hit| SceneHit {
                     object: hit.on_triangle.map_or(batch.start, |at| {
                         batch.start + mesh.part_of(at.triangle) - part
@@ -129,14 +133,17 @@ fn closest_in_batch(
     batch: &Range<usize>,
     ray: &Ray,
     sides: Sides,
-    test: TriangleTest,
+    test: Option<TriangleTest>,
 ) -> Option<SceneHit> {
     let first = &scene.objects()[batch.start];
     let local = first.placement.ray_to_object(ray);
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            let hit = mesh.closest(&local, sides, test, accept)?;
+            let hit = match test {
+                None => mesh.closest(&local, sides, accept),
+                Some(test) => mesh.closest_by(&local, sides, test, accept),
+            }?;
             let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
             Some(SceneHit { object, hit })
         }

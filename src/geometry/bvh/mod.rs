@@ -1,0 +1,115 @@
+//! A bounding volume hierarchy over a mesh's triangles, which only ever rejects.
+//!
+//! Nodes of eight boxes and leaves of eight triangles, so that one instruction handles eight numbers (Wald, Benthin
+//! & Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are judged in `f32`, each with
+//! a derived bound ([`ray`]) on what rounding may have done: what is rejected is missed for certain. What remains
+//! goes to the caller, who decides in `f64`; so whichever instructions there are, the answer is the same to the bit.
+
+mod build;
+mod node;
+mod ray;
+mod simd;
+mod split;
+mod validate;
+mod walk;
+
+pub use simd::Simd;
+
+use super::{Aabb, Ray};
+use glam::DVec3;
+use node::{Node, Packet};
+use ray::{Prepared, TreeRay};
+use std::sync::atomic::AtomicBool;
+use walk::Walk;
+
+/// A tree over triangles, in the vertices' own space.
+#[derive(Debug)]
+pub struct Bvh {
+    /// The first is the root; each comes before its children.
+    nodes: Vec<Node>,
+    packets: Vec<Packet>,
+    /// About all triangles, in the tree's lengths.
+    bounds: Aabb,
+    /// A power of two: the tree's lengths are the vertices' times this. Not 1 only for meshes so small or large that `f32`
+    /// products of their lengths would vanish or overflow.
+    scale: f64,
+}
+
+impl Bvh {
+    /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
+    /// finite.
+    ///
+    /// `None` when `stop` was set meanwhile, and for meshes that a tree cannot hold: without triangles, with more than
+    /// `2^30` of them, or with coordinates that differ by so many orders of magnitude that scaling would change them.
+    #[must_use]
+    pub fn build(
+        positions: &[[f32; 3]],
+        triangles: &[[u32; 3]],
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        build::build(positions, triangles, stop)
+    }
+
+    /// Calls `visit` with every triangle that `ray` may hit and its corners, nearer boxes first. `visit` returns the
+    /// new end of the ray's interval; what begins beyond it is passed over, what begins *at* it is not, so that equal
+    /// hits are all seen.
+    ///
+    /// Which triangles are visited beyond those that are hit may differ between processors.
+    #[inline]
+    pub fn visit(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+        self.start::<_, true>(None, ray, visit);
+    }
+
+    /// [`Bvh::visit`] by chosen instructions.
+    #[inline]
+    pub fn visit_by(&self, simd: Simd, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+        self.start::<_, true>(Some(simd), ray, visit);
+    }
+
+    /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
+    /// that the ray misses.
+    #[inline]
+    pub fn visit_boxes(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+        self.start::<_, false>(None, ray, visit);
+    }
+
+    /// Bytes that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.packets)
+    }
+
+    #[inline(always)]
+    fn start<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool>(
+        &self,
+        simd: Option<Simd>,
+        ray: &Ray,
+        mut visit: F,
+    ) {
+        let unscale = 1.0 / self.scale;
+        let (prepared, end) = match TreeRay::prepare(ray, &self.bounds, self.scale) {
+            Prepared::Miss => return,
+            Prepared::Everything => {
+                for (triangle, corners) in self.packets.iter().flat_map(Packet::iter) {
+                    visit(triangle, node::wide(corners, unscale));
+                }
+                return;
+            }
+            Prepared::Ray(prepared, end) => (prepared, end),
+        };
+        let walk = Walk::<_, SIFT> {
+            nodes: &self.nodes,
+            packets: &self.packets,
+            ray: &prepared,
+            end,
+            visit: |packet: &Packet, lane: usize| {
+                let corners = node::wide(packet.corners_of(lane), unscale);
+                prepared.end(visit(packet.triangles[lane], corners))
+            },
+        };
+        match simd {
+            Some(simd) => simd.run(walk),
+            None => simd::run_fastest(walk),
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! What a tree is made of: nodes of eight boxes and packets of eight triangles, each number beside its seven likes.
+
+use glam::DVec3;
+
+/// Children of a node, and triangles of a packet.
+pub(super) const WIDTH: usize = 8;
+
+/// Eight boxes and what is in them.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Node {
+    /// By [`Plane`]: smallest x, y, z, then greatest x, y, z of each child. A child that is not there has them the
+    /// wrong way round, and infinite, so that no ray enters it.
+    pub planes: [[f32; WIDTH]; 6],
+    /// What is in each box.
+    pub children: [Child; WIDTH],
+}
+
+/// One of the six sides of a box.
+#[derive(Clone, Copy, Debug)]
+#[repr(usize)]
+pub(super) enum Plane {
+    MinX,
+    MinY,
+    MinZ,
+    MaxX,
+    MaxY,
+    MaxZ,
+}
+
+impl Plane {
+    /// The sides with the smallest coordinates, by axis.
+    pub const MIN: [Self; 3] = [Self::MinX, Self::MinY, Self::MinZ];
+    /// The sides with the greatest coordinates, by axis.
+    pub const MAX: [Self; 3] = [Self::MaxX, Self::MaxY, Self::MaxZ];
+}
+
+/// A node or a packet, by its place in the tree's list of either.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Child(u32);
+
+impl Child {
+    /// Nothing; behind a box that no ray enters.
+    pub const NONE: Self = Self(u32::MAX);
+    const LEAF: u32 = 1 << 31;
+
+    /// The node of this index, which must be below `2^31`.
+    pub fn node(index: usize) -> Self {
+        Self(narrow(index))
+    }
+
+    /// The packet of this index, which must be below `2^31 - 1`.
+    pub fn packet(index: usize) -> Self {
+        Self(narrow(index) | Self::LEAF)
+    }
+
+    #[inline(always)]
+    pub fn is_packet(self) -> bool {
+        self.0 & Self::LEAF != 0
+    }
+
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        (self.0 & !Self::LEAF) as usize
+    }
+
+    /// For a stack of numbers.
+    #[inline(always)]
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+
+    #[inline(always)]
+    pub fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    /// The same child after `nodes` and `packets` others have been put before its list.
+    pub fn shifted(self, nodes: usize, packets: usize) -> Self {
+        match self {
+            Self::NONE => Self::NONE,
+            child if child.is_packet() => Self::packet(child.index() + packets),
+            child => Self::node(child.index() + nodes),
+        }
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "build refuses meshes that large"
+)]
+fn narrow(index: usize) -> u32 {
+    index as u32
+}
+
+impl Node {
+    /// No child at all.
+    pub const EMPTY: Self = Self {
+        planes: [
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+        ],
+        children: [Child::NONE; WIDTH],
+    };
+
+    /// The corners of a child's box.
+    pub fn bounds(&self, child: usize) -> [[f32; 3]; 2] {
+        [Plane::MIN, Plane::MAX].map(|side| side.map(|plane| self.planes[plane as usize][child]))
+    }
+}
+
+/// Up to eight triangles. Lanes without one are NaN, which hits nothing.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Packet {
+    /// By corner and axis.
+    pub corners: [[[f32; WIDTH]; 3]; 3],
+    /// Which triangles of the mesh.
+    pub triangles: [u32; WIDTH],
+}
+
+impl Packet {
+    /// No triangle.
+    pub const EMPTY: Self = Self {
+        corners: [[[f32::NAN; WIDTH]; 3]; 3],
+        triangles: [u32::MAX; WIDTH],
+    };
+
+    /// The corners of one of its triangles.
+    #[inline(always)]
+    pub fn corners_of(&self, lane: usize) -> [[f32; 3]; 3] {
+        self.corners.map(|corner| corner.map(|axis| axis[lane]))
+    }
+
+    /// Its triangles with their corners.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, [[f32; 3]; 3])> {
+        let lanes = (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan());
+        lanes.map(|lane| (self.triangles[lane], self.corners_of(lane)))
+    }
+}
+
+/// Corners in `f64`, lengths times `unscale`, which must be a power of two.
+#[inline(always)]
+pub(super) fn wide(corners: [[f32; 3]; 3], unscale: f64) -> [DVec3; 3] {
+    corners.map(|corner| unscale * DVec3::from_array(corner.map(f64::from)))
+}

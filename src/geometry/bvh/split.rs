@@ -1,0 +1,282 @@
+//! Where ranges of triangles are cut: by the surface area heuristic (MacDonald & Booth 1990), estimated in bins (Wald,
+//! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
+//!
+//! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
+
+use super::{node::WIDTH, simd::Stack};
+use glam::Vec4;
+
+/// Bins that a range is sorted into along each axis.
+const BINS: usize = 16;
+/// Below this depth ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
+/// deeper than [`DEEPEST`].
+const HALVED_BELOW: usize = 22;
+/// Nodes on the longest way down: what lies below `HALVED_BELOW` holds 8^11 triangles.
+const DEEPEST: usize = HALVED_BELOW + 10;
+// Of each node on the way down, all children but one may wait.
+const _: () = assert!(DEEPEST * (WIDTH - 1) < Stack::CAPACITY);
+
+/// A triangle's box; the last component of `min` carries its index as bits.
+#[derive(Clone, Copy)]
+pub(super) struct Leaf {
+    min: Vec4,
+    max: Vec4,
+}
+
+impl Leaf {
+    pub fn new(triangle: u32, min: Vec4, max: Vec4) -> Self {
+        let min = min.with_w(f32::from_bits(triangle));
+        Self { min, max }
+    }
+
+    pub fn triangle(&self) -> u32 {
+        self.min.w.to_bits()
+    }
+
+    /// Twice the middle of its box.
+    #[inline(always)]
+    fn center(&self) -> Vec4 {
+        self.min + self.max
+    }
+}
+
+/// A box, of which the last components mean nothing.
+#[derive(Clone, Copy)]
+struct Extent {
+    min: Vec4,
+    max: Vec4,
+}
+
+impl Extent {
+    const EMPTY: Self = Self {
+        min: Vec4::INFINITY,
+        max: Vec4::NEG_INFINITY,
+    };
+
+    #[inline(always)]
+    fn union(self, min: Vec4, max: Vec4) -> Self {
+        Self {
+            min: self.min.min(min),
+            max: self.max.max(max),
+        }
+    }
+
+    /// Half the surface.
+    fn area(&self) -> f32 {
+        let size = (self.max - self.min).truncate();
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+}
+
+/// Triangles that become one child, with the box about them and that about their centres (doubled).
+pub(super) struct Range<'a> {
+    leaves: &'a mut [Leaf],
+    bounds: Extent,
+    centers: Extent,
+}
+
+impl<'a> Range<'a> {
+    pub fn new(leaves: &'a mut [Leaf]) -> Self {
+        let empty = (Extent::EMPTY, Extent::EMPTY);
+        let (bounds, centers) = leaves.iter().fold(empty, |(bounds, centers), leaf| {
+            let center = leaf.center();
+            (
+                bounds.union(leaf.min, leaf.max),
+                centers.union(center, center),
+            )
+        });
+        Self {
+            leaves,
+            bounds,
+            centers,
+        }
+    }
+
+    pub fn leaves(&self) -> &[Leaf] {
+        self.leaves
+    }
+
+    pub fn len(&self) -> usize {
+        self.leaves.len()
+    }
+
+    /// The corners of the box about the triangles; the last components mean nothing.
+    pub fn bounds(&self) -> [Vec4; 2] {
+        [self.bounds.min, self.bounds.max]
+    }
+
+    /// Into up to eight, none empty, for a node at this depth.
+    pub fn split_wide(self, depth: usize) -> Vec<Self> {
+        let mut parts = Vec::with_capacity(WIDTH);
+        parts.push(self);
+        while parts.len() < WIDTH {
+            let size = |part: &Self| {
+                #[expect(clippy::cast_precision_loss, reason = "a size to compare")]
+                if depth < HALVED_BELOW {
+                    part.bounds.area()
+                } else {
+                    part.leaves.len() as f32
+                }
+            };
+            let splittable = (parts.iter().enumerate()).filter(|(_, p)| p.leaves.len() > WIDTH);
+            let largest = splittable.max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)));
+            let Some((largest, _)) = largest else { break };
+            let (a, b) = parts.swap_remove(largest).split(depth < HALVED_BELOW);
+            parts.extend([a, b]);
+        }
+        parts
+    }
+
+    /// In two, neither empty.
+    fn split(self, by_area: bool) -> (Self, Self) {
+        match by_area.then(|| Binning::new(&self).best()).flatten() {
+            Some(cut) => self.split_at(&cut),
+            None => {
+                let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
+                (Self::new(a), Self::new(b))
+            }
+        }
+    }
+
+    fn split_at(self, cut: &Cut) -> (Self, Self) {
+        let Self { leaves, .. } = self;
+        let [mut below, mut above] = [Extent::EMPTY; 2];
+        let (mut start, mut end) = (0, leaves.len());
+        while start < end {
+            let center = leaves[start].center();
+            if cut.is_below(center) {
+                below = below.union(center, center);
+                start += 1;
+            } else {
+                above = above.union(center, center);
+                end -= 1;
+                leaves.swap(start, end);
+            }
+        }
+        let (a, b) = leaves.split_at_mut(start);
+        let part = |leaves, bounds, centers| Self {
+            leaves,
+            bounds,
+            centers,
+        };
+        let [bounds_a, bounds_b] = cut.bounds;
+        (part(a, bounds_a, below), part(b, bounds_b, above))
+    }
+}
+
+/// From centres to bins.
+#[derive(Clone, Copy)]
+struct Bins {
+    origin: Vec4,
+    scale: Vec4,
+}
+
+impl Bins {
+    fn new(centers: &Extent) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "a small number")]
+        let last = Vec4::splat((BINS - 1) as f32);
+        let size = centers.max - centers.min;
+        Self {
+            origin: centers.min,
+            scale: Vec4::select(size.cmpgt(Vec4::ZERO), last / size, Vec4::ZERO),
+        }
+    }
+
+    /// The bin of a centre along each axis. Of a float between 2^23 and 2^24 the last bits are an integer; taking no more
+    /// than them gives some bin, always the same, even for what overflows.
+    #[inline(always)]
+    fn of(&self, center: Vec4) -> [usize; 3] {
+        const INTEGER: f32 = (1 << 23) as f32;
+        let at = (center - self.origin) * self.scale + Vec4::splat(INTEGER);
+        let [x, y, z, _] = at.to_array();
+        [x, y, z].map(|x| x.to_bits() as usize % BINS)
+    }
+}
+
+/// Where a range is cut in two.
+struct Cut {
+    bins: Bins,
+    axis: usize,
+    /// The first bin above the cut.
+    first_above: usize,
+    bounds: [Extent; 2],
+}
+
+impl Cut {
+    #[inline(always)]
+    fn is_below(&self, center: Vec4) -> bool {
+        self.bins.of(center)[self.axis] < self.first_above
+    }
+}
+
+/// How many triangles fall into each bin along each axis, and the boxes about them.
+struct Binning {
+    bins: Bins,
+    extents: [[Extent; BINS]; 3],
+    counts: [[u32; BINS]; 3],
+}
+
+impl Binning {
+    fn new(range: &Range) -> Self {
+        let bins = Bins::new(&range.centers);
+        let mut extents = [[Extent::EMPTY; BINS]; 3];
+        let mut counts = [[0; BINS]; 3];
+        for leaf in &*range.leaves {
+            for (axis, bin) in bins.of(leaf.center()).into_iter().enumerate() {
+                let extent = &mut extents[axis][bin];
+                *extent = extent.union(leaf.min, leaf.max);
+                counts[axis][bin] += 1;
+            }
+        }
+        Self {
+            bins,
+            extents,
+            counts,
+        }
+    }
+
+    /// The cut with the least expected cost; `None` when all are in one bin.
+    fn best(&self) -> Option<Cut> {
+        let mut best: Option<(f32, usize, usize)> = None;
+        for axis in 0..3 {
+            let (extents, counts) = (&self.extents[axis], &self.counts[axis]);
+            let mut costs_above = [f32::INFINITY; BINS];
+            let (mut extent, mut count) = (Extent::EMPTY, 0);
+            for bin in (1..BINS).rev() {
+                extent = extent.union(extents[bin].min, extents[bin].max);
+                count += counts[bin];
+                costs_above[bin] = cost(&extent, count);
+            }
+            let (mut extent, mut count) = (Extent::EMPTY, 0);
+            for bin in 1..BINS {
+                extent = extent.union(extents[bin - 1].min, extents[bin - 1].max);
+                count += counts[bin - 1];
+                let cost = cost(&extent, count) + costs_above[bin];
+                if best.is_none_or(|(least, ..)| cost < least) && cost < f32::INFINITY {
+                    best = Some((cost, axis, bin));
+                }
+            }
+        }
+        let (_, axis, first_above) = best?;
+        let (below, above) = self.extents[axis].split_at(first_above);
+        let bounds = [below, above].map(|side| {
+            side.iter()
+                .fold(Extent::EMPTY, |all, bin| all.union(bin.min, bin.max))
+        });
+        Some(Cut {
+            bins: self.bins,
+            axis,
+            first_above,
+            bounds,
+        })
+    }
+}
+
+/// Surface times packets: what a ray is expected to pay; infinite for nothing at all.
+#[expect(clippy::cast_precision_loss, reason = "an estimate")]
+fn cost(extent: &Extent, count: u32) -> f32 {
+    if count == 0 {
+        return f32::INFINITY;
+    }
+    extent.area() * count.div_ceil(WIDTH as u32) as f32
+}
