@@ -116,22 +116,20 @@ fn terrain(name: &str) -> Sample {
     })
 }
 
-/// Long thin triangles, as CAD programs make: 300 rods of all directions.
+/// Long thin triangles, as CAD programs make: 3000 rods of all directions.
 fn slivers(name: &str) -> Sample {
     let mut all = Sample::new(name, Vec::new(), Vec::new());
-    for rod in 0..300_u32 {
+    for rod in 0..3000_u32 {
         let turn = |k: f64| (f64::from(rod) * k).sin();
-        let (a, b) = (
-            [turn(1.3), turn(2.7), turn(4.1)],
-            [turn(5.9), turn(7.3), turn(8.7)],
-        );
-        let axis: [f64; 3] = std::array::from_fn(|i| b[i] - a[i]);
+        let start = [turn(1.3), turn(2.7), turn(4.1)];
+        let axis = [turn(5.9), turn(7.3), turn(8.7)].map(|x| 0.3 * x);
         // Two directions across it, near enough.
         let across = [axis[1], -axis[0], 0.2 * axis[2]];
         let other = [0.2 * axis[0], axis[2], -axis[1]];
-        let one = grid("", [500, 1], |u, v| {
+        let one = grid("", [50, 1], |u, v| {
             let (sin, cos) = (TAU * u).sin_cos();
-            std::array::from_fn(|i| a[i] + v * axis[i] + 0.02 * (cos * across[i] + sin * other[i]))
+            let beside = |i: usize| 0.05 * (cos * across[i] + sin * other[i]);
+            std::array::from_fn(|i| start[i] + v * axis[i] + beside(i))
         });
         let first = u32::try_from(all.positions.len()).expect("fits");
         all.positions.extend(one.positions);

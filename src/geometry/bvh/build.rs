@@ -77,7 +77,7 @@ pub(super) fn build(
 /// The power of two that brings coordinates to where products of them neither vanish nor overflow; `None` where it would
 /// change one of them.
 fn scale(positions: &[[f32; 3]]) -> Option<f32> {
-    const SAFE: f32 = (1 << 30) as f32;
+    const SAFE: f32 = 1_073_741_824.0; // 2^30
     let coordinates = positions.as_flattened();
     let largest = coordinates.iter().fold(0.0_f32, |m, x| m.max(x.abs()));
     if largest == 0.0 || (1.0 / SAFE..=SAFE).contains(&largest) {
@@ -86,8 +86,8 @@ fn scale(positions: &[[f32; 3]]) -> Option<f32> {
     #[expect(clippy::cast_possible_truncation, reason = "within 150")]
     let exponent = (largest.log2() as i32).clamp(-126, 126);
     let (scale, unscale) = (2_f32.powi(-exponent), 2_f32.powi(exponent));
-    let kept = coordinates.iter().all(|&x| (x * scale) * unscale == x);
-    kept.then_some(scale)
+    let kept = |x: &f32| ((x * scale) * unscale).to_bits() == x.to_bits();
+    coordinates.iter().all(kept).then_some(scale)
 }
 
 /// Triangles that become the given child of one of the top nodes.

@@ -5,6 +5,11 @@
 //! a derived bound ([`ray`]) on what rounding may have done: what is rejected is missed for certain. What remains
 //! goes to the caller, who decides in `f64`; so whichever instructions there are, the answer is the same to the bit.
 
+#![allow(
+    clippy::inline_always,
+    reason = "what is not inlined into the walk is not compiled for its instructions"
+)]
+
 mod build;
 mod node;
 mod ray;
@@ -18,7 +23,6 @@ pub use simd::Simd;
 use super::{Aabb, Ray};
 use glam::DVec3;
 use node::{Node, Packet};
-use ray::{Prepared, TreeRay};
 use std::sync::atomic::AtomicBool;
 use walk::Walk;
 
@@ -57,59 +61,37 @@ impl Bvh {
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
     pub fn visit(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
-        self.start::<_, true>(None, ray, visit);
+        simd::run_fastest(Walk::<_, true> {
+            tree: self,
+            ray,
+            visit,
+        });
     }
 
     /// [`Bvh::visit`] by chosen instructions.
     #[inline]
     pub fn visit_by(&self, simd: Simd, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
-        self.start::<_, true>(Some(simd), ray, visit);
+        simd.run(Walk::<_, true> {
+            tree: self,
+            ray,
+            visit,
+        });
     }
 
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
     pub fn visit_boxes(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
-        self.start::<_, false>(None, ray, visit);
+        simd::run_fastest(Walk::<_, false> {
+            tree: self,
+            ray,
+            visit,
+        });
     }
 
     /// Bytes that it takes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.packets)
-    }
-
-    #[inline(always)]
-    fn start<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool>(
-        &self,
-        simd: Option<Simd>,
-        ray: &Ray,
-        mut visit: F,
-    ) {
-        let unscale = 1.0 / self.scale;
-        let (prepared, end) = match TreeRay::prepare(ray, &self.bounds, self.scale) {
-            Prepared::Miss => return,
-            Prepared::Everything => {
-                for (triangle, corners) in self.packets.iter().flat_map(Packet::iter) {
-                    visit(triangle, node::wide(corners, unscale));
-                }
-                return;
-            }
-            Prepared::Ray(prepared, end) => (prepared, end),
-        };
-        let walk = Walk::<_, SIFT> {
-            nodes: &self.nodes,
-            packets: &self.packets,
-            ray: &prepared,
-            end,
-            visit: |packet: &Packet, lane: usize| {
-                let corners = node::wide(packet.corners_of(lane), unscale);
-                prepared.end(visit(packet.triangles[lane], corners))
-            },
-        };
-        match simd {
-            Some(simd) => simd.run(walk),
-            None => simd::run_fastest(walk),
-        }
     }
 }

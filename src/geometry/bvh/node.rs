@@ -29,6 +29,12 @@ pub(super) enum Plane {
 }
 
 impl Plane {
+    /// The sides with the smallest and the greatest x.
+    pub const X: [Self; 2] = [Self::MinX, Self::MaxX];
+    /// The sides with the smallest and the greatest y.
+    pub const Y: [Self; 2] = [Self::MinY, Self::MaxY];
+    /// The sides with the smallest and the greatest z.
+    pub const Z: [Self; 2] = [Self::MinZ, Self::MaxZ];
     /// The sides with the smallest coordinates, by axis.
     pub const MIN: [Self; 3] = [Self::MinX, Self::MinY, Self::MinZ];
     /// The sides with the greatest coordinates, by axis.
@@ -133,7 +139,9 @@ impl Packet {
     /// The corners of one of its triangles.
     #[inline(always)]
     pub fn corners_of(&self, lane: usize) -> [[f32; 3]; 3] {
-        self.corners.map(|corner| corner.map(|axis| axis[lane]))
+        let [a, b, c] = &self.corners;
+        let corner = |[x, y, z]: &[[f32; WIDTH]; 3]| [x[lane], y[lane], z[lane]];
+        [corner(a), corner(b), corner(c)]
     }
 
     /// Its triangles with their corners.
@@ -145,6 +153,7 @@ impl Packet {
 
 /// Corners in `f64`, lengths times `unscale`, which must be a power of two.
 #[inline(always)]
-pub(super) fn wide(corners: [[f32; 3]; 3], unscale: f64) -> [DVec3; 3] {
-    corners.map(|corner| unscale * DVec3::from_array(corner.map(f64::from)))
+pub(super) fn wide([a, b, c]: [[f32; 3]; 3], unscale: f64) -> [DVec3; 3] {
+    let corner = |[x, y, z]: [f32; 3]| unscale * DVec3::new(x.into(), y.into(), z.into());
+    [corner(a), corner(b), corner(c)]
 }

@@ -39,7 +39,7 @@ const U32: f64 = 0.5 * f32::EPSILON as f64;
 /// The unit roundoff of `f64`.
 const U64: f64 = 0.5 * f64::EPSILON;
 /// Smaller components of a direction are taken for this; the largest is 1.
-const LEAST_COMPONENT: f64 = 1.0 / (1_u64 << 60) as f64;
+const LEAST_COMPONENT: f64 = f64::from_bits((1023 - 60) << 52);
 
 /// See the module's page.
 #[derive(Debug)]
@@ -56,14 +56,10 @@ pub(super) struct TreeRay {
     pub exit_offset: [f32; 3],
     /// Two axes and the one along which the direction is largest.
     pub axes: [usize; 3],
-    /// Origin along the first two of `axes`.
-    pub origin: [f32; 2],
-    /// Direction along the first two of `axes`.
-    pub slope: [f32; 2],
-    /// 1 or -1: the direction along the last of `axes`.
-    pub sign: f32,
-    /// Origin along the last of `axes`, times `sign`.
-    pub signed_origin: f32,
+    /// The origin along these, the last times the direction's.
+    pub origin: [f32; 3],
+    /// The direction along these; the last is 1 or -1.
+    pub direction: [f32; 3],
     /// How far a corner may be from where `f32` sees it.
     pub reach: f32,
     /// What the caller's `t` is to be multiplied with, and then reduced by, to be a length from the moved origin.
@@ -83,68 +79,68 @@ pub(super) enum Prepared {
 
 impl TreeRay {
     /// `ray` among things in `bounds`, all lengths times `scale`.
-    #[inline]
+    #[inline(always)]
     pub fn prepare(ray: &Ray, bounds: &Aabb, scale: f64) -> Prepared {
-        let direction = ray.direction;
-        let sizes = direction.abs();
-        let along = if sizes.x >= sizes.y && sizes.x >= sizes.z {
-            0
-        } else if sizes.y >= sizes.z {
-            1
-        } else {
-            2
-        };
+        let sizes = ray.direction.abs();
+        let along = along(sizes);
+        let [first, second] = [[1, 2], [2, 0], [0, 1]][along];
         let size = sizes[along];
-        let direction = direction / size;
+        let safe = sizes.max(DVec3::splat(size * LEAST_COMPONENT));
+        let reciprocal = safe.copysign(ray.direction).recip();
+        let inverse = size * reciprocal;
+        let direction = ray.direction * reciprocal[along].abs();
         let origin = ray.origin * scale;
         let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-        let distance = origin.abs().max_element() + largest;
-        let far = 8.0 * U64 * distance;
+        let far = 8.0 * U64 * (origin.abs().max_element() + largest);
         let t_scale = size * scale;
         // Written so that NaN is false.
-        if !(direction.is_finite() && t_scale.is_normal() && far < largest) {
+        if !(t_scale.is_normal() && reciprocal.is_finite() && far < largest) {
             return Prepared::Everything;
         }
-        let safe = |d: f64| d.abs().max(LEAST_COMPONENT).copysign(d);
-        let inverse = DVec3::from_array(direction.to_array().map(|d| 1.0 / safe(d)));
+        let room = DVec3::splat(2.0 * far);
         let (to_min, to_max) = (
-            (bounds.min - 2.0 * far - origin) * inverse,
-            (bounds.max + 2.0 * far - origin) * inverse,
+            (bounds.min - room - origin) * inverse,
+            (bounds.max + room - origin) * inverse,
         );
-        let enter = to_min.min(to_max).max_element();
-        let leave = to_min.max(to_max).min_element();
-        let t_start = enter.max(ray.t_min * t_scale);
-        if !(t_start <= leave && t_start <= ray.t_max * t_scale) {
+        let enter = greater(to_min.min(to_max).max_element(), ray.t_min * t_scale);
+        let leave = lesser(to_min.max(to_max).min_element(), ray.t_max * t_scale);
+        if !(enter <= leave) {
             return Prepared::Miss;
         }
-        let moved = origin + t_start * direction;
+        let moved = origin + enter * direction;
         let pad = 8.0 * U32 * largest + 4.0 * far;
         let offset = moved * inverse;
         let padding = pad * inverse.abs();
-        let (first, second) = ([1, 2, 0][along], [2, 0, 1][along]);
-        let sign = 1.0_f64.copysign(direction[along]);
-        let enters_at_min = |axis: usize| direction[axis].is_sign_positive();
-        let side = |axis: usize, min: bool| {
-            if min {
-                Plane::MIN[axis]
-            } else {
-                Plane::MAX[axis]
-            }
-        };
+        let sign = 1.0_f64.copysign(ray.direction[along]);
+        let [x, y, z] = ray.direction.to_array().map(f64::is_sign_negative);
         let prepared = Self {
-            entry: std::array::from_fn(|axis| side(axis, enters_at_min(axis))),
-            exit: std::array::from_fn(|axis| side(axis, !enters_at_min(axis))),
+            entry: [
+                Plane::X[usize::from(x)],
+                Plane::Y[usize::from(y)],
+                Plane::Z[usize::from(z)],
+            ],
+            exit: [
+                Plane::X[usize::from(!x)],
+                Plane::Y[usize::from(!y)],
+                Plane::Z[usize::from(!z)],
+            ],
             inverse: inverse.as_vec3().to_array(),
             entry_offset: (offset + padding).as_vec3().to_array(),
             exit_offset: (offset - padding).as_vec3().to_array(),
             axes: [first, second, along],
-            origin: [narrow(moved[first]), narrow(moved[second])],
-            slope: [narrow(direction[first]), narrow(direction[second])],
-            sign: narrow(sign),
-            signed_origin: narrow(sign * moved[along]),
+            origin: [
+                narrow(moved[first]),
+                narrow(moved[second]),
+                narrow(sign * moved[along]),
+            ],
+            direction: [
+                narrow(direction[first]),
+                narrow(direction[second]),
+                narrow(sign),
+            ],
             reach: narrow(12.0 * U32 * largest + 4.0 * far),
             t_scale,
-            t_start,
+            t_start: enter,
         };
         let end = prepared.end(ray.t_max);
         Prepared::Ray(prepared, end)
@@ -154,8 +150,34 @@ impl TreeRay {
     #[inline(always)]
     pub fn end(&self, t_max: f64) -> f32 {
         // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
-        narrow((t_max * self.t_scale - self.t_start) * (1.0 + 4.0 * U32)).max(0.0)
+        narrow(greater(
+            (t_max * self.t_scale - self.t_start) * (1.0 + 4.0 * U32),
+            0.0,
+        ))
     }
+}
+
+/// The axis of the largest.
+#[inline(always)]
+fn along(sizes: DVec3) -> usize {
+    let larger = usize::from(sizes.y > sizes.x);
+    if sizes.z > greater(sizes.x, sizes.y) {
+        2
+    } else {
+        larger
+    }
+}
+
+/// As [`f64::max`], but where one is NaN it is anybody's guess.
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// As [`f64::min`], but where one is NaN it is anybody's guess.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a filter's number")]

@@ -12,6 +12,7 @@
     unsafe_code,
     reason = "vector instructions and an uncleared stack; see above"
 )]
+#![allow(clippy::wildcard_imports, reason = "one name an instruction")]
 
 use std::mem::MaybeUninit;
 
@@ -64,8 +65,8 @@ pub(super) fn run_fastest<W: Work>(work: W) -> W::Output {
 
 /// Something to do by whichever instructions there are.
 ///
-/// `run` must be `#[inline(always)]`, and so must what it calls with its lanes: only then is it compiled for the
-/// instructions that they stand for.
+/// `run` must be `#[inline(always)]`, and so must all that it calls with its lanes, which rules out closures: only then is
+/// it compiled for the instructions that they stand for.
 pub(super) trait Work {
     /// What comes out.
     type Output;
@@ -193,33 +194,28 @@ mod x86 {
     #[derive(Clone, Copy)]
     pub(super) struct Sse2;
 
-    #[inline(always)]
-    fn both(f: impl Fn(usize) -> __m128) -> [__m128; 2] {
-        [f(0), f(1)]
-    }
-
     // SAFETY of all: SSE2 is part of x86-64; loads and stores are unaligned and of four floats, of which the arrays
     // have two times as many; a prefetch reads nothing.
     #[rustfmt::skip] // A line an operation.
     impl Lanes for Sse2 {
         type F = [__m128; 2];
-        #[inline(always)] fn splat(self, x: f32) -> Self::F { both(|_| unsafe { _mm_set1_ps(x) }) }
-        #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { both(|i| unsafe { _mm_loadu_ps(from[4 * i..4 * i + 4].as_ptr()) }) }
-        #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { let mut to = [0.0; 8]; for i in 0..2 { unsafe { _mm_storeu_ps(to[4 * i..4 * i + 4].as_mut_ptr(), from[i]) } } to }
-        #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { both(|i| unsafe { _mm_add_ps(a[i], b[i]) }) }
-        #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { both(|i| unsafe { _mm_sub_ps(a[i], b[i]) }) }
-        #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { both(|i| unsafe { _mm_mul_ps(a[i], b[i]) }) }
+        #[inline(always)] fn splat(self, x: f32) -> Self::F { unsafe { [_mm_set1_ps(x); 2] } }
+        #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { unsafe { [_mm_loadu_ps(from.as_ptr()), _mm_loadu_ps(from[4..].as_ptr())] } }
+        #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { let mut to = [0.0; 8]; unsafe { _mm_storeu_ps(to.as_mut_ptr(), from[0]); _mm_storeu_ps(to[4..].as_mut_ptr(), from[1]) }; to }
+        #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_add_ps(a[0], b[0]), _mm_add_ps(a[1], b[1])] } }
+        #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_sub_ps(a[0], b[0]), _mm_sub_ps(a[1], b[1])] } }
+        #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_mul_ps(a[0], b[0]), _mm_mul_ps(a[1], b[1])] } }
         #[inline(always)] fn mul_sub(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { self.sub(self.mul(a, b), c) }
         #[inline(always)] fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F { self.sub(c, self.mul(a, b)) }
-        #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { both(|i| unsafe { _mm_min_ps(a[i], b[i]) }) }
-        #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { both(|i| unsafe { _mm_max_ps(a[i], b[i]) }) }
-        #[inline(always)] fn abs(self, a: Self::F) -> Self::F { both(|i| unsafe { _mm_andnot_ps(_mm_set1_ps(-0.0), a[i]) }) }
-        #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { let half = |i: usize| unsafe { _mm_movemask_ps(_mm_cmple_ps(a[i], b[i])).cast_unsigned() }; half(0) | half(1) << 4 }
+        #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_min_ps(a[0], b[0]), _mm_min_ps(a[1], b[1])] } }
+        #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_max_ps(a[0], b[0]), _mm_max_ps(a[1], b[1])] } }
+        #[inline(always)] fn abs(self, a: Self::F) -> Self::F { unsafe { [_mm_andnot_ps(_mm_set1_ps(-0.0), a[0]), _mm_andnot_ps(_mm_set1_ps(-0.0), a[1])] } }
+        #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { let [low, high] = unsafe { [_mm_movemask_ps(_mm_cmple_ps(a[0], b[0])), _mm_movemask_ps(_mm_cmple_ps(a[1], b[1]))] }; (low | high << 4).cast_unsigned() }
         #[inline(always)] fn prefetch<T>(self, item: &T) { unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(item).cast()) } }
     }
 }
 
-/// What a walk has yet to look at; holds as much as the deepest tree needs (see [`super::build::DEEPEST`]).
+/// What a walk has yet to look at; holds as much as the deepest tree needs (see the assertion in [`super::split`]).
 pub(super) struct Stack {
     items: [MaybeUninit<u64>; Self::CAPACITY],
     len: usize,

@@ -1,4 +1,4 @@
-//! Where ranges of triangles are cut: by the surface area heuristic (MacDonald & Booth 1990), estimated in bins (Wald,
+//! Where ranges of triangles are cut: by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald,
 //! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
 //! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
@@ -129,13 +129,11 @@ impl<'a> Range<'a> {
 
     /// In two, neither empty.
     fn split(self, by_area: bool) -> (Self, Self) {
-        match by_area.then(|| Binning::new(&self).best()).flatten() {
-            Some(cut) => self.split_at(&cut),
-            None => {
-                let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
-                (Self::new(a), Self::new(b))
-            }
+        if by_area && let Some(cut) = Binning::new(&self).best() {
+            return self.split_at(&cut);
         }
+        let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
+        (Self::new(a), Self::new(b))
     }
 
     fn split_at(self, cut: &Cut) -> (Self, Self) {
@@ -186,7 +184,7 @@ impl Bins {
     /// than them gives some bin, always the same, even for what overflows.
     #[inline(always)]
     fn of(&self, center: Vec4) -> [usize; 3] {
-        const INTEGER: f32 = (1 << 23) as f32;
+        const INTEGER: f32 = 8_388_608.0; // 2^23
         let at = (center - self.origin) * self.scale + Vec4::splat(INTEGER);
         let [x, y, z, _] = at.to_array();
         [x, y, z].map(|x| x.to_bits() as usize % BINS)
@@ -213,7 +211,7 @@ impl Cut {
 struct Binning {
     bins: Bins,
     extents: [[Extent; BINS]; 3],
-    counts: [[u32; BINS]; 3],
+    counts: [[usize; BINS]; 3],
 }
 
 impl Binning {
@@ -274,9 +272,9 @@ impl Binning {
 
 /// Surface times packets: what a ray is expected to pay; infinite for nothing at all.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
-fn cost(extent: &Extent, count: u32) -> f32 {
+fn cost(extent: &Extent, count: usize) -> f32 {
     if count == 0 {
         return f32::INFINITY;
     }
-    extent.area() * count.div_ceil(WIDTH as u32) as f32
+    extent.area() * count.div_ceil(WIDTH) as f32
 }

@@ -1,35 +1,47 @@
 //! A ray's way through a tree.
 
 use super::{
-    node::{Child, Node, Packet, Plane, WIDTH},
-    ray::TreeRay,
+    Bvh,
+    node::{Child, Node, Packet, Plane, WIDTH, wide},
+    ray::{Prepared, TreeRay},
     simd::{Lanes, Stack, Work},
 };
+use crate::geometry::Ray;
+use glam::DVec3;
 
-/// Hands the triangles that a ray may hit to `visit`, each with its packet and lane, nearer boxes first; `visit` returns
-/// the new end of the interval, as [`TreeRay::end`] has it.
+/// Hands the triangles that a ray may hit to `visit`, with their corners, nearer boxes first; `visit` returns the new end
+/// of the ray's interval.
 ///
 /// Where `SIFT` is false, triangles are judged by their boxes alone.
 pub(super) struct Walk<'a, F, const SIFT: bool> {
-    pub nodes: &'a [Node],
-    pub packets: &'a [Packet],
-    pub ray: &'a TreeRay,
-    pub end: f32,
+    pub tree: &'a Bvh,
+    pub ray: &'a Ray,
     pub visit: F,
 }
 
-impl<F: FnMut(&Packet, usize) -> f32, const SIFT: bool> Work for Walk<'_, F, SIFT> {
+impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self {
-            nodes,
-            packets,
+            tree,
             ray,
-            mut end,
             mut visit,
         } = self;
+        let unscale = 1.0 / tree.scale;
+        let (ray, mut end) = match TreeRay::prepare(ray, &tree.bounds, tree.scale) {
+            Prepared::Miss => return,
+            Prepared::Everything => {
+                for (triangle, corners) in tree.packets.iter().flat_map(Packet::iter) {
+                    visit(triangle, wide(corners, unscale));
+                }
+                return;
+            }
+            Prepared::Ray(ray, end) => (ray, end),
+        };
+        let (nodes, packets) = (&*tree.nodes, &*tree.packets);
+        let ray = &ray;
         let boxes = Boxes::new(lanes, ray);
         let sieve = Sieve::new(lanes, ray);
         let mut stack = Stack::new();
@@ -45,7 +57,8 @@ impl<F: FnMut(&Packet, usize) -> f32, const SIFT: bool> Work for Walk<'_, F, SIF
                 while hit != 0 {
                     let lane = hit.trailing_zeros() as usize % WIDTH;
                     hit &= hit - 1;
-                    end = visit(packet, lane);
+                    let corners = wide(packet.corners_of(lane), unscale);
+                    end = ray.end(visit(packet.triangles[lane], corners));
                 }
             } else {
                 let node = &nodes[child.index()];
@@ -77,16 +90,11 @@ fn nearest<L: Lanes>(
     stack: &mut Stack,
 ) -> Child {
     let enter = lanes.store(enter);
-    let mut next = || {
-        let lane = hit.trailing_zeros() as usize % WIDTH;
-        hit &= hit - 1;
-        (hit, item(enter[lane], node.children[lane]))
-    };
-    let (rest, first) = next();
-    if rest == 0 {
+    let first = next(node, &mut hit, &enter);
+    if hit == 0 {
         return Child::from_bits(low(first));
     }
-    let (rest, second) = next();
+    let second = next(node, &mut hit, &enter);
     let (mut near, far) = if first <= second {
         (first, second)
     } else {
@@ -94,14 +102,14 @@ fn nearest<L: Lanes>(
     };
     prefetch(lanes, lists, near);
     prefetch(lanes, lists, far);
-    if rest == 0 {
+    if hit == 0 {
         stack.push(far);
         return Child::from_bits(low(near));
     }
     let start = stack.len();
     stack.push(far);
     loop {
-        let (rest, mut other) = next();
+        let mut other = next(node, &mut hit, &enter);
         prefetch(lanes, lists, other);
         if other < near {
             (near, other) = (other, near);
@@ -115,10 +123,18 @@ fn nearest<L: Lanes>(
             at -= 1;
         }
         items[at] = other;
-        if rest == 0 {
+        if hit == 0 {
             return Child::from_bits(low(near));
         }
     }
+}
+
+/// The first child in `hit`, which it leaves.
+#[inline(always)]
+fn next(node: &Node, hit: &mut u32, enter: &[f32; WIDTH]) -> u64 {
+    let lane = hit.trailing_zeros() as usize % WIDTH;
+    *hit &= *hit - 1;
+    item(enter[lane], node.children[lane])
 }
 
 #[inline(always)]
@@ -154,7 +170,6 @@ fn low(item: u64) -> u32 {
 }
 
 #[inline(always)]
-#[expect(clippy::cast_possible_truncation, reason = "the upper half")]
 fn begins(item: u64) -> f32 {
     f32::from_bits((item >> 32) as u32)
 }
@@ -178,49 +193,65 @@ struct Boxes<L: Lanes> {
 impl<L: Lanes> Boxes<L> {
     #[inline(always)]
     fn new(lanes: L, ray: &TreeRay) -> Self {
-        let splat = |v: [f32; 3]| v.map(|x| lanes.splat(x));
         Self {
             entry: ray.entry,
             exit: ray.exit,
-            inverse: splat(ray.inverse),
-            entry_offset: splat(ray.entry_offset),
-            exit_offset: splat(ray.exit_offset),
+            inverse: splat3(lanes, ray.inverse),
+            entry_offset: splat3(lanes, ray.entry_offset),
+            exit_offset: splat3(lanes, ray.exit_offset),
         }
     }
 
     /// Which boxes the ray may enter before `end`, and where.
     #[inline(always)]
     fn may_hit(&self, lanes: L, node: &Node, end: f32) -> (u32, L::F) {
-        let at = |side: [Plane; 3], offset: [L::F; 3], axis: usize| {
-            let plane = lanes.load(&node.planes[side[axis] as usize]);
-            lanes.mul_sub(plane, self.inverse[axis], offset[axis])
-        };
-        let enter = |axis| at(self.entry, self.entry_offset, axis);
-        let leave = |axis| at(self.exit, self.exit_offset, axis);
         // 0 comes second: of zeros of both signs it is the one that is kept.
         let begin = lanes.max(
-            lanes.max(enter(0), enter(1)),
-            lanes.max(enter(2), lanes.splat(0.0)),
+            lanes.max(self.enter(lanes, node, 0), self.enter(lanes, node, 1)),
+            lanes.max(self.enter(lanes, node, 2), lanes.splat(0.0)),
         );
         let end = lanes.min(
-            lanes.min(leave(0), leave(1)),
-            lanes.min(leave(2), lanes.splat(end)),
+            lanes.min(self.leave(lanes, node, 0), self.leave(lanes, node, 1)),
+            lanes.min(self.leave(lanes, node, 2), lanes.splat(end)),
         );
         (lanes.le(begin, end), begin)
     }
+
+    #[inline(always)]
+    fn enter(&self, lanes: L, node: &Node, axis: usize) -> L::F {
+        let plane = lanes.load(&node.planes[self.entry[axis] as usize]);
+        lanes.mul_sub(plane, self.inverse[axis], self.entry_offset[axis])
+    }
+
+    #[inline(always)]
+    fn leave(&self, lanes: L, node: &Node, axis: usize) -> L::F {
+        let plane = lanes.load(&node.planes[self.exit[axis] as usize]);
+        lanes.mul_sub(plane, self.inverse[axis], self.exit_offset[axis])
+    }
+}
+
+#[inline(always)]
+fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
+    [lanes.splat(x), lanes.splat(y), lanes.splat(z)]
 }
 
 /// A ray against the eight triangles of a packet.
 struct Sieve<L: Lanes> {
     axes: [usize; 3],
-    origin: [L::F; 2],
-    slope: [L::F; 2],
-    sign: L::F,
-    signed_origin: L::F,
+    origin: [L::F; 3],
+    direction: [L::F; 3],
     reach: L::F,
     reach_5: L::F,
-    reach_behind: L::F,
+    behind: L::F,
     reach_scalar: f32,
+}
+
+/// Eight corners as the ray sees them: how far along it, and how far beside.
+#[derive(Clone, Copy)]
+struct Seen<L: Lanes> {
+    t: L::F,
+    x: L::F,
+    y: L::F,
 }
 
 impl<L: Lanes> Sieve<L> {
@@ -228,50 +259,61 @@ impl<L: Lanes> Sieve<L> {
     fn new(lanes: L, ray: &TreeRay) -> Self {
         Self {
             axes: ray.axes,
-            origin: ray.origin.map(|x| lanes.splat(x)),
-            slope: ray.slope.map(|x| lanes.splat(x)),
-            sign: lanes.splat(ray.sign),
-            signed_origin: lanes.splat(ray.signed_origin),
+            origin: splat3(lanes, ray.origin),
+            direction: splat3(lanes, ray.direction),
             reach: lanes.splat(ray.reach),
             reach_5: lanes.splat(5.0 * ray.reach),
-            reach_behind: lanes.splat(-ray.reach),
+            behind: lanes.splat(-ray.reach),
             reach_scalar: ray.reach,
+        }
+    }
+
+    #[inline(always)]
+    fn see(&self, lanes: L, corner: &[[f32; WIDTH]; 3]) -> Seen<L> {
+        let x = lanes.load(&corner[self.axes[0]]);
+        let y = lanes.load(&corner[self.axes[1]]);
+        let along = lanes.load(&corner[self.axes[2]]);
+        let t = lanes.mul_sub(along, self.direction[2], self.origin[2]);
+        Seen {
+            t,
+            x: lanes.sub_mul(lanes.sub(x, self.origin[0]), self.direction[0], t),
+            y: lanes.sub_mul(lanes.sub(y, self.origin[1]), self.direction[1], t),
         }
     }
 
     /// Which triangles the ray may hit before `end`; see [`super::ray`] for the bounds.
     #[inline(always)]
     fn may_hit(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
-        let seen = |corner: usize| {
-            let [x, y, along] = self
-                .axes
-                .map(|axis| lanes.load(&packet.corners[corner][axis]));
-            let t = lanes.mul_sub(along, self.sign, self.signed_origin);
-            let x = lanes.sub_mul(lanes.sub(x, self.origin[0]), self.slope[0], t);
-            let y = lanes.sub_mul(lanes.sub(y, self.origin[1]), self.slope[1], t);
-            (t, x, y)
-        };
-        let [(ta, xa, ya), (tb, xb, yb), (tc, xc, yc)] = [seen(0), seen(1), seen(2)];
-        let edge = |x1, y1, x2, y2| lanes.mul_sub(x1, y2, lanes.mul(y1, x2));
-        let (u, v, w) = (
-            edge(xb, yb, xc, yc),
-            edge(xc, yc, xa, ya),
-            edge(xa, ya, xb, yb),
-        );
+        let [a, b, c] = &packet.corners;
+        let a = self.see(lanes, a);
+        let b = self.see(lanes, b);
+        let c = self.see(lanes, c);
+        let (u, v, w) = (edge(lanes, b, c), edge(lanes, c, a), edge(lanes, a, b));
         let least = lanes.min(lanes.min(u, v), w);
         let greatest = lanes.max(lanes.max(u, v), w);
-        let size = |x, y| lanes.max(lanes.abs(x), lanes.abs(y));
-        let m = lanes.max(lanes.max(size(xa, ya), size(xb, yb)), size(xc, yc));
-        let e = {
-            let minus_10_u = lanes.splat(-5.0 * f32::EPSILON);
-            let slack = lanes.sub_mul(self.reach_5, m, minus_10_u);
-            lanes.mul(lanes.add(m, self.reach), slack)
-        };
+        let m = lanes.max(
+            lanes.max(beside(lanes, a), beside(lanes, b)),
+            beside(lanes, c),
+        );
+        let slack = lanes.sub_mul(self.reach_5, m, lanes.splat(-5.0 * f32::EPSILON));
+        let e = lanes.mul(lanes.add(m, self.reach), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
-        let nearest = lanes.min(lanes.min(ta, tb), tc);
-        let farthest = lanes.max(lanes.max(ta, tb), tc);
-        let limit = lanes.splat(end + self.reach_scalar);
-        one_sign & lanes.le(nearest, limit) & lanes.le(self.reach_behind, farthest)
+        let nearest = lanes.min(lanes.min(a.t, b.t), c.t);
+        let farthest = lanes.max(lanes.max(a.t, b.t), c.t);
+        let end = lanes.splat(end + self.reach_scalar);
+        one_sign & lanes.le(nearest, end) & lanes.le(self.behind, farthest)
     }
+}
+
+/// Twice the area that two corners span with the ray, with its sign.
+#[inline(always)]
+fn edge<L: Lanes>(lanes: L, a: Seen<L>, b: Seen<L>) -> L::F {
+    lanes.mul_sub(a.x, b.y, lanes.mul(a.y, b.x))
+}
+
+/// The larger of |x| and |y|.
+#[inline(always)]
+fn beside<L: Lanes>(lanes: L, a: Seen<L>) -> L::F {
+    lanes.max(lanes.abs(a.x), lanes.abs(a.y))
 }
