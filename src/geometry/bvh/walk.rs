@@ -157,7 +157,7 @@ fn prefetch<L: Lanes>(lanes: L, (nodes, packets): (&[Node], &[Packet]), item: u6
 }
 
 /// A child and where its box begins, so that the nearer is the smaller number: floats that are not negative are ordered
-/// as their bits are.
+/// as their bits are. (Others, of rays that begin behind their origin, are merely visited in another order.)
 #[inline(always)]
 fn item(begins: f32, child: Child) -> u64 {
     u64::from(begins.to_bits()) << 32 | u64::from(child.bits())
@@ -188,6 +188,7 @@ struct Boxes<L: Lanes> {
     inverse: [L::F; 3],
     entry_offset: [L::F; 3],
     exit_offset: [L::F; 3],
+    start: L::F,
 }
 
 impl<L: Lanes> Boxes<L> {
@@ -199,16 +200,16 @@ impl<L: Lanes> Boxes<L> {
             inverse: splat3(lanes, ray.inverse),
             entry_offset: splat3(lanes, ray.entry_offset),
             exit_offset: splat3(lanes, ray.exit_offset),
+            start: lanes.splat(ray.start),
         }
     }
 
     /// Which boxes the ray may enter before `end`, and where.
     #[inline(always)]
     fn may_hit(&self, lanes: L, node: &Node, end: f32) -> (u32, L::F) {
-        // 0 comes second: of zeros of both signs it is the one that is kept.
         let begin = lanes.max(
             lanes.max(self.enter(lanes, node, 0), self.enter(lanes, node, 1)),
-            lanes.max(self.enter(lanes, node, 2), lanes.splat(0.0)),
+            lanes.max(self.enter(lanes, node, 2), self.start),
         );
         let end = lanes.min(
             lanes.min(self.leave(lanes, node, 0), self.leave(lanes, node, 1)),
@@ -239,10 +240,11 @@ fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
 struct Sieve<L: Lanes> {
     axes: [usize; 3],
     origin: [L::F; 3],
-    direction: [L::F; 3],
+    slope: [L::F; 3],
     reach: L::F,
     reach_5: L::F,
     behind: L::F,
+    size: f32,
     reach_scalar: f32,
 }
 
@@ -260,10 +262,11 @@ impl<L: Lanes> Sieve<L> {
         Self {
             axes: ray.axes,
             origin: splat3(lanes, ray.origin),
-            direction: splat3(lanes, ray.direction),
+            slope: splat3(lanes, ray.slope),
             reach: lanes.splat(ray.reach),
             reach_5: lanes.splat(5.0 * ray.reach),
-            behind: lanes.splat(-ray.reach),
+            behind: lanes.splat(ray.start * ray.size - ray.reach),
+            size: ray.size,
             reach_scalar: ray.reach,
         }
     }
@@ -273,11 +276,11 @@ impl<L: Lanes> Sieve<L> {
         let x = lanes.load(&corner[self.axes[0]]);
         let y = lanes.load(&corner[self.axes[1]]);
         let along = lanes.load(&corner[self.axes[2]]);
-        let t = lanes.mul_sub(along, self.direction[2], self.origin[2]);
+        let t = lanes.mul_sub(along, self.slope[2], self.origin[2]);
         Seen {
             t,
-            x: lanes.sub_mul(lanes.sub(x, self.origin[0]), self.direction[0], t),
-            y: lanes.sub_mul(lanes.sub(y, self.origin[1]), self.direction[1], t),
+            x: lanes.sub_mul(lanes.sub(x, self.origin[0]), self.slope[0], t),
+            y: lanes.sub_mul(lanes.sub(y, self.origin[1]), self.slope[1], t),
         }
     }
 
@@ -301,7 +304,7 @@ impl<L: Lanes> Sieve<L> {
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
         let nearest = lanes.min(lanes.min(a.t, b.t), c.t);
         let farthest = lanes.max(lanes.max(a.t, b.t), c.t);
-        let end = lanes.splat(end + self.reach_scalar);
+        let end = lanes.splat(end * self.size + self.reach_scalar);
         one_sign & lanes.le(nearest, end) & lanes.le(self.behind, farthest)
     }
 }
