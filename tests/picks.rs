@@ -407,7 +407,7 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
     };
     assert_eq!(
         serde_json::to_string(&line).unwrap(),
-        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0,"gap":null}}"#
+        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0,"gap":null,"exact":false,"differs_px":2.0}}"#
     );
     let miss = PickLine { px, hit: None };
     assert_eq!(
@@ -476,4 +476,129 @@ fn records_are_finite_from_any_eye() {
         }
     }
     assert!(hits > 3000, "only {hits} hits");
+}
+
+/// Triangles and squares of many sizes, some touching, in a picture of 80 x 60.
+fn crowded() -> (Scene, View) {
+    let mut random = Random::new(51);
+    let mut objects = Vec::new();
+    for i in 0..9 {
+        let size = 10_f64.powf(random.within(-1.0, 0.6));
+        let model = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(size)),
+            translation: random.point(2.0),
+        };
+        let corners = [
+            [-0.5, -0.5, 0.0],
+            [0.5, -0.5, 0.0],
+            [0.5, 0.5, 0.1],
+            [-0.5, 0.5, -0.1],
+        ];
+        let quad = Shape::Mesh {
+            mesh: mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], DVec3::ZERO),
+            part: 0,
+        };
+        let shape = [quad, Shape::Sphere, Shape::Square][i % 3].clone();
+        objects.push(Object::new("", shape, Placement::new(model).unwrap()));
+    }
+    let view = view(
+        [0.0, 0.0, 6.0],
+        [0.0; 3],
+        perspective(50.0, 0.5, 50.0),
+        [80, 60],
+    );
+    (Scene::new(objects), view)
+}
+
+#[test]
+fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
+    let (scene, view) = crowded();
+    let (ids, _) = pick::raycast(&scene, &view);
+    let (mut near, mut none) = (0, 0);
+    for ((x, y), here) in ids.positions().zip(ids.pixels()) {
+        let center = dvec2(x.into(), y.into());
+        let Some(pick) = pick::pick(&scene, &view, center + 0.5) else {
+            continue;
+        };
+        let others = ids
+            .positions()
+            .zip(ids.pixels())
+            .filter(|(_, id)| *id != here);
+        let truth = others
+            .map(|((x, y), _)| center.distance(dvec2(x.into(), y.into())))
+            .fold(f64::INFINITY, f64::min);
+        assert_eq!(
+            pick.differs_px,
+            (truth <= 8.0).then_some(truth),
+            "at {center}"
+        );
+        match pick.differs_px {
+            Some(px) if px < 8.0 => near += 1,
+            Some(_) => {}
+            None => none += 1,
+        }
+        if x % 4 != 0 {
+            continue;
+        }
+        for pick in pick::pick_all(&scene, &view, center + 0.5) {
+            assert_eq!(
+                pick.differs_px,
+                (truth <= 8.0).then_some(truth),
+                "one number for all"
+            );
+        }
+    }
+    assert!(near > 500 && none > 20, "{near} near, {none} far");
+}
+
+#[test]
+fn exact_says_when_f64_cannot_decide() {
+    let sheet = |z: f64| {
+        // Two triangles that share a diagonal, on whole coordinates.
+        let corners = [[-8.0, -8.0], [8.0, -8.0], [8.0, 8.0], [-8.0, 8.0_f32]];
+        #[expect(clippy::cast_possible_truncation, reason = "small and whole")]
+        let positions = corners.map(|[x, y]| [x, y, z as f32]);
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        Shape::Mesh {
+            mesh: mesh(positions.to_vec(), triangles, DVec3::ZERO),
+            part: 0,
+        }
+    };
+    let object = |shape: Shape| Object::new("", shape, Placement::IDENTITY);
+    let view = view(
+        [0.0, 0.0, 8.0],
+        [0.0; 3],
+        orthographic(16.0, 1.0, 50.0),
+        [16, 16],
+    );
+    let exact = |scene: &Scene, px: DVec2| -> Vec<bool> {
+        let picks = pick::pick_all(scene, &view, px);
+        picks.iter().map(|pick| pick.exact).collect()
+    };
+    let (beside, diagonal) = (dvec2(9.5, 3.5), dvec2(9.5, 6.5));
+    // Alone: only upon the diagonal, where both triangles are hit.
+    let one = Scene::new(vec![object(sheet(0.0))]);
+    assert_eq!(exact(&one, beside), [false]);
+    assert_eq!(exact(&one, diagonal), [true, true]);
+    // What lies behind is not in doubt because of what lies behind it.
+    let mut two = Scene::new(vec![object(Shape::Square), object(sheet(-3.0))]);
+    let front = dvec2(8.25, 7.75);
+    assert_eq!(exact(&two, front), [false, true, true]);
+    // Nor because of what is hidden.
+    two.set_visible(1, false);
+    assert_eq!(exact(&two, front), [false]);
+    // The same triangle twice in one mesh: which is nearer takes exact arithmetic.
+    let corners = vec![[-8.0, -8.0, 0.0], [8.0, -8.0, 0.1], [0.0, 8.0, 0.3_f32]];
+    let twice = mesh(corners, vec![[0, 1, 2], [1, 2, 0]], DVec3::ZERO);
+    let twice = Scene::new(vec![object(Shape::Mesh {
+        mesh: twice,
+        part: 0,
+    })]);
+    let picks = pick::pick_all(&twice, &view, dvec2(7.3, 9.1));
+    let found: Vec<_> = picks
+        .iter()
+        .map(|pick| (pick.triangle, pick.exact))
+        .collect();
+    assert_eq!(found, [(Some(0), true), (Some(1), true)]);
+    assert_eq!(picks[0].gap, Some(0.0));
 }

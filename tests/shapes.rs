@@ -5,7 +5,9 @@ mod common;
 use common::{Random, assert_close, assert_near, mesh, placements, ray_to, scene_of};
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
-    geometry::{Cuboid, Placement, PlacementError, Ray, Sides, Sphere, Square, signed_volume},
+    geometry::{
+        Cuboid, Placement, PlacementError, Ray, Sides, Sphere, Square, VertexRay, guarded_volume,
+    },
     pick::{self, SceneHit},
     scene::{Scene, Shape},
 };
@@ -302,9 +304,9 @@ fn only_what_lies_in_the_interval_counts() {
         dvec3(1.0, -1.0, 0.0),
         dvec3(0.0, 1.0, 0.0),
     ];
-    assert!(signed_volume(&down(1.0, 1.5), corners).is_some());
-    assert!(signed_volume(&down(0.0, 1.0), corners).is_none());
-    assert!(signed_volume(&down(-2.0, 0.5), corners).is_none());
+    assert!(guarded_volume(&VertexRay::new(&down(1.0, 1.5), DVec3::ZERO), corners).is_some());
+    assert!(guarded_volume(&VertexRay::new(&down(0.0, 1.0), DVec3::ZERO), corners).is_none());
+    assert!(guarded_volume(&VertexRay::new(&down(-2.0, 0.5), DVec3::ZERO), corners).is_none());
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod common;
 use common::{Random, mesh, placements, ray_to, scene_of};
 use glam::{DAffine3, DVec3, dvec3};
 use sightline::{
-    geometry::{ColourRun, Hit, Mesh, MeshData, Part, Placement, Ray, Sides, signed_volume},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, guarded_volume},
     pick,
     scene::{Object, Scene, Shape},
 };
@@ -25,15 +25,6 @@ fn soup(seed: u64, scale: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
         triangles.extend((first..first + 4).map(|i| [i, i + 1, i + 2]));
     }
     (positions, triangles)
-}
-
-/// All hits in the order of picks.
-fn sorted(mesh: &Mesh, ray: &Ray, sides: Sides) -> Vec<Hit> {
-    let mut hits = Vec::new();
-    mesh.all(ray, sides, |_| true, &mut hits);
-    let key = |hit: &Hit| (hit.t, hit.on_triangle.map(|at| at.triangle));
-    hits.sort_by(|a, b| key(a).partial_cmp(&key(b)).expect("no NaN"));
-    hits
 }
 
 #[test]
@@ -71,9 +62,9 @@ fn the_tree_finds_what_brute_force_finds() {
                 (ray.t_min, ray.t_max) = (0.3 * scale, 1.5 * scale);
             }
             for sides in [Sides::Both, Sides::Front] {
-                let expected = sorted(&brute, &ray, sides);
+                let expected = brute.all(&ray, sides, |_| true);
                 assert_eq!(
-                    sorted(&with_tree, &ray, sides),
+                    with_tree.all(&ray, sides, |_| true),
                     expected,
                     "ray {i} of seed {seed}"
                 );
@@ -327,7 +318,11 @@ fn triangles_without_area_are_never_hit() {
                 ray_to(random.point(3.0), target),
                 ray_to(target - step, target),
             ] {
-                assert_eq!(signed_volume(&ray, corners), None, "{ray:?} {corners:?}");
+                assert_eq!(
+                    guarded_volume(&VertexRay::new(&ray, DVec3::ZERO), corners),
+                    None,
+                    "{ray:?} {corners:?}"
+                );
                 tried += 1;
             }
         }
@@ -337,11 +332,20 @@ fn triangles_without_area_are_never_hit() {
             direction: dvec3(1.0, 0.5, 0.0),
             ..ray_to(a - DVec3::X, a)
         };
-        assert_eq!(signed_volume(&within, [a, b, c]), None);
+        assert_eq!(
+            guarded_volume(&VertexRay::new(&within, DVec3::ZERO), [a, b, c]),
+            None
+        );
     }
     assert_eq!(tried, 20_000);
     for bad in [f64::NAN, f64::INFINITY] {
         let corners = [dvec3(bad, 0.0, 0.0), DVec3::Y, DVec3::X];
-        assert_eq!(signed_volume(&ray_to(DVec3::Z, DVec3::ZERO), corners), None);
+        assert_eq!(
+            guarded_volume(
+                &VertexRay::new(&ray_to(DVec3::Z, DVec3::ZERO), DVec3::ZERO),
+                corners
+            ),
+            None
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Axis-aligned bounding boxes.
 
-use super::Ray;
+use super::VertexRay;
 use glam::DVec3;
 
 /// An axis-aligned box; [`Aabb::EMPTY`] holds nothing and is the start of a union.
@@ -88,23 +88,25 @@ impl Aabb {
         })
     }
 
-    /// Whether `ray` may hit something in the closed box within its interval, with room for the rounding of the slab
-    /// arithmetic, so that a box never hides what it holds. `inverse` is `1 / direction`.
+    /// Whether `ray` may hit something in the box, whose corners are `f32`: never false for a box that holds a point
+    /// of the ray's line within its interval, ends included. `inverse` is `1 / direction`.
     ///
-    /// A ray that runs within a face (where `0 * inf` is NaN) is inside that slab: the comparisons are ordered so that
-    /// NaN never wins (Barnes 2015, "Fast, branchless ray/bounding box intersections, part 2").
-    ///
-    /// Each bound is `(plane - origin) * inverse` with three roundings, one of them in `inverse`: a relative
-    /// error of at most `gamma(3)`. Widening both ends by twice that covers near and far plane together
-    /// (Ize 2013, "Robust BVH Ray Traversal").
+    /// With `U` half of `f64::EPSILON`: the way to a slab's plane has the right sign and errs by `2 U` of itself at
+    /// most, whatever the distance ([`VertexRay::to`]), `inverse` by `U` and their product by `U`; together `4 U`.
+    /// Widening by `12 U` covers that and the rounding of the widening (after Ize, "Robust BVH Ray Traversal", JCGT
+    /// 2(2), 2013, whose `2 ulp` leaves the subtraction to padded boxes). A ray along a slab is on the right side of
+    /// its planes, or upon them, where `0 * inf` is NaN and loses every comparison.
     #[must_use]
-    pub fn may_hit(&self, ray: &Ray, inverse: DVec3) -> bool {
+    pub fn may_hit(&self, ray: &VertexRay, inverse: DVec3) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
-        let mut enter = ray.t_min;
-        let mut leave = ray.t_max;
+        if !ray.is_bounded() {
+            return true;
+        }
+        let mut enter = ray.ray.t_min;
+        let mut leave = ray.ray.t_max;
+        let (to_min, to_max) = (ray.to(self.min) * inverse, ray.to(self.max) * inverse);
         for axis in 0..3 {
-            let a = (self.min[axis] - ray.origin[axis]) * inverse[axis];
-            let b = (self.max[axis] - ray.origin[axis]) * inverse[axis];
+            let (a, b) = (to_min[axis], to_max[axis]);
             let (near, far) = if inverse[axis].is_sign_negative() {
                 (b, a)
             } else {
@@ -119,6 +121,7 @@ impl Aabb {
                 leave = far;
             }
         }
-        enter <= leave
+        // Beside a slab that it runs along, it enters at infinity.
+        enter <= leave && enter < f64::INFINITY
     }
 }

@@ -1,11 +1,14 @@
 //! Triangle meshes: what one file holds.
 
 use super::{
-    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, signed_volume,
+    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
+    guarded_volume,
+    triangle::{compare_t, is_in_doubt},
 };
 use crate::colour::Srgb;
 use glam::DVec3;
 use std::{
+    cmp::Ordering,
     ops::Range,
     sync::{OnceLock, atomic::AtomicBool},
 };
@@ -196,13 +199,13 @@ impl Mesh {
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
-    /// the lowest triangle.
+    /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
     #[must_use]
     pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
-        self.nearest::<true>(ray, sides, signed_volume, accept)
+        self.nearest::<true>(ray, sides, guarded_volume, accept)
     }
 
-    /// [`Mesh::closest`] by another triangle test, which sees every triangle whose box the ray meets.
+    /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
     #[must_use]
     pub fn closest_by(
         &self,
@@ -219,47 +222,15 @@ impl Mesh {
         &self,
         ray: &Ray,
         sides: Sides,
-        test: impl Fn(&Ray, [DVec3; 3]) -> Option<TriangleHit>,
+        test: impl Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        let local = self.to_vertex_space(ray);
+        let local = VertexRay::new(ray, self.data.origin);
         let mut best: Option<Found> = None;
+        let mut end = ray.t_max;
         self.visit::<SIFT>(&local, |triangle, corners| {
-            let end = best.map_or(ray.t_max, |best| best.hit.t);
-            // Equal hits beyond the first are wanted too: the end is open, so it is moved by one step.
-            let within = Ray {
-                t_max: if best.is_some() { end.next_up() } else { end },
-                ..local
-            };
-            if let Some(hit) = test(&within, corners)
-                && sides.shows(local.direction, normal(corners))
-                && best.is_none_or(|best| (hit.t, triangle) < (best.hit.t, best.triangle))
-                && accept(self.part_of(triangle))
-            {
-                best = Some(Found {
-                    triangle,
-                    corners,
-                    hit,
-                });
-                return hit.t;
-            }
-            end
-        });
-        best.map(Found::into_hit)
-    }
-
-    /// All hits of an object-space ray on the parts that `accept` names, in no order.
-    pub fn all(
-        &self,
-        ray: &Ray,
-        sides: Sides,
-        accept: impl Fn(usize) -> bool,
-        hits: &mut Vec<Hit>,
-    ) {
-        let local = self.to_vertex_space(ray);
-        self.visit::<true>(&local, |triangle, corners| {
-            if let Some(hit) = signed_volume(&local, corners)
-                && sides.shows(local.direction, normal(corners))
+            if let Some(hit) = test(&local, corners)
+                && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
                 let found = Found {
@@ -267,30 +238,79 @@ impl Mesh {
                     corners,
                     hit,
                 };
-                hits.push(found.into_hit());
+                if best.is_none_or(|best| found.compare(&best, &local).is_lt()) {
+                    best = Some(found);
+                    // The exact parameter may be this much further, and nearer or equal ones may lie before it.
+                    end = hit.t + hit.t_error;
+                }
+            }
+            end
+        });
+        best.map(Found::into_hit)
+    }
+
+    /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
+    #[must_use]
+    pub fn all(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Vec<Hit> {
+        let local = VertexRay::new(ray, self.data.origin);
+        let mut all: Vec<Found> = Vec::new();
+        self.visit::<true>(&local, |triangle, corners| {
+            if let Some(hit) = guarded_volume(&local, corners)
+                && (sides == Sides::Both || hit.front)
+                && accept(self.part_of(triangle))
+            {
+                all.push(Found {
+                    triangle,
+                    corners,
+                    hit,
+                });
             }
             ray.t_max
         });
+        all.sort_by(|a, b| a.compare(b, &local));
+        all.into_iter().map(Found::into_hit).collect()
     }
 
-    /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order.
+    /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and
+    /// whose parts `accept` names. The same with and without a tree.
+    pub fn is_in_doubt(&self, ray: &Ray, accept: impl Fn(usize) -> bool) -> bool {
+        let local = VertexRay::new(ray, self.data.origin);
+        let inverse = ray.direction.recip();
+        let mut found = false;
+        let mut visit = |triangle, corners| {
+            found = found
+                || is_in_doubt(&local, corners)
+                    && Aabb::around(corners).may_hit(&local, inverse)
+                    && accept(self.part_of(triangle));
+            // Once is enough: nothing lies before this.
+            if found { f64::NEG_INFINITY } else { ray.t_max }
+        };
+        if local.is_bounded() {
+            self.visit::<false>(&local, visit);
+        } else {
+            self.every_triangle(&mut visit);
+        }
+        found
+    }
+
+    /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
+    /// false, a tree leaves out none whose box the ray may meet.
     #[inline]
-    fn visit<const SIFT: bool>(&self, local: &Ray, mut visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+    fn visit<const SIFT: bool>(
+        &self,
+        local: &VertexRay,
+        mut visit: impl FnMut(u32, [DVec3; 3]) -> f64,
+    ) {
         match self.tree.get() {
-            Some(tree) if SIFT => tree.visit(local, visit),
-            Some(tree) => tree.visit_boxes(local, visit),
-            None => {
-                for triangle in (0..).take(self.data.triangles.len()) {
-                    visit(triangle, self.vertex_corners(triangle));
-                }
-            }
+            Some(tree) if SIFT => tree.visit(&local.ray, visit),
+            Some(tree) => tree.visit_boxes(&local.ray, visit),
+            None => self.every_triangle(&mut visit),
         }
     }
 
-    fn to_vertex_space(&self, ray: &Ray) -> Ray {
-        Ray {
-            origin: ray.origin - self.data.origin,
-            ..*ray
+    fn every_triangle(&self, visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64) {
+        for triangle in (0..).take(self.data.triangles.len()) {
+            visit(triangle, self.vertex_corners(triangle));
         }
     }
 
@@ -308,13 +328,26 @@ struct Found {
 }
 
 impl Found {
+    /// The order along a ray.
+    fn compare(&self, other: &Self, local: &VertexRay) -> Ordering {
+        compare_t(local, (self.corners, self.hit), (other.corners, other.hit))
+            .then(self.triangle.cmp(&other.triangle))
+    }
+
     fn into_hit(self) -> Hit {
+        let Self {
+            triangle,
+            corners,
+            hit,
+        } = self;
         Hit {
-            t: self.hit.t,
-            normal: normal(self.corners),
+            t: hit.t,
+            normal: normal(corners),
             on_triangle: Some(OnTriangle {
-                triangle: self.triangle,
-                barycentric: self.hit.barycentric,
+                triangle,
+                barycentric: hit.barycentric,
+                front: hit.front,
+                t_error: hit.t_error,
             }),
         }
     }

@@ -5,6 +5,10 @@
 //! * **t** is the ray parameter of `origin + t * direction`. `direction` need not be a unit vector; a ray
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
 //! * A hit counts when `t_min <= t < t_max`; nothing else clips.
+//! * **The given ray** of a decision is the `f64` ray in object space. Of triangles, [`guarded_volume`] and [`Mesh`]
+//!   decide as exact arithmetic would for that ray and the stored `f32` vertices: hit or miss, front or back, in the
+//!   interval or not, which is nearest. Triangles are closed; rays within their plane miss them; those without area
+//!   are never hit; of those hit at the same `t` the lowest counts as first.
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
@@ -12,6 +16,7 @@
 mod bounds;
 mod bvh;
 mod cuboid;
+mod exact;
 mod mesh;
 mod normals;
 mod placement;
@@ -27,7 +32,8 @@ pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub use sphere::Sphere;
 pub use square::Square;
-pub use triangle::{TriangleHit, TriangleTest, signed_volume};
+pub(crate) use triangle::overlap;
+pub use triangle::{TriangleHit, TriangleTest, VertexRay, guarded_volume, signed_volume};
 
 use glam::DVec3;
 
@@ -82,7 +88,8 @@ impl Hit {
     /// Whether the ray meets the surface from outside.
     #[must_use]
     pub fn is_front(&self, direction: DVec3) -> bool {
-        direction.dot(self.normal) < 0.0
+        self.on_triangle
+            .map_or_else(|| direction.dot(self.normal) < 0.0, |at| at.front)
     }
 }
 
@@ -93,6 +100,10 @@ pub struct OnTriangle {
     pub triangle: u32,
     /// Weights of its corners, in order.
     pub barycentric: [f64; 3],
+    /// Whether the ray meets its front, which for a grazing ray the normal may be too inexact to tell.
+    pub front: bool,
+    /// How far `t` may be from the exact parameter; see [`TriangleHit::t_error`].
+    pub t_error: f64,
 }
 
 /// Which sides of a surface a ray may hit, and a picture shows.

@@ -11,7 +11,7 @@ pub use selection::draw_selection;
 
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest},
+    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest, overlap},
     scene::{Scene, Shape},
 };
 use glam::DVec2;
@@ -27,41 +27,46 @@ pub struct SceneHit {
 }
 
 impl SceneHit {
-    /// Order along the ray; of equal distances the lower object, then the lower triangle, comes first: what is drawn
-    /// first stays.
-    fn order(&self) -> (f64, usize, Option<u32>) {
-        (
-            self.hit.t,
-            self.object,
-            self.hit.on_triangle.map(|at| at.triangle),
-        )
+    /// Whether it comes before a hit of another batch: of equal distances the lower object, which is drawn first. Within
+    /// a batch a mesh orders its hits, exactly; between batches the `t` of `f64` decides, since each has a ray of its
+    /// own, rounded into its space.
+    fn is_before(&self, other: &Self) -> bool {
+        (self.hit.t, self.object) < (other.hit.t, other.object)
     }
 
-    fn is_before(&self, other: &Self) -> bool {
-        self.order() < other.order()
+    /// Whether `f64` leaves open which of the two is nearer.
+    fn overlaps(&self, other: &Self) -> bool {
+        let t = |hit: &Hit| Some((hit.t, hit.on_triangle?.t_error));
+        matches!((t(&self.hit), t(&other.hit)), (Some(a), Some(b)) if overlap(a, b))
     }
+}
+
+/// A parameter that lies behind every hit whose `t`, as `f64` rounds it, is not behind `t`: triangles keep half of
+/// its digits at least, everything else more.
+fn just_behind(t: f64) -> f64 {
+    t + 2.0 * f64::EPSILON.sqrt() * t.abs()
 }
 
 /// What a click at a pixel position picks: the surface nearest to the eye at that very position. `None` where the
 /// picture shows the background.
 #[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
-    let hit = closest(scene, &view.ray(px), view.sides)?;
-    Some(Pick::new(scene, view, px, &hit))
+    let hits = all(scene, &view.ray(px), view.sides);
+    hits.first()?;
+    let differs_px = certainty::differs_px(scene, view, px);
+    Some(Pick::of(scene, view, px, &hits, 0, differs_px))
 }
 
 /// Every surface at a pixel position, from front to back.
 #[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let hits = all(scene, &view.ray(px), view.sides);
-    let gap_after = |i: usize| {
-        hits.get(i + 1)
-            .map(|next: &SceneHit| next.hit.t - hits[i].hit.t)
-    };
-    let picks = hits.iter().enumerate();
-    picks
-        .map(|(i, hit)| Pick::with_gap(scene, view, px, hit, gap_after(i)))
-        .collect()
+    if hits.is_empty() {
+        return Vec::new();
+    }
+    let differs_px = certainty::differs_px(scene, view, px);
+    let picks = (0..hits.len()).map(|i| Pick::of(scene, view, px, &hits, i, differs_px));
+    picks.collect()
 }
 
 /// The nearest hit of a world-space ray on the visible objects.
@@ -79,8 +84,7 @@ pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) ->
 fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
     for batch in scene.batches() {
-        // Equal hits count too: a later object never wins them, but the interval is half open.
-        let within = best.map_or(*ray, |best| ray.until(best.hit.t.next_up()));
+        let within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
         let found = closest_in_batch(scene, batch, &within, sides, test);
         best = match (best, found) {
             (Some(best), Some(found)) if best.is_before(&found) => Some(best),
@@ -95,37 +99,66 @@ fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -
 pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
     let mut hits = Vec::new();
     for batch in scene.batches() {
+        let found = all_in_batch(scene, batch, ray, sides);
+        hits = merged(hits, found);
+    }
+    hits
+}
+
+/// Two lists of hits as one, each in its own order.
+fn merged(a: Vec<SceneHit>, b: Vec<SceneHit>) -> Vec<SceneHit> {
+    if a.is_empty() || b.is_empty() {
+        return if a.is_empty() { b } else { a };
+    }
+    let mut both = Vec::with_capacity(a.len() + b.len());
+    let (mut a, mut b) = (a.into_iter().peekable(), b.into_iter().peekable());
+    while let (Some(first), Some(second)) = (a.peek(), b.peek()) {
+        both.extend(if first.is_before(second) {
+            a.next()
+        } else {
+            b.next()
+        });
+    }
+    both.extend(a);
+    both.extend(b);
+    both
+}
+
+fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
+    let first = &scene.objects()[batch.start];
+    let local = first.placement.ray_to_object(ray);
+    match &first.shape {
+        Shape::Mesh { mesh, part } => {
+            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            let found = mesh.all(&local, sides, accept).into_iter();
+            let hits = found.filter_map(|hit| {
+                let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
+                Some(SceneHit { object, hit })
+            });
+            hits.collect()
+        }
+        shape if first.visible => {
+            let found = analytic_hits(shape, &local).into_iter().flatten();
+            let shown = found.filter(|hit| sides.shows(local.direction, hit.normal));
+            let object = batch.start;
+            shown.map(|hit| SceneHit { object, hit }).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether `f64` alone leaves open if a world-space ray hits one of the visible triangles in its interval.
+fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
+    scene.batches().iter().any(|batch| {
         let first = &scene.objects()[batch.start];
         let local = first.placement.ray_to_object(ray);
-        match &first.shape {
-            Shape::Mesh { mesh, part } => {
-                let mut found = Vec::new();
-                let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-                mesh.all(&local, sides, accept, &mut found);
-                hits.extend(found.into_iter().map(|hit| SceneHit {
-                    object: hit.on_triangle.map_or(batch.start, |at| {
-                        batch.start + mesh.part_of(at.triangle) - part
-                    }),
-                    hit,
-                }));
-            }
-            shape if first.visible => {
-                let found = analytic_hits(shape, &local).into_iter().flatten();
-                let shown = found.filter(|hit| sides.shows(local.direction, hit.normal));
-                hits.extend(shown.map(|hit| SceneHit {
-                    object: batch.start,
-                    hit,
-                }));
-            }
-            _ => {}
-        }
-    }
-    hits.sort_by(|a, b| {
-        a.order()
-            .partial_cmp(&b.order())
-            .unwrap_or(std::cmp::Ordering::Equal)
-    });
-    hits
+        let Shape::Mesh { mesh, part } = &first.shape else {
+            return false;
+        };
+        mesh.is_in_doubt(&local, |part_hit| {
+            visible_part(scene, batch, *part, part_hit).is_some()
+        })
+    })
 }
 
 fn closest_in_batch(

@@ -1,6 +1,6 @@
 //! All that is known about a pick, and its JSON.
 
-use super::{SceneHit, all, certainty};
+use super::{SceneHit, certainty};
 use crate::{camera::View, scene::Scene};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -39,6 +39,13 @@ pub struct Pick {
     pub edge_px: Option<f64>,
     /// How far behind the point the next surface lies along the ray; `None` when there is none.
     pub gap: Option<f64>,
+    /// Whether exact arithmetic had to decide: because the ray passes an edge of a triangle, this one's or one's in
+    /// front of it, within the rounding of `f64`, or because another triangle's hit lies as near to this one.
+    pub exact: bool,
+    /// How far the nearest pixel lies, in pixels from centre to centre and up to 8, in which the picture shows another
+    /// object, another triangle or the background; `None` when there is none. One number for all surfaces at a
+    /// position.
+    pub differs_px: Option<f64>,
 }
 
 /// One pick as a line of JSON.
@@ -60,30 +67,17 @@ pub struct PickLines {
 }
 
 impl Pick {
-    /// The record of a hit on the ray through `px`.
-    #[must_use]
-    pub fn new(scene: &Scene, view: &View, px: DVec2, scene_hit: &SceneHit) -> Self {
-        let ray = view.ray(px);
-        let behind = all(scene, &ray, view.sides)
-            .into_iter()
-            .find(|other| scene_hit.is_before(other));
-        Self::with_gap(
-            scene,
-            view,
-            px,
-            scene_hit,
-            behind.map(|next| next.hit.t - scene_hit.hit.t),
-        )
-    }
-
-    pub(super) fn with_gap(
+    /// The record of hit `i` of those on the ray through `px`, all of which `hits` holds from front to back.
+    pub(super) fn of(
         scene: &Scene,
         view: &View,
         px: DVec2,
-        scene_hit: &SceneHit,
-        gap: Option<f64>,
+        hits: &[SceneHit],
+        i: usize,
+        differs_px: Option<f64>,
     ) -> Self {
-        let SceneHit { object: index, hit } = *scene_hit;
+        let next = hits.get(i + 1);
+        let SceneHit { object: index, hit } = hits[i];
         let object = &scene.objects()[index];
         let placement = &object.placement;
         let ray = view.ray(px);
@@ -110,7 +104,10 @@ impl Pick {
             normal_object: (hit.normal / hit.normal.abs().max_element()).normalize(),
             barycentric: hit.on_triangle.map(|at| at.barycentric),
             edge_px: certainty::edge_px(object, view, px, &hit),
-            gap,
+            // Of hits whose order is exact, the rounded parameters may be out of it.
+            gap: next.map(|next| (next.hit.t - hit.t).max(0.0)),
+            exact: certainty::needs_exact(scene, &ray, hits, i),
+            differs_px,
         }
     }
 }

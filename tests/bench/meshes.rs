@@ -122,7 +122,7 @@ fn slivers(name: &str) -> Sample {
     for rod in 0..3000_u32 {
         let turn = |k: f64| (f64::from(rod) * k).sin();
         let start = [turn(1.3), turn(2.7), turn(4.1)];
-        let axis = [turn(5.9), turn(7.3), turn(8.7)].map(|x| 0.3 * x);
+        let axis = [turn(5.9), turn(7.3), turn(8.7)].map(|x| 0.1 * x);
         // Two directions across it, near enough.
         let across = [axis[1], -axis[0], 0.2 * axis[2]];
         let other = [0.2 * axis[0], axis[2], -axis[1]];

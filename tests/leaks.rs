@@ -1,0 +1,281 @@
+//! Closed meshes let no ray through: not at their edges, not at their corners, near the origin or far from it.
+
+mod common;
+#[path = "common/oracle.rs"]
+mod oracle;
+
+use common::{Random, mesh};
+use glam::{DVec3, dvec3};
+use sightline::geometry::{Mesh, Ray, Sides, TriangleTest, guarded_volume, signed_volume};
+use std::{collections::HashMap, sync::Arc, thread};
+
+const RAYS_FROM_INSIDE: u32 = 1_000_000;
+/// Triangles that the oracle tries for each solid, over all rays from outside.
+const TRIED_FROM_OUTSIDE: usize = 300_000;
+
+/// A closed surface about the origin whose points are at least 1 and at most 2 from it.
+struct Solid {
+    name: String,
+    positions: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// An icosahedron, each triangle parted in four `times` times, with corners on the unit sphere.
+fn icosphere(times: u32) -> Solid {
+    let phi = f64::midpoint(1.0, 5_f64.sqrt());
+    let mut positions = Vec::new();
+    for (a, b) in [(1.0, phi), (-1.0, phi), (1.0, -phi), (-1.0, -phi)] {
+        positions.extend([dvec3(0.0, a, b), dvec3(a, b, 0.0), dvec3(b, 0.0, a)]);
+    }
+    // Faces are the triples of corners that are all 2 apart.
+    let near = |i: usize, j: usize, positions: &[DVec3]| {
+        (positions[i].distance(positions[j]) - 2.0).abs() < 0.1
+    };
+    let mut triangles = Vec::new();
+    for (i, j, k) in
+        (0..12).flat_map(|i| (i..12).flat_map(move |j| (j..12).map(move |k| (i, j, k))))
+    {
+        if near(i, j, &positions) && near(j, k, &positions) && near(k, i, &positions) {
+            triangles.push([i, j, k].map(|i| u32::try_from(i).unwrap()));
+        }
+    }
+    for _ in 0..times {
+        let mut middles = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                positions.push(0.5 * (positions[a as usize] + positions[b as usize]));
+                u32::try_from(positions.len() - 1).unwrap()
+            })
+        };
+        triangles = triangles
+            .iter()
+            .flat_map(|&[a, b, c]| {
+                let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+                [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+            })
+            .collect();
+    }
+    // A little over 1, so that faces lie beyond 1.
+    let radius = 1.3;
+    Solid {
+        name: format!("icosphere of {}", triangles.len()),
+        positions: positions.iter().map(|p| radius * p.normalize()).collect(),
+        triangles,
+    }
+}
+
+/// A cube from -1 to 1, each side in `parts * parts` squares of two triangles.
+fn cube(parts: i32) -> Solid {
+    let mut corners = HashMap::new();
+    let mut positions = Vec::new();
+    let mut corner = |p: [i32; 3]| {
+        *corners.entry(p).or_insert_with(|| {
+            positions.push(DVec3::from(p.map(f64::from)) / f64::from(parts));
+            u32::try_from(positions.len() - 1).unwrap()
+        })
+    };
+    let mut triangles = Vec::new();
+    for (axis, side) in (0..3).flat_map(|axis| [(axis, -parts), (axis, parts)]) {
+        for (i, j) in (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j))) {
+            let [a, b, c, d] = [(0, 0), (2, 0), (2, 2), (0, 2)].map(|(u, v)| {
+                let mut p = [side; 3];
+                (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (2 * i + u - parts, 2 * j + v - parts);
+                corner(p)
+            });
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    Solid {
+        name: format!("cube of {}", triangles.len()),
+        positions,
+        triangles,
+    }
+}
+
+fn solids() -> Vec<Solid> {
+    vec![
+        icosphere(0),
+        icosphere(1),
+        icosphere(2),
+        icosphere(3),
+        cube(1),
+        cube(4),
+        cube(10),
+    ]
+}
+
+/// A solid somewhere, with and without a tree.
+struct Standing {
+    name: String,
+    center: DVec3,
+    /// Its size: 1 of the solid's units.
+    scale: f64,
+    brute: Arc<Mesh>,
+    with_tree: Arc<Mesh>,
+}
+
+/// At the origin; far away by the file's origin; and far away by its vertices, which are then coarse, and moved by
+/// rounding.
+fn standing(solid: &Solid) -> Vec<Standing> {
+    let far = dvec3(1e6, -1e6 - 0.3, 1e6 + 0.7);
+    [
+        ("at the origin", DVec3::ZERO, DVec3::ZERO, 1.0),
+        ("in a file 1e6 away", far, DVec3::ZERO, 1.0),
+        ("with vertices 1e6 away", DVec3::ZERO, far, 1e3),
+    ]
+    .map(|(place, origin, offset, scale)| {
+        let make = || {
+            let positions = solid.positions.iter();
+            let positions = positions.map(|&p| (offset + scale * p).as_vec3().to_array());
+            mesh(positions.collect(), solid.triangles.clone(), origin)
+        };
+        let (brute, with_tree) = (make(), make());
+        with_tree.build_tree();
+        Standing {
+            name: format!("{} {place}", solid.name),
+            center: origin + offset,
+            scale,
+            brute,
+            with_tree,
+        }
+    })
+    .into()
+}
+
+impl Standing {
+    /// A ray from about `distance` of its units towards a corner or an edge.
+    fn ray(&self, random: &mut Random, distance: f64) -> Ray {
+        let eye = self.center + self.scale * distance * random.direction();
+        let triangles = self.brute.data().triangles.len();
+        let [a, b, _] = self.brute.corners(index(random, triangles));
+        let target = if random.unit() < 0.3 {
+            a
+        } else {
+            a.lerp(b, random.unit())
+        };
+        Ray {
+            origin: eye,
+            direction: target - eye,
+            t_min: 0.0,
+            t_max: f64::INFINITY,
+        }
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "small counts"
+)]
+fn index(random: &mut Random, count: usize) -> u32 {
+    (random.unit() * count as f64) as u32
+}
+
+fn hit_by(mesh: &Mesh, ray: &Ray, test: TriangleTest) -> Option<u32> {
+    let hit = mesh.closest_by(ray, Sides::Both, test, |_| true)?;
+    Some(hit.on_triangle?.triangle)
+}
+
+#[test]
+fn no_ray_leaves_a_closed_mesh() {
+    let solids: Vec<Standing> = solids().iter().flat_map(standing).collect();
+    let rays = RAYS_FROM_INSIDE.div_ceil(u32::try_from(solids.len()).unwrap());
+    let leaks_of = |solid: &Standing| {
+        let mut random = Random::new(41);
+        let mut leaks = 0;
+        for i in 0..rays {
+            let distance = 0.9 * random.unit();
+            let ray = solid.ray(&mut random, distance);
+            let hit = hit_by(&solid.with_tree, &ray, guarded_volume);
+            leaks += u32::from(hit.is_none());
+            // The tree's answers are brute force's; some suffice here.
+            if i % 16 == 0 {
+                assert_eq!(hit, hit_by(&solid.brute, &ray, guarded_volume), "{ray:?}");
+            }
+        }
+        println!("{:<45} {rays} rays from inside, {leaks} leaks", solid.name);
+        leaks
+    };
+    let (first, second) = solids.split_at(solids.len() / 2);
+    let leaks: u32 = thread::scope(|scope| {
+        let other = scope.spawn(|| second.iter().map(leaks_of).sum::<u32>());
+        first.iter().map(leaks_of).sum::<u32>() + other.join().expect("no panic")
+    });
+    assert_eq!(leaks, 0);
+}
+
+#[test]
+fn from_outside_the_nearest_triangle_is_the_oracles() {
+    let mut missed = 0;
+    for solid in solids().iter().flat_map(standing) {
+        let mut random = Random::new(42);
+        let triangles = solid.brute.data().triangles.len();
+        let vertices = &solid.brute.data().positions;
+        let corners: Vec<_> = solid
+            .brute
+            .data()
+            .triangles
+            .iter()
+            .map(|corners| corners.map(|i| DVec3::from(vertices[i as usize].map(f64::from))))
+            .collect();
+        let (mut hits, mut misses) = (0, 0);
+        let rays = (TRIED_FROM_OUTSIDE / triangles).min(4000);
+        for _ in 0..rays {
+            let distance = 10_f64.powf(random.within(0.4, 4.0));
+            let ray = solid.ray(&mut random, distance);
+            let origin = solid.brute.data().origin;
+            let truth = corners
+                .iter()
+                .map(|&corners| oracle::hit(&ray, origin, corners));
+            let truth = oracle::nearest(truth).map(|(triangle, _)| triangle);
+            for mesh in [&solid.brute, &solid.with_tree] {
+                let found = hit_by(mesh, &ray, guarded_volume);
+                assert_eq!(found, truth, "{}: {ray:?}", solid.name);
+            }
+            hits += u32::from(truth.is_some());
+            misses += u32::from(truth.is_none());
+        }
+        println!("{:<45} {hits} hits, {misses} misses", solid.name);
+        // A ray at a silhouette may miss.
+        assert!(hits > 5 * misses && hits > 50, "{}", solid.name);
+        missed += misses;
+    }
+    assert!(missed > 0, "no ray passed by");
+}
+
+#[test]
+fn rays_exactly_through_corners_and_edges_do_not_leave_either() {
+    // Whole coordinates of 22 bits: exact, but their products are not.
+    let mut random = Random::new(43);
+    let mut leaks = [0, 0];
+    let ball = icosphere(1);
+    for _ in 0..200 {
+        let size = random.within(1e6, 1.5e6);
+        let positions = ball.positions.iter();
+        let positions = positions.map(|&p| (size * p).round().as_vec3().to_array());
+        let solid = mesh(positions.collect(), ball.triangles.clone(), DVec3::ZERO);
+        for _ in 0..100 {
+            let eye = random.point(0.5 * size).round();
+            let [a, b, _] = solid.corners(index(&mut random, ball.triangles.len()));
+            let target = if random.unit() < 0.5 {
+                a
+            } else {
+                0.5 * (a + b)
+            };
+            let ray = Ray {
+                origin: eye,
+                direction: target - eye,
+                t_min: 0.0,
+                t_max: f64::INFINITY,
+            };
+            let tests = [guarded_volume as TriangleTest, signed_volume];
+            for (leaks, test) in leaks.iter_mut().zip(tests) {
+                *leaks += u32::from(hit_by(&solid, &ray, test).is_none());
+            }
+        }
+    }
+    println!("20000 rays: {} leaks, {} unguarded", leaks[0], leaks[1]);
+    assert_eq!(leaks[0], 0);
+    assert!(leaks[1] > 0, "the rays are no test: {leaks:?}");
+}
