@@ -10,11 +10,12 @@
 //! a click:  event -> viewer::input -> Action -> viewer::State -> pick::pick -> Pick -> panel, JSON
 //! a frame:  State -> View -> render::Renderer -> colour, ids, selection -> window
 //! a pixel:  View::ray -> Placement::ray_to_object -> shape or Mesh (Bvh) -> Hit -> Pick
+//! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //! ```
 //!
-//! Imports point one way: `camera`, `geometry` <- `scene` <- `pick`, `render` <- `viewer` <- `cli`. Only `render` and
-//! `viewer` know wgpu; only `viewer` knows winit and egui. `colour`, `image` and `look` (what both renderers make
-//! pictures look like) stand beside them and know none of these.
+//! Imports point one way: `camera`, `geometry` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
+//! `cli`. Only `render` and `viewer` know wgpu; only `viewer` knows winit and egui. `colour`, `image` and `look` (what
+//! both renderers make pictures look like) stand beside them and know none of these.
 //!
 //! # Spaces
 //!
@@ -47,4 +48,6 @@ pub mod look;
 pub mod pick;
 pub mod render;
 pub mod scene;
+pub mod study;
+pub mod verify;
 pub mod viewer;

@@ -2,13 +2,10 @@
 //! whose centre lies on an outline, or on two surfaces at one depth, as far as the rasteriser can tell.
 
 mod common;
-#[path = "common/explain.rs"]
-mod explain;
 #[path = "common/scenes.rs"]
 mod scenes;
 
 use common::{orthographic, perspective, shared, view};
-use explain::{Class, explain};
 use glam::{DVec2, DVec3, dvec3};
 use scenes::{gpu, load, shapes};
 use sightline::{
@@ -17,6 +14,7 @@ use sightline::{
     pick,
     render::{Gpu, Renderer, SceneBuffers, Targets},
     scene::{Scene, Shape},
+    verify::{self, Class},
 };
 
 const SIZE: [u32; 2] = [320, 240];
@@ -184,32 +182,22 @@ fn check(gpu: &Gpu, name: &str, scene: &Scene, views: Vec<Shot>) {
             .draw(gpu, &buffers, &targets, &view, &[])
             .expect("draws");
         let drawn = targets.read_ids(gpu).expect("ids");
-        let (picked, _) = pick::raycast(scene, &view);
-        let mut counts = [0; 4];
-        let mut hits = 0;
-        for (x, y) in drawn.positions() {
-            let (drawn, picked) = (drawn.at(x, y), picked.at(x, y));
-            hits += u32::from(picked.object != 0 && drawn.object != 0);
-            if drawn != picked {
-                let px = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
-                let class = explain(scene, &view, px, drawn, picked);
-                counts[class as usize] += 1;
-                if class == Class::Unexplained && unexplained.len() < 20 {
-                    unexplained.push(format!(
-                        "{name}, {camera} ({x}, {y}): drawn {drawn:?}, picked {picked:?}"
-                    ));
-                }
-            }
-        }
-        let [edge, depth, limit, defects] = counts;
+        let report = verify::compare(scene, &view, &drawn, &pick::ids(scene, &view));
+        let [edge, depth, limit, defects] = Class::ALL.map(|class| report.count(class));
         println!(
-            "{name:>10} {camera:<24} hits {hits:>6}  edge {edge:>4}  depth {depth:>4}  f32 limit {limit:>4}  unexplained {defects}"
+            "{name:>10} {camera:<24} shown {:>6}  edge {edge:>4}  depth {depth:>4}  f32 limit {limit:>4}  unexplained {defects}  {:.2} %",
+            report.shown,
+            100.0 * report.share_of_outline()
         );
+        if defects > 0 {
+            unexplained.push(format!("{name}, {camera}: {:?}", report.worst()));
+        }
         assert!(limit <= 20, "{name}, {camera}: {limit} pixels beyond f32");
         let least = share * f64::from(SIZE[0] * SIZE[1]);
         assert!(
-            f64::from(hits) > least,
-            "{name}, {camera}: only {hits} pixels show anything"
+            f64::from(u32::try_from(report.shown).expect("few pixels")) > least,
+            "{name}, {camera}: only {} pixels show anything",
+            report.shown
         );
     }
     assert!(unexplained.is_empty(), "{}", unexplained.join("\n"));

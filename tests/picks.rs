@@ -602,3 +602,40 @@ fn exact_says_when_f64_cannot_decide() {
     assert_eq!(found, [(Some(0), true), (Some(1), true)]);
     assert_eq!(picks[0].gap, Some(0.0));
 }
+
+#[test]
+fn a_pick_does_not_wait_for_a_tree() {
+    let side = 30_u32;
+    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| (x, y)));
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    let positions = positions.map(|(x, y)| [x as f32 / 15.0 - 1.0, y as f32 / 15.0 - 1.0, 0.0]);
+    let cells = (0..side).flat_map(|y| (0..side).map(move |x| y * (side + 1) + x));
+    let triangles = cells.flat_map(|a| [[a, a + 1, a + side + 2], [a, a + side + 2, a + side + 1]]);
+    let mesh = mesh(positions.collect(), triangles.collect(), DVec3::ZERO);
+    let scene = scene_of(Shape::Mesh { mesh, part: 0 }, DAffine3::IDENTITY);
+    let view = view(
+        [0.3, 0.2, 3.0],
+        [0.0; 3],
+        perspective(40.0, 0.1, 10.0),
+        [64, 48],
+    );
+    let px = dvec2(30.5, 20.5);
+    let before = pick::pick(&scene, &view, px).expect("a hit");
+    assert!(!scene.trees_are_built());
+    assert_eq!(before.differs_px, None, "it would take a tree to say");
+    scene.build_trees();
+    let after = pick::pick(&scene, &view, px).expect("a hit");
+    assert!(
+        after.differs_px.is_some_and(|px| px < 4.0),
+        "{:?}",
+        after.differs_px
+    );
+    assert_eq!(
+        before,
+        Pick {
+            differs_px: None,
+            ..after
+        },
+        "all else is the same"
+    );
+}

@@ -253,6 +253,34 @@ fn clicks_print_what_pick_prints_at_scale_2() {
     clicks_print_what_pick_prints("2");
 }
 
+/// The key V finds what `sightline verify` finds for the same view, as often as it is pressed.
+#[test]
+fn the_key_v_compares_what_is_on_screen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = scene(folder.path());
+    let screen = Screen::new(1280, 720);
+    let viewer = Viewer::open(&screen, "1", &[&path.display().to_string()]);
+    screen.xdotool("mousemove 640 360");
+    screen.xdotool("search --sync --onlyvisible --name Sightline windowfocus --sync");
+    for turn in [false, true] {
+        if turn {
+            // Puts the comparison away, like any other view.
+            screen.xdotool("key 9");
+        }
+        screen.xdotool("key v");
+        let log = viewer.wait_for(" pixels differ: ");
+        let (said, command) = log.split_once(" pixels differ: ").expect("found");
+        let said: usize = (said.rsplit(' ').next())
+            .and_then(|number| number.parse().ok())
+            .expect("a number");
+        let line = shell(&format!("{command} --json"));
+        let line: serde_json::Value = serde_json::from_str(&line).expect("JSON");
+        let count = |name: &str| line[name].as_u64().expect("a count");
+        assert!(count("shown") > 10_000, "{line}");
+        assert_eq!(said as u64, count("pixels") - count("same"), "{line}");
+    }
+}
+
 #[test]
 fn without_a_display_it_says_what_to_do() {
     let output = Command::new(SIGHTLINE)

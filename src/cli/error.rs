@@ -2,9 +2,13 @@
 
 use super::terminal::say;
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, viewer::ViewerError,
+    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError,
+    study::chart::ChartError, viewer::ViewerError,
 };
-use std::{path::PathBuf, process::ExitCode};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 /// Why a command did not do what it was asked. One line, with what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -37,9 +41,28 @@ pub enum CliError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A file or folder could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Write {
+        /// Which one.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A chart could not be written.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
     /// Nothing to draw with.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// Nothing to compare picks with.
+    #[error("{0}; picking itself needs no driver")]
+    NothingDrawn(GpuError),
+    /// Drawn and picked differ without a reason.
+    #[error(
+        "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
+    )]
+    Unexplained(usize),
     /// Nowhere to open a window.
     #[error(
         "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
@@ -48,13 +71,19 @@ pub enum CliError {
 }
 
 impl CliError {
-    /// The exit code: 2 usage, 3 a file, 4 no graphics adapter, 5 no display.
+    /// The exit code: 1 a defect, 2 usage, 3 a file, 4 no graphics adapter, 5 no display.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
+            Self::Unexplained(_) => 1,
             Self::Usage(_) | Self::View(_) => 2,
-            Self::SceneCamera { .. } | Self::Load(_) | Self::Image(_) | Self::Stream { .. } => 3,
-            Self::Gpu(_) => 4,
+            Self::SceneCamera { .. }
+            | Self::Load(_)
+            | Self::Image(_)
+            | Self::Stream { .. }
+            | Self::Write { .. }
+            | Self::Chart(_) => 3,
+            Self::Gpu(_) | Self::NothingDrawn(_) => 4,
             Self::NoDisplay => 5,
         }
     }
@@ -68,6 +97,14 @@ impl CliError {
         }
         say(&self.to_string());
         ExitCode::from(self.exit_code())
+    }
+
+    /// A file or folder that could not be written.
+    pub(super) fn file(path: &Path, source: std::io::Error) -> Self {
+        Self::Write {
+            path: path.to_owned(),
+            source,
+        }
     }
 
     /// A failure of standard output.

@@ -6,8 +6,10 @@ mod error;
 mod list;
 mod pick;
 mod render;
+mod study;
 mod terminal;
 mod value;
+mod verify;
 mod view;
 mod window;
 
@@ -15,6 +17,8 @@ pub use error::CliError;
 pub use list::ListArgs;
 pub use pick::{At, PickArgs};
 pub use render::{By, RenderArgs};
+pub use study::StudyArgs;
+pub use verify::{Picker, VerifyArgs};
 pub use view::ViewArgs;
 pub use window::WindowArgs;
 
@@ -54,6 +58,10 @@ pub enum Command {
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     List(ListArgs),
+    /// Measure how fast and how right the known methods are
+    Study(StudyArgs),
+    /// Compare what is drawn with what is picked, pixel by pixel
+    Verify(VerifyArgs),
 }
 
 /// What every command takes.
@@ -83,6 +91,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Pick(args)) => pick::run(args),
         Some(Command::List(args)) => list::run(args),
+        Some(Command::Study(args)) => study::run(args),
+        Some(Command::Verify(args)) => verify::run(args),
         None => window::run(&cli.window),
     };
     match done {

@@ -9,9 +9,6 @@ use crate::{
 use glam::DVec2;
 use std::io::{BufRead, StdoutLock, Write};
 
-/// From this many picks on, building trees pays off.
-const MANY: usize = 32;
-
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
 pub struct PickArgs {
@@ -70,9 +67,7 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
-    if args.at.len() > MANY || args.at.contains(&At::Stdin) {
-        build_trees(&loaded.scene);
-    }
+    build_trees(&loaded.scene);
     let mut picker = Picker {
         scene: &loaded.scene,
         view: &view,

@@ -92,7 +92,7 @@ impl Aabb {
     /// of the ray's line within its interval, ends included. `inverse` is `1 / direction`.
     ///
     /// With `U` half of `f64::EPSILON`: the way to a slab's plane has the right sign and errs by `2 U` of itself at
-    /// most, whatever the distance ([`VertexRay::to`]), `inverse` by `U` and their product by `U`; together `4 U`.
+    /// most, whatever the distance (`VertexRay::to`), `inverse` by `U` and their product by `U`; together `4 U`.
     /// Widening by `12 U` covers that and the rounding of the widening (after Ize, "Robust BVH Ray Traversal", JCGT
     /// 2(2), 2013, whose `2 ulp` leaves the subtraction to padded boxes). A ray along a slab is on the right side of
     /// its planes, or upon them, where `0 * inf` is NaN and loses every comparison.

@@ -192,10 +192,10 @@ impl Mesh {
         }
     }
 
-    /// The tree, once it is built.
+    /// Whether rays are as fast as they will be: there is a tree, or no need of one.
     #[must_use]
-    pub fn tree(&self) -> Option<&Bvh> {
-        self.tree.get()
+    pub fn is_ready(&self) -> bool {
+        self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some()
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with

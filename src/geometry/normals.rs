@@ -1,6 +1,7 @@
 //! Shading normals for meshes that bring none.
 
 use glam::{DVec3, Vec3};
+use std::{num::NonZero, ops::Range, panic::resume_unwind, thread::ScopedJoinHandle};
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,10 +25,10 @@ pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
 
 /// Normals that are smooth within a surface and break where two faces that share an edge meet at more than
 /// `crease` radians. A corner's normal is the mean of the faces around its vertex that are reached without
-/// crossing such an edge, each weighted by its angle there (Thuermer & Wuethrich, "Computing Vertex Normals from
-/// Polygonal Facets", JGT 3(1), 1998).
+/// crossing such an edge, weighted as Max found best, by the sine of the corner's angle over the lengths of its sides
+/// ("Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999): exact on a sphere, and no trigonometry.
 ///
-/// Triangles without area take the mean of their neighbours, or +z when alone.
+/// Triangles without area take the mean of their neighbours, or +z when alone. Works on all cores.
 #[must_use]
 pub fn crease_normals(
     positions: &[[f32; 3]],
@@ -39,40 +40,116 @@ pub fn crease_normals(
         .map(|corners| face_normal(corners.map(|i| positions[i as usize])))
         .collect();
     let around = corners_by_vertex(positions.len(), triangles);
-    let cos_crease = crease.cos();
+    let fans = Fans {
+        positions,
+        triangles,
+        faces: &faces,
+        around: &around,
+        cos_crease: crease.cos(),
+    };
+    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let share = positions.len().div_ceil(threads).max(1);
+    let shares: Vec<_> = std::thread::scope(|scope| {
+        let fans = &fans;
+        let started: Vec<_> = (0..positions.len())
+            .step_by(share)
+            .map(|first| first..(first + share).min(positions.len()))
+            .map(|vertices| scope.spawn(move || fans.normals(vertices)))
+            .collect();
+        let finish = |thread: ScopedJoinHandle<_>| {
+            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+        };
+        started.into_iter().map(finish).collect()
+    });
     let mut result = CornerNormals {
         normals: Vec::with_capacity(positions.len()),
         corners: vec![[0; 3]; triangles.len()],
     };
-    let mut fan = Fan::default();
-    for vertex in 0..positions.len() {
-        let corners =
-            &around.corners[around.starts[vertex] as usize..around.starts[vertex + 1] as usize];
-        fan.group(corners, triangles, &faces, cos_crease);
-        for (place, &corner) in corners.iter().enumerate() {
-            if fan.root(place) != place {
-                continue;
-            }
-            let members = (place..corners.len()).filter(|&other| fan.root(other) == place);
-            let mut sum = Vec3::ZERO;
-            for member in members.clone() {
-                let (face, at) = split(corners[member]);
-                sum += faces[face] * angle_at(positions, triangles[face], at);
-            }
-            let fallback = faces[split(corner).0];
-            let normal = sum
-                .try_normalize()
-                .or(fallback.try_normalize())
-                .unwrap_or(Vec3::Z);
-            let index = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
-            result.normals.push(normal.to_array());
-            for member in members {
-                let (face, at) = split(corners[member]);
-                result.corners[face][at] = index;
-            }
+    let mut corners = around.corners.iter();
+    for Share {
+        normals,
+        of_corners,
+    } in shares
+    {
+        let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
+        for (index, &corner) in of_corners.iter().zip(&mut corners) {
+            let (face, at) = split(corner);
+            result.corners[face][at] = offset + index;
         }
+        result.normals.extend(normals);
     }
     result
+}
+
+/// What the corners about vertices are made of.
+struct Fans<'a> {
+    positions: &'a [[f32; 3]],
+    triangles: &'a [[u32; 3]],
+    faces: &'a [Vec3],
+    around: &'a CornersByVertex,
+    cos_crease: f32,
+}
+
+/// The normals about a run of vertices, and which of them each corner there takes.
+struct Share {
+    normals: Vec<[f32; 3]>,
+    of_corners: Vec<u32>,
+}
+
+impl Fans<'_> {
+    fn normals(&self, vertices: Range<usize>) -> Share {
+        let starts = &self.around.starts;
+        let all = starts[vertices.start] as usize..starts[vertices.end] as usize;
+        let mut share = Share {
+            normals: Vec::with_capacity(vertices.len()),
+            of_corners: Vec::with_capacity(all.len()),
+        };
+        let mut fan = Fan::default();
+        for vertex in vertices {
+            let corners =
+                &self.around.corners[starts[vertex] as usize..starts[vertex + 1] as usize];
+            fan.group(corners, self.triangles, self.faces, self.cos_crease);
+            for place in 0..corners.len() {
+                let root = fan.root(place);
+                if root == place {
+                    let index = u32::try_from(share.normals.len()).unwrap_or(u32::MAX);
+                    fan.parent[place].normal = index;
+                    share.normals.push(self.normal(corners, &fan, place));
+                }
+                share.of_corners.push(fan.parent[root].normal);
+            }
+        }
+        share
+    }
+
+    /// The mean over the group of corners that begins at `root`.
+    fn normal(&self, corners: &[u32], fan: &Fan, root: usize) -> [f32; 3] {
+        let members = (root..corners.len()).filter(|&other| fan.root(other) == root);
+        let mut sum = DVec3::ZERO;
+        for member in members {
+            let (face, at) = split(corners[member]);
+            sum += self.faces[face].as_dvec3() * self.weight(face, at);
+        }
+        let fallback = self.faces[split(corners[root]).0];
+        let normal = sum.try_normalize().map(DVec3::as_vec3);
+        let normal = normal.or(fallback.try_normalize()).unwrap_or(Vec3::Z);
+        normal.to_array()
+    }
+
+    /// The sine of a corner's angle over the lengths of its sides; 0 where a side has none.
+    fn weight(&self, face: usize, at: usize) -> f64 {
+        let p = |i: usize| {
+            let position = self.positions[self.triangles[face][i % 3] as usize];
+            DVec3::from_array(position.map(f64::from))
+        };
+        let (a, b) = (p(at + 1) - p(at), p(at + 2) - p(at));
+        let squares = a.length_squared() * b.length_squared();
+        if squares > 0.0 {
+            a.cross(b).length() / squares
+        } else {
+            0.0
+        }
+    }
 }
 
 /// For each vertex, the corners (3 * triangle + place) that use it, as one array and where each run starts.
@@ -102,51 +179,64 @@ fn split(corner: u32) -> (usize, usize) {
     (corner as usize / 3, corner as usize % 3)
 }
 
-fn angle_at(positions: &[[f32; 3]], triangle: [u32; 3], at: usize) -> f32 {
-    let p = |i: usize| Vec3::from_array(positions[triangle[i % 3] as usize]);
-    let (a, b) = (p(at + 1) - p(at), p(at + 2) - p(at));
-    a.normalize_or_zero()
-        .dot(b.normalize_or_zero())
-        .clamp(-1.0, 1.0)
-        .acos()
-}
-
 /// Union-find over the corners about one vertex; a group's root is its first member.
 #[derive(Default)]
 struct Fan {
-    parent: Vec<usize>,
-    spokes: Vec<(u32, usize)>,
+    parent: Vec<Member>,
+    /// Edges at the vertex, as other end * 2^32 + place.
+    spokes: Vec<u64>,
+}
+
+/// A corner in its group.
+#[derive(Clone, Copy)]
+struct Member {
+    /// An earlier member, or itself.
+    parent: u32,
+    /// The group's normal, at its root.
+    normal: u32,
 }
 
 impl Fan {
     /// Joins the corners whose faces share an edge at the vertex and bend there by no more than the crease.
     fn group(&mut self, corners: &[u32], triangles: &[[u32; 3]], faces: &[Vec3], cos_crease: f32) {
         self.parent.clear();
-        self.parent.extend(0..corners.len());
         self.spokes.clear();
-        for (place, &corner) in corners.iter().enumerate() {
+        for (place, &corner) in (0_u32..).zip(corners) {
+            self.parent.push(Member {
+                parent: place,
+                normal: 0,
+            });
             let (face, at) = split(corner);
             for other in [triangles[face][(at + 1) % 3], triangles[face][(at + 2) % 3]] {
-                self.spokes.push((other, place));
+                self.spokes.push(u64::from(other) << 32 | u64::from(place));
             }
         }
         self.spokes.sort_unstable();
         for i in 1..self.spokes.len() {
-            let ((edge_a, a), (edge_b, b)) = (self.spokes[i - 1], self.spokes[i]);
+            let [(edge_a, a), (edge_b, b)] = [self.spokes[i - 1], self.spokes[i]].map(|spoke| {
+                (
+                    spoke >> 32,
+                    usize::try_from(spoke & 0xffff_ffff).unwrap_or_default(),
+                )
+            });
+            if edge_a != edge_b {
+                continue;
+            }
             let normal = |place: usize| faces[split(corners[place]).0];
             let smooth = normal(a).dot(normal(b)) >= cos_crease
                 || normal(a) == Vec3::ZERO
                 || normal(b) == Vec3::ZERO;
-            if edge_a == edge_b && smooth {
+            if smooth {
                 let (root_a, root_b) = (self.root(a), self.root(b));
-                self.parent[root_a.max(root_b)] = root_a.min(root_b);
+                let (first, second) = (root_a.min(root_b), root_a.max(root_b));
+                self.parent[second].parent = self.parent[first].parent;
             }
         }
     }
 
     fn root(&self, mut place: usize) -> usize {
-        while self.parent[place] != place {
-            place = self.parent[place];
+        while self.parent[place].parent as usize != place {
+            place = self.parent[place].parent as usize;
         }
         place
     }

@@ -15,15 +15,17 @@ const REACH: i8 = 8;
 /// How far from `px` the nearest pixel lies whose answer, object or triangle, is not that at `px`; within [`REACH`]
 /// and the picture.
 ///
-/// Builds trees that are not there yet, or waits for them: each of up to 196 rays against every triangle would take
-/// longer.
+/// `None` too while a tree is still being built: up to 196 rays against every triangle would take longer than a click
+/// may.
 pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2) -> Option<f64> {
+    if !scene.trees_are_built() {
+        return None;
+    }
     let answer = |px: DVec2| {
         let hit = closest(scene, &view.ray(px), view.sides)?;
         Some((hit.object, hit.hit.on_triangle.map(|at| at.triangle)))
     };
     let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
-    scene.build_trees();
     let here = answer(px);
     let steps = || (-REACH..=REACH).map(f64::from);
     let mut nearby: Vec<DVec2> = steps()

@@ -5,7 +5,7 @@ mod picture;
 mod record;
 mod selection;
 
-pub use picture::raycast;
+pub use picture::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 

@@ -24,6 +24,23 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     )
 }
 
+/// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
+#[must_use]
+pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
+    ids_by(scene, view, |px| closest(scene, &view.ray(px), view.sides))
+}
+
+/// [`ids`] by another way to pick at a pixel position.
+#[must_use]
+pub fn ids_by(
+    scene: &Scene,
+    view: &View,
+    pick: impl Fn(DVec2) -> Option<SceneHit> + Sync,
+) -> Image<Id> {
+    let id_at = |px| pick(px).map_or(Id::default(), |hit| id(scene, &hit));
+    Image::new(view.viewport, each_pixel(view, id_at))
+}
+
 /// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
 pub(super) fn each_pixel<T: Clone + Default + Send>(
     view: &View,

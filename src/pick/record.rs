@@ -43,8 +43,8 @@ pub struct Pick {
     /// front of it, within the rounding of `f64`, or because another triangle's hit lies as near to this one.
     pub exact: bool,
     /// How far the nearest pixel lies, in pixels from centre to centre and up to 8, in which the picture shows another
-    /// object, another triangle or the background; `None` when there is none. One number for all surfaces at a
-    /// position.
+    /// object, another triangle or the background; `None` when there is none, or while trees are still being built. One
+    /// number for all surfaces at a position.
     pub differs_px: Option<f64>,
 }
 

@@ -5,7 +5,7 @@ use super::{
     layout::{self, ObjectState},
     mesh_buffers::MeshBuffers,
     sphere,
-    transform::{VertexToView, columns, normal_to_view},
+    transform::{VertexToView, columns, normal_to_view, vertex_space},
 };
 use crate::{
     camera::View,
@@ -224,19 +224,7 @@ impl SceneBuffers {
 impl TriangleBatch {
     fn new(scene: &Scene, batch: &Range<usize>, first_part: usize, first_triangle: u32) -> Self {
         let object = &scene.objects()[batch.start];
-        let (origin, bounds) = match &object.shape {
-            Shape::Mesh { mesh, .. } => {
-                let origin = mesh.data().origin;
-                let parts = first_part..first_part + batch.len();
-                let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(mesh.part_bounds(part)));
-                let about_origin = Aabb {
-                    min: bounds.min - origin,
-                    max: bounds.max - origin,
-                };
-                (origin, about_origin)
-            }
-            _ => (DVec3::ZERO, crate::geometry::Cuboid::bounds()),
-        };
+        let (origin, bounds) = vertex_space(scene, batch);
         Self {
             placement: object.placement,
             origin,

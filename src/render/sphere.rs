@@ -87,15 +87,15 @@ pub fn sphere(view: &View, placement: &Placement, object: u32) -> Uniform {
 
 /// The rays through the picture in object space: `origin + depth * direction`, and the step of whichever of the two
 /// moves (the direction in perspective, the origin in orthographic projection) from pixel to pixel.
-struct Rays {
-    origin: DVec3,
-    direction: DVec3,
-    right: DVec3,
-    down: DVec3,
+pub(crate) struct Rays {
+    pub origin: DVec3,
+    pub direction: DVec3,
+    pub right: DVec3,
+    pub down: DVec3,
 }
 
 impl Rays {
-    fn new(view: &View, placement: &Placement, px: DVec2) -> Self {
+    pub fn new(view: &View, placement: &Placement, px: DVec2) -> Self {
         let camera = &view.camera;
         let half = camera.lens().half_extent(view.viewport.aspect());
         let ndc = view.viewport.px_to_ndc(px);
@@ -180,55 +180,62 @@ fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
     (min.cmplt(max).all()).then_some([min, max])
 }
 
-/// Bounds on what `f32` does to a sphere at a pixel: how far, in pixels, the outline may lie off, and how far the
-/// measured depth of the surface may be off where the outline is not near.
+/// What `f32` does to a sphere at a pixel, at the most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Error {
+    /// Of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, its direction as long as one unit of
+    /// view depth.
+    pub discriminant: f64,
+    /// Of the measured depth where the ray enters and where it leaves.
+    pub depth: [f64; 2],
+}
+
+/// Bounds on what `f32` does to a sphere at a pixel centre.
 ///
 /// A polynomial of six terms, with rounded coefficients, monomials of three roundings and five sums, is wrong by at
-/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). Of the discriminant, over its slope on the outline,
-/// that is the outline's shift; of a, b and c it goes into the root.
+/// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). From there to first order: a wrong square root is
+/// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
+/// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
 #[must_use]
-pub fn error(sphere: &Uniform, px: DVec2) -> (f64, f64) {
+pub fn error(sphere: &Uniform, px: DVec2) -> Error {
     const U: f64 = 0.5 * f32::EPSILON as f64;
     let at = px - DVec2::from(sphere.pivot_px.map(f64::from));
-    let terms = |q: &Quadratic| {
+    let polynomial = |q: &Quadratic| {
         let [constant, x, y] = q.linear.map(f64::from);
         let [xx, xy, yy] = q.square.map(f64::from);
-        [
+        let terms = [
             constant,
             x * at.x,
             y * at.y,
             xx * at.x * at.x,
             xy * at.x * at.y,
             yy * at.y * at.y,
-        ]
+        ];
+        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        (terms.iter().sum::<f64>(), 10.0 * U * size)
     };
-    let value = |q: &Quadratic| terms(q).iter().sum::<f64>();
-    let wrong = |q: &Quadratic| 10.0 * U * terms(q).iter().map(|term| term.abs()).sum::<f64>();
-    let [_, x, y] = sphere.discriminant.linear.map(f64::from);
-    let [xx, xy, yy] = sphere.discriminant.square.map(f64::from);
-    let slope = DVec2::new(
-        x + 2.0 * xx * at.x + xy * at.y,
-        y + xy * at.x + 2.0 * yy * at.y,
-    );
-    // Along the steepest line through the pixel the discriminant is a quadratic as well, and this is its slope where it
-    // vanishes: on the outline, wherever the pixel is.
-    let way = slope.normalize_or(DVec2::X);
-    let bend = xx * way.x * way.x + xy * way.x * way.y + yy * way.y * way.y;
-    let squared = slope.length_squared() - 4.0 * value(&sphere.discriminant) * bend;
-    let at_outline = if squared > 0.0 {
-        squared.sqrt()
+    let (a, wrong_a) = polynomial(&sphere.a);
+    let (b, wrong_b) = polynomial(&sphere.b);
+    let (c, wrong_c) = polynomial(&sphere.c);
+    let (discriminant, wrong_discriminant) = polynomial(&sphere.discriminant);
+    let square_root = discriminant.max(0.0).sqrt();
+    let wrong_root = wrong_discriminant / square_root.max(wrong_discriminant.sqrt());
+    let q = b + square_root.copysign(b);
+    let wrong_q = wrong_b + wrong_root + 4.0 * U * q.abs();
+    let by_q = (c / q, (wrong_c + (c / q).abs() * wrong_q) / q.abs());
+    let by_a = (q / a, (wrong_q + (q / a).abs() * wrong_a) / a);
+    let [entry, exit] = if by_q.0 <= by_a.0 {
+        [by_q, by_a]
     } else {
-        slope.length()
+        [by_a, by_q]
     };
-    let outline_px = wrong(&sphere.discriminant) / at_outline;
-    let b = value(&sphere.b);
-    let q = b.abs() + value(&sphere.discriminant).max(0.0).sqrt();
-    let root = q.max((value(&sphere.c) / q).abs());
-    let of_root =
-        4.0 * U * root + wrong(&sphere.b) + wrong(&sphere.c) / q + wrong(&sphere.a) * root;
-    let depth = f64::from(sphere.depth).abs();
-    (
-        outline_px,
-        2.0 * U * depth + f64::from(sphere.depth_per_root) * of_root,
-    )
+    let depth_per_root = f64::from(sphere.depth_per_root);
+    // The base depth, the factor, the product and the sum round too.
+    let of_depth = |(root, wrong): (f64, f64)| {
+        depth_per_root * (wrong + 6.0 * U * root.abs()) + 2.0 * U * f64::from(sphere.depth).abs()
+    };
+    Error {
+        discriminant: wrong_discriminant / (depth_per_root * depth_per_root),
+        depth: [of_depth(entry), of_depth(exit)],
+    }
 }

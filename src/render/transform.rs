@@ -4,10 +4,12 @@
 use super::layout;
 use crate::{
     camera::{Projection, View},
-    geometry::{Aabb, Placement, Sides},
+    geometry::{Aabb, Cuboid, Placement, Sides, Square},
     look,
+    scene::{Scene, Shape},
 };
 use glam::{DMat3, DVec3, Mat3, Vec3};
+use std::ops::Range;
 
 /// Measured depth: view depth in perspective; in orthographic projection view depth less this.
 #[must_use]
@@ -47,6 +49,25 @@ pub fn frame(view: &View) -> layout::Frame {
         key,
         background_bottom,
         fill,
+    }
+}
+
+/// Where the vertex space of a batch of triangles has its origin, in object space, and the box about its vertices.
+#[must_use]
+pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
+    match &scene.objects()[batch.start].shape {
+        Shape::Mesh { mesh, part } => {
+            let origin = mesh.data().origin;
+            let parts = *part..part + batch.len();
+            let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(mesh.part_bounds(part)));
+            let about_origin = Aabb {
+                min: bounds.min - origin,
+                max: bounds.max - origin,
+            };
+            (origin, about_origin)
+        }
+        Shape::Square => (DVec3::ZERO, Square::bounds()),
+        _ => (DVec3::ZERO, Cuboid::bounds()),
     }
 }
 

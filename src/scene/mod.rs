@@ -239,6 +239,17 @@ impl Scene {
         triangles.map(|range| range.len()).sum()
     }
 
+    /// Whether each mesh that is worth a tree has one.
+    #[must_use]
+    pub fn trees_are_built(&self) -> bool {
+        self.batches
+            .iter()
+            .all(|batch| match &self.objects[batch.start].shape {
+                Shape::Mesh { mesh, .. } => mesh.is_ready(),
+                _ => true,
+            })
+    }
+
     /// Builds the tree of each mesh that has none. Takes about 0.3 s for a million triangles; picks are right before
     /// it is done, only slower.
     pub fn build_trees(&self) {

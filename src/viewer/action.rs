@@ -1,5 +1,6 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
+use super::stages::Stage;
 use crate::{
     camera::{DepthMapping, UpAxis, Viewport},
     geometry::Sides,
@@ -55,6 +56,10 @@ pub enum Action {
     ShowAll,
     /// Show or hide the grid with its axes.
     ToggleGrid,
+    /// Show the scene at a stage of the pipeline.
+    Stage(Stage),
+    /// Leave the present camera standing in the scene, as lines, or take it away.
+    ToggleFreeze,
 }
 
 /// The lens as the panel holds it.

@@ -3,20 +3,23 @@
 use super::{
     Command, Notice, Notices, Options, ViewerError, Wake,
     action::Action,
+    check::{Check, Checking, OnScreen},
     command,
     input::Drag,
     loading::{self, Loading},
-    panels::Statistics,
+    panels::{Filter, Floating, Statistics},
     shell::Shell,
+    stages::Stage,
     state::State,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Viewport},
+    geometry::Mesh,
     pick::PickLine,
-    scene::{Loaded, Warning},
+    scene::{Loaded, Warning, description},
 };
 use glam::DVec2;
-use std::{io::Write, path::PathBuf, time::Instant};
+use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 
 /// All that lives as long as the event loop.
@@ -28,11 +31,16 @@ pub(super) struct App {
     pub state: State,
     /// What the scene was made from, for the command that makes it again.
     paths: Vec<PathBuf>,
-    pub loading: Option<(Loading, Vec<PathBuf>)>,
+    /// The files of its meshes, for the scene file that names them.
+    meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    /// The load under way, of which files, and whether they are those on screen.
+    pub loading: Option<(Loading, Vec<PathBuf>, Reload)>,
     /// The first scene takes the command line's camera.
     first: bool,
     pub notices: Notices,
-    pub help: bool,
+    pub floating: Floating,
+    pub filter: Filter,
+    pub checking: Checking,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -41,6 +49,10 @@ pub(super) struct App {
     /// Why the window could not be opened, for the caller of [`super::run`].
     pub failed: Option<ViewerError>,
 }
+
+/// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
+#[derive(Clone, Copy)]
+pub(super) struct Reload(bool);
 
 impl App {
     pub fn new(options: Options, proxy: EventLoopProxy<Wake>) -> Result<Self, ViewerError> {
@@ -52,10 +64,13 @@ impl App {
         )?;
         let mut app = Self {
             paths: Vec::new(),
+            meshes: Vec::new(),
             loading: None,
             first: true,
             notices: Notices::new(),
-            help: false,
+            floating: Floating::default(),
+            filter: Filter::default(),
+            checking: Checking::Off,
             reveal_selection: false,
             drag: None,
             announced: 0,
@@ -70,30 +85,34 @@ impl App {
         Ok(app)
     }
 
+    /// Loads files in place of what is shown, once they are whole.
     pub fn open(&mut self, paths: Vec<PathBuf>) {
+        self.load(paths, Reload(false));
+    }
+
+    fn load(&mut self, paths: Vec<PathBuf>, reload: Reload) {
         let proxy = self.proxy.clone();
         let wake = move || drop(proxy.send_event(Wake::Look));
-        self.loading = Some((Loading::start(paths.clone(), wake), paths));
+        self.loading = Some((Loading::start(paths.clone(), wake), paths, reload));
     }
 
     /// Takes what a load brought: the scene on screen stays until its successor is whole.
     pub fn take_loaded(&mut self) {
-        let Some((result, paths)) = self
-            .loading
-            .as_ref()
-            .and_then(|(load, paths)| Some((load.poll()?, paths.clone())))
-        else {
+        let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
             return;
         };
-        self.loading = None;
-        let opened = result
+        let Some((_, paths, reload)) = self.loading.take() else {
+            return;
+        };
+        let shown = result
             .map_err(|error| error.to_string())
-            .and_then(|mut loaded| {
-                let warnings = std::mem::take(&mut loaded.warnings);
-                self.show_scene(loaded).map_err(|error| error.to_string())?;
+            .and_then(|loaded| {
+                let warnings = loaded.warnings.clone();
+                self.show_scene(loaded, reload)
+                    .map_err(|error| error.to_string())?;
                 Ok(warnings)
             });
-        match opened {
+        match shown {
             Ok(warnings) => {
                 self.paths = paths;
                 self.notices.clear();
@@ -104,17 +123,43 @@ impl App {
         }
     }
 
-    fn show_scene(&mut self, mut loaded: Loaded) -> Result<(), CameraError> {
-        if !self.first {
-            return self.state.open(loaded);
+    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), CameraError> {
+        let meshes = std::mem::take(&mut loaded.meshes);
+        if reload.0 {
+            self.state.reload(loaded);
+        } else if self.first {
+            if let Err(error) = loaded.scene.hide(&self.options.hidden) {
+                self.complain(format!("--hide: {error}"));
+            }
+            loaded.camera = self.options.camera.or(loaded.camera);
+            self.state.open(loaded)?;
+            self.first = false;
+        } else {
+            self.state.open(loaded)?;
         }
-        if let Err(error) = loaded.scene.hide(&self.options.hidden) {
-            self.complain(format!("--hide: {error}"));
-        }
-        loaded.camera = self.options.camera.or(loaded.camera);
-        self.state.open(loaded)?;
-        self.first = false;
+        self.meshes = meshes;
         Ok(())
+    }
+
+    /// Writes what is shown as a scene file, which from then on is what is shown.
+    pub fn save(&mut self, path: PathBuf) {
+        self.act(Action::Stage(Stage::World));
+        let text = description::to_toml(
+            self.state.scene(),
+            &self.state.camera_choice(),
+            &self.meshes,
+        );
+        let written = text.map_err(|error| error.to_string()).and_then(|text| {
+            let failed = |error| format!("cannot write {}: {error}", path.display());
+            std::fs::write(&path, text).map_err(failed)
+        });
+        match written {
+            Ok(()) => {
+                log::info!("saved {}", path.display());
+                self.paths = vec![path];
+            }
+            Err(text) => self.complain(text),
+        }
     }
 
     /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal.
@@ -152,7 +197,15 @@ impl App {
                 let proxy = self.proxy.clone();
                 loading::open_dialog(move |answer| drop(proxy.send_event(Wake::Answered(answer))));
             }
+            Command::SaveDialog => {
+                let proxy = self.proxy.clone();
+                loading::save_dialog(move |answer| drop(proxy.send_event(Wake::Answered(answer))));
+            }
             Command::Open(paths) => self.open(paths),
+            Command::Reload if self.loading.is_none() => {
+                self.load(self.paths.clone(), Reload(true));
+            }
+            Command::Reload => {}
             Command::CopyCommandLine => {
                 let text = self.view_command();
                 self.copy(text);
@@ -167,10 +220,62 @@ impl App {
                 }
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
-            Command::Escape if self.help => self.help = false,
+            Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if matches!(self.checking, Checking::On(_)) => {
+                self.checking = Checking::Off;
+            }
             Command::Escape => self.act(Action::Select(None)),
-            Command::ToggleHelp => self.help = !self.help,
+            Command::ToggleCheck => self.toggle_check(),
+            Command::ToggleHelp => self.floating.help ^= true,
+            Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::Quit => event_loop.exit(),
+        }
+    }
+
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for.
+    pub fn start_check(&mut self) {
+        let (Checking::Wanted, Some(shell)) = (&self.checking, &self.shell) else {
+            return;
+        };
+        match shell.frame.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let proxy = self.proxy.clone();
+                let wake = move || drop(proxy.send_event(Wake::Look));
+                let check = Check::start(&self.state, drawn, wake);
+                self.checking = Checking::On(Box::new(check));
+                shell.egui.egui_ctx().request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let (Checking::On(check), Some(shell)) = (&mut self.checking, &self.shell) else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            self.checking = Checking::Off;
+        } else if check.poll(shell.egui.egui_ctx())
+            && let Some(found) = &check.found
+        {
+            let command = command::verify_command(&self.state, &self.paths);
+            let differ = found.report.disagreements.len();
+            log::info!("{differ} pixels differ: {command}");
         }
     }
 
@@ -221,7 +326,7 @@ impl App {
     }
 }
 
-/// A pick as a line on stdout.@ Who reads it may be gone: that is no reason to stop showing.
+/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
 fn print(line: &PickLine) {
     if let Ok(json) = serde_json::to_string(line) {
         let mut out = std::io::stdout().lock();

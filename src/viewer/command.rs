@@ -10,11 +10,26 @@ use std::{fmt::Write, path::PathBuf};
 
 /// `sightline pick` with all that the window shows now, at a pixel position. `paths` is what was opened.
 pub(super) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> String {
-    let view = state.view();
+    format!(
+        "{} --at {},{}",
+        line(state, paths, "pick"),
+        at_px.x,
+        at_px.y
+    )
+}
+
+/// `sightline verify` with all that the window shows now.
+pub(super) fn verify_command(state: &State, paths: &[PathBuf]) -> String {
+    line(state, paths, "verify")
+}
+
+/// A command about what the window shows now.
+fn line(state: &State, paths: &[PathBuf], command: &str) -> String {
+    let (scene, view) = state.world();
     let camera = &view.camera;
     let lens = camera.lens();
     let controls = state.controls();
-    let mut line = String::from("sightline pick");
+    let mut line = format!("sightline {command}");
     for path in paths {
         let _ = write!(line, " {}", quoted(&path.display().to_string()));
     }
@@ -34,15 +49,13 @@ pub(super) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> St
     }
     flag("near", lens.near.to_string());
     flag("far", lens.far.to_string());
-    flag("at", format!("{},{}", at_px.x, at_px.y));
     if state.up_axis() == UpAxis::Z {
         flag("up-axis", "z".into());
     }
     if lens.depth == DepthMapping::Standard {
         flag("depth", lens.depth.to_string());
     }
-    let hidden = state
-        .scene()
+    let hidden = scene
         .objects()
         .iter()
         .enumerate()

@@ -44,9 +44,11 @@ impl App {
             let mut shown = Shown {
                 state: &self.state,
                 notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, _)| load.fraction()),
-                help: self.help,
+                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
+                floating: self.floating,
+                checking: &self.checking,
                 statistics: &self.statistics,
+                filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,
             };
             let (scene, asked) = panels::show(ui, &mut shown, &mut self.drag);
@@ -84,6 +86,7 @@ impl App {
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
         let start = Instant::now();
         self.take_loaded();
+        self.take_checked();
         let Some(pass) = self.pass(event_loop) else {
             return;
         };
@@ -108,6 +111,7 @@ impl App {
                 self.complain(error.to_string());
             }
         }
+        self.start_check();
     }
 
     fn request_redraw(&self) {
@@ -148,9 +152,10 @@ impl ApplicationHandler<Wake> for App {
             Wake::Look => self.request_redraw(),
             Wake::Answered(answer) => {
                 match answer {
-                    Answer::Files(paths) => self.open(paths),
+                    Answer::Open(paths) => self.open(paths),
+                    Answer::Save(path) => self.save(path),
                     Answer::NoDialog => self.complain(
-                        "this desktop has no file dialog: drop files on the window, or name them when starting".into(),
+                        "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
                     ),
                 }
                 self.request_redraw();

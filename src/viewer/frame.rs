@@ -1,8 +1,15 @@
 //! One frame: the scene where it changed, its marks, and the panels over it, onto the window's surface.
 
-use super::{input::SceneRect, stage, state::State};
+use super::{
+    check::OnScreen,
+    frozen,
+    input::SceneRect,
+    stage,
+    state::{Frozen, State},
+};
 use crate::{
     camera::{UpAxis, View},
+    image::{Id, Image},
     render::{Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets},
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
@@ -39,6 +46,7 @@ struct Drawn {
     revision: u64,
     visibility: u64,
     grid: Option<UpAxis>,
+    frozen: Option<Frozen>,
     selection: Option<usize>,
 }
 
@@ -89,6 +97,20 @@ impl Frame {
     /// Whether the processor draws.
     pub fn is_software(&self) -> bool {
         self.gpu.is_software()
+    }
+
+    /// The ids on screen, when they are those of `wanted`.
+    pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
+        let (Some(targets), Some(drawn)) = (&self.targets, &self.drawn) else {
+            return Ok(None);
+        };
+        let shown = OnScreen {
+            view: drawn.view,
+            scene_revision: drawn.revision,
+            visibility_revision: drawn.visibility,
+        };
+        let is_wanted = shown == *wanted;
+        is_wanted.then(|| targets.read_ids(&self.gpu)).transpose()
     }
 
     /// The window has another size; 0 while it is minimised.
@@ -200,6 +222,7 @@ impl Frame {
             revision: state.scene_revision(),
             visibility: state.visibility_revision(),
             grid: state.grid().then_some(state.up_axis()),
+            frozen: state.frozen().copied(),
             selection: state.selection().map(|selection| selection.object),
         };
         let unmarked = |drawn: Drawn| Drawn {
@@ -212,16 +235,22 @@ impl Frame {
             self.renderer.scale_factor = self.window.scale_factor() as f32;
         }
         if anew {
-            let lines = wanted
+            let scene_now = state.scene();
+            let floor = wanted
                 .grid
-                .map(|up_axis| stage::floor(&state.scene().visible_bounds(), up_axis));
-            self.renderer.draw(
-                &self.gpu,
-                &scene.buffers,
-                targets,
-                &wanted.view,
-                &lines.unwrap_or_default(),
-            )?;
+                .map(|up_axis| stage::floor(&scene_now.visible_bounds(), up_axis));
+            let frozen = wanted
+                .frozen
+                .map(|frozen| frozen::lines(&frozen, scene_now));
+            let stage = stage::of(state.stage());
+            let lines: Vec<_> = floor
+                .into_iter()
+                .chain(frozen)
+                .chain([stage])
+                .flatten()
+                .collect();
+            self.renderer
+                .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
         }
         if let Some(object) = wanted.selection.filter(|_| self.drawn != Some(wanted)) {
             self.renderer

@@ -64,6 +64,14 @@ impl SceneRect {
         })
     }
 
+    /// The pixels as a rectangle in points.
+    pub fn to_points(self) -> Rect {
+        #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
+        let points = |px: [u32; 2]| px.map(|px| px as f32 / self.pixels_per_point);
+        let size = points([self.viewport.width(), self.viewport.height()]);
+        Rect::from_min_size(points(self.origin_px).into(), size.into())
+    }
+
     /// A position in points as a position within the rectangle in pixels. The pointer's own pixels went through
     /// `f32` points and back: what is off by that rounding is put right.
     pub fn to_px(self, position: Pos2) -> DVec2 {
@@ -309,6 +317,36 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_, _| Command::OpenDialog,
     },
     Binding {
+        keys: "Ctrl+S",
+        does: "save as a scene file",
+        shortcuts: &[(CTRL, Key::S)],
+        command: |_, _| Command::SaveDialog,
+    },
+    Binding {
+        keys: "R",
+        does: "read the files again",
+        shortcuts: &[(NONE, Key::R)],
+        command: |_, _| Command::Reload,
+    },
+    Binding {
+        keys: "T",
+        does: "freeze the camera: it stays as lines, with the pick's ray, while you look from elsewhere",
+        shortcuts: &[(NONE, Key::T)],
+        command: |_, _| Command::Act(Action::ToggleFreeze),
+    },
+    Binding {
+        keys: "P",
+        does: "the matrices, and the pick on its way through them",
+        shortcuts: &[(NONE, Key::P)],
+        command: |_, _| Command::TogglePipeline,
+    },
+    Binding {
+        keys: "V",
+        does: "compare what is drawn with what is picked, pixel by pixel",
+        shortcuts: &[(NONE, Key::V)],
+        command: |_, _| Command::ToggleCheck,
+    },
+    Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],
@@ -322,7 +360,7 @@ pub(super) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop loading, close the help, select nothing",
+        does: "stop loading, close the help or the comparison, select nothing",
         shortcuts: &[(NONE, Key::Escape)],
         command: |_, _| Command::Escape,
     },

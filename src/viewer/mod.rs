@@ -6,14 +6,18 @@
 
 pub mod action;
 mod app;
+mod check;
 mod command;
 mod events;
 mod frame;
+mod frozen;
 mod input;
 mod loading;
 mod panels;
+pub mod pipeline;
 mod shell;
 mod stage;
+pub mod stages;
 pub mod state;
 mod update;
 
@@ -67,16 +71,24 @@ enum Command {
     Act(Action),
     /// Ask for files.
     OpenDialog,
+    /// Ask for a file and write the scene to it.
+    SaveDialog,
     /// Load these.
     Open(Vec<PathBuf>),
+    /// Load the files on screen again.
+    Reload,
     /// Put the view as a command line on the clipboard.
     CopyCommandLine,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
-    /// Stop loading, or close the help, or select nothing.
+    /// Compare the picture with its picks, or close the comparison.
+    ToggleCheck,
+    /// Stop loading, or close the help or the comparison, or select nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
+    /// Show or hide the matrices.
+    TogglePipeline,
     /// Close the window.
     Quit,
 }

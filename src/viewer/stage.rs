@@ -1,5 +1,6 @@
 //! What stands around the scene: a floor grid with the world's axes on it.
 
+use super::stages::{self, Stage};
 use crate::{camera::UpAxis, colour::Srgb, geometry::Aabb, render::Line};
 use glam::DVec3;
 
@@ -7,6 +8,8 @@ use glam::DVec3;
 const LINES: i32 = 40;
 const GRID: Srgb = Srgb([62, 68, 80]);
 const GRID_TENTH: Srgb = Srgb([84, 92, 107]);
+/// Colour of a frustum's edges.
+pub(super) const FRUSTUM: Srgb = Srgb([236, 214, 120]);
 /// Colours of the x, y and z axes.
 pub(super) const AXES: [Srgb; 3] = [
     Srgb([224, 84, 84]),
@@ -75,4 +78,15 @@ fn axis_colour(direction: DVec3) -> Srgb {
     } else {
         2
     }]
+}
+
+/// What stands beside the scene at a stage of the pipeline: in NDC, the box that the frustum becomes.
+pub(super) fn of(stage: Stage) -> Vec<Line> {
+    let edges = (stage == Stage::Ndc).then(stages::ndc_box);
+    let line = |[from, to]: [DVec3; 2]| Line {
+        from,
+        to,
+        colour: FRUSTUM,
+    };
+    edges.into_iter().flatten().map(line).collect()
 }

@@ -1,17 +1,21 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
 //! [`Action`].
 
-use super::action::{Action, LensControls};
+use super::{
+    action::{Action, LensControls},
+    stages::Stage,
+};
 use crate::{
     camera::{
         Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
         fit_near_far,
     },
-    geometry::Sides,
+    geometry::{Aabb, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
 };
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -31,6 +35,15 @@ pub(super) struct LastClick {
     pub time_s: f64,
     /// How many surfaces in front of the picked one were passed over.
     pub behind: usize,
+}
+
+/// A camera that was left standing in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// Its view.
+    pub view: View,
+    /// The position whose ray is shown: the pick's, or the middle of the picture.
+    pub px: DVec2,
 }
 
 /// The window's state.
@@ -54,6 +67,10 @@ pub struct State {
     pub(super) hover: Option<usize>,
     pub(super) last_click: Option<LastClick>,
     pub(super) grid: bool,
+    pub(super) frozen: Option<Frozen>,
+    pub(super) stage: Stage,
+    /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
+    pub(super) world: Option<(Scene, View)>,
 }
 
 impl State {
@@ -102,6 +119,9 @@ impl State {
             hover: None,
             last_click: None,
             grid: true,
+            frozen: None,
+            stage: Stage::World,
+            world: None,
         })
     }
 
@@ -124,6 +144,62 @@ impl State {
             ..next
         };
         Ok(())
+    }
+
+    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
+    pub fn reload(&mut self, loaded: Loaded) {
+        self.show_stage(Stage::World);
+        let old = std::mem::replace(&mut self.scene, loaded.scene);
+        let old = old.objects();
+        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
+            .map(|(index, object)| (object.name.as_str(), index))
+            .collect();
+        let before = |index: usize, name: &str| {
+            let same_place = old.get(index).filter(|object| object.name == name);
+            same_place
+                .map(|_| index)
+                .or_else(|| by_name.get(name).copied())
+        };
+        let selected = self.selection.take().map(|selection| selection.object);
+        for index in 0..self.scene.objects().len() {
+            let Some(was) = before(index, &self.scene.objects()[index].name) else {
+                continue;
+            };
+            self.scene.set_visible(index, old[was].visible);
+            if selected == Some(was) && self.selection.is_none() {
+                self.selection = Some(Selection {
+                    object: index,
+                    pick: None,
+                });
+            }
+        }
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.last_click = None;
+        self.fit();
+    }
+
+    /// The camera, all of it, as a scene file keeps it.
+    #[must_use]
+    pub fn camera_choice(&self) -> CameraChoice {
+        let camera = &self.view.camera;
+        let ortho = match camera.lens().projection {
+            Projection::Orthographic { height } => Some(height),
+            Projection::Perspective { .. } => None,
+        };
+        CameraChoice {
+            eye: Some(camera.eye()),
+            target: Some(camera.target()),
+            look: None,
+            up: Some(camera.up_hint()),
+            fov: ortho.is_none().then_some(self.controls.fov_deg),
+            ortho,
+            near: self.controls.near,
+            far: self.controls.far,
+            depth: Some(self.controls.depth),
+            up_axis: Some(self.up_axis),
+        }
     }
 
     /// What there is to see.
@@ -162,10 +238,13 @@ impl State {
         self.controls
     }
 
-    /// Which world axis points up.
+    /// Which axis points up in what is shown: the world's, or y of view space and NDC.
     #[must_use]
     pub fn up_axis(&self) -> UpAxis {
-        self.up_axis
+        match self.stage {
+            Stage::Object | Stage::World => self.up_axis,
+            Stage::View | Stage::Ndc => UpAxis::Y,
+        }
     }
 
     /// What is selected.
@@ -184,6 +263,37 @@ impl State {
     #[must_use]
     pub fn grid(&self) -> bool {
         self.grid
+    }
+
+    /// The camera that was left standing in the scene. At other stages than the world's it is not shown.
+    #[must_use]
+    pub fn frozen(&self) -> Option<&Frozen> {
+        self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// How far along the pipeline the scene is shown.
+    #[must_use]
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// The scene itself and the view that its matrices are of, whatever stage is shown.
+    #[must_use]
+    pub fn world(&self) -> (&Scene, &View) {
+        self.world
+            .as_ref()
+            .map_or((&self.scene, &self.view), |(scene, view)| (scene, view))
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let frozen = self.frozen();
+        let frustum = frozen
+            .into_iter()
+            .flat_map(|frozen| frozen.view.frustum_corners());
+        let eye = frozen.map(|frozen| frozen.view.camera.eye());
+        frustum.chain(eye).fold(bounds, Aabb::including)
     }
 
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
@@ -217,7 +327,7 @@ impl State {
             depth: controls.depth,
         };
         let camera = pose.with_lens(lens)?;
-        let bounds = self.scene.visible_bounds();
+        let bounds = self.shown_bounds();
         (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
         camera.with_lens(lens)
     }

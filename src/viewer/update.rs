@@ -2,14 +2,16 @@
 
 use super::{
     action::{Action, LensControls},
-    state::{DOUBLE_CLICK_S, LastClick, Selection, State, perspective_height},
+    stages::{Stage, staged},
+    state::{DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
 };
 use crate::{
-    camera::{Camera, Orbit, pixel_centre},
+    camera::{Camera, Orbit, UpAxis, pixel_centre},
     geometry::Aabb,
     pick::{self, PickLine},
 };
 use glam::{DVec2, DVec3};
+use std::iter;
 
 /// Radians of orbit for a pixel of drag.
 const TURN_PER_PX: f64 = 0.008;
@@ -48,27 +50,20 @@ impl State {
                 self.orbit.zoom(self.point_at(px), factor);
                 self.moved();
             }
-            Action::Click(px, time_s) => return Some(self.click(px, time_s)),
-            Action::Recentre(px) => {
-                let ray = self.view.ray(px);
-                let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
-                    return self.apply(Action::FrameAll);
-                };
-                self.pivot_world = ray.at(hit.hit.t);
-                self.orbit.center_on(self.pivot_world);
-                self.moved();
-            }
-            Action::Hover(px) => {
-                let hit = px.and_then(|px| {
-                    pick::closest(
-                        &self.scene,
-                        &self.view.ray(pixel_centre(px)),
-                        self.view.sides,
-                    )
+            Action::Click(px, time_s) => {
+                let line = self.click(px, time_s);
+                if self.stage == Stage::World {
+                    return Some(line);
+                }
+                // Points of another stage are not the scene's.
+                self.selection = self.selection.take().map(|selection| Selection {
+                    pick: None,
+                    ..selection
                 });
-                self.hover = hit.map(|hit| hit.object);
             }
-            Action::FrameAll => self.frame(self.scene.visible_bounds()),
+            Action::Recentre(px) => self.recentre(px),
+            Action::Hover(px) => self.hover = px.and_then(|px| self.object_at(px)),
+            Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self
                     .selection
@@ -113,6 +108,8 @@ impl State {
             }
             Action::ShowAll => self.show(|_| true, true),
             Action::ToggleGrid => self.grid = !self.grid,
+            Action::ToggleFreeze => self.toggle_freeze(),
+            Action::Stage(stage) => self.show_stage(stage),
         }
         None
     }
@@ -147,6 +144,21 @@ impl State {
         line
     }
 
+    fn object_at(&self, px: DVec2) -> Option<usize> {
+        let ray = self.view.ray(pixel_centre(px));
+        pick::closest(&self.scene, &ray, self.view.sides).map(|hit| hit.object)
+    }
+
+    fn recentre(&mut self, px: DVec2) {
+        let ray = self.view.ray(px);
+        let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
+            return self.frame(self.shown_bounds());
+        };
+        self.pivot_world = ray.at(hit.hit.t);
+        self.orbit.center_on(self.pivot_world);
+        self.moved();
+    }
+
     /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
     fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
@@ -170,6 +182,56 @@ impl State {
         self.height_per_distance = perspective_height(self.controls.fov_deg);
         self.pivot_world = self.orbit.target();
         self.moved();
+    }
+
+    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one; back in the world
+    /// the view is that camera's again.
+    pub(super) fn show_stage(&mut self, stage: Stage) {
+        if stage == self.stage {
+            return;
+        }
+        let through = self.frozen.map_or(self.view, |frozen| frozen.view);
+        let (scene, through) =
+            (self.world.take()).unwrap_or_else(|| (std::mem::take(&mut self.scene), through));
+        self.stage = stage;
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.hover = None;
+        self.last_click = None;
+        if let Some(selection) = &mut self.selection {
+            selection.pick = None;
+        }
+        if stage == Stage::World {
+            self.scene = scene;
+            self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
+            self.view.camera = through.camera;
+            self.fit();
+        } else {
+            self.scene = staged(&scene, &through, stage);
+            self.world = Some((scene, through));
+            if matches!(stage, Stage::View | Stage::Ndc) {
+                // From the eye's side, a little to the right and above.
+                self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+            }
+            self.frame(self.shown_bounds());
+        }
+    }
+
+    fn toggle_freeze(&mut self) {
+        let pick = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let viewport = self.view.viewport;
+        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
     }
 
     fn reset_view(&mut self) {
@@ -203,9 +265,10 @@ impl State {
     }
 
     fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
-        for index in 0..self.scene.objects().len() {
-            if which(index) {
-                self.scene.set_visible(index, visible);
+        for scene in iter::once(&mut self.scene).chain(self.world.as_mut().map(|(scene, _)| scene))
+        {
+            for index in (0..scene.objects().len()).filter(|&index| which(index)) {
+                scene.set_visible(index, visible);
             }
         }
         self.visibility_revision += 1;
@@ -222,7 +285,7 @@ impl State {
     }
 
     /// The camera's place or the bounds changed: the planes follow.
-    fn fit(&mut self) {
+    pub(super) fn fit(&mut self) {
         if let Ok(camera) = self.camera_with(&self.controls) {
             self.view.camera = camera;
         }

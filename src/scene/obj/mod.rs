@@ -26,6 +26,7 @@ use std::{
     io::{BufRead, BufReader, Read},
     path::{Path, PathBuf},
     sync::Arc,
+    time::Instant,
 };
 
 /// What an OBJ file holds.
@@ -125,6 +126,7 @@ pub enum ObjError {
 /// When it cannot be read, breaks the format or holds nothing to show; see [`ObjError`]. Missing or broken MTL files
 /// are warnings.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
+    let start = Instant::now();
     let mut input = open(path, progress)?;
     let looks_like = looks_like(&mut input);
     let mut source = Source::new(input, progress, false);
@@ -170,7 +172,14 @@ pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
         let file = file();
         return Err(ObjError::NotObj { file, looks_like });
     }
-    build::build(path, models, &outline)
+    let (read, start) = (start.elapsed(), Instant::now());
+    let built = build::build(path, models, &outline);
+    log::info!(
+        "read {} in {read:.1?}, built in {:.1?}",
+        path.display(),
+        start.elapsed()
+    );
+    built
 }
 
 /// The file, when it is one and not empty; tells `progress` of its bytes.

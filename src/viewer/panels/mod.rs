@@ -1,22 +1,35 @@
 //! The window's panels. They show the state and return what the user asks for; they change nothing themselves.
 
 mod camera;
+mod check;
 mod field;
 mod help;
 mod objects;
 mod overlays;
 mod pick;
+mod pipeline;
 mod status;
 mod toolbar;
 
+pub(super) use objects::Filter;
 pub(super) use status::Statistics;
 
 use super::{
     Command, Notices,
+    check::Checking,
     input::{self, Drag, SceneRect},
     state::State,
 };
 use egui::{CentralPanel, Panel, Ui};
+
+/// Windows over the scene that are there when asked for.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Floating {
+    /// Keys and mouse.
+    pub help: bool,
+    /// Matrices.
+    pub pipeline: bool,
+}
 
 /// What the panels show besides the state.
 pub(super) struct Shown<'a> {
@@ -26,10 +39,14 @@ pub(super) struct Shown<'a> {
     pub notices: &'a mut Notices,
     /// How far a load has come, when there is one.
     pub loading: Option<f32>,
-    /// Whether the help is open.
-    pub help: bool,
+    /// Which windows are open over the scene.
+    pub floating: Floating,
+    /// The comparison of drawn and picked.
+    pub checking: &'a Checking,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
+    /// What narrows the list of objects.
+    pub filter: &'a mut Filter,
     /// Whether to bring the selected object's row into view.
     pub reveal_selection: bool,
 }
@@ -47,7 +64,13 @@ pub(super) fn show(
         .default_size(210.0)
         .size_range(120.0..=420.0)
         .show(ui, |ui| {
-            objects::show(ui, shown.state, shown.reveal_selection, &mut commands);
+            objects::show(
+                ui,
+                shown.state,
+                shown.filter,
+                shown.reveal_selection,
+                &mut commands,
+            );
         });
     Panel::right("view")
         .exact_size(330.0)
@@ -66,11 +89,15 @@ pub(super) fn show(
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
         let actions = input::scene(ui, rect, place, drag);
         commands.extend(actions.into_iter().map(Command::Act));
+        check::show(ui, rect, place, shown.checking);
         overlays::axes(ui, rect, shown.state);
         overlays::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
-    if shown.help {
+    if shown.floating.pipeline {
+        pipeline::show(ui.ctx(), shown.state, &mut commands);
+    }
+    if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
     commands.extend(input::keys(

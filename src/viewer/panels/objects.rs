@@ -3,9 +3,37 @@
 use super::super::{Command, action::Action, state::State};
 use egui::{ScrollArea, TextStyle, Ui};
 
+/// What is typed to narrow the list, and the rows that are left.
+#[derive(Default)]
+pub(in super::super) struct Filter {
+    text: String,
+    /// Of which scene and text the rows are.
+    of: Option<(u64, String)>,
+    /// Indices of the objects whose name holds the text, whatever its case.
+    rows: Vec<usize>,
+}
+
+impl Filter {
+    fn apply(&mut self, state: &State) {
+        let of = Some((state.scene_revision(), self.text.to_lowercase()));
+        if self.of != of {
+            let wanted = self.text.to_lowercase();
+            let named = state
+                .scene()
+                .objects()
+                .iter()
+                .map(|object| object.name.to_lowercase());
+            let fits = named.enumerate().filter(|(_, name)| name.contains(&wanted));
+            self.rows = fits.map(|(index, _)| index).collect();
+            self.of = of;
+        }
+    }
+}
+
 pub(super) fn show(
     ui: &mut Ui,
     state: &State,
+    filter: &mut Filter,
     reveal_selection: bool,
     commands: &mut Vec<Command>,
 ) {
@@ -45,20 +73,26 @@ pub(super) fn show(
             }
         }
     });
+    let search = egui::TextEdit::singleline(&mut filter.text)
+        .hint_text("search")
+        .desired_width(f32::INFINITY);
+    ui.add(search);
+    filter.apply(state);
     ui.separator();
     let row_height = ui
         .text_style_height(&TextStyle::Body)
         .max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().auto_shrink(false);
     let selected = state.selection().map(|selection| selection.object);
-    if let Some(object) = selected.filter(|_| reveal_selection) {
+    let row_of = |object: usize| filter.rows.binary_search(&object).ok();
+    if let Some(row) = selected.filter(|_| reveal_selection).and_then(row_of) {
         #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
-        let row = object as f32;
+        let row = row as f32;
         let step = row_height + ui.spacing().item_spacing.y;
         area = area.vertical_scroll_offset((row * step - 0.4 * ui.available_height()).max(0.0));
     }
-    area.show_rows(ui, row_height, objects.len(), |ui, rows| {
-        for index in rows {
+    area.show_rows(ui, row_height, filter.rows.len(), |ui, rows| {
+        for &index in &filter.rows[rows] {
             let object = &objects[index];
             ui.horizontal(|ui| {
                 let mut visible = object.visible;

@@ -71,14 +71,32 @@ fn record(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
     rows.push(("distance", length(hit.distance)));
     rows.push(("depth", length(hit.depth)));
     rows.push(("ndc", vector(hit.ndc, PLACES)));
-    let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
-    rows.push((
-        "nearest edge",
-        edge.unwrap_or_else(|| "none in view".into()),
-    ));
-    let gap = hit.gap.map(|gap| format!("{} further", length(gap)));
-    rows.push(("next surface", gap.unwrap_or_else(|| "none".into())));
+    rows.extend(certainty(hit, places));
     rows
+}
+
+/// How sure the pick is.
+fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
+    let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
+    let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
+    let gap = hit.gap.map(|gap| format!("{gap:.places$} further"));
+    let decided = if hit.exact {
+        "exact arithmetic"
+    } else {
+        "f64, for certain"
+    };
+    [
+        (
+            "nearest edge",
+            edge.unwrap_or_else(|| "none in view".into()),
+        ),
+        (
+            "other answer",
+            differs.unwrap_or_else(|| "none within 8 px".into()),
+        ),
+        ("next surface", gap.unwrap_or_else(|| "none".into())),
+        ("decided by", decided.into()),
+    ]
 }
 
 fn vector(v: DVec3, places: usize) -> String {

@@ -1,6 +1,6 @@
 //! The line at the bottom: how fast, on what, and what is under the cursor.
 
-use super::super::{input, state::State};
+use super::super::{input, stages::Stage, state::State};
 use egui::{RichText, Ui};
 use std::time::Duration;
 
@@ -39,6 +39,14 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
             input::projection_name(state.view()),
             lens.depth
         ));
+        let stage = Stage::ALL
+            .into_iter()
+            .find(|(stage, _)| *stage == state.stage());
+        if let Some((_, name)) = stage.filter(|(stage, _)| *stage != Stage::World) {
+            ui.separator();
+            ui.label(RichText::new(format!("shown with {name}")).color(ui.visuals().warn_fg_color))
+                .on_hover_text("not the world: the way back is in the pipeline (P)");
+        }
         if let Some(object) = state.hover() {
             ui.separator();
             ui.label(&state.scene().objects()[object].name);

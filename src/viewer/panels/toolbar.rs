@@ -17,6 +17,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             "OBJ and scene files (Ctrl+O); or drop them on the window",
             Command::OpenDialog,
         );
+        button(
+            ui,
+            "Save\u{2026}",
+            "as a scene file (Ctrl+S)",
+            Command::SaveDialog,
+        );
+        button(ui, "Reload", "read the files again (R)", Command::Reload);
         ui.separator();
         button(ui, "Frame all", "(A)", Command::Act(Action::FrameAll));
         button(
@@ -49,6 +56,21 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             .changed()
         {
             commands.push(Command::Act(Action::ToggleGrid));
+        }
+        let mut frozen = state.frozen().is_some();
+        if ui
+            .checkbox(&mut frozen, "Freeze")
+            .on_hover_text("leave this camera standing, with the pick's ray, and look at it from elsewhere (T)")
+            .changed()
+        {
+            commands.push(Command::Act(Action::ToggleFreeze));
+        }
+        if ui
+            .button("Pipeline")
+            .on_hover_text("P, V, M and the pick on its way through them (P)")
+            .clicked()
+        {
+            commands.push(Command::TogglePipeline);
         }
         if ui
             .button("Help")

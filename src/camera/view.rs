@@ -1,0 +1,147 @@
+//! The picture's size, and all else besides the scene that decides what a pixel shows.
+
+use super::{Camera, CameraError, Projected, Projection};
+use crate::geometry::{Aabb, Ray, Sides};
+use glam::{DVec2, DVec3};
+
+/// The size of the picture in physical pixels, at least 1 x 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Viewport {
+    width: u32,
+    height: u32,
+}
+
+impl Viewport {
+    /// The size of pictures where none is asked for: 1280 x 720.
+    pub const DEFAULT: Self = Self {
+        width: 1280,
+        height: 720,
+    };
+
+    /// Takes width and height in pixels.
+    ///
+    /// # Errors
+    /// When either is zero.
+    pub fn new(width: u32, height: u32) -> Result<Self, CameraError> {
+        if width == 0 || height == 0 {
+            return Err(CameraError::EmptyViewport(width, height));
+        }
+        Ok(Self { width, height })
+    }
+
+    /// Width in pixels.
+    #[must_use]
+    pub fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub fn height(self) -> u32 {
+        self.height
+    }
+
+    /// Width over height.
+    #[must_use]
+    pub fn aspect(self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    /// A pixel position in NDC: x and y in [-1, 1] within the picture, y up.
+    #[must_use]
+    pub fn px_to_ndc(self, px: DVec2) -> DVec2 {
+        DVec2::new(
+            2.0 * px.x / f64::from(self.width) - 1.0,
+            1.0 - 2.0 * px.y / f64::from(self.height),
+        )
+    }
+
+    /// An NDC position in pixels.
+    #[must_use]
+    pub fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
+        DVec2::new(
+            0.5 * (ndc.x + 1.0) * f64::from(self.width),
+            0.5 * (1.0 - ndc.y) * f64::from(self.height),
+        )
+    }
+
+    /// Whether a pixel position lies within the picture: `0 <= x < width`, `0 <= y < height`.
+    #[must_use]
+    pub fn contains(self, px: DVec2) -> bool {
+        (0.0..f64::from(self.width)).contains(&px.x)
+            && (0.0..f64::from(self.height)).contains(&px.y)
+    }
+}
+
+/// All that decides which surface a pixel shows, besides the scene: what drawing and picking share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where the eye stands and where it looks.
+    pub camera: Camera,
+    /// The picture's size.
+    pub viewport: Viewport,
+    /// Whether back faces show.
+    pub sides: Sides,
+}
+
+impl View {
+    /// The world-space ray through a pixel position; see [`Camera::ray`].
+    #[must_use]
+    pub fn ray(&self, px: DVec2) -> Ray {
+        self.camera.ray(self.viewport, px)
+    }
+
+    /// Where the picture shows a world point; see [`Camera::project`].
+    #[must_use]
+    pub fn project(&self, point_world: DVec3) -> Option<Projected> {
+        self.camera.project(self.viewport, point_world)
+    }
+}
+
+impl View {
+    /// The corners of the frustum in world space: near plane, then far plane, each from the top left clockwise.
+    #[must_use]
+    pub fn frustum_corners(&self) -> [DVec3; 8] {
+        let (width, height) = (
+            f64::from(self.viewport.width),
+            f64::from(self.viewport.height),
+        );
+        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
+        std::array::from_fn(|i| {
+            let ray = self.ray(corners[i % 4].into());
+            ray.at(if i < 4 { ray.t_min } else { ray.t_max })
+        })
+    }
+
+    /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the six
+    /// planes of the frustum.
+    #[must_use]
+    pub fn may_see(&self, bounds_world: &Aabb) -> bool {
+        let lens = self.camera.lens();
+        let half = lens.half_extent(self.viewport.aspect());
+        let excess = bounds_world.corners().map(|corner| {
+            let p = self.camera.to_view(corner);
+            let w = match lens.projection {
+                Projection::Perspective { .. } => p.z,
+                Projection::Orthographic { .. } => 1.0,
+            };
+            let (x, y) = (half.x * w, half.y * w);
+            [
+                p.x - x,
+                -p.x - x,
+                p.y - y,
+                -p.y - y,
+                p.z - lens.far,
+                lens.near - p.z,
+            ]
+        });
+        !bounds_world.is_empty()
+            && (0..6).all(|plane| excess.iter().any(|corner| corner[plane] <= 0.0))
+    }
+}
+
+/// The centre of the pixel that a position lies in: what a click there picks.
+#[must_use]
+pub fn pixel_centre(px: DVec2) -> DVec2 {
+    px.floor() + 0.5
+}

@@ -1,0 +1,115 @@
+//! `sightline study`: speed against accuracy.
+
+use super::{CliError, SceneArgs, ViewArgs, load, value};
+use crate::study::{self, Effort, SceneRays, chart};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::{io::Write, path::PathBuf, time::Duration};
+
+/// Arguments of `sightline study`.
+#[derive(Debug, clap::Args)]
+pub struct StudyArgs {
+    /// What to study besides the study's own workloads: its camera and rays.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// A folder for study.csv and the charts; made where there is none
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Fewer cases and rounds: seconds in place of minutes
+    #[arg(long)]
+    pub quick: bool,
+    /// Where random numbers start; the same seed gives the same verdicts on every machine
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Say instead which precision the scene needs to stay within so many pixels
+    #[arg(long, value_name = "PX", value_parser = value::number)]
+    pub budget: Option<f64>,
+    /// How to look at the scene.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// Rays of a scene for its budget.
+const BUDGET_RAYS: usize = 2000;
+
+/// Runs the study and prints its table.
+pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
+    if let Some(px) = args.budget {
+        return budget(args, px);
+    }
+    let effort = Effort {
+        seed: args.seed,
+        ..if args.quick {
+            Effort::QUICK
+        } else {
+            Effort::FULL
+        }
+    };
+    // Made before the work, so that a folder that cannot be is known at once.
+    if let Some(folder) = &args.out {
+        std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
+    }
+    let mut loaded = load(&args.scene)?;
+    let own = if args.scene.scenes.is_empty() {
+        None
+    } else {
+        let view = args.view.apply(&mut loaded)?;
+        Some(SceneRays::new(
+            &loaded.scene,
+            view,
+            effort.cases,
+            effort.seed,
+        ))
+    };
+    let bar = progress_bar();
+    let report = study::run(effort, own.as_ref(), &|share, step| {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "0 to 1000"
+        )]
+        bar.set_position((1000.0 * share) as u64);
+        bar.set_message(step.to_owned());
+    });
+    bar.finish_and_clear();
+    std::io::stdout()
+        .write_all(study::table(&report).as_bytes())
+        .map_err(CliError::stdout)?;
+    if let Some(folder) = &args.out {
+        let file = folder.join("study.csv");
+        std::fs::write(&file, study::csv(&report))
+            .map_err(|source| CliError::file(&file, source))?;
+        for (stem, picture) in chart::charts(&report) {
+            chart::write(folder, stem, &picture)?;
+        }
+    }
+    Ok(())
+}
+
+/// Prints what the scene (or the demo) needs.
+fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
+    if !(px > 0.0) {
+        return Err(CliError::Usage("--budget takes pixels above 0".to_owned()));
+    }
+    let mut loaded = load(&args.scene)?;
+    let view = args.view.apply(&mut loaded)?;
+    let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
+    let effort = Effort {
+        seed: args.seed,
+        ..Effort::SCENE_ONLY
+    };
+    let report = study::run(effort, Some(&rays), &|_, _| {});
+    let page = study::budget(&loaded.scene, &view, &rays.triangles(), &report, px);
+    std::io::stdout()
+        .write_all(page.as_bytes())
+        .map_err(CliError::stdout)
+}
+
+/// A bar on stderr where that is a terminal, nothing where it is not.
+fn progress_bar() -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

@@ -1,0 +1,288 @@
+//! `sightline verify`: drawn against picked, pixel by pixel.
+
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load};
+use crate::{
+    camera::View,
+    image::{Id, Image},
+    pick,
+    render::{self, Gpu},
+    scene::Scene,
+    study::methods::usual,
+    verify::{self, COLOURS, Class, Disagreement, Report},
+};
+use serde::Serialize;
+use std::{fmt::Write as _, io::Write as _, path::PathBuf, time::Instant};
+
+/// Arguments of `sightline verify`.
+#[derive(Debug, clap::Args)]
+pub struct VerifyArgs {
+    /// What to look at.
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Write the picture in grey, each pixel that differs in its class's colour with a dark rim about it
+    #[arg(long, value_name = "FILE.png")]
+    pub image: Option<PathBuf>,
+    /// One line of JSON in place of the table
+    #[arg(long)]
+    pub json: bool,
+    /// What picks: the program's own rays, or for comparison the usual ones
+    #[arg(long, value_enum, default_value_t = Picker::Exact)]
+    pub picker: Picker,
+    /// How to look at it.
+    #[command(flatten)]
+    pub view: ViewArgs,
+}
+
+/// What answers for a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Picker {
+    /// The program's own: what a click picks.
+    Exact,
+    /// f32: unprojected through the inverse of Projection * View, Moeller-Trumbore.
+    Usual,
+}
+
+/// Draws, picks, compares and prints what came of it.
+pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
+    let mut loaded = load(&args.scene)?;
+    let view = args.view.apply(&mut loaded)?;
+    let scene = &loaded.scene;
+    let start = Instant::now();
+    let gpu = Gpu::headless().map_err(CliError::NothingDrawn)?;
+    let (drawn, colours) =
+        render::render(&gpu, scene, &view, None).map_err(CliError::NothingDrawn)?;
+    let drawn_s = start.elapsed().as_secs_f64();
+    build_trees(scene);
+    let start = Instant::now();
+    let picked = picked(args.picker, scene, &view);
+    let picked_s = start.elapsed().as_secs_f64();
+    let report = verify::compare(scene, &view, &drawn, &picked);
+    if let Some(path) = &args.image {
+        verify::paint(&colours, &report.disagreements).write_png(path)?;
+    }
+    let outcome = Outcome {
+        scene,
+        report: &report,
+        size: [view.viewport.width(), view.viewport.height()],
+        adapter: gpu.adapter_name(),
+        seconds: [drawn_s, picked_s],
+    };
+    let text = if args.json {
+        outcome.json()?
+    } else {
+        outcome.text(args.image.is_some())
+    };
+    std::io::stdout()
+        .write_all(text.as_bytes())
+        .map_err(CliError::stdout)?;
+    match report.count(Class::Unexplained) {
+        0 => Ok(()),
+        pixels => Err(CliError::Unexplained(pixels)),
+    }
+}
+
+fn picked(picker: Picker, scene: &Scene, view: &View) -> Image<Id> {
+    match picker {
+        Picker::Exact => pick::ids(scene, view),
+        Picker::Usual => pick::ids_by(scene, view, |px| usual::closest(scene, view, px)),
+    }
+}
+
+/// What there is to print.
+struct Outcome<'a> {
+    scene: &'a Scene,
+    report: &'a Report,
+    size: [u32; 2],
+    adapter: &'a str,
+    /// Spent drawing and picking.
+    seconds: [f64; 2],
+}
+
+/// The report as a line of JSON; the field names are the JSON's.
+#[derive(Serialize)]
+struct Line<'a> {
+    size: [u32; 2],
+    pixels: usize,
+    shown: usize,
+    outline: usize,
+    same: usize,
+    edge: usize,
+    depth: usize,
+    f32_limit: usize,
+    unexplained: usize,
+    share_of_outline: f64,
+    worst: Option<Worst<'a>>,
+    adapter: &'a str,
+    drawn_s: f64,
+    picked_s: f64,
+}
+
+/// The pixel hardest to explain.
+#[derive(Serialize)]
+struct Worst<'a> {
+    pixel: [u32; 2],
+    class: Class,
+    drawn: Option<Answer<'a>>,
+    picked: Option<Answer<'a>>,
+    /// From the centre to the outline that made the difference, or would have to; `None` where none could.
+    outline_px: Option<f64>,
+    /// How far drawing may move that outline.
+    outline_error_px: Option<f64>,
+    /// What the explanation takes over what it may take: up to 1 it holds.
+    strain: Option<f64>,
+}
+
+/// What one side says that a pixel shows; ids from 1, triangles from 0, as picks have them.
+#[derive(Serialize)]
+struct Answer<'a> {
+    object: &'a str,
+    id: u32,
+    triangle: Option<u32>,
+    /// View depth at the pixel's centre.
+    depth: Option<f64>,
+}
+
+impl<'a> Outcome<'a> {
+    fn answer(&self, id: Id, depth: f64) -> Option<Answer<'a>> {
+        let index = (id.object as usize).checked_sub(1)?;
+        Some(Answer {
+            object: self
+                .scene
+                .objects()
+                .get(index)
+                .map_or("", |object| &object.name),
+            id: id.object,
+            triangle: id.triangle.checked_sub(1),
+            depth: finite(depth),
+        })
+    }
+
+    fn worst(&self, at: &Disagreement) -> Worst<'a> {
+        Worst {
+            pixel: at.pixel,
+            class: at.class,
+            drawn: self.answer(at.drawn, at.depth[0]),
+            picked: self.answer(at.picked, at.depth[1]),
+            outline_px: finite(at.outline_px),
+            outline_error_px: finite(at.outline_px).and(finite(at.outline_error_px)),
+            strain: finite(at.strain),
+        }
+    }
+
+    fn json(&self) -> Result<String, CliError> {
+        let report = self.report;
+        let line = Line {
+            size: self.size,
+            pixels: report.pixels,
+            shown: report.shown,
+            outline: report.outline,
+            same: report.same(),
+            edge: report.count(Class::Edge),
+            depth: report.count(Class::Depth),
+            f32_limit: report.count(Class::F32Limit),
+            unexplained: report.count(Class::Unexplained),
+            share_of_outline: report.share_of_outline(),
+            worst: report.worst().map(|at| self.worst(at)),
+            adapter: self.adapter,
+            drawn_s: self.seconds[0],
+            picked_s: self.seconds[1],
+        };
+        let line = serde_json::to_string(&line);
+        line.map(|line| line + "\n")
+            .map_err(|error| CliError::stdout(error.into()))
+    }
+
+    fn text(&self, with_image: bool) -> String {
+        let report = self.report;
+        let [width, height] = self.size;
+        let mut text = format!(
+            "{width}x{height} pixels, {} show something, {} lie on outlines\n",
+            report.shown, report.outline
+        );
+        let mut row = |name: &str, count: usize, what: &str| {
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                text,
+                "{}",
+                format!("{name:<12}{count:>9}  {what}").trim_end()
+            );
+        };
+        row("same", report.same(), "");
+        for (class, _, colour) in COLOURS {
+            let what = match class {
+                Class::Edge => "the centre lies on an outline, to 1/256 pixel",
+                Class::Depth => "two surfaces as deep, to the depth buffer",
+                Class::F32Limit => "the centre lies on an outline, to what f32 can tell",
+                Class::Unexplained => "defects",
+            };
+            let painted = if with_image {
+                format!(" ({colour})")
+            } else {
+                String::new()
+            };
+            row(
+                class.name(),
+                report.count(class),
+                &format!("{what}{painted}"),
+            );
+        }
+        let _ = writeln!(
+            text,
+            "{} of {} outline pixels differ: {:.2} %",
+            report.disagreements.len(),
+            report.outline,
+            100.0 * report.share_of_outline()
+        );
+        if let Some(at) = report.worst() {
+            let _ = writeln!(text, "{}", self.worst_line(at));
+        }
+        let [drawn_s, picked_s] = self.seconds;
+        let _ = writeln!(
+            text,
+            "drawn in {drawn_s:.2} s by {}, picked in {picked_s:.2} s",
+            self.adapter
+        );
+        text
+    }
+
+    fn worst_line(&self, at: &Disagreement) -> String {
+        let say = |id, depth| match self.answer(id, depth) {
+            None => "nothing".to_owned(),
+            Some(answer) => {
+                let triangle = answer
+                    .triangle
+                    .map_or(String::new(), |triangle| format!(", triangle {triangle}"));
+                let depth = answer
+                    .depth
+                    .map_or(String::new(), |depth| format!(", depth {depth}"));
+                format!(
+                    "{} (id {}{triangle}{depth})",
+                    answer.object.escape_debug(),
+                    answer.id
+                )
+            }
+        };
+        let [x, y] = at.pixel;
+        let measure = if at.outline_px.is_finite() {
+            format!(
+                "{:.2e} px from an outline that drawing may move by {:.2e} px",
+                at.outline_px, at.outline_error_px
+            )
+        } else if at.strain.is_finite() {
+            format!("{:.2} of what the depth buffer may be off", at.strain)
+        } else {
+            "no outline and no depth comes into question".to_owned()
+        };
+        format!(
+            "worst: pixel {x},{y}: drawn {}, picked {}; {}: {measure}",
+            say(at.drawn, at.depth[0]),
+            say(at.picked, at.depth[1]),
+            at.class.name()
+        )
+    }
+}
+
+/// JSON has no infinities and no NaN.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}

@@ -1,0 +1,56 @@
+//! The lines that points and broken lines are made of.
+
+use super::picture::Shape;
+
+/// A line in pieces of 7 pixels with 5 between them.
+pub(super) fn dashes(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+    const ON: f64 = 7.0;
+    const PERIOD: f64 = 12.0;
+    let mut pieces = Vec::new();
+    let mut along = 0.0;
+    for pair in points.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let at = |s: f64| {
+            let share = if length > 0.0 { s / length } else { 0.0 };
+            [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]
+        };
+        let mut s = -(along % PERIOD);
+        while s < length {
+            let (from, to) = (s.max(0.0), (s + ON).min(length));
+            if from < to {
+                pieces.push(vec![at(from), at(to)]);
+            }
+            s += PERIOD;
+        }
+        along += length;
+    }
+    pieces
+}
+
+/// The closed outlines of a point.
+pub(super) fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
+    let ring = |corners: u32, from_turn: f64, radius: &dyn Fn(u32) -> f64| {
+        let corner = |i: u32| {
+            let turn = from_turn + f64::from(i) / f64::from(corners);
+            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
+            [x + radius(i) * cos, y + radius(i) * sin]
+        };
+        (0..corners).map(corner).collect::<Vec<_>>()
+    };
+    let bar = |dx: f64, dy: f64| {
+        let (w, h) = (dx * r, dy * r);
+        vec![[x - w, y - h], [x + w, y + h]]
+    };
+    match shape {
+        Shape::Circle => vec![ring(24, 0.0, &|_| r)],
+        Shape::Square => vec![ring(4, 0.125, &|_| 1.25 * r)],
+        Shape::Diamond => vec![ring(4, 0.0, &|_| 1.2 * r)],
+        Shape::Triangle => vec![ring(3, -0.25, &|_| 1.25 * r)],
+        Shape::Wedge => vec![ring(3, 0.25, &|_| 1.25 * r)],
+        Shape::Cross => vec![bar(0.9, 0.9), bar(0.9, -0.9)],
+        Shape::Star => vec![ring(10, -0.25, &|i| {
+            if i % 2 == 0 { 1.7 * r } else { 0.75 * r }
+        })],
+    }
+}

@@ -1,0 +1,355 @@
+//! What a chart is made of, and its way into SVG and PNG through `plotters`.
+
+use super::outlines::{dashes, outlines};
+use plotters::{
+    coord::Shift,
+    prelude::*,
+    style::{
+        FontStyle, FontTransform, register_font,
+        text_anchor::{HPos, Pos, VPos},
+    },
+};
+
+/// An sRGB colour.
+pub type Colour = [u8; 3];
+
+/// Text and axes.
+pub const INK: Colour = [0x22, 0x22, 0x22];
+/// Lines that only guide the eye.
+pub const FAINT: Colour = [0xdd, 0xdd, 0xdd];
+/// What is written small beside the matter.
+pub const QUIET: Colour = [0x55, 0x55, 0x55];
+/// Okabe & Ito's colours, which people of every colour vision tell apart, less the yellow that white swallows and the
+/// black that is this program's.
+pub const COLOURS: [Colour; 7] = [
+    [0x00, 0x72, 0xb2],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x9e, 0x73],
+    [0xcc, 0x79, 0xa7],
+    [0x56, 0xb4, 0xe9],
+    [0xe6, 0x9f, 0x00],
+    [0x88, 0x88, 0x88],
+];
+
+/// The shape of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Round.
+    Circle,
+    /// Four sides, upright.
+    Square,
+    /// On its side.
+    Triangle,
+    /// Four sides, on a corner.
+    Diamond,
+    /// On its tip.
+    Wedge,
+    /// Two crossing bars.
+    Cross,
+    /// Five points: this program's.
+    Star,
+}
+
+/// In the order in which methods take them.
+pub const SHAPES: [Shape; 6] = [
+    Shape::Circle,
+    Shape::Square,
+    Shape::Triangle,
+    Shape::Diamond,
+    Shape::Wedge,
+    Shape::Cross,
+];
+
+/// Where a text's own point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// In the middle of its left side.
+    Left,
+    /// In its middle.
+    Middle,
+    /// In the middle of its right side.
+    Right,
+}
+
+/// A thing that is drawn. Positions in pixels from the top left corner.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// Connected segments.
+    Line {
+        /// Corners.
+        points: Vec<[f64; 2]>,
+        /// Its colour.
+        colour: Colour,
+        /// In pixels.
+        width: u32,
+        /// Broken.
+        dashed: bool,
+    },
+    /// A data point.
+    Point {
+        /// Its middle.
+        at: [f64; 2],
+        /// Its shape.
+        shape: Shape,
+        /// Half its width.
+        radius: f64,
+        /// Its colour.
+        colour: Colour,
+        /// Or only its outline.
+        filled: bool,
+    },
+    /// A filled rectangle.
+    Rectangle {
+        /// Top left corner.
+        from: [f64; 2],
+        /// Bottom right corner.
+        to: [f64; 2],
+        /// Its colour.
+        colour: Colour,
+    },
+    /// One line of text.
+    Text {
+        /// Where its anchor lies.
+        at: [f64; 2],
+        /// What of it lies there.
+        anchor: Anchor,
+        /// Font size.
+        size: f64,
+        /// Its colour.
+        colour: Colour,
+        /// Turned to read upwards.
+        upwards: bool,
+        /// What it says.
+        text: String,
+    },
+}
+
+/// A chart as a list of what is drawn, later over earlier.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+    /// In order.
+    pub marks: Vec<Mark>,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot draw the chart: {0}")]
+pub struct DrawError(String);
+
+/// The family that SVG viewers and the embedded typeface both answer to.
+const FONT: &str = "sans-serif";
+
+impl Picture {
+    /// An empty white picture.
+    #[must_use]
+    pub fn new(width: u32, height: u32) -> Self {
+        Self {
+            width,
+            height,
+            marks: Vec::new(),
+        }
+    }
+
+    /// Adds a line of text.
+    pub fn text(
+        &mut self,
+        at: [f64; 2],
+        anchor: Anchor,
+        size: f64,
+        colour: Colour,
+        text: impl Into<String>,
+    ) {
+        self.marks.push(Mark::Text {
+            at,
+            anchor,
+            size,
+            colour,
+            upwards: false,
+            text: text.into(),
+        });
+    }
+
+    /// Adds a line.
+    pub fn line(&mut self, points: Vec<[f64; 2]>, colour: Colour, width: u32, dashed: bool) {
+        self.marks.push(Mark::Line {
+            points,
+            colour,
+            width,
+            dashed,
+        });
+    }
+
+    /// Adds a point.
+    pub fn point(&mut self, at: [f64; 2], shape: Shape, radius: f64, colour: Colour, filled: bool) {
+        self.marks.push(Mark::Point {
+            at,
+            shape,
+            radius,
+            colour,
+            filled,
+        });
+    }
+
+    /// Adds a rectangle.
+    pub fn rectangle(&mut self, from: [f64; 2], to: [f64; 2], colour: Colour) {
+        self.marks.push(Mark::Rectangle { from, to, colour });
+    }
+
+    /// As an SVG file's text.
+    ///
+    /// # Errors
+    /// When the drawing library refuses.
+    pub fn svg(&self) -> Result<String, DrawError> {
+        let mut text = String::new();
+        {
+            let size = (self.width, self.height);
+            let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+            self.draw(&area, 1.0)?;
+        }
+        Ok(text)
+    }
+
+    /// As pixels, row by row from the top.
+    ///
+    /// # Errors
+    /// When the drawing library refuses.
+    pub fn pixels(&self) -> Result<Vec<[u8; 3]>, DrawError> {
+        // Drawn twice as large and averaged: smooth edges.
+        const FINER: u32 = 2;
+        let (width, height) = (self.width * FINER, self.height * FINER);
+        let mut fine = vec![0_u8; width as usize * height as usize * 3];
+        {
+            let area = BitMapBackend::with_buffer(&mut fine, (width, height)).into_drawing_area();
+            self.draw(&area, f64::from(FINER))?;
+        }
+        let at = |x: u32, y: u32, channel: usize| {
+            u32::from(fine[(y as usize * width as usize + x as usize) * 3 + channel])
+        };
+        let pixel = |x: u32, y: u32| {
+            std::array::from_fn(|channel| {
+                let block = (0..FINER).flat_map(|i| (0..FINER).map(move |j| (i, j)));
+                let sum: u32 = block
+                    .map(|(i, j)| at(x * FINER + i, y * FINER + j, channel))
+                    .sum();
+                u8::try_from(sum / (FINER * FINER)).unwrap_or(u8::MAX)
+            })
+        };
+        let rows = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
+        Ok(rows.map(|(x, y)| pixel(x, y)).collect())
+    }
+
+    fn draw<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        scale: f64,
+    ) -> Result<(), DrawError> {
+        // The same bytes each time: registering again changes nothing.
+        register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
+            .map_err(|_| DrawError("the typeface is not one".to_owned()))?;
+        let failed = |error: DrawingAreaErrorKind<B::ErrorType>| DrawError(error.to_string());
+        area.fill(&WHITE).map_err(failed)?;
+        for mark in &self.marks {
+            draw_mark(area, mark, scale).map_err(failed)?;
+        }
+        area.present().map_err(failed)
+    }
+}
+
+fn draw_mark<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    mark: &Mark,
+    scale: f64,
+) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+    let rgb = |[r, g, b]: Colour| RGBColor(r, g, b);
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "positions within a picture"
+    )]
+    let px = |[x, y]: [f64; 2]| ((x * scale).round() as i32, (y * scale).round() as i32);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few pixels"
+    )]
+    let wide = |width: u32| (f64::from(width) * scale) as u32;
+    match mark {
+        Mark::Line {
+            points,
+            colour,
+            width,
+            dashed,
+        } => {
+            let style = rgb(*colour).stroke_width(wide(*width));
+            let parts = if *dashed {
+                dashes(points)
+            } else {
+                vec![points.clone()]
+            };
+            for part in parts {
+                area.draw(&PathElement::new(
+                    part.into_iter().map(px).collect::<Vec<_>>(),
+                    style,
+                ))?;
+            }
+            Ok(())
+        }
+        Mark::Rectangle { from, to, colour } => {
+            area.draw(&Rectangle::new([px(*from), px(*to)], rgb(*colour).filled()))
+        }
+        Mark::Point {
+            at,
+            shape,
+            radius,
+            colour,
+            filled,
+        } => {
+            for outline in outlines(*shape, *at, *radius) {
+                let corners: Vec<_> = outline.into_iter().map(px).collect();
+                if *filled {
+                    area.draw(&Polygon::new(corners.clone(), rgb(*colour)))?;
+                } else {
+                    area.draw(&Polygon::new(corners.clone(), WHITE))?;
+                }
+                let closed = corners
+                    .iter()
+                    .chain(corners.first())
+                    .copied()
+                    .collect::<Vec<_>>();
+                area.draw(&PathElement::new(
+                    closed,
+                    rgb(*colour).stroke_width(wide(2)),
+                ))?;
+            }
+            Ok(())
+        }
+        Mark::Text {
+            at,
+            anchor,
+            size,
+            colour,
+            upwards,
+            text,
+        } => {
+            let h_pos = match anchor {
+                Anchor::Left => HPos::Left,
+                Anchor::Middle => HPos::Center,
+                Anchor::Right => HPos::Right,
+            };
+            let transform = if *upwards {
+                FontTransform::Rotate270
+            } else {
+                FontTransform::None
+            };
+            let style = (FONT, size * scale)
+                .into_font()
+                .transform(transform)
+                .color(&rgb(*colour))
+                .pos(Pos::new(h_pos, VPos::Center));
+            area.draw(&Text::new(text.as_str(), px(*at), style))
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Numbers that know no rounding, for truth: shares no code with any method.
+//!
+//! A binary floating-point number is a dyadic rational, so sums and products of such numbers are exact with enough
+//! digits. Decisions are signs of such sums. Values that need a quotient or a root get 320 bits, whose last one lies
+//! 260 bits below what an `f64` can tell.
+
+use super::real::V3;
+use dashu_float::{FBig, round::mode::HalfEven};
+use std::{
+    cmp::Ordering,
+    ops::{Add, Div, Mul, Neg, Sub},
+};
+
+/// Bits of quotients and roots.
+const BITS: usize = 320;
+
+type Float = FBig<HalfEven, 2>;
+
+/// A real number: sums, differences, products and comparisons are exact, quotients and roots good to 320 bits.
+#[derive(Clone, Debug)]
+pub struct Exact(Float);
+
+impl Exact {
+    /// The number that a finite `f64` stands for.
+    ///
+    /// # Panics
+    /// For NaN and infinities, which are no numbers: workloads have none.
+    #[must_use]
+    pub fn new(value: f64) -> Self {
+        let float = Float::try_from(value).expect("workloads are finite");
+        Self(float.with_precision(0).value())
+    }
+
+    /// A whole number.
+    #[must_use]
+    pub fn int(value: i64) -> Self {
+        Self(Float::from(value).with_precision(0).value())
+    }
+
+    /// The nearest `f64`.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.0.clone().with_precision(BITS).value().to_f64().value()
+    }
+
+    /// Below, at or above 0.
+    #[must_use]
+    pub fn sign(&self) -> Ordering {
+        self.0.cmp(&Float::ZERO)
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.sign() == Ordering::Equal
+    }
+
+    /// The larger of it and its negative.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        if self.sign() == Ordering::Less {
+            -self
+        } else {
+            self
+        }
+    }
+
+    /// The square root of what is not negative, to 320 bits.
+    ///
+    /// # Panics
+    /// When it is negative.
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        let root = self.0.clone().with_precision(BITS).value().sqrt();
+        Self(root.with_precision(0).value())
+    }
+}
+
+impl Add for &Exact {
+    type Output = Exact;
+    fn add(self, o: Self) -> Exact {
+        Exact(&self.0 + &o.0)
+    }
+}
+
+impl Sub for &Exact {
+    type Output = Exact;
+    fn sub(self, o: Self) -> Exact {
+        Exact(&self.0 - &o.0)
+    }
+}
+
+impl Mul for &Exact {
+    type Output = Exact;
+    fn mul(self, o: Self) -> Exact {
+        Exact(&self.0 * &o.0)
+    }
+}
+
+/// To 320 bits.
+impl Div for &Exact {
+    type Output = Exact;
+    fn div(self, o: Self) -> Exact {
+        let [a, b] = [self, o].map(|number| number.0.clone().with_precision(BITS).value());
+        Exact((a / b).with_precision(0).value())
+    }
+}
+
+impl Neg for Exact {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl PartialEq for Exact {
+    fn eq(&self, o: &Self) -> bool {
+        self.cmp(o).is_eq()
+    }
+}
+impl Eq for Exact {}
+impl PartialOrd for Exact {
+    fn partial_cmp(&self, o: &Self) -> Option<Ordering> {
+        Some(self.cmp(o))
+    }
+}
+impl Ord for Exact {
+    fn cmp(&self, o: &Self) -> Ordering {
+        self.0.cmp(&o.0)
+    }
+}
+
+/// A vector of such numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exact3(pub [Exact; 3]);
+
+impl Exact3 {
+    /// The vector that finite `f64`s stand for.
+    #[must_use]
+    pub fn new(v: V3<f64>) -> Self {
+        Self(v.array().map(Exact::new))
+    }
+
+    /// Scalar product.
+    #[must_use]
+    pub fn dot(&self, o: &Self) -> Exact {
+        let [a, b] = [&self.0, &o.0];
+        &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+    }
+
+    /// Vector product.
+    #[must_use]
+    pub fn cross(&self, o: &Self) -> Self {
+        let [a, b] = [&self.0, &o.0];
+        let entry = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
+        Self([entry(1, 2), entry(2, 0), entry(0, 1)])
+    }
+
+    /// Times a number.
+    #[must_use]
+    pub fn times(&self, s: &Exact) -> Self {
+        Self(self.0.each_ref().map(|c| c * s))
+    }
+
+    /// Length, to 320 bits.
+    #[must_use]
+    pub fn length(&self) -> Exact {
+        self.dot(self).sqrt()
+    }
+}
+
+impl Add for &Exact3 {
+    type Output = Exact3;
+    fn add(self, o: Self) -> Exact3 {
+        Exact3(std::array::from_fn(|i| &self.0[i] + &o.0[i]))
+    }
+}
+
+impl Sub for &Exact3 {
+    type Output = Exact3;
+    fn sub(self, o: Self) -> Exact3 {
+        Exact3(std::array::from_fn(|i| &self.0[i] - &o.0[i]))
+    }
+}
+
+/// The angle between two directions in radians. Small ones, where it matters, are good to all digits that an `f64`
+/// has. Directions that are no numbers are infinitely wrong.
+#[must_use]
+pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
+    let [x, y, z] = answer;
+    if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {
+        return f64::INFINITY;
+    }
+    let answer = Exact3::new(V3::new(x, y, z));
+    let lengths = &truth.length() * &answer.length();
+    let sin = (&truth.cross(&answer).length() / &lengths).to_f64();
+    let cos = (&truth.dot(&answer) / &lengths).to_f64();
+    if cos > 0.0 && sin < 1e-8 {
+        sin
+    } else {
+        sin.atan2(cos)
+    }
+}

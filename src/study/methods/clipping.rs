@@ -1,0 +1,148 @@
+//! Whether a hit lies between the near and the far plane. The answer is yes or no.
+
+use crate::{
+    camera::{Camera, DepthMapping, Lens, Projection, Viewport},
+    geometry::Ray,
+    study::{
+        real::{Real, V3},
+        step::{
+            About, Bound, Case, Family, Method,
+            Precision::{F32, F64},
+            Verdict,
+        },
+        truth::clipping::{self as truth, Truth},
+        workloads::{self, scene::SceneRays},
+    },
+};
+use glam::{DVec2, DVec3};
+
+/// A hit on a ray and two planes.
+#[derive(Clone, Copy, Debug)]
+pub struct Clip<T> {
+    /// Ray parameter of the hit: its distance from the eye, as the direction is 1 long.
+    pub t: T,
+    /// The ray's direction.
+    pub direction: V3<T>,
+    /// F.
+    pub forward: V3<T>,
+    /// The near plane's view depth.
+    pub near: T,
+    /// The far plane's.
+    pub far: T,
+}
+
+/// One hit, as each kind of method wants it.
+#[derive(Clone, Debug)]
+pub struct ClipCase {
+    /// Rounded to `f32`.
+    pub narrow: Clip<f32>,
+    /// As given.
+    pub wide: Clip<f64>,
+    /// The ray as a click casts it.
+    pub ray: Ray,
+}
+
+impl ClipCase {
+    /// A hit at `t` on the ray through a position of a picture of 1920 x 1080. The camera stands at the origin.
+    #[must_use]
+    pub fn new(tan: f64, near: f64, far: f64, px: [f64; 2], t: f64) -> Option<Self> {
+        let lens = Lens {
+            projection: Projection::Perspective {
+                fov_y: 2.0 * tan.atan(),
+            },
+            near,
+            far,
+            depth: DepthMapping::Reversed,
+        };
+        let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, lens).ok()?;
+        let viewport = Viewport::new(1920, 1080).ok()?;
+        let ray = camera.ray(viewport, DVec2::from(px));
+        let wide = Clip {
+            t,
+            direction: ray.direction.into(),
+            forward: camera.forward().into(),
+            near,
+            far,
+        };
+        Some(Self::of_ray(wide, ray))
+    }
+
+    /// A hit on a ray that a camera cast.
+    #[must_use]
+    pub fn of_ray(wide: Clip<f64>, ray: Ray) -> Self {
+        Self {
+            narrow: Clip {
+                t: f32::of(wide.t),
+                direction: V3::of(wide.direction),
+                forward: V3::of(wide.forward),
+                near: f32::of(wide.near),
+                far: f32::of(wide.far),
+            },
+            wide,
+            ray,
+        }
+    }
+}
+
+const DISTANCE: &str =
+    "many ray casters: near <= t < far, as if the planes were spheres about the eye";
+const DEPTH: &str = "the rasteriser's own: near <= t (d . F) < far";
+
+impl Case for ClipCase {
+    type Answer = bool;
+    type Truth = Truth;
+    const ABOUT: About = About {
+        name: "Near and far",
+        key: "clip",
+        error_unit: "",
+        wrong_unit: "of depth",
+    };
+
+    fn methods() -> &'static [Method<Self>] {
+        const {
+            &[
+                Method::new("by distance", F32, DISTANCE, |c| by_distance(&c.narrow)),
+                Method::new("by distance", F64, DISTANCE, |c| by_distance(&c.wide)),
+                Method::new("by depth", F32, DEPTH, |c| by_depth(&c.narrow)),
+                Method::new("by depth", F64, DEPTH, |c| by_depth(&c.wide)),
+                Method::ours(
+                    "Sightline's",
+                    F64,
+                    "camera::Camera::ray: planes over d . F, once a ray",
+                    |c| c.ray.contains(c.wide.t),
+                ),
+            ]
+        }
+    }
+
+    fn families() -> &'static [Family<Self>] {
+        workloads::clipping::FAMILIES
+    }
+
+    fn of_scene(scene: &SceneRays) -> Vec<Self> {
+        scene.clips()
+    }
+
+    fn truth(&self) -> Truth {
+        truth::truth(&self.wide)
+    }
+
+    fn judge(&self, truth: &Truth, answer: &bool) -> Verdict {
+        truth.judge(*answer)
+    }
+
+    fn bound(&self, _: &Truth) -> Bound {
+        truth::bound()
+    }
+}
+
+/// The ray parameter against both numbers.
+pub fn by_distance<T: Real>(case: &Clip<T>) -> bool {
+    case.near <= case.t && case.t < case.far
+}
+
+/// The view depth against both numbers.
+pub fn by_depth<T: Real>(case: &Clip<T>) -> bool {
+    let depth = case.t * case.direction.dot(case.forward);
+    case.near <= depth && depth < case.far
+}

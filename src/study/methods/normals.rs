@@ -1,0 +1,132 @@
+//! An object's outward normal in the world. The answer is a direction of any length.
+
+use crate::{
+    geometry::Placement,
+    study::{
+        exact::{self, Exact3},
+        real::{M3, Real, V3},
+        step::{
+            About, Bound, Case, Family, Method,
+            Precision::{F32, F64},
+            Verdict,
+        },
+        truth::normals as truth,
+        workloads::{self, scene::SceneRays},
+    },
+};
+use glam::{DAffine3, DMat3, DVec3};
+
+/// A normal and the linear part of a model matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct Tilted<T> {
+    /// The model matrix's linear part, by columns.
+    pub linear: M3<T>,
+    /// Outward, in object space.
+    pub normal: V3<T>,
+}
+
+/// One normal, as each kind of method wants it.
+#[derive(Clone, Debug)]
+pub struct NormalCase {
+    /// Rounded to `f32`.
+    pub narrow: Tilted<f32>,
+    /// As given.
+    pub wide: Tilted<f64>,
+    /// The model matrix as a scene has it.
+    pub placement: Placement,
+}
+
+impl NormalCase {
+    /// The case of a normal and a matrix; `None` where that has no inverse.
+    #[must_use]
+    pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
+        let [x, y, z] = linear.0.map(Into::into);
+        let model = DAffine3 {
+            matrix3: DMat3::from_cols(x, y, z),
+            translation: DVec3::ZERO,
+        };
+        Some(Self {
+            narrow: Tilted {
+                linear: M3::of(&linear),
+                normal: V3::of(normal),
+            },
+            wide: Tilted { linear, normal },
+            placement: Placement::new(model).ok()?,
+        })
+    }
+}
+
+const AS_POINT: &str = "a common mistake: the normal as if it were a direction";
+const TRANSPOSE: &str =
+    "Turkowski, Properties of Surface-Normal Transformations, Graphics Gems, 1990";
+const COFACTOR: &str =
+    "cofactors, which need no division, without the determinant's sign: the usual short form";
+
+impl Case for NormalCase {
+    type Answer = [f64; 3];
+    type Truth = Exact3;
+    const ABOUT: About = About {
+        name: "Normal into the world",
+        key: "normal",
+        error_unit: "degrees",
+        wrong_unit: "",
+    };
+
+    fn methods() -> &'static [Method<Self>] {
+        const {
+            &[
+                Method::new("M n", F32, AS_POINT, |c| as_point(&c.narrow)),
+                Method::new("M n", F64, AS_POINT, |c| as_point(&c.wide)),
+                Method::new("inverse transpose", F32, TRANSPOSE, |c| {
+                    transpose(&c.narrow)
+                }),
+                Method::new("inverse transpose", F64, TRANSPOSE, |c| transpose(&c.wide)),
+                Method::new("cofactors", F32, COFACTOR, |c| cofactors(&c.narrow)),
+                Method::new("cofactors", F64, COFACTOR, |c| cofactors(&c.wide)),
+                Method::ours(
+                    "Sightline's",
+                    F64,
+                    "geometry::Placement::normal_to_world",
+                    |c| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
+                ),
+            ]
+        }
+    }
+
+    fn families() -> &'static [Family<Self>] {
+        workloads::normals::FAMILIES
+    }
+
+    fn of_scene(scene: &SceneRays) -> Vec<Self> {
+        scene.normals()
+    }
+
+    fn truth(&self) -> Exact3 {
+        truth::truth(&self.wide)
+    }
+
+    fn judge(&self, truth: &Exact3, answer: &[f64; 3]) -> Verdict {
+        Verdict::Right(exact::angle(truth, *answer).to_degrees())
+    }
+
+    fn bound(&self, _: &Exact3) -> Bound {
+        truth::bound(&self.wide)
+    }
+}
+
+/// By the model matrix.
+pub fn as_point<T: Real>(case: &Tilted<T>) -> [f64; 3] {
+    case.linear.apply(case.normal).normalize().wide().array()
+}
+
+/// By the transpose of its inverse.
+pub fn transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
+    let inverse = case.linear.inverse().transpose();
+    inverse.apply(case.normal).normalize().wide().array()
+}
+
+/// By its cofactors: inward under a mirroring matrix.
+pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
+    let cofactors = case.linear.cofactors();
+    cofactors.apply(case.normal).normalize().wide().array()
+}

@@ -1,0 +1,291 @@
+//! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
+
+use super::{
+    rays::{Pixel, PixelCase, course},
+    triangles::{RayTriangle, SIGHTLINES, SIGHTLINES_PRECISION, areas},
+    usual,
+};
+use crate::{
+    camera::View,
+    geometry::{Mesh, Ray},
+    image::{Id, Image},
+    pick::{self, SceneHit},
+    render::{Renderer, SceneBuffers, Targets},
+    scene::{Object, Scene, Shape},
+    study::{
+        real::V3,
+        step::{About, Bound, Case, Family, Method, Precision::F32, Verdict},
+        truth::picks as truth,
+        workloads::{picks::gpu, scene::SceneRays},
+    },
+};
+use glam::{DVec2, DVec3};
+use std::{sync::Arc, time::Instant};
+
+/// A scene as it is picked from.
+#[derive(Debug)]
+pub struct PickWorld {
+    /// Its meshes have trees, where they are worth one.
+    pub scene: Scene,
+    /// The same without any tree.
+    pub treeless: Scene,
+    /// How it is seen.
+    pub view: View,
+    /// What a graphics adapter drew; none where there is no adapter.
+    pub ids: Option<Image<Id>>,
+}
+
+impl PickWorld {
+    /// Copies the scene and builds trees over one of the copies.
+    #[must_use]
+    pub fn new(scene: &Scene, view: View, ids: Option<Image<Id>>) -> Self {
+        let with_trees = copy(scene);
+        with_trees.build_trees();
+        Self {
+            scene: with_trees,
+            treeless: copy(scene),
+            view,
+            ids,
+        }
+    }
+}
+
+/// The same objects over meshes of their own, which have no trees yet.
+fn copy(scene: &Scene) -> Scene {
+    let mut meshes: Vec<(Arc<Mesh>, Arc<Mesh>)> = Vec::new();
+    let mut own = |mesh: &Arc<Mesh>| {
+        if let Some((_, copy)) = meshes.iter().find(|(known, _)| Arc::ptr_eq(known, mesh)) {
+            return Arc::clone(copy);
+        }
+        // What was a mesh is one again.
+        let copy = Mesh::new(mesh.data().clone()).map_or_else(|_| Arc::clone(mesh), Arc::new);
+        meshes.push((Arc::clone(mesh), Arc::clone(&copy)));
+        copy
+    };
+    let objects = scene.objects().iter().map(|object| {
+        let shape = match &object.shape {
+            Shape::Mesh { mesh, part } => Shape::Mesh {
+                mesh: own(mesh),
+                part: *part,
+            },
+            shape => shape.clone(),
+        };
+        Object {
+            shape,
+            ..object.clone()
+        }
+    });
+    Scene::new(objects.collect())
+}
+
+/// A click.
+#[derive(Clone, Debug)]
+pub struct PickCase {
+    /// On what.
+    pub world: Arc<PickWorld>,
+    /// Where: the centre of a pixel.
+    pub px: DVec2,
+}
+
+/// Object index and, on a mesh, the triangle within that object.
+pub type Picked = Option<(usize, Option<u32>)>;
+
+const COURSE: &str = "courses: every step as they teach it, over all triangles";
+const USUAL: &str =
+    "study::methods::usual, over all triangles: as most viewers and tutorials have it";
+const IDS: &str = "picking by colour: draw ids, read the pixel back";
+
+impl Case for PickCase {
+    type Answer = Picked;
+    type Truth = Picked;
+    const ABOUT: About = About {
+        name: "Whole pick",
+        key: "pick",
+        error_unit: "",
+        wrong_unit: "",
+    };
+    const SLOW: bool = true;
+
+    fn methods() -> &'static [Method<Self>] {
+        const {
+            &[
+                Method::new("the course's", F32, COURSE, |c| {
+                    let pixel = c.pixel().narrow;
+                    c.cast_f32(&pixel, course(&pixel), |case| areas(case, 0.0))
+                }),
+                Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
+                    let world = &c.world;
+                    usual::closest(&world.treeless, &world.view, c.px)
+                        .map(|hit| picked(&world.treeless, hit))
+                }),
+                Method::new(GPU_IDS, F32, IDS, |c| {
+                    let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
+                    let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
+                    Some((object, id.triangle.checked_sub(1)))
+                }),
+                Method::new(
+                    "Sightline's without its tree",
+                    SIGHTLINES_PRECISION,
+                    "pick::closest",
+                    |c| sightlines(&c.world.treeless, c),
+                ),
+                Method::ours(
+                    "Sightline's",
+                    SIGHTLINES_PRECISION,
+                    "pick::closest, over trees",
+                    |c| sightlines(&c.world.scene, c),
+                ),
+            ]
+        }
+    }
+
+    fn families() -> &'static [Family<Self>] {
+        crate::study::workloads::picks::FAMILIES
+    }
+
+    fn of_scene(scene: &SceneRays) -> Vec<Self> {
+        scene.picks()
+    }
+
+    fn can_run(&self, method: &Method<Self>) -> bool {
+        method.name != GPU_IDS || self.world.ids.is_some()
+    }
+
+    fn whole_picture(cases: &[Self], method: &Method<Self>) -> Option<f64> {
+        let world = &cases.first()?.world;
+        (method.name == GPU_IDS)
+            .then(|| ids_latency(world))
+            .flatten()
+    }
+
+    fn truth(&self) -> Picked {
+        truth::truth(&self.world.scene, &self.world.view, self.px)
+    }
+
+    fn judge(&self, truth: &Picked, answer: &Picked) -> Verdict {
+        match (truth, answer) {
+            (truth, answer) if truth == answer => Verdict::Agreed,
+            (Some(_), None) => Verdict::Missed(0.0),
+            (None, Some(_)) => Verdict::Phantom(0.0),
+            _ => Verdict::Other,
+        }
+    }
+
+    fn bound(&self, _: &Picked) -> Bound {
+        Bound {
+            error: 0.0,
+            wrong: 0.0,
+        }
+    }
+}
+
+/// From a click to the ids on the CPU: drawing them and reading them back, the median of a few times. Everything
+/// else, such as the scene's buffers, is there already.
+fn ids_latency(world: &PickWorld) -> Option<f64> {
+    const TIMES: usize = 9;
+    let gpu = gpu()?;
+    let targets = Targets::new(gpu, world.view.viewport, 1).ok()?;
+    let buffers = SceneBuffers::upload(gpu, &world.scene).ok()?;
+    let mut renderer = Renderer::new(gpu, 1);
+    let mut once = || {
+        let start = Instant::now();
+        let drawn = renderer.draw(gpu, &buffers, &targets, &world.view, &[]);
+        drawn.and_then(|()| targets.read_ids(gpu)).ok()?;
+        Some(1e9 * start.elapsed().as_secs_f64())
+    };
+    // The first compiles shaders.
+    once()?;
+    let mut times: Vec<f64> = (0..TIMES).filter_map(|_| once()).collect();
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied()
+}
+
+/// The method that is timed by whole pictures.
+pub const GPU_IDS: &str = "the GPU's ids, read back";
+
+impl PickCase {
+    fn pixel(&self) -> PixelCase {
+        let view = &self.world.view;
+        PixelCase::of_view(view, self.px)
+    }
+
+    fn pixel_at(&self) -> [u32; 2] {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a pixel"
+        )]
+        let at = [self.px.x as u32, self.px.y as u32];
+        at
+    }
+
+    /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles: meshes
+    /// are brought to the world first, as a loader that knows no origins does.
+    fn cast_f32(
+        &self,
+        pixel: &Pixel<f32>,
+        direction: [f64; 3],
+        test: fn(&RayTriangle<f32>) -> Option<f64>,
+    ) -> Picked {
+        let scene = &self.world.treeless;
+        let [x, y, z] = direction;
+        let world = Ray {
+            origin: DVec3::from(pixel.eye.wide()),
+            direction: DVec3::new(x, y, z),
+            ..self.world.view.ray(self.px)
+        };
+        let mut best: Option<(f64, usize, Option<u32>)> = None;
+        for (index, object) in scene
+            .objects()
+            .iter()
+            .enumerate()
+            .filter(|(_, o)| o.visible)
+        {
+            let Shape::Mesh { mesh, part } = &object.shape else {
+                let alone = pick::closest(
+                    &Scene::new(vec![object.clone()]),
+                    &world,
+                    self.world.view.sides,
+                );
+                if let Some(hit) = alone
+                    && best.is_none_or(|best| hit.hit.t < best.0)
+                {
+                    best = Some((hit.hit.t, index, None));
+                }
+                continue;
+            };
+            let triangles = mesh.data().parts[*part].triangles.clone();
+            for triangle in triangles.clone() {
+                let corners = mesh.corners(triangle);
+                let corners =
+                    corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()));
+                let case = RayTriangle {
+                    origin: pixel.eye,
+                    direction: V3::of(V3::new(x, y, z)),
+                    corners,
+                };
+                if let Some(t) = test(&case)
+                    && world.contains(t)
+                    && best.is_none_or(|best| t < best.0)
+                {
+                    best = Some((t, index, Some(triangle - triangles.start)));
+                }
+            }
+        }
+        best.map(|(_, object, triangle)| (object, triangle))
+    }
+}
+
+fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
+    let view = &case.world.view;
+    let hit = pick::closest_by(scene, &view.ray(case.px), view.sides, SIGHTLINES)?;
+    Some(picked(scene, hit))
+}
+
+/// A hit as methods answer it.
+fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
+    let triangles = scene.objects()[hit.object].shape.triangles();
+    let first = triangles.map_or(0, |triangles| triangles.start);
+    let triangle = hit.hit.on_triangle.map(|at| at.triangle - first);
+    (hit.object, triangle)
+}

@@ -1,0 +1,129 @@
+//! Random numbers for workloads: the same on every machine, from integer arithmetic and correctly rounded operations
+//! only.
+
+use super::real::V3;
+
+/// A generator (xorshift64*, Vigna 2016).
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The stream of a seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        let mut random = Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+        // The first outputs of neighbouring seeds are alike.
+        for _ in 0..8 {
+            random.bits();
+        }
+        random
+    }
+
+    /// The stream of a seed and a name, so that adding a family leaves the others as they are (FNV-1a).
+    #[must_use]
+    pub fn named(seed: u64, names: &[&str]) -> Self {
+        let bytes = names.iter().flat_map(|name| name.bytes().chain([0]));
+        let hash = bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+        Self::new(hash ^ seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
+    }
+
+    /// Uniform in [0, 1), a multiple of 2^-53.
+    pub fn unit(&mut self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "53 bits")]
+        let value = (self.bits() >> 11) as f64;
+        value * (0.5 * f64::EPSILON)
+    }
+
+    /// Uniform in [low, high).
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// Uniform among the integers from `low` to `high`.
+    pub fn integer(&mut self, low: i32, high: i32) -> i32 {
+        let span = u64::from(high.abs_diff(low)) + 1;
+        // The remainder is below the span, which fits.
+        low.wrapping_add_unsigned(u32::try_from((self.bits() >> 16) % span).unwrap_or(0))
+    }
+
+    /// An index below `count`, which is not 0.
+    pub fn below(&mut self, count: usize) -> usize {
+        usize::try_from((self.bits() >> 16) % (count.max(1) as u64)).unwrap_or(0)
+    }
+
+    /// -1 or 1.
+    pub fn sign(&mut self) -> f64 {
+        if self.bits() >> 63 == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// A number between two powers of ten, each decade alike.
+    pub fn decades(&mut self, low: i32, high: i32) -> f64 {
+        power_of_ten(self.integer(low, high - 1)) * self.within(1.0, 10.0)
+    }
+
+    /// Each coordinate uniform in [-half, half).
+    pub fn point(&mut self, half: f64) -> V3<f64> {
+        V3::new(
+            self.within(-half, half),
+            self.within(-half, half),
+            self.within(-half, half),
+        )
+    }
+
+    /// A vector of about length 1, all directions alike.
+    pub fn direction(&mut self) -> V3<f64> {
+        loop {
+            let point = self.point(1.0);
+            if (0.01..1.0).contains(&point.dot(point)) {
+                return point.normalize();
+            }
+        }
+    }
+
+    /// Two vectors of about length 1 at right angles to each other.
+    pub fn directions(&mut self) -> [V3<f64>; 2] {
+        let u = self.direction();
+        loop {
+            let across = u.cross(self.direction());
+            if across.dot(across) > 0.01 {
+                return [u, across.normalize()];
+            }
+        }
+    }
+
+    /// In random order (Fisher & Yates).
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        for last in (1..items.len()).rev() {
+            items.swap(last, self.below(last + 1));
+        }
+    }
+}
+
+/// The `f64` nearest to a power of ten. `powi` need not be the same number on every machine; reading decimals is.
+#[must_use]
+pub fn power_of_ten(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(f64::NAN)
+}
+
+/// The `f32` nearest to a value, as `f64`: workloads give methods of both kinds the very same numbers.
+#[must_use]
+pub fn narrow(value: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
+    let value = value as f32;
+    f64::from(value)
+}
+
+/// [`narrow`] for each coordinate.
+#[must_use]
+pub fn narrow3(v: V3<f64>) -> V3<f64> {
+    V3::new(narrow(v.x), narrow(v.y), narrow(v.z))
+}

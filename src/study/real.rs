@@ -1,0 +1,200 @@
+//! `f32` and `f64` under one name, so that a method is written once and studied in both.
+
+use glam::DVec3;
+use num_traits::Float;
+use std::ops::{Add, Index, Mul, Neg, Sub};
+
+/// A floating-point number of the hardware.
+pub trait Real: Float {
+    /// The nearest number of this kind.
+    fn of(value: f64) -> Self;
+    /// The same value in `f64`: exact.
+    fn wide(self) -> f64;
+}
+
+impl Real for f32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the rounding that is studied"
+    )]
+    fn of(value: f64) -> Self {
+        value as Self
+    }
+    fn wide(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+impl Real for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+    fn wide(self) -> f64 {
+        self
+    }
+}
+
+/// A vector of either kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct V3<T> {
+    /// First coordinate.
+    pub x: T,
+    /// Second coordinate.
+    pub y: T,
+    /// Third coordinate.
+    pub z: T,
+}
+
+impl<T: Real> V3<T> {
+    /// From its coordinates.
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    /// Rounded, coordinate by coordinate, from `f64`.
+    #[must_use]
+    pub fn of(v: V3<f64>) -> Self {
+        Self::new(T::of(v.x), T::of(v.y), T::of(v.z))
+    }
+
+    /// In `f64`: exact.
+    pub fn wide(self) -> V3<f64> {
+        V3::new(self.x.wide(), self.y.wide(), self.z.wide())
+    }
+
+    /// Scalar product.
+    pub fn dot(self, o: Self) -> T {
+        self.x * o.x + self.y * o.y + self.z * o.z
+    }
+
+    /// Vector product.
+    #[must_use]
+    pub fn cross(self, o: Self) -> Self {
+        Self::new(
+            self.y * o.z - self.z * o.y,
+            self.z * o.x - self.x * o.z,
+            self.x * o.y - self.y * o.x,
+        )
+    }
+
+    /// Length; overflows where its square does.
+    pub fn length(self) -> T {
+        self.dot(self).sqrt()
+    }
+
+    /// Divided by its length.
+    #[must_use]
+    pub fn normalize(self) -> Self {
+        self * (T::one() / self.length())
+    }
+
+    /// Each coordinate's magnitude.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        Self::new(self.x.abs(), self.y.abs(), self.z.abs())
+    }
+
+    /// The coordinates, in order.
+    pub fn array(self) -> [T; 3] {
+        [self.x, self.y, self.z]
+    }
+}
+
+impl<T: Real> Add for V3<T> {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
+    }
+}
+
+impl<T: Real> Sub for V3<T> {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
+    }
+}
+
+impl<T: Real> Neg for V3<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+impl<T: Real> Mul<T> for V3<T> {
+    type Output = Self;
+    fn mul(self, s: T) -> Self {
+        Self::new(self.x * s, self.y * s, self.z * s)
+    }
+}
+
+impl<T> Index<usize> for V3<T> {
+    type Output = T;
+    fn index(&self, axis: usize) -> &T {
+        match axis {
+            0 => &self.x,
+            1 => &self.y,
+            _ => &self.z,
+        }
+    }
+}
+
+impl<T> From<[T; 3]> for V3<T> {
+    fn from([x, y, z]: [T; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl From<V3<f64>> for DVec3 {
+    fn from(v: V3<f64>) -> Self {
+        Self::new(v.x, v.y, v.z)
+    }
+}
+
+impl From<DVec3> for V3<f64> {
+    fn from(v: DVec3) -> Self {
+        Self::new(v.x, v.y, v.z)
+    }
+}
+
+/// A 3 x 3 matrix by its columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct M3<T>(pub [V3<T>; 3]);
+
+impl<T: Real> M3<T> {
+    /// Rounded, entry by entry, from `f64`.
+    pub fn of(m: &M3<f64>) -> Self {
+        Self(m.0.map(V3::of))
+    }
+
+    /// Matrix times column vector.
+    pub fn apply(&self, v: V3<T>) -> V3<T> {
+        self.0[0] * v.x + self.0[1] * v.y + self.0[2] * v.z
+    }
+
+    /// Rows become columns.
+    #[must_use]
+    pub fn transpose(&self) -> Self {
+        let row = |i: usize| V3::new(self.0[0][i], self.0[1][i], self.0[2][i]);
+        Self([row(0), row(1), row(2)])
+    }
+
+    /// The cofactors: `det * inverse transpose`, with no division.
+    #[must_use]
+    pub fn cofactors(&self) -> Self {
+        let [a, b, c] = self.0;
+        Self([b.cross(c), c.cross(a), a.cross(b)])
+    }
+
+    /// Determinant.
+    pub fn determinant(&self) -> T {
+        self.0[0].dot(self.0[1].cross(self.0[2]))
+    }
+
+    /// Inverse by cofactors and determinant; not finite where there is none.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        let scale = T::one() / self.determinant();
+        Self(self.cofactors().transpose().0.map(|column| column * scale))
+    }
+}

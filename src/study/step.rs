@@ -1,0 +1,174 @@
+//! What is studied: the steps of a pick, and for each the methods, workloads, truth and verdict.
+
+use super::{random::Random, workloads::scene::SceneRays};
+
+/// What a method's arithmetic is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Precision {
+    /// 24 bits.
+    F32,
+    /// 53 bits.
+    F64,
+    /// `f64`, with exact arithmetic where that is not certain.
+    Exact,
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::Exact => "exact",
+        })
+    }
+}
+
+/// One way to do a step. Adding one to the study is one of these in its step's list.
+#[derive(Clone, Copy)]
+pub struct Method<C: Case> {
+    /// Author, paper or what courses and engines call it; with the precision unique within its step.
+    pub name: &'static str,
+    /// What it computes with.
+    pub precision: Precision,
+    /// Where it is from.
+    pub source: &'static str,
+    /// Whether it is what the rest of this program does.
+    pub ours: bool,
+    /// Does it.
+    pub run: fn(&C) -> C::Answer,
+}
+
+impl<C: Case> Method<C> {
+    /// A method of others.
+    pub(super) const fn new(
+        name: &'static str,
+        precision: Precision,
+        source: &'static str,
+        run: fn(&C) -> C::Answer,
+    ) -> Self {
+        Self {
+            name,
+            precision,
+            source,
+            ours: false,
+            run,
+        }
+    }
+
+    /// The method that the rest of this program uses.
+    pub(super) const fn ours(
+        name: &'static str,
+        precision: Precision,
+        source: &'static str,
+        run: fn(&C) -> C::Answer,
+    ) -> Self {
+        Self {
+            ours: true,
+            ..Self::new(name, precision, source, run)
+        }
+    }
+}
+
+/// A workload with one parameter that stresses something, from harmless to absurd.
+#[derive(Clone, Copy)]
+pub struct Family<C> {
+    /// What is stressed.
+    pub name: &'static str,
+    /// The parameter, with its unit where it has one.
+    pub parameter: &'static str,
+    /// Its values, harmless first.
+    pub values: &'static [f64],
+    /// A case at a value of the parameter. Its numbers are `f32`s, so that methods of both precisions get the same.
+    pub make: fn(&mut Random, f64) -> C,
+}
+
+/// What was found about one answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// The decision is right, and this is the value's error, in the step's unit.
+    Right(f64),
+    /// The decision is right, and there is no value.
+    Agreed,
+    /// Nothing was hit where something is, this far from where that would be right.
+    Missed(f64),
+    /// Something was hit where nothing is, this far from where that would be right.
+    Phantom(f64),
+    /// Another thing was hit than the nearest.
+    Other,
+}
+
+/// Names and units of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct About {
+    /// What the step does.
+    pub name: &'static str,
+    /// One word for file names and CSV.
+    pub key: &'static str,
+    /// What a value's error is measured in.
+    pub error_unit: &'static str,
+    /// What the distance of a wrong decision is measured in; empty for steps that decide nothing.
+    pub wrong_unit: &'static str,
+}
+
+/// One question to the methods of a step, with all that they need to answer it.
+pub trait Case: Sized + Sync + Send + 'static {
+    /// What methods answer.
+    type Answer;
+    /// What is so.
+    type Truth;
+    /// Names and units.
+    const ABOUT: About;
+    /// Whether an answer takes so long that fewer cases have to do.
+    const SLOW: bool = false;
+    /// How many cases are timed in a row: too many for the processor to learn their branches.
+    const TIMED: usize = if Self::SLOW { 24 } else { 4096 };
+
+    /// Every method, the reference that times are relative to first.
+    fn methods() -> &'static [Method<Self>];
+    /// Every workload, the ordinary one first.
+    fn families() -> &'static [Family<Self>];
+    /// The cases that a scene's own rays make; none where it has nothing for this step.
+    fn of_scene(scene: &SceneRays) -> Vec<Self>;
+    /// Whether a method can be run here at all.
+    fn can_run(&self, _: &Method<Self>) -> bool {
+        true
+    }
+    /// How long a method takes that answers for a whole picture at a time, in nanoseconds.
+    #[must_use]
+    fn whole_picture(_: &[Self], _: &Method<Self>) -> Option<f64> {
+        None
+    }
+    /// What is so, by exact arithmetic.
+    fn truth(&self) -> Self::Truth;
+    /// Holds an answer against the truth.
+    fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
+    /// The derived bound of this program's own method: its error, or the distance of a wrong decision, is at most the
+    /// first or second number. Derivations stand with the implementations.
+    fn bound(&self, truth: &Self::Truth) -> Bound;
+}
+
+/// What the errors of this program's own method cannot exceed, in the step's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bound {
+    /// Of a value.
+    pub error: f64,
+    /// Of the distance from where a wrong decision would be right; 0 where no decision is wrong.
+    pub wrong: f64,
+}
+
+impl Bound {
+    /// Nothing can be wrong.
+    pub const NONE: Self = Self {
+        error: 0.0,
+        wrong: 0.0,
+    };
+
+    /// The larger of both, each.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self {
+            error: self.error.max(other.error),
+            wrong: self.wrong.max(other.wrong),
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! The study as people read it: a table a step.
+
+use super::{
+    methods::{MethodInfo, registry},
+    run::{Report, Row, SCENE},
+    step::{About, Precision},
+};
+use std::fmt::Write;
+
+/// What a method did over several rows, at its worst.
+#[derive(Clone, Copy, Debug)]
+pub struct Summary<'a> {
+    /// The method, from any of its rows.
+    pub method: &'a Row,
+    /// Nanoseconds a case, where it was timed.
+    pub ns: Option<f64>,
+    /// Relative to the step's first method.
+    pub ratio: Option<f64>,
+    /// The row with the largest share of wrong decisions.
+    pub most_wrong: &'a Row,
+    /// The row with the wrong decision that was furthest off.
+    pub worst_wrong: &'a Row,
+    /// The row with the worst error of a value.
+    pub worst_error: &'a Row,
+    /// The largest share of the bound, where there is one.
+    pub of_bound: Option<f64>,
+}
+
+impl Report {
+    /// The steps that have rows, in order.
+    #[must_use]
+    pub fn steps(&self) -> Vec<About> {
+        let mut steps: Vec<About> = self.rows.iter().map(|row| row.step).collect();
+        steps.dedup();
+        steps
+    }
+
+    /// Each method of a step at its worst over the rows that `wanted` names.
+    #[must_use]
+    pub fn summaries(&self, step: About, wanted: impl Fn(&Row) -> bool) -> Vec<Summary<'_>> {
+        let rows: Vec<&Row> = self
+            .rows
+            .iter()
+            .filter(|row| row.step == step && wanted(row))
+            .collect();
+        let mut methods: Vec<&Row> = Vec::new();
+        for row in &rows {
+            let known =
+                |other: &&Row| (other.method, other.precision) == (row.method, row.precision);
+            if !methods.iter().any(known) {
+                methods.push(row);
+            }
+        }
+        let summary = |method: &'_ Row| {
+            let key = (method.method, method.precision);
+            let own = || {
+                rows.iter()
+                    .copied()
+                    .filter(|row| (row.method, row.precision) == key)
+            };
+            let worst = |of: fn(&Row) -> f64| own().max_by(|a, b| of(a).total_cmp(&of(b)));
+            let time = self
+                .times
+                .iter()
+                .find(|time| time.step == step && (time.method, time.precision) == key);
+            Some(Summary {
+                method: own().next()?,
+                ns: time.map(|time| time.ns),
+                ratio: time.map(|time| time.ratio),
+                most_wrong: worst(Row::wrong_percent)?,
+                worst_wrong: worst(|row| row.worst_wrong)?,
+                worst_error: worst(|row| row.worst_error)?,
+                of_bound: own().filter_map(|row| row.of_bound).reduce(f64::max),
+            })
+        };
+        methods.into_iter().filter_map(summary).collect()
+    }
+}
+
+/// Every step's table.
+#[must_use]
+pub fn table(report: &Report) -> String {
+    let mut text = String::new();
+    for step in report.steps() {
+        if report.scene.is_some() {
+            let own = report.summaries(step, |row| row.family == SCENE);
+            section(&mut text, &format!("{}, {SCENE}", step.name), step, &own);
+            if let Some(need) = need(step, &own) {
+                // Writing to a string cannot fail.
+                let _ = writeln!(text, "  {need}\n");
+            }
+        }
+        let all = report.summaries(step, |row| row.family != SCENE);
+        section(
+            &mut text,
+            &format!("{}, every workload", step.name),
+            step,
+            &all,
+        );
+    }
+    text
+}
+
+fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>]) {
+    if summaries.is_empty() {
+        return;
+    }
+    let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
+    let decides = decides || !measures;
+    let mut header = vec![
+        "method".to_owned(),
+        String::new(),
+        "ns".to_owned(),
+        "ratio".to_owned(),
+    ];
+    if decides {
+        header.extend(["wrong %".to_owned(), "in".to_owned()]);
+    }
+    if !step.wrong_unit.is_empty() {
+        header.extend([format!("off by ({})", step.wrong_unit), "in".to_owned()]);
+    }
+    if measures {
+        header.extend([
+            format!("worst error ({})", step.error_unit),
+            "in".to_owned(),
+        ]);
+    }
+    header.push("of bound".to_owned());
+    let mut rows = vec![header];
+    rows.extend(summaries.iter().map(|summary| {
+        let method = summary.method;
+        let mut cells = vec![
+            method.method.to_owned(),
+            method.precision.to_string(),
+            summary.ns.map_or("-".to_owned(), time),
+            summary
+                .ratio
+                .map_or("-".to_owned(), |ratio| format!("{ratio:.2}")),
+        ];
+        if decides {
+            let row = summary.most_wrong;
+            cells.extend([
+                percent(row.wrong_percent()),
+                place(row, row.wrong_percent()),
+            ]);
+        }
+        if !step.wrong_unit.is_empty() {
+            let row = summary.worst_wrong;
+            cells.extend([number(row.worst_wrong), place(row, row.worst_wrong)]);
+        }
+        if measures {
+            let row = summary.worst_error;
+            cells.extend([number(row.worst_error), place(row, row.worst_error)]);
+        }
+        cells.push(
+            summary
+                .of_bound
+                .map_or("-".to_owned(), |share| format!("{share:.2}")),
+        );
+        cells
+    }));
+    let columns = rows[0].len();
+    // What could not be run here.
+    rows.extend(missing(step, summaries).map(|(name, precision)| {
+        let mut cells = vec![
+            name.to_owned(),
+            precision.to_string(),
+            "no graphics adapter".to_owned(),
+        ];
+        cells.resize(columns, String::new());
+        cells
+    }));
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let widths: Vec<usize> = (0..columns)
+        .map(|column| width(column).unwrap_or(0))
+        .collect();
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{title}");
+    for row in &rows {
+        let cells = row
+            .iter()
+            .zip(&widths)
+            .enumerate()
+            .map(|(column, (cell, &width))| {
+                // Words to the left, numbers to the right.
+                let words = column < 2 || rows[0][column] == "in";
+                if words {
+                    format!("{cell:<width$}")
+                } else {
+                    format!("{cell:>width$}")
+                }
+            });
+        let line = cells.collect::<Vec<_>>().join("  ");
+        let _ = writeln!(text, "  {}", line.trim_end());
+    }
+    text.push('\n');
+}
+
+/// The fastest method that does what a picture shows: no wrong decision, and values good to a twentieth of a pixel, a
+/// quarter of a degree or a ten-thousandth.
+fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
+    let most = match step.error_unit {
+        "px" => 0.05,
+        "degrees" => 0.25,
+        _ => 1e-4,
+    };
+    let does = |summary: &&Summary<'_>| {
+        summary.most_wrong.wrong_percent() == 0.0 && summary.worst_error.worst_error <= most
+    };
+    let timed = summaries
+        .iter()
+        .filter(does)
+        .filter_map(|summary| Some((summary, summary.ns?)));
+    let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let Row {
+        method, precision, ..
+    } = fastest.method;
+    Some(format!(
+        "The fastest that is right here: {method}, {precision}."
+    ))
+}
+
+/// Methods of a step that have no row.
+fn missing<'a>(
+    step: About,
+    summaries: &'a [Summary<'_>],
+) -> impl Iterator<Item = (&'static str, Precision)> + 'a {
+    let known = |method: &MethodInfo| {
+        let mut methods = summaries.iter().map(|summary| summary.method);
+        methods.any(|row| (row.method, row.precision) == (method.name, method.precision))
+    };
+    let of_step = registry()
+        .into_iter()
+        .filter(move |method| method.step == step);
+    of_step
+        .filter(move |method| !known(method))
+        .map(|method| (method.name, method.precision))
+}
+
+/// Where the worst was found; nothing where nothing was.
+fn place(row: &Row, found: f64) -> String {
+    if found == 0.0 {
+        String::new()
+    } else if row.parameter == "-" {
+        row.family.to_owned()
+    } else {
+        format!("{} {}", row.family, short(row.value))
+    }
+}
+
+/// Nanoseconds with two or three digits.
+fn time(ns: f64) -> String {
+    if ns < 1e4 {
+        format!("{ns:.1}")
+    } else {
+        format!("{:.0}k", ns / 1e3)
+    }
+}
+
+/// Per cent.
+fn percent(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:.1}")
+    }
+}
+
+/// A measured number with two digits.
+#[must_use]
+pub fn number(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        value if value.is_infinite() => "fails".to_owned(),
+        0.01..1000.0 => {
+            let places = if value >= 10.0 {
+                0
+            } else if value >= 1.0 {
+                1
+            } else {
+                3
+            };
+            format!("{value:.places$}")
+        }
+        value => format!("{value:.1e}"),
+    }
+}
+
+/// A parameter's value.
+#[must_use]
+pub fn short(value: f64) -> String {
+    if (0.01..1e4).contains(&value) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}

@@ -1,0 +1,43 @@
+//! What is so: the answer to each case by exact arithmetic, and how far off another answer is. No method's code is
+//! used here, nor this program's geometry.
+
+pub mod boxes;
+pub mod clipping;
+pub mod depth;
+pub mod normals;
+pub mod object_space;
+pub mod picks;
+pub mod planes;
+pub mod rays;
+pub mod spheres;
+pub mod triangles;
+
+use super::step::Verdict;
+
+/// Half an ulp of 1 in `f64`: what one rounding errs at most, relatively.
+pub const UNIT: f64 = 0.5 * f64::EPSILON;
+
+/// Relative error of `answer`, infinite where it is no number.
+#[must_use]
+pub fn relative(truth: f64, answer: f64) -> f64 {
+    if truth.to_bits() == answer.to_bits() {
+        return 0.0;
+    }
+    let error = ((answer - truth) / truth).abs();
+    if error.is_nan() { f64::INFINITY } else { error }
+}
+
+/// The verdict on a decision with a value: `error` compares values, `wrong` says how far off a wrong decision is.
+pub fn decide<T, A>(
+    truth: Option<T>,
+    answer: Option<A>,
+    error: impl FnOnce(T, A) -> f64,
+    wrong: impl FnOnce() -> f64,
+) -> Verdict {
+    match (truth, answer) {
+        (Some(truth), Some(answer)) => Verdict::Right(error(truth, answer)),
+        (None, None) => Verdict::Agreed,
+        (Some(_), None) => Verdict::Missed(wrong()),
+        (None, Some(_)) => Verdict::Phantom(wrong()),
+    }
+}

@@ -1,0 +1,180 @@
+//! The nearest surface on a pixel's ray in a whole scene, decided without rounding for the `f64` ray and the stored
+//! vertices.
+
+use crate::{
+    camera::View,
+    geometry::{Aabb, Mesh, MeshData, Ray, Sphere, Square},
+    scene::{Object, Scene, Shape},
+    study::{
+        exact::{Exact, Exact3},
+        methods::picks::Picked,
+        real::V3,
+    },
+};
+use glam::{DVec2, DVec3};
+use std::cmp::Ordering;
+
+/// A ray in an object's space, times the model's determinant, so that nothing is divided: `origin / det` is where it
+/// starts.
+struct Local {
+    origin: Exact3,
+    direction: Exact3,
+    det: Exact,
+    t_min: Exact,
+    t_max: Option<Exact>,
+}
+
+/// The nearest hit within the ray's interval; of equal ones the lower object, then the lower triangle.
+#[must_use]
+pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
+    let ray = view.ray(px);
+    let mut best: Option<(Exact, usize, Option<u32>)> = None;
+    for (index, object) in scene.objects().iter().enumerate() {
+        if !object.visible || !may_hit(&scene.bounds_of(index), &ray) {
+            continue;
+        }
+        let local = Local::new(object, &ray);
+        let mut consider = |t: Exact, triangle: Option<u32>| {
+            let nearer = best.as_ref().is_none_or(|(known, _, _)| t < *known);
+            if nearer && local.contains(&t) {
+                best = Some((t, index, triangle));
+            }
+        };
+        match &object.shape {
+            Shape::Sphere => local.sphere().into_iter().for_each(|t| consider(t, None)),
+            Shape::Cube => local.cube().into_iter().for_each(|t| consider(t, None)),
+            Shape::Square => local.square().into_iter().for_each(|t| consider(t, None)),
+            Shape::Mesh { mesh, part } => {
+                let range = mesh.data().parts[*part].triangles.clone();
+                let near = object.placement.ray_to_object(&ray);
+                for triangle in range.clone() {
+                    if near_triangle(&near, mesh.corners(triangle))
+                        && let Some(t) =
+                            local.triangle(&mesh.data().origin, corners(mesh, triangle))
+                    {
+                        consider(t, Some(triangle - range.start));
+                    }
+                }
+            }
+        }
+    }
+    best.map(|(_, object, triangle)| (object, triangle))
+}
+
+/// A triangle's corners about the mesh's origin, as they are stored.
+fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
+    let MeshData {
+        positions,
+        triangles,
+        ..
+    } = mesh.data();
+    triangles[triangle as usize].map(|i| {
+        let [x, y, z] = positions[i as usize].map(f64::from);
+        V3::new(x, y, z)
+    })
+}
+
+/// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.
+fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
+    let center = bounds.center() - ray.origin;
+    let aside = center - center.dot(ray.direction) * ray.direction;
+    aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
+}
+
+/// Whether no `f64` volume has certainly another sign than the others: leaves out what is certainly missed.
+fn near_triangle(ray: &Ray, corners: [DVec3; 3]) -> bool {
+    let [a, b, c] = corners.map(|corner| corner - ray.origin);
+    let slack = 1e-9 * ray.direction.length() * (a.length() + b.length() + c.length()).powi(2);
+    let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|side| ray.direction.dot(side));
+    volumes.iter().all(|&v| v >= -slack) || volumes.iter().all(|&v| v <= slack)
+}
+
+impl Local {
+    fn new(object: &Object, ray: &Ray) -> Self {
+        let model = object.placement.model();
+        let exact = |v: DVec3| Exact3::new(V3::from(v));
+        let m = model.matrix3;
+        let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis].map(exact);
+        let rows = [b.cross(&c), c.cross(&a), a.cross(&b)];
+        let det = a.dot(&rows[0]);
+        let adjugate = |v: &Exact3| Exact3(rows.each_ref().map(|row| row.dot(v)));
+        let from = &exact(ray.origin) - &exact(model.translation);
+        Self {
+            origin: adjugate(&from),
+            direction: adjugate(&exact(ray.direction)),
+            det,
+            t_min: Exact::new(ray.t_min),
+            t_max: ray.t_max.is_finite().then(|| Exact::new(ray.t_max)),
+        }
+    }
+
+    fn contains(&self, t: &Exact) -> bool {
+        *t >= self.t_min && self.t_max.as_ref().is_none_or(|end| t < end)
+    }
+
+    fn triangle(&self, origin: &DVec3, corners: [V3<f64>; 3]) -> Option<Exact> {
+        let origin = Exact3::new(V3::from(*origin));
+        let [a, b, c] = corners.map(|corner| {
+            let corner = &origin + &Exact3::new(corner);
+            &corner.times(&self.det) - &self.origin
+        });
+        let d = &self.direction;
+        let volumes = [b.cross(&c), c.cross(&a), a.cross(&b)].map(|side| d.dot(&side));
+        let none_is = |excluded: Ordering| volumes.iter().all(|volume| volume.sign() != excluded);
+        let normal = (&b - &a).cross(&(&c - &a));
+        let fall = normal.dot(d);
+        if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) || fall.is_zero() {
+            return None;
+        }
+        Some(&normal.dot(&a) / &fall)
+    }
+
+    fn sphere(&self) -> Vec<Exact> {
+        let radius = &Exact::new(Sphere::RADIUS) * &self.det;
+        let (o, d) = (&self.origin, &self.direction);
+        let (a, b) = (d.dot(d), -o.dot(d));
+        let c = &o.dot(o) - &(&radius * &radius);
+        let discriminant = &(&b * &b) - &(&a * &c);
+        if discriminant.sign() == Ordering::Less {
+            return Vec::new();
+        }
+        let root = discriminant.sqrt();
+        vec![&(&b - &root) / &a, &(&b + &root) / &a]
+    }
+
+    fn cube(&self) -> Vec<Exact> {
+        let half = (&Exact::new(0.5) * &self.det).abs();
+        let mut hits: Vec<Exact> = Vec::new();
+        for axis in 0..3 {
+            if self.direction.0[axis].is_zero() {
+                continue;
+            }
+            for plane in [half.clone(), -half.clone()] {
+                let t = &(&plane - &self.origin.0[axis]) / &self.direction.0[axis];
+                let inside = (0..3).filter(|&other| other != axis).all(|other| {
+                    // Without the quotient: |o + t d| <= half at t = (plane - o) / d.
+                    let fall = &self.direction.0[axis];
+                    let at = &(&self.origin.0[other] * fall)
+                        + &(&(&plane - &self.origin.0[axis]) * &self.direction.0[other]);
+                    at.abs() <= (&half * fall).abs()
+                });
+                if inside {
+                    hits.push(t);
+                }
+            }
+        }
+        hits.sort();
+        hits
+    }
+
+    fn square(&self) -> Option<Exact> {
+        let half = (&Exact::new(Square::HALF_SIDE) * &self.det).abs();
+        let [x, y, z] = &self.origin.0;
+        let [dx, dy, dz] = &self.direction.0;
+        if dz.is_zero() {
+            return None;
+        }
+        let inside = |o: &Exact, d: &Exact| (&(o * dz) - &(z * d)).abs() <= (&half * dz).abs();
+        (inside(x, dx) && inside(y, dy)).then(|| &(-z.clone()) / dz)
+    }
+}

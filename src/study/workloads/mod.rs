@@ -1,0 +1,21 @@
+//! What the methods are put to: seeded families of cases, each with one parameter from harmless to absurd.
+//!
+//! All numbers come from additions, products, quotients and square roots, which every machine rounds alike, and are
+//! then rounded to `f32`: the same seed is the same workload everywhere, and methods of both precisions get it.
+
+pub mod boxes;
+pub mod clipping;
+pub mod depth;
+pub mod normals;
+pub mod object_space;
+pub mod picks;
+pub mod planes;
+pub mod rays;
+pub mod scene;
+pub mod spheres;
+pub mod triangles;
+
+/// The width of a pixel in radians where nothing else is said: 60 degrees over 1080 rows, `2 tan(30 deg) / 1080`.
+pub const PX: f64 = 2.0 * TAN_30 / 1080.0;
+/// tan(30 degrees).
+pub const TAN_30: f64 = 0.577_350_269_189_625_7;

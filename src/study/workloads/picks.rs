@@ -1,0 +1,151 @@
+//! Clicks on a scene that is hard everywhere: a closed, bumpy ball of many small triangles, far from the world's
+//! origin, with the eye close to it.
+
+use crate::{
+    camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    render::{self, Gpu},
+    scene::{Object, Scene, Shape},
+    study::{
+        methods::picks::{PickCase, PickWorld},
+        random::Random,
+        step::Family,
+    },
+};
+use glam::{DVec2, DVec3};
+use std::sync::{Arc, OnceLock};
+
+/// How far from the world's origin the ball stands, in its radii.
+const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
+
+/// Every family.
+pub const FAMILIES: &[Family<PickCase>] = &[Family {
+    name: "a ball of 5120 triangles",
+    parameter: "offset / radius",
+    values: &OFFSETS,
+    make: |random, offset| {
+        let world = ball_world(offset);
+        let size = world.view.viewport;
+        let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
+        let px = DVec2::new(at(size.width()), at(size.height()));
+        PickCase { world, px }
+    },
+}];
+
+/// The ball at an offset, made once, with what the graphics adapter draws of it where there is one.
+fn ball_world(offset: f64) -> Arc<PickWorld> {
+    static WORLDS: [OnceLock<Arc<PickWorld>>; OFFSETS.len()] =
+        [const { OnceLock::new() }; OFFSETS.len()];
+    let index = OFFSETS
+        .iter()
+        .position(|known| known.total_cmp(&offset).is_eq())
+        .unwrap_or(0);
+    let world = WORLDS[index].get_or_init(|| {
+        let (scene, view) = ball_scene(offset);
+        let ids = gpu().and_then(|gpu| render::render(gpu, &scene, &view, None).ok());
+        Arc::new(PickWorld::new(&scene, view, ids.map(|(ids, _)| ids)))
+    });
+    Arc::clone(world)
+}
+
+/// The graphics adapter, asked for once.
+pub fn gpu() -> Option<&'static Gpu> {
+    static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
+    GPU.get_or_init(|| Gpu::headless().ok()).as_ref()
+}
+
+/// The ball and a camera that sees it well.
+///
+/// # Panics
+/// Never: there is such a camera and such a picture.
+#[must_use]
+pub fn ball_scene(offset: f64) -> (Scene, View) {
+    let at = (DVec3::new(1.0, -2.0, 3.0).normalize() * offset).round();
+    let mesh = ball(at);
+    let lens = Lens {
+        projection: Projection::Perspective {
+            fov_y: std::f64::consts::FRAC_PI_3,
+        },
+        near: 0.125,
+        far: 16.0,
+        depth: DepthMapping::Reversed,
+    };
+    let camera = Camera::new(at + DVec3::new(0.75, 0.5, 1.75), at, DVec3::Y, lens);
+    let viewport = Viewport::new(320, 180);
+    let view = View {
+        camera: camera.expect("a camera"),
+        viewport: viewport.expect("a picture"),
+        sides: Sides::Both,
+    };
+    let object = Object::new("Ball", Shape::Mesh { mesh, part: 0 }, Placement::IDENTITY);
+    (Scene::new(vec![object]), view)
+}
+
+/// An icosahedron, each face split into four over and over, pushed in and out a little.
+fn ball(origin: DVec3) -> Arc<Mesh> {
+    const SPLITS: u32 = 4;
+    let phi = 1.618_034;
+    let mut points: Vec<DVec3> = Vec::new();
+    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
+        points.extend([
+            DVec3::new(0.0, a, b),
+            DVec3::new(a, b, 0.0),
+            DVec3::new(b, 0.0, a),
+        ]);
+    }
+    let mut faces = hull_of_icosahedron(&points);
+    let mut points: Vec<DVec3> = points.iter().map(|p| p.normalize()).collect();
+    for _ in 0..SPLITS {
+        let mut middles = std::collections::HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                points.push((points[a as usize] + points[b as usize]).normalize());
+                u32::try_from(points.len() - 1).unwrap_or(0)
+            })
+        };
+        let split = faces.iter().flat_map(|&[a, b, c]| {
+            let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
+            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+        });
+        faces = split.collect();
+    }
+    let mut random = Random::new(7);
+    let positions = points
+        .iter()
+        .map(|p| (*p * random.within(0.97, 1.03)).as_vec3().to_array());
+    let all = 0..u32::try_from(faces.len()).unwrap_or(0);
+    let mesh = Mesh::new(MeshData {
+        origin,
+        positions: positions.collect(),
+        triangles: faces,
+        parts: vec![Part {
+            name: "Ball".to_owned(),
+            triangles: all.clone(),
+        }],
+        colours: vec![ColourRun {
+            triangles: all,
+            colour: None,
+        }],
+        ..MeshData::default()
+    });
+    Arc::new(mesh.expect("the ball's indices and ranges are right"))
+}
+
+/// The triples of corners that lie an edge apart, counter-clockwise from outside.
+fn hull_of_icosahedron(points: &[DVec3]) -> Vec<[u32; 3]> {
+    let count = u32::try_from(points.len()).unwrap_or(0);
+    let near = |a: u32, b: u32| points[a as usize].distance(points[b as usize]) < 2.1;
+    let mut faces = Vec::new();
+    for a in 0..count {
+        for b in a + 1..count {
+            for c in b + 1..count {
+                if near(a, b) && near(b, c) && near(c, a) {
+                    let [p, q, r] = [a, b, c].map(|i| points[i as usize]);
+                    let outward = (q - p).cross(r - p).dot(p) > 0.0;
+                    faces.push(if outward { [a, b, c] } else { [a, c, b] });
+                }
+            }
+        }
+    }
+    faces
+}

@@ -1,0 +1,157 @@
+//! Cameras and pixels.
+
+use super::TAN_30;
+use crate::study::{
+    methods::rays::{Pixel, PixelCase},
+    random::{Random, narrow, narrow3},
+    real::V3,
+    step::Family,
+};
+
+/// What a family changes about an ordinary camera.
+#[derive(Clone, Copy)]
+struct Camera {
+    eye: f64,
+    length: f64,
+    tan: f64,
+    near: f64,
+    far: f64,
+    height: f64,
+}
+
+/// 60 degrees, 1920 x 1080, the eye 10 from the world's origin.
+const ORDINARY: Camera = Camera {
+    eye: 10.0,
+    length: 8.0,
+    tan: TAN_30,
+    near: 0.125,
+    far: 128.0,
+    height: 1080.0,
+};
+
+/// tan(fov / 2) for whole degrees, so that no machine has to compute it.
+const TANGENTS: [(f64, f64); 9] = [
+    (60.0, TAN_30),
+    (90.0, 1.0),
+    (120.0, 1.732_050_8),
+    (170.0, 11.430_052),
+    (179.0, 114.588_65),
+    (30.0, 0.267_949_2),
+    (10.0, 0.087_488_66),
+    (1.0, 0.008_726_868),
+    (0.1, 0.000_872_664_85),
+];
+
+/// Every family.
+pub const FAMILIES: &[Family<PixelCase>] = &[
+    Family {
+        name: "ordinary",
+        parameter: "-",
+        values: &[1.0],
+        make: |random, _| make(random, ORDINARY),
+    },
+    Family {
+        name: "far plane",
+        parameter: "far / near",
+        values: &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9],
+        make: |random, ratio| {
+            let far = ORDINARY.near * ratio;
+            make(random, Camera { far, ..ORDINARY })
+        },
+    },
+    Family {
+        name: "near plane",
+        parameter: "near (world units)",
+        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5],
+        make: |random, near| make(random, Camera { near, ..ORDINARY }),
+    },
+    Family {
+        name: "field of view",
+        parameter: "degrees",
+        values: &[60.0, 90.0, 120.0, 170.0, 179.0],
+        make: |random, degrees| make(random, fov(degrees)),
+    },
+    Family {
+        name: "narrow view",
+        parameter: "degrees",
+        values: &[60.0, 30.0, 10.0, 1.0, 0.1],
+        make: |random, degrees| make(random, fov(degrees)),
+    },
+    Family {
+        name: "eye far from the origin",
+        parameter: "distance / distance to target",
+        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        make: |random, ratio| {
+            let eye = ORDINARY.length * ratio;
+            make(random, Camera { eye, ..ORDINARY })
+        },
+    },
+    Family {
+        name: "large picture",
+        parameter: "rows (px)",
+        values: &[270.0, 1080.0, 2160.0, 4320.0, 8640.0],
+        make: |random, height| make(random, Camera { height, ..ORDINARY }),
+    },
+];
+
+fn fov(degrees: f64) -> Camera {
+    let known = TANGENTS
+        .iter()
+        .find(|(known, _)| known.total_cmp(&degrees).is_eq());
+    let tan = known.map_or(TAN_30, |(_, tan)| *tan);
+    Camera { tan, ..ORDINARY }
+}
+
+fn make(random: &mut Random, camera: Camera) -> PixelCase {
+    loop {
+        let exact_axes = turned(random);
+        let axes = exact_axes.map(|axis| axis * (1.0 / axis.length()));
+        let eye = narrow3(random.direction() * camera.eye);
+        let height = camera.height;
+        let width = (height * 16.0 / 9.0).round();
+        let middle = |random: &mut Random, side: f64| (random.unit() * side).floor() + 0.5;
+        let wide = Pixel {
+            eye,
+            target: eye + axes[2] * camera.length,
+            length: camera.length,
+            axes,
+            tan: narrow(camera.tan),
+            // The camera computes it from the size: both have to mean the same.
+            aspect: width / height,
+            near: narrow(camera.near),
+            far: narrow(camera.far),
+            size: [width, height],
+            px: [middle(random, width), middle(random, height)],
+        };
+        if let Some(case) = PixelCase::new(wide, exact_axes) {
+            return case;
+        }
+    }
+}
+
+/// The axes of a random rotation from a quaternion with whole coordinates: at right angles, of equal length and whole,
+/// so that truth knows them without rounding. Left-handed, as view space is: R, U, F with R = F x U.
+fn turned(random: &mut Random) -> [V3<f64>; 3] {
+    let mut whole = || f64::from(random.integer(-99, 99));
+    let (a, b, c, d) = (whole(), whole(), whole(), whole());
+    if a * a + b * b + c * c + d * d == 0.0 {
+        return turned(random);
+    }
+    [
+        V3::new(
+            a * a + b * b - c * c - d * d,
+            2.0 * (b * c + a * d),
+            2.0 * (b * d - a * c),
+        ),
+        V3::new(
+            2.0 * (b * c - a * d),
+            a * a - b * b + c * c - d * d,
+            2.0 * (c * d + a * b),
+        ),
+        -V3::new(
+            2.0 * (b * d + a * c),
+            2.0 * (c * d - a * b),
+            a * a - b * b - c * c + d * d,
+        ),
+    ]
+}

@@ -1,0 +1,262 @@
+//! A scene's own camera and rays as workloads: which method does *this* scene need?
+
+use crate::{
+    camera::{Projection, View},
+    geometry::{MeshData, Ray},
+    pick::{self, SceneHit},
+    render,
+    scene::{Object, Scene, Shape},
+    study::{
+        methods::{
+            boxes::{BoxCase, RayBox},
+            clipping::{Clip, ClipCase},
+            depth::DepthCase,
+            normals::NormalCase,
+            object_space::{Placed, PlacedCase},
+            picks::{PickCase, PickWorld},
+            planes::PlaneCase,
+            rays::PixelCase,
+            spheres::{RaySphere, SphereCase},
+            triangles::{RayTriangle, TriangleCase},
+        },
+        random::Random,
+        real::{M3, V3},
+    },
+};
+use glam::{DMat3, DVec2, DVec3};
+use std::sync::Arc;
+
+/// Rays through random pixels of a scene's view, and what they hit.
+#[derive(Debug)]
+pub struct SceneRays {
+    world: Arc<PickWorld>,
+    /// Pixel centres.
+    at: Vec<DVec2>,
+    /// Rays through them with what each hits first.
+    hits: Vec<(Ray, SceneHit)>,
+    seed: u64,
+}
+
+impl SceneRays {
+    /// So many random pixels of a scene's view, and what a graphics adapter draws of it where there is one.
+    #[must_use]
+    pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
+        let ids = super::picks::gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
+        let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));
+        let mut random = Random::named(seed, &["scene"]);
+        let size = view.viewport;
+        let mut inside = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
+        let at: Vec<DVec2> = (0..count)
+            .map(|_| DVec2::new(inside(size.width()), inside(size.height())))
+            .collect();
+        let hit = |px: &DVec2| {
+            let ray = view.ray(*px);
+            Some((ray, pick::closest(&world.scene, &ray, view.sides)?))
+        };
+        let hits = at.iter().filter_map(hit).collect();
+        Self {
+            world,
+            at,
+            hits,
+            seed,
+        }
+    }
+
+    /// Width of a pixel in radians, seen from the eye at a distance.
+    fn px(&self, distance: f64) -> f64 {
+        let view = &self.world.view;
+        let height =
+            2.0 * view.camera.lens().half_extent(1.0).y / f64::from(view.viewport.height());
+        match view.camera.lens().projection {
+            Projection::Perspective { .. } => height,
+            Projection::Orthographic { .. } => height / distance,
+        }
+    }
+
+    /// Every ray with the object that it hits.
+    fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
+        let objects = self.world.scene.objects();
+        self.hits
+            .iter()
+            .map(|(ray, hit)| (ray, &objects[hit.object], hit))
+    }
+
+    /// Rays in the space of each object of a kind, hit or not, with the width of a pixel.
+    fn local(&self, wanted: fn(&Shape) -> bool) -> Vec<(Ray, f64)> {
+        let objects = self.world.scene.objects().iter();
+        let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
+        let mut random = Random::named(self.seed, &["objects"]);
+        let rays = self.at.iter().filter(|_| !objects.is_empty());
+        rays.map(|px| {
+            let object = objects[random.below(objects.len())];
+            let ray = self.world.view.ray(*px);
+            let distance = object.placement.model().translation.distance(ray.origin);
+            (object.placement.ray_to_object(&ray), self.px(distance))
+        })
+        .collect()
+    }
+
+    pub(in crate::study) fn pixels(&self) -> Vec<PixelCase> {
+        // Parallel rays all run along F.
+        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
+            return Vec::new();
+        }
+        let case = |px: &DVec2| PixelCase::of_view(&self.world.view, *px);
+        self.at.iter().map(case).collect()
+    }
+
+    pub(in crate::study) fn placed(&self) -> Vec<PlacedCase> {
+        let cases = self.objects().filter_map(|(ray, object, hit)| {
+            let model = object.placement.model();
+            let wide = Placed {
+                linear: columns(model.matrix3),
+                translation: model.translation.into(),
+                origin: ray.origin.into(),
+                direction: ray.direction.into(),
+            };
+            PlacedCase::new(wide, self.px(hit.hit.t))
+        });
+        cases.collect()
+    }
+
+    /// The triangle that is hit, those beside it in the file, and any other.
+    #[must_use]
+    pub fn triangles(&self) -> Vec<TriangleCase> {
+        let mut random = Random::named(self.seed, &["triangles"]);
+        let mut cases = Vec::new();
+        for (ray, object, hit) in self.objects() {
+            let (Shape::Mesh { mesh, .. }, Some(at)) = (&object.shape, hit.hit.on_triangle) else {
+                continue;
+            };
+            let count = mesh.data().triangles.len();
+            let hit_triangle = at.triangle as usize;
+            let local = object.placement.ray_to_object(ray);
+            let others = [
+                hit_triangle,
+                (hit_triangle + 1) % count,
+                hit_triangle.checked_sub(1).unwrap_or(count - 1),
+                random.below(count),
+            ];
+            for triangle in others.into_iter().filter_map(|i| u32::try_from(i).ok()) {
+                // In the vertices' own space, where triangles are tested.
+                let MeshData {
+                    origin,
+                    positions,
+                    triangles,
+                    ..
+                } = mesh.data();
+                let corner = |i: u32| V3::<f32>::from(positions[i as usize]).wide();
+                let wide = RayTriangle {
+                    origin: (local.origin - *origin).into(),
+                    direction: local.direction.into(),
+                    corners: triangles[triangle as usize].map(corner),
+                };
+                cases.push(TriangleCase::new(wide, self.px(hit.hit.t)));
+            }
+        }
+        cases
+    }
+
+    pub(in crate::study) fn spheres(&self) -> Vec<SphereCase> {
+        let rays = self
+            .local(|shape| matches!(shape, Shape::Sphere))
+            .into_iter();
+        let case = |(ray, px): (Ray, f64)| {
+            let wide = RaySphere {
+                origin: ray.origin.into(),
+                direction: ray.direction.into(),
+                center: V3::new(0.0, 0.0, 0.0),
+                radius: 0.5,
+            };
+            SphereCase::new(wide, px)
+        };
+        rays.map(case).collect()
+    }
+
+    pub(in crate::study) fn boxes(&self) -> Vec<BoxCase> {
+        let rays = self.local(|shape| matches!(shape, Shape::Cube)).into_iter();
+        let case = |(ray, px): (Ray, f64)| {
+            let wide = RayBox {
+                origin: ray.origin.into(),
+                direction: ray.direction.into(),
+                min: V3::new(-0.5, -0.5, -0.5),
+                max: V3::new(0.5, 0.5, 0.5),
+            };
+            BoxCase::new(wide, px)
+        };
+        rays.map(case).collect()
+    }
+
+    /// In the world, where planes lie as they like.
+    pub(in crate::study) fn planes(&self) -> Vec<PlaneCase> {
+        let squares = self
+            .objects()
+            .filter(|(_, object, _)| matches!(object.shape, Shape::Square));
+        let case = |(ray, object, _): (&Ray, &Object, &SceneHit)| {
+            let model = object.placement.model();
+            let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
+            let point = model.translation.into();
+            PlaneCase::new(ray.origin.into(), ray.direction.into(), point, sides)
+        };
+        squares.map(case).collect()
+    }
+
+    pub(in crate::study) fn clips(&self) -> Vec<ClipCase> {
+        let lens = self.world.view.camera.lens();
+        let forward = self.world.view.camera.forward();
+        let case = |(ray, hit): &(Ray, SceneHit)| {
+            let wide = Clip {
+                t: hit.hit.t,
+                direction: ray.direction.into(),
+                forward: forward.into(),
+                near: lens.near,
+                far: lens.far,
+            };
+            ClipCase::of_ray(wide, *ray)
+        };
+        self.hits.iter().map(case).collect()
+    }
+
+    pub(in crate::study) fn normals(&self) -> Vec<NormalCase> {
+        let cases = self.objects().filter_map(|(_, object, hit)| {
+            let linear = columns(object.placement.model().matrix3);
+            NormalCase::new(linear, hit.hit.normal.into())
+        });
+        cases.collect()
+    }
+
+    pub(in crate::study) fn depths(&self) -> Vec<DepthCase> {
+        let camera = &self.world.view.camera;
+        let lens = camera.lens();
+        let Projection::Perspective { .. } = lens.projection else {
+            return Vec::new();
+        };
+        let case = |(ray, hit): &(Ray, SceneHit)| {
+            #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
+            let depth = (hit.hit.t * ray.direction.dot(camera.forward())) as f32;
+            DepthCase {
+                depth,
+                near: lens.near,
+                far: lens.far,
+            }
+        };
+        self.hits.iter().map(case).collect()
+    }
+
+    pub(in crate::study) fn picks(&self) -> Vec<PickCase> {
+        // The methods without a tree are slow, and so is truth.
+        const MOST: usize = 256;
+        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
+            return Vec::new();
+        }
+        let case = |px: &DVec2| PickCase {
+            world: Arc::clone(&self.world),
+            px: *px,
+        };
+        self.at.iter().take(MOST).map(case).collect()
+    }
+}
+
+fn columns(m: DMat3) -> M3<f64> {
+    M3([m.x_axis, m.y_axis, m.z_axis].map(|axis: DVec3| axis.into()))
+}

@@ -1,0 +1,186 @@
+//! Rays and triangles.
+
+use super::PX;
+use crate::study::{
+    methods::triangles::{RayTriangle, TriangleCase},
+    random::{Random, narrow3},
+    real::V3,
+    step::Family,
+};
+
+/// Every family.
+pub const FAMILIES: &[Family<TriangleCase>] = &[
+    Family {
+        name: "ordinary",
+        parameter: "-",
+        values: &[1.0],
+        make: |random, _| {
+            let corners = corners(random, 1.0, 1.0);
+            let weights = loose_weights(random);
+            let towards = random.direction();
+            aim(random, corners, weights, towards, 5.0)
+        },
+    },
+    Family {
+        name: "aimed at edges",
+        parameter: "distance / size",
+        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5],
+        make: |random, distance| {
+            let corners = corners(random, 1.0, 1.0);
+            let weights = edge_weights(random);
+            let towards = random.direction();
+            aim(random, corners, weights, towards, distance)
+        },
+    },
+    Family {
+        name: "grazing",
+        parameter: "angle to the plane (rad)",
+        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+        make: |random, angle| {
+            let corners = corners(random, 1.0, 1.0);
+            let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+            let along = random.direction().cross(normal).normalize();
+            let weights = mixed_weights(random);
+            let towards = along + normal.normalize() * (angle * random.sign());
+            aim(random, corners, weights, towards, 5.0)
+        },
+    },
+    Family {
+        name: "slivers",
+        parameter: "height / length",
+        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
+        make: |random, height| {
+            let corners = corners(random, 1.0, height);
+            let weights = mixed_weights(random);
+            let towards = random.direction();
+            aim(random, corners, weights, towards, 5.0)
+        },
+    },
+    Family {
+        name: "far from the origin",
+        parameter: "offset / size",
+        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+        make: |random, offset| {
+            let offset = random.direction() * offset;
+            // The coordinates' own grain makes the triangle coarse out there: it grows to stay one.
+            let size = (offset.length() * 1e-6).max(1.0);
+            let corners = corners(random, size, size).map(|corner| narrow3(corner + offset));
+            let weights = mixed_weights(random);
+            let towards = random.direction();
+            aim(random, corners, weights, towards, 5.0 * size)
+        },
+    },
+    Family {
+        name: "far away",
+        parameter: "distance / size",
+        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        make: |random, distance| {
+            let corners = corners(random, 1.0, 1.0);
+            let weights = mixed_weights(random);
+            let towards = random.direction();
+            aim(random, corners, weights, towards, distance)
+        },
+    },
+    Family {
+        name: "tiny and huge",
+        parameter: "size",
+        values: &[1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12],
+        make: |random, size| {
+            let corners = corners(random, size, size);
+            let weights = mixed_weights(random);
+            let towards = random.direction() * size;
+            aim(random, corners, weights, towards, 5.0)
+        },
+    },
+    Family {
+        name: "exactly through edges",
+        parameter: "bits a coordinate",
+        values: &[4.0, 8.0, 12.0, 16.0, 20.0, 22.0],
+        make: on_a_lattice,
+    },
+];
+
+/// A triangle about the origin in some plane, with one side of a length and a height over it.
+fn corners(random: &mut Random, length: f64, height: f64) -> [V3<f64>; 3] {
+    let [u, v] = random.directions();
+    let apex = u * (length * random.within(0.2, 0.8)) + v * (height * random.within(0.5, 1.0));
+    let centre = (u * length + apex) * (1.0 / 3.0);
+    [V3::new(0.0, 0.0, 0.0), u * length, apex].map(|corner| narrow3(corner - centre))
+}
+
+/// A ray that starts `distance` steps of `towards` before a point of the triangle's plane.
+fn aim(
+    random: &mut Random,
+    mut corners: [V3<f64>; 3],
+    weights: [f64; 3],
+    towards: V3<f64>,
+    distance: f64,
+) -> TriangleCase {
+    let point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+    let origin = narrow3(point - towards * distance);
+    if random.sign() < 0.0 {
+        corners.swap(1, 2);
+    }
+    let wide = RayTriangle {
+        origin,
+        direction: narrow3(point - origin),
+        corners,
+    };
+    TriangleCase::new(wide, PX)
+}
+
+/// Mostly outside, as most triangles that a ray is tested against.
+fn loose_weights(random: &mut Random) -> [f64; 3] {
+    let (u, v) = (random.within(-0.5, 1.5), random.within(-0.5, 1.5));
+    [u, v, 1.0 - u - v]
+}
+
+/// On an edge, as well as rounding lets it.
+fn edge_weights(random: &mut Random) -> [f64; 3] {
+    let along = random.unit();
+    let mut weights = [0.0, along, 1.0 - along];
+    weights.rotate_left(random.below(3));
+    weights
+}
+
+/// Half anywhere in and about the triangle, half within some power of ten of an edge.
+fn mixed_weights(random: &mut Random) -> [f64; 3] {
+    if random.sign() < 0.0 {
+        let (u, v) = (random.within(-0.2, 1.0), random.within(-0.2, 1.0));
+        return [u, v, 1.0 - u - v];
+    }
+    let off = random.decades(-8, -1) * random.sign();
+    let along = random.unit();
+    let mut weights = [off, along, 1.0 - off - along];
+    weights.rotate_left(random.below(3));
+    weights
+}
+
+/// Integer corners and a ray that runs exactly through an edge or a corner: half its step on from a lattice point.
+fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 22")]
+    let limit = (1_i32 << bits as i32) - 1;
+    let corner = |random: &mut Random| {
+        let mut c = || f64::from(random.integer(-limit, limit));
+        V3::new(c(), c(), c())
+    };
+    loop {
+        let corners = [corner(random), corner(random), corner(random)];
+        let (p, q) = (corners[0], corners[1]);
+        // Twice the middle of an edge, or twice a corner.
+        let target = if random.sign() < 0.0 { p + q } else { p + p };
+        // So that `target / 2 - origin` is `direction / 2`: all of it whole numbers.
+        let origin = corner(random);
+        let direction = target - origin - origin;
+        let exact = narrow3(direction) == direction;
+        let normal = (q - p).cross(corners[2] - p);
+        if exact && normal.dot(direction) != 0.0 {
+            let wide = RayTriangle {
+                origin,
+                direction,
+                corners,
+            };
+            return TriangleCase::new(wide, PX);
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! Triangles, squares and the faces of cubes at a pixel.
+
+use super::{
+    GRID_PX,
+    surface::{Outline, Source, Surface, U, ViewRay, nearness, size_px},
+    w,
+};
+use crate::{
+    camera::{DepthMapping, Projection, View},
+    geometry::{Cuboid, Sides},
+    render::transform::{VertexToView, depth_origin},
+    scene::{Object, Shape},
+};
+use glam::{DVec2, DVec3};
+
+/// A corner in view space, and how far the vertex shader may put it from there along each axis.
+#[derive(Clone, Copy)]
+struct Corner {
+    view: DVec3,
+    error: DVec3,
+    /// Made by the near plane and not by the shape.
+    is_cut: bool,
+}
+
+/// The flat surfaces that an id may stand for at a pixel: its triangle, or the faces of a cube or square.
+pub(super) fn surfaces(
+    view: &View,
+    object: &Object,
+    to_view: &VertexToView,
+    px: DVec2,
+    triangle: u32,
+) -> Vec<Surface> {
+    let of = |origin: DVec3, corners_vertex_space: &[DVec3]| {
+        let corners = corners_vertex_space.iter().map(|&corner| Corner {
+            view: (view.camera).to_view(object.placement.point_to_world(origin + corner)),
+            error: to_view.error_view(corner.as_vec3()),
+            is_cut: false,
+        });
+        let source = Source::Vertices(*to_view, [0, 1, 2].map(|i| corners_vertex_space[i]));
+        polygon(view, px, &corners.collect::<Vec<_>>(), source)
+    };
+    match &object.shape {
+        Shape::Sphere => Vec::new(),
+        Shape::Mesh { mesh, part } => {
+            let data = mesh.data();
+            let part = &data.parts[*part].triangles;
+            let index = part.start.checked_add(triangle.wrapping_sub(1));
+            let Some(index) = index.filter(|index| part.contains(index)) else {
+                return Vec::new();
+            };
+            let corners = data.triangles[index as usize]
+                .map(|i| DVec3::from_array(data.positions[i as usize].map(f64::from)));
+            vec![of(data.origin, &corners)]
+        }
+        Shape::Square => vec![of(DVec3::ZERO, &face(DVec3::ZERO, DVec3::X, DVec3::Y))],
+        Shape::Cube => {
+            let ray = object.placement.ray_to_object(&view.ray(px));
+            let faces = (0..6).map(|i| (i % 3, if i < 3 { 1.0 } else { -1.0 }));
+            let shown = faces.filter(|&(axis, side)| {
+                view.sides == Sides::Both || side * ray.direction[axis] <= 0.0
+            });
+            let corners = shown.map(|(axis, side)| {
+                let [u, v] = [1, 2].map(|i| DVec3::AXES[(axis + i) % 3]);
+                face(side * Cuboid::HALF_SIDE * DVec3::AXES[axis], u, v)
+            });
+            corners.map(|corners| of(DVec3::ZERO, &corners)).collect()
+        }
+    }
+}
+
+/// A unit square about `center`.
+fn face(center: DVec3, u: DVec3, v: DVec3) -> [DVec3; 4] {
+    [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
+        .map(|(along_u, along_v)| center + along_u * u + along_v * v)
+}
+
+/// A flat convex polygon at a pixel.
+fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Surface {
+    let near = view.camera.lens().near;
+    let ray = ViewRay::new(view, px);
+    let [a, b, c] = [0, 1, 2].map(|i| corners[i].view);
+    let normal = (b - a).cross(c - a);
+    let depth = ray.depth_on(a, normal);
+    let slope = ray.slope(view, depth, normal);
+    let rounded = clipping_error(view, corners);
+    let error = rounded + corners.iter().fold(DVec3::ZERO, |e, at| e.max(at.error));
+    let covers = covers(&ray, corners);
+    let cut_error = error.z + near_error(view);
+    // All that may be behind the near plane; but the eye's plane has no place in the picture.
+    let nearest = match view.camera.lens().projection {
+        Projection::Perspective { .. } => (near - cut_error).max(0.5 * near),
+        Projection::Orthographic { .. } => near - cut_error,
+    };
+    let seen = clip_near(corners, nearest);
+    let edges = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
+    let edges = edges.filter(|[from, to]| !(from.is_cut && to.is_cut));
+    let edges = edges.map(|ends| edge(view, px, ends, rounded));
+    let moved_px = [GRID_PX, shift_px(view, px, depth, error)];
+    let cut = covers.then(|| Outline::cut(view, depth, slope, cut_error, moved_px));
+    let (nearness, mut nearness_error) = nearness(view, depth, error.z);
+    // Vertices that move take the plane along.
+    let per_depth = match view.camera.lens().projection {
+        Projection::Perspective { .. } => view.camera.lens().depth_row().1 / (depth * depth),
+        Projection::Orthographic { .. } => view.camera.lens().depth_row().0,
+    };
+    nearness_error += (per_depth * slope).length() * (moved_px[0] + moved_px[1])
+        + interpolation_error(view, &seen);
+    let border = border(view, px, corners, shift_px(view, px, depth, rounded));
+    Surface {
+        outlines: [
+            edges.fold(border, Outline::or),
+            cut.unwrap_or(Outline::NONE),
+        ],
+        covers: covers && depth >= near,
+        depth,
+        nearness,
+        nearness_error,
+        source,
+    }
+}
+
+/// Whether a line passes through a convex polygon: on one side of all its edges.
+fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
+    let sides = (0..corners.len()).map(|i| {
+        let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|p| p.view - ray.origin);
+        ray.direction.dot(a.cross(b))
+    });
+    let (least, most) = sides.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), side| {
+        (least.min(side), most.max(side))
+    });
+    least >= 0.0 || most <= 0.0
+}
+
+/// What is left of a polygon at or behind the near plane (Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974).
+fn clip_near(corners: &[Corner], near: f64) -> Vec<Corner> {
+    let mut seen = Vec::with_capacity(corners.len() + 1);
+    for i in 0..corners.len() {
+        let [a, b] = [corners[i], corners[(i + 1) % corners.len()]];
+        let [da, db] = [a, b].map(|corner| corner.view.z - near);
+        if da >= 0.0 {
+            seen.push(a);
+        }
+        if (da >= 0.0) != (db >= 0.0) {
+            let s = da / (da - db);
+            seen.push(Corner {
+                view: a.view.lerp(b.view, s),
+                error: a.error.lerp(b.error, s),
+                is_cut: true,
+            });
+        }
+    }
+    seen
+}
+
+/// The edge between two corners, neither in front of the near plane.
+///
+/// On its way to the picture a point that lies the share `s` along the edge is moved by `1 - s` of what moves one end
+/// and `s` of what moves the other.
+fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], rounded: DVec3) -> Outline {
+    let [from, to] = [a, b].map(|corner| project(view, corner.view));
+    let along = to - from;
+    let s = (px - from).dot(along) / along.length_squared();
+    // An edge seen end-on has no length: either end is as near.
+    let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
+    // Shares of the picture's edge to shares of the edge: weighed by 1 / w.
+    let [wa, wb] = [a, b].map(|corner| w(view, corner.view.z));
+    let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
+    let depth = a.view.z + s * (b.view.z - a.view.z);
+    Outline {
+        distance_px: px.distance(from + s_px * along),
+        grid_px: GRID_PX,
+        f32_px: shift_px(view, px, depth, a.error.lerp(b.error, s) + rounded),
+    }
+}
+
+/// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
+/// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
+fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
+    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let distances = [px.x, size_px(view).x - px.x, size_px(view).y - px.y, px.y];
+    let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
+    let cut_by = |side: &DVec2| {
+        let beyond = |p: DVec3| side.dot(p.truncate() / half) > w(view, p.z);
+        corners.iter().any(|corner| beyond(corner.view))
+    };
+    let cut = sides.iter().zip(distances).filter(|(side, _)| cut_by(side));
+    Outline {
+        distance_px: cut.map(|(_, px)| px).fold(f64::INFINITY, f64::min),
+        grid_px: GRID_PX,
+        f32_px,
+    }
+}
+
+/// A view-space point in the picture.
+fn project(view: &View, point: DVec3) -> DVec2 {
+    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point.z)))
+}
+
+/// How far in pixels a view-space error moves a point at this depth and pixel: x and y by the focal length, z in
+/// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
+/// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
+fn shift_px(view: &View, px: DVec2, depth: f64, error: DVec3) -> f64 {
+    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let size = size_px(view);
+    let w = w(view, depth).abs();
+    let aside = 0.5 * size / half * error.truncate() / w;
+    let towards = match view.camera.lens().projection {
+        Projection::Perspective { .. } => error.z / w * (px - 0.5 * size).abs(),
+        Projection::Orthographic { .. } => DVec2::ZERO,
+    };
+    (aside + towards).length() + 4.0 * U * size.length()
+}
+
+/// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference
+/// and one of the sum, all at most twice the largest coordinate, for each of two borders. Nothing for what lies in the
+/// picture as a whole.
+fn clipping_error(view: &View, corners: &[Corner]) -> DVec3 {
+    let lens = view.camera.lens();
+    let half = lens.half_extent(view.viewport.aspect());
+    let inside = |p: DVec3| {
+        (p.truncate().abs().cmple(half * w(view, p.z))).all()
+            && (lens.near..lens.far).contains(&p.z)
+    };
+    if corners.iter().all(|corner| inside(corner.view)) {
+        return DVec3::ZERO;
+    }
+    let largest = |size: DVec3, corner: &Corner| {
+        let measured = corner.view.z - depth_origin(view);
+        size.max(corner.view.truncate().extend(measured).abs())
+    };
+    10.0 * U * corners.iter().fold(DVec3::ZERO, largest)
+}
+
+/// How far off in depth clipping may see the near plane: clip z, of two rounded terms, is compared with w (reversed) or
+/// 0 (standard), over how fast their difference changes with depth.
+fn near_error(view: &View) -> f64 {
+    let lens = view.camera.lens();
+    let (a, b) = lens.depth_row();
+    let (terms, slope) = match (lens.projection, lens.depth) {
+        (Projection::Perspective { .. }, DepthMapping::Reversed) => (b.abs() + lens.near, 1.0 - a),
+        (Projection::Perspective { .. }, DepthMapping::Standard) => (b.abs(), a.abs()),
+        (Projection::Orthographic { .. }, _) => (1.0, a.abs()),
+    };
+    4.0 * U * (a.abs() * (lens.near - depth_origin(view)).abs() + terms) / slope
+}
+
+/// What interpolating depth over the picture takes: the plane through three corners has slopes that are differences of
+/// products of corner differences over the area, relative to which they round; so off by some U times the range of
+/// depths, longest side squared over area, at the far end of the triangle. And a few roundings of the largest depth.
+fn interpolation_error(view: &View, seen: &[Corner]) -> f64 {
+    let stored = seen
+        .iter()
+        .map(|corner| view.camera.lens().ndc_depth(corner.view.z));
+    let (least, most) = stored.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), ndc| {
+        (least.min(ndc), most.max(ndc))
+    });
+    let px: Vec<DVec2> = seen
+        .iter()
+        .map(|corner| project(view, corner.view))
+        .collect();
+    let slimness = (2..px.len()).map(|i| {
+        let [u, v] = [px[i - 1] - px[0], px[i] - px[0]];
+        let longest = u
+            .length_squared()
+            .max(v.length_squared())
+            .max(u.distance_squared(v));
+        longest / u.perp_dot(v).abs()
+    });
+    let slimness = slimness.fold(1.0, f64::max);
+    8.0 * U * ((most - least) * slimness + most.abs().max(least.abs()))
+}

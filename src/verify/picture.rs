@@ -1,0 +1,68 @@
+//! A picture of where drawn and picked differ.
+
+use super::{Class, Disagreement};
+use crate::{
+    camera::Viewport,
+    colour::Srgb,
+    image::{Image, Rgb},
+};
+
+/// What each class is painted in, and the colour's name: apart for all kinds of sight (Okabe & Ito 2008).
+pub const COLOURS: [(Class, Srgb, &str); 4] = [
+    (Class::Edge, Srgb([86, 180, 233]), "blue"),
+    (Class::Depth, Srgb([240, 228, 66]), "yellow"),
+    (Class::F32Limit, Srgb([0, 158, 115]), "green"),
+    (Class::Unexplained, Srgb([213, 94, 0]), "orange"),
+];
+
+/// The picture in grey with its [`marks`].
+#[must_use]
+pub fn paint(colours: &Image<Rgb>, disagreements: &[Disagreement]) -> Image<Rgb> {
+    let mut picture = colours.clone();
+    for pixel in picture.pixels_mut() {
+        *pixel = grey(*pixel);
+    }
+    let size = picture.size();
+    let width = size.width() as usize;
+    let pixels = picture.pixels_mut();
+    for ([x, y], Srgb(colour)) in marks(size, disagreements) {
+        pixels[y as usize * width + x as usize] = colour;
+    }
+    picture
+}
+
+/// What to paint where, in this order: about each pixel that differs a darker ring of a pixel, so that it can be seen,
+/// then the pixel itself in its class's colour; the gravest last.
+pub fn marks(
+    size: Viewport,
+    disagreements: &[Disagreement],
+) -> impl Iterator<Item = ([u32; 2], Srgb)> {
+    let mut sorted: Vec<Disagreement> = disagreements.to_vec();
+    sorted.sort_by_key(|at| at.class);
+    let rings = sorted.clone().into_iter().flat_map(move |at| {
+        let [x, y] = at.pixel;
+        let rows = y.saturating_sub(1)..=(y + 1).min(size.height() - 1);
+        let around = rows.flat_map(move |j| {
+            let columns = x.saturating_sub(1)..=(x + 1).min(size.width() - 1);
+            columns.map(move |i| [i, j])
+        });
+        let ring = Srgb(colour(at.class).0.map(|c| c / 2));
+        around.map(move |pixel| (pixel, ring))
+    });
+    rings.chain((sorted.into_iter()).map(|at| (at.pixel, colour(at.class))))
+}
+
+/// What a class is painted in.
+#[must_use]
+pub fn colour(class: Class) -> Srgb {
+    let of_class = COLOURS.iter().find(|(other, ..)| *other == class);
+    of_class.map_or(Srgb::WHITE, |(_, colour, _)| *colour)
+}
+
+/// As bright, paler.
+fn grey(pixel: Rgb) -> Rgb {
+    // Luma of Rec. 709, of the encoded values: good enough to tell shapes.
+    let [r, g, b] = pixel.map(u32::from);
+    let luma = (2126 * r + 7152 * g + 722 * b) / 10_000;
+    [u8::try_from(64 + luma / 2).unwrap_or(u8::MAX); 3]
+}

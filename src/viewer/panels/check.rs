@@ -1,0 +1,54 @@
+//! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
+
+use super::super::{check::Checking, input::SceneRect};
+use crate::{
+    colour::Srgb,
+    verify::{COLOURS, Report},
+};
+use egui::{Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, Ui, Vec2, pos2};
+
+/// Over the scene's rectangle; nothing where no check is under way or done.
+pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, checking: &Checking) {
+    let Checking::On(check) = checking else {
+        return;
+    };
+    if let Some(found) = &check.found {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        let painter = ui.painter().with_clip_rect(rect);
+        painter.image(found.marks.id(), place.to_points(), whole, Color32::WHITE);
+    }
+    Area::new(Id::unique("check"))
+        .fixed_pos(rect.right_bottom() - Vec2::splat(10.0))
+        .pivot(Align2::RIGHT_BOTTOM)
+        .show(ui.ctx(), |ui| {
+            Frame::popup(ui.style()).show(ui, |ui| match &check.found {
+                None => {
+                    ui.label("comparing every pixel with its pick \u{2026}");
+                }
+                Some(found) => table(ui, &found.report),
+            });
+        });
+}
+
+fn table(ui: &mut Ui, report: &Report) {
+    ui.label(RichText::new("Drawn against picked").strong());
+    Grid::new("classes").num_columns(3).show(ui, |ui| {
+        let swatch = |ui: &mut Ui, colour| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+            ui.painter().rect_filled(rect, 0.0, colour);
+        };
+        swatch(ui, Color32::TRANSPARENT);
+        ui.label("same");
+        ui.monospace(report.same().to_string());
+        ui.end_row();
+        for (class, Srgb([r, g, b]), _) in COLOURS {
+            swatch(ui, Color32::from_rgb(r, g, b));
+            ui.label(class.name());
+            ui.monospace(report.count(class).to_string());
+            ui.end_row();
+        }
+    });
+    let share = 100.0 * report.share_of_outline();
+    ui.weak(format!("{share:.2} % of {} outline pixels", report.outline));
+    ui.weak("V or Esc closes this");
+}

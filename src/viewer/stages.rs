@@ -1,0 +1,226 @@
+//! The scene as each matrix leaves it: with none, after M, after V M, and after P V M with its division by w.
+
+use crate::{
+    camera::{DepthMapping, Lens, View},
+    colour::Srgb,
+    geometry::{
+        ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, crease_normals,
+        sin_cos_quarters,
+    },
+    scene::{Object, Scene, Shape},
+};
+use glam::{DAffine3, DVec3};
+use std::{collections::HashMap, f64::consts::PI, sync::Arc};
+
+/// How far along the pipeline the scene is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stage {
+    /// No matrix at all: every shape about the origin.
+    Object,
+    /// M: the world, as it is drawn and picked.
+    #[default]
+    World,
+    /// V M: the eye at the origin, x right, y up, z forward. Left-handed, so it shows mirrored.
+    View,
+    /// P V M, divided by w: the frustum as the box x, y in [-1, 1], z in [0, 1], with standard depth.
+    Ndc,
+}
+
+impl Stage {
+    /// All of them, in order, with their names.
+    pub const ALL: [(Self, &'static str); 4] = [
+        (Self::Object, "no matrix"),
+        (Self::World, "M"),
+        (Self::View, "V M"),
+        (Self::Ndc, "P V M"),
+    ];
+}
+
+/// Rings of the sphere that stands in for a projected one.
+const RINGS: u32 = 24;
+/// Edges of a projected shape that bend by more stay sharp. Radians.
+const CREASE: f32 = 0.5;
+
+/// The scene at a stage, seen through the camera of `view`: the same objects in the same order. In NDC they are meshes,
+/// cut at the near plane; what lies before it is gone.
+#[must_use]
+pub fn staged(scene: &Scene, view: &View, stage: Stage) -> Scene {
+    let to_view = DAffine3::from_mat4(view.camera.view());
+    let lens = Lens {
+        depth: DepthMapping::Standard,
+        ..*view.camera.lens()
+    };
+    let objects = scene.objects().iter().map(|object| match stage {
+        Stage::World => object.clone(),
+        Stage::Object => Object {
+            placement: Placement::IDENTITY,
+            ..object.clone()
+        },
+        Stage::View => Object {
+            // V is a rotation, a mirror and a shift: what had an inverse still has one.
+            placement: Placement::new(to_view * object.placement.model())
+                .unwrap_or(object.placement),
+            ..object.clone()
+        },
+        Stage::Ndc => projected(object, view, &lens).unwrap_or_else(|| Object {
+            visible: false,
+            ..object.clone()
+        }),
+    });
+    Scene::new(objects.collect())
+}
+
+/// An object's surface in NDC; `None` when nothing of it lies behind the near plane.
+fn projected(object: &Object, view: &View, lens: &Lens) -> Option<Object> {
+    let mut data = MeshData::default();
+    let mut known = HashMap::new();
+    for (corners, colour) in surface(object) {
+        let seen =
+            corners.map(|corner| view.camera.to_view(object.placement.point_to_world(corner)));
+        let polygon = behind_near(seen, lens.near);
+        let first = u32::try_from(data.triangles.len()).ok()?;
+        let corners: Vec<u32> = (polygon.iter().map(|&p| to_ndc(p, view, lens).as_vec3()))
+            .map(|p| vertex(&mut data.positions, &mut known, p.to_array()))
+            .collect();
+        data.triangles
+            .extend((2..corners.len()).map(|i| [corners[0], corners[i - 1], corners[i]]));
+        data.colours.push(ColourRun {
+            triangles: first..u32::try_from(data.triangles.len()).ok()?,
+            colour: Some(colour),
+        });
+    }
+    let triangles = u32::try_from(data.triangles.len()).ok()?;
+    data.parts = vec![Part {
+        name: object.name.clone(),
+        triangles: 0..triangles,
+    }];
+    data.normals = crease_normals(&data.positions, &data.triangles, CREASE);
+    let mesh = Mesh::new(data).ok().filter(|_| triangles > 0)?;
+    Some(Object {
+        shape: Shape::Mesh {
+            mesh: Arc::new(mesh),
+            part: 0,
+        },
+        placement: Placement::IDENTITY,
+        colour: None,
+        ..object.clone()
+    })
+}
+
+/// The vertex at a position, made where it is new: shared, so that shading stays smooth.
+fn vertex(
+    positions: &mut Vec<[f32; 3]>,
+    known: &mut HashMap<[u32; 3], u32>,
+    position: [f32; 3],
+) -> u32 {
+    *known.entry(position.map(f32::to_bits)).or_insert_with(|| {
+        positions.push(position);
+        u32::try_from(positions.len() - 1).unwrap_or(u32::MAX)
+    })
+}
+
+fn to_ndc(p_view: DVec3, view: &View, lens: &Lens) -> DVec3 {
+    let clip = lens.projection(view.viewport.aspect()) * p_view.extend(1.0);
+    clip.truncate() / clip.w
+}
+
+/// The part of a view-space triangle at or behind the near plane: up to four corners (Sutherland & Hodgman 1974).
+fn behind_near(corners: [DVec3; 3], near: f64) -> Vec<DVec3> {
+    let mut kept = Vec::with_capacity(4);
+    for (i, &a) in corners.iter().enumerate() {
+        let b = corners[(i + 1) % 3];
+        let (da, db) = (a.z - near, b.z - near);
+        if da >= 0.0 {
+            kept.push(a);
+        }
+        if (da >= 0.0) != (db >= 0.0) {
+            kept.push(a.lerp(b, da / (da - db)));
+        }
+    }
+    kept
+}
+
+/// The triangles of an object in its own space, each with its colour.
+fn surface(object: &Object) -> Vec<([DVec3; 3], Srgb)> {
+    let own = object.colour.unwrap_or(Srgb::NEUTRAL);
+    let quads = |quads: Vec<[DVec3; 4]>| {
+        let halves = quads
+            .into_iter()
+            .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        halves.map(|triangle| (triangle, own)).collect()
+    };
+    match &object.shape {
+        Shape::Mesh { mesh, part } => {
+            let triangles = mesh.data().parts[*part].triangles.clone();
+            let colour = |triangle| {
+                object
+                    .colour
+                    .or(mesh.triangle_colour(triangle))
+                    .unwrap_or(own)
+            };
+            triangles
+                .map(|triangle| (mesh.corners(triangle), colour(triangle)))
+                .collect()
+        }
+        Shape::Square => {
+            let half = Square::HALF_SIDE;
+            let corner = |x, y| DVec3::new(x * half, y * half, 0.0);
+            quads(vec![[
+                corner(-1.0, -1.0),
+                corner(1.0, -1.0),
+                corner(1.0, 1.0),
+                corner(-1.0, 1.0),
+            ]])
+        }
+        Shape::Cube => quads(cube_faces()),
+        Shape::Sphere => quads(sphere_quads()),
+    }
+}
+
+fn cube_faces() -> Vec<[DVec3; 4]> {
+    let half = Cuboid::HALF_SIDE;
+    let faces = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
+    faces
+        .map(|out| {
+            let right = DVec3::new(out.y.abs(), out.z.abs(), out.x.abs());
+            let up = out.cross(right);
+            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+                .map(|(x, y)| half * (out + x * right + y * up))
+        })
+        .collect()
+}
+
+/// The sphere by parallels and meridians, counter-clockwise seen from outside.
+fn sphere_quads() -> Vec<[DVec3; 4]> {
+    let point = |ring: u32, spoke: u32| {
+        let (sin, cos) = (PI * f64::from(ring) / f64::from(RINGS)).sin_cos();
+        let (side, front) = sin_cos_quarters(2.0 * f64::from(spoke) / f64::from(RINGS));
+        Sphere::RADIUS * DVec3::new(sin * side, cos, sin * front)
+    };
+    let cells = (0..RINGS).flat_map(|ring| (0..2 * RINGS).map(move |spoke| (ring, spoke)));
+    cells
+        .map(|(i, j)| {
+            [
+                point(i, j),
+                point(i + 1, j),
+                point(i + 1, j + 1),
+                point(i, j + 1),
+            ]
+        })
+        .collect()
+}
+
+/// The edges of the box that the frustum becomes, for the stage that shows it.
+#[must_use]
+pub fn ndc_box() -> [[DVec3; 2]; 12] {
+    let corner = |i: usize| {
+        let [x, y] =
+            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| [x, y])[i % 4];
+        DVec3::new(x, y, if i < 4 { 0.0 } else { 1.0 })
+    };
+    std::array::from_fn(|edge| match edge / 4 {
+        0 => [corner(edge), corner((edge + 1) % 4)],
+        1 => [corner(edge), corner(4 + (edge + 1) % 4)],
+        _ => [corner(edge - 8), corner(edge - 4)],
+    })
+}

@@ -1,0 +1,178 @@
+//! The study: truth is right on cases that hands can do, methods break where they are known to, what this program does
+//! stays within its derived bounds, and the same seed says the same.
+#![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
+
+mod breaks;
+mod by_hand;
+mod charts;
+mod gallery;
+
+use sightline::study::{
+    self, COLUMNS, Effort, Report, Row,
+    methods::{registry, triangles::SIGHTLINES_PRECISION},
+    step::Precision,
+};
+use std::{collections::HashSet, sync::OnceLock};
+
+/// One run that many tests read.
+fn report() -> &'static Report {
+    static REPORT: OnceLock<Report> = OnceLock::new();
+    REPORT.get_or_init(|| {
+        let effort = Effort {
+            cases: 250,
+            picks: 40,
+            rounds: 0,
+            seed: 1,
+        };
+        study::run(effort, None, &|_, _| {})
+    })
+}
+
+/// A method's rows in a family, by the parameter's value.
+fn rows(step: &str, method: &str, precision: Precision, family: &str) -> Vec<&'static Row> {
+    let wanted = |row: &&Row| {
+        (row.step.key, row.method, row.precision) == (step, method, precision)
+            && row.family == family
+    };
+    let rows: Vec<_> = report().rows.iter().filter(wanted).collect();
+    assert!(!rows.is_empty(), "{method} {precision} has no {family}");
+    rows
+}
+
+fn row(step: &str, method: &str, precision: Precision, family: &str, value: f64) -> &'static Row {
+    let rows = rows(step, method, precision, family);
+    rows.into_iter()
+        .find(|row| row.value == value)
+        .expect("a row of that value")
+}
+
+#[test]
+fn registry_names_each_method_once_and_where_it_is_from() {
+    let methods = registry();
+    let names: HashSet<_> = methods
+        .iter()
+        .map(|m| (m.step.key, m.name, m.precision))
+        .collect();
+    assert_eq!(names.len(), methods.len(), "two methods of one name");
+    assert!(
+        methods.iter().all(|method| method.source.len() > 10),
+        "a source for each"
+    );
+    let steps: HashSet<_> = methods.iter().map(|method| method.step.key).collect();
+    for step in steps {
+        let ours = methods
+            .iter()
+            .filter(|method| method.step.key == step && method.ours)
+            .count();
+        assert_eq!(ours, 1, "{step} has one method of ours");
+    }
+}
+
+#[test]
+fn same_seed_gives_the_same_verdicts() {
+    let effort = Effort {
+        cases: 12,
+        picks: 4,
+        rounds: 0,
+        seed: 9,
+    };
+    let csv = |seed| study::csv(&study::run(Effort { seed, ..effort }, None, &|_, _| {}));
+    let first = csv(9);
+    assert_eq!(first, csv(9));
+    assert_ne!(first, csv(10));
+}
+
+#[test]
+fn what_this_program_does_stays_within_its_bounds() {
+    for row in report().rows.iter().filter(|row| row.ours) {
+        let share = row.of_bound.expect("a bound");
+        assert!(
+            share <= 1.0,
+            "{} {} {}: {share} of the bound",
+            row.step.key,
+            row.family,
+            row.value
+        );
+    }
+}
+
+#[test]
+fn what_this_program_does_decides_right() {
+    for row in report().rows.iter().filter(|row| row.ours) {
+        // Only exact arithmetic tells where a ray that runs exactly through an edge belongs; by any distance, however
+        // small, nothing may be wrong.
+        let ties = match row.step.key {
+            "box" => true,
+            "triangle" => {
+                SIGHTLINES_PRECISION != Precision::Exact && row.family == "exactly through edges"
+            }
+            _ => false,
+        };
+        assert_eq!(
+            row.worst_wrong, 0.0,
+            "{} {} {}",
+            row.step.key, row.family, row.value
+        );
+        if !ties {
+            assert_eq!(
+                row.wrong_percent(),
+                0.0,
+                "{} {} {}",
+                row.step.key,
+                row.family,
+                row.value
+            );
+        }
+    }
+}
+
+#[test]
+fn csv_parses_back() {
+    let text = study::csv(report());
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some(COLUMNS.join(",").as_str()));
+    let mut count = 0;
+    for (line, row) in lines.zip(&report().rows) {
+        let cells = cells(line);
+        assert_eq!(cells.len(), COLUMNS.len(), "{line}");
+        assert_eq!(
+            (cells[0].as_str(), cells[1].as_str()),
+            (row.step.key, row.method)
+        );
+        assert_eq!(cells[6].parse(), Ok(row.value), "{line}");
+        assert_eq!(cells[8].parse(), Ok(row.missed), "{line}");
+        let error: f64 = cells[15].parse().expect("a number");
+        assert!(
+            error == row.worst_error || (error / row.worst_error - 1.0).abs() < 0.06,
+            "{line}"
+        );
+        count += 1;
+    }
+    assert_eq!(count, report().rows.len());
+}
+
+/// RFC 4180.
+fn cells(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            ',' if !quoted => cells.push(String::new()),
+            c => cells.last_mut().expect("one at least").push(c),
+        }
+    }
+    cells
+}
+
+#[test]
+fn table_names_every_method() {
+    let table = study::table(report());
+    for method in registry() {
+        assert!(
+            table.contains(method.name),
+            "{} is not in\n{table}",
+            method.name
+        );
+    }
+}

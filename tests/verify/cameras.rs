@@ -1,0 +1,293 @@
+//! Every condition of the camera.
+
+use crate::common::{self, orthographic, perspective};
+use glam::{DVec2, DVec3, dvec3};
+use sightline::{
+    camera::{Camera, CameraChoice, DepthMapping, Lens, View, Viewport},
+    geometry::Sides,
+    pick,
+    scene::{Scene, Shape},
+};
+
+/// Small pictures: there are many.
+pub const SIZE: [u32; 2] = [128, 96];
+
+/// From a scene's middle to the eye.
+const WAY: DVec3 = dvec3(1.0, 0.8, 1.6);
+
+/// A condition, and whether it is ordinary: then few outline pixels may differ.
+pub struct Shot {
+    pub condition: &'static str,
+    pub view: View,
+    pub ordinary: bool,
+}
+
+impl Shot {
+    pub fn new(condition: &'static str, view: View, ordinary: bool) -> Self {
+        Self {
+            condition,
+            view,
+            ordinary,
+        }
+    }
+}
+
+/// What cameras are placed by.
+struct Stage {
+    /// The view that the program frames.
+    base: View,
+    center: DVec3,
+    /// Half the diagonal of what is visible.
+    r: f64,
+    /// Something that the framed view shows.
+    aim: DVec3,
+    /// From the middle towards the framed view's eye.
+    way: DVec3,
+}
+
+impl Stage {
+    fn new(scene: &Scene) -> Self {
+        let bounds = scene.visible_bounds();
+        let base = framed(scene, CameraChoice::default());
+        Self {
+            base,
+            center: bounds.center(),
+            r: bounds.radius(),
+            aim: detail(scene, &base),
+            way: WAY.normalize(),
+        }
+    }
+}
+
+/// Every condition of the camera.
+pub fn shots(scene: &Scene) -> Vec<Shot> {
+    let stage = Stage::new(scene);
+    [
+        near_and_far(&stage),
+        lenses(scene, &stage),
+        orthographic_lenses(&stage),
+        cuts(&stage),
+        zooms(&stage),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The framed view, and near and far planes far apart.
+fn near_and_far(stage: &Stage) -> Vec<Shot> {
+    let Stage {
+        base, r, center, ..
+    } = stage;
+    let distance = base.camera.eye().distance(*center);
+    let mut shots = vec![
+        Shot::new("framed", *base, true),
+        Shot::new("framed, standard depth", standard(base), false),
+        Shot::new("framed, culled", culled(base), true),
+    ];
+    for ratio in [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] {
+        let far = distance + 2.0 * r;
+        let view = between(base, far / ratio, far);
+        shots.push(Shot::new("near/far 1e2 to 1e9", view, true));
+        shots.push(Shot::new(
+            "near/far 1e2 to 1e9, standard depth",
+            standard(&view),
+            false,
+        ));
+        let near = (distance - r).max(1e-3 * distance);
+        shots.push(Shot::new(
+            "a distant far plane",
+            between(base, near, near * ratio),
+            true,
+        ));
+    }
+    shots
+}
+
+/// Fields of view.
+fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
+    let Stage { r, aim, way, .. } = *stage;
+    let mut shots = Vec::new();
+    for fov in [0.5, 1.0, 5.0, 20.0, 60.0, 90.0, 120.0] {
+        let choice = CameraChoice {
+            fov: Some(fov),
+            ..CameraChoice::default()
+        };
+        let view = framed(scene, choice);
+        shots.push(Shot::new("fov 0.5 to 120", view, fov >= 1.0));
+        shots.push(Shot::new(
+            "fov 0.5 to 120, standard depth",
+            standard(&view),
+            false,
+        ));
+    }
+    for fov in [120.0, 150.0, 170.0, 175.0, 178.0] {
+        let lens = perspective(fov, 1e-4 * r, 10.0 * r);
+        let distance = 0.35 * r / (0.5 * fov).to_radians().tan();
+        let view = look(aim + distance * way, aim, lens);
+        shots.push(Shot::new("fov 120 to 178, close", view, fov <= 170.0));
+    }
+    shots
+}
+
+fn orthographic_lenses(stage: &Stage) -> Vec<Shot> {
+    let Stage {
+        base,
+        center,
+        r,
+        aim,
+        way,
+    } = *stage;
+    let mut shots = Vec::new();
+    for height in [1.4, 0.1, 1e-3] {
+        let lens = orthographic(height * r, 0.01 * r, 10.0 * r);
+        let view = look(aim + 3.0 * r * way, aim, lens);
+        shots.push(Shot::new("orthographic", view, height > 1.0));
+        shots.push(Shot::new(
+            "orthographic, standard depth",
+            standard(&view),
+            false,
+        ));
+    }
+    for axis in DVec3::AXES {
+        let lens = orthographic(1.5 * r, -3.0 * r, 3.0 * r);
+        let up = if axis == DVec3::Y { DVec3::Z } else { DVec3::Y };
+        let camera = Camera::new(center + axis * r, center, up, lens).expect("a camera");
+        let view = View { camera, ..base };
+        shots.push(Shot::new(
+            "orthographic along an axis, near behind the eye",
+            view,
+            false,
+        ));
+    }
+    shots
+}
+
+/// Planes through what is seen, and the eye in the middle of the scene.
+fn cuts(stage: &Stage) -> Vec<Shot> {
+    let Stage {
+        base,
+        center,
+        r,
+        aim,
+        way,
+    } = *stage;
+    let depth = base.camera.to_view(aim).z;
+    let mut shots = Vec::new();
+    for (near, far) in [(1.0, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
+        let view = between(&base, near * depth, far * depth);
+        shots.push(Shot::new("planes that cut", view, false));
+        shots.push(Shot::new("planes that cut, culled", culled(&view), false));
+        shots.push(Shot::new(
+            "planes that cut, standard depth",
+            standard(&view),
+            false,
+        ));
+    }
+    for towards in [DVec3::X, DVec3::NEG_Y + 0.1 * DVec3::X, way] {
+        let lens = perspective(80.0, 1e-4 * r, 10.0 * r);
+        let view = look(center + 0.01 * r * way, aim + 0.1 * r * towards, lens);
+        shots.push(Shot::new("from the middle", view, false));
+    }
+    shots
+}
+
+/// Nearer and nearer, narrower and narrower.
+fn zooms(stage: &Stage) -> Vec<Shot> {
+    let Stage { r, aim, way, .. } = *stage;
+    let mut shots = Vec::new();
+    for zoom in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        let lens = perspective(45.0, 0.01 * zoom * r, 10.0 * r);
+        let view = look(aim + zoom * r * way, aim, lens);
+        shots.push(Shot::new("zoomed in to 1e-6", view, false));
+        let lens = perspective((45.0 * zoom).max(1e-4), 0.1 * r, 10.0 * r);
+        let view = look(aim + r * way, aim, lens);
+        shots.push(Shot::new("narrowed down to 1e-4 degrees", view, false));
+        let lens = orthographic(zoom * r, -10.0 * r, 10.0 * r);
+        let view = look(aim + r * way, aim, lens);
+        shots.push(Shot::new("orthographic, zoomed in to 1e-6", view, false));
+    }
+    shots
+}
+
+/// Four cameras, for scenes under many model matrices.
+pub fn few_shots(scene: &Scene, condition: &'static str, ordinary: bool) -> Vec<Shot> {
+    let Stage {
+        base, r, aim, way, ..
+    } = Stage::new(scene);
+    let close = look(
+        aim + 0.3 * r * way,
+        aim,
+        perspective(60.0, 1e-3 * r, 10.0 * r),
+    );
+    let flat = look(aim + r * way, aim, orthographic(0.7 * r, -9.0 * r, 9.0 * r));
+    [base, close, culled(&close), flat]
+        .map(|view| Shot::new(condition, view, ordinary))
+        .into()
+}
+
+pub fn culled(view: &View) -> View {
+    View {
+        sides: Sides::Front,
+        ..*view
+    }
+}
+
+fn standard(view: &View) -> View {
+    with_lens(view, |lens| Lens {
+        depth: DepthMapping::Standard,
+        ..lens
+    })
+}
+
+fn between(view: &View, near: f64, far: f64) -> View {
+    with_lens(view, |lens| Lens { near, far, ..lens })
+}
+
+fn look(eye: DVec3, target: DVec3, lens: Lens) -> View {
+    common::view(eye.to_array(), target.to_array(), lens, SIZE)
+}
+
+/// The scene framed as the program frames it, with these choices.
+fn framed(scene: &Scene, choice: CameraChoice) -> View {
+    let viewport = Viewport::new(SIZE[0], SIZE[1]).expect("a viewport");
+    View {
+        camera: choice
+            .resolve(&scene.visible_bounds(), viewport)
+            .expect("a camera"),
+        viewport,
+        sides: Sides::Both,
+    }
+}
+
+fn with_lens(view: &View, change: impl Fn(Lens) -> Lens) -> View {
+    let lens = change(*view.camera.lens());
+    View {
+        camera: view.camera.with_lens(lens).expect("a lens"),
+        ..*view
+    }
+}
+
+/// The place in the picture nearest to its middle that shows something, and a corner of the triangle there (or the
+/// point itself): zooming in on it keeps outlines in view.
+fn detail(scene: &Scene, view: &View) -> DVec3 {
+    let middle = DVec2::new(f64::from(SIZE[0]), f64::from(SIZE[1])) / 2.0;
+    let mut cells: Vec<DVec2> = (0..SIZE[0] / 2)
+        .flat_map(|x| {
+            (0..SIZE[1] / 2).map(move |y| DVec2::new(f64::from(x), f64::from(y)) * 2.0 + 0.5)
+        })
+        .collect();
+    cells.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    let hit = cells
+        .into_iter()
+        .map(|px| view.ray(px))
+        .find_map(|ray| Some((ray, pick::closest(scene, &ray, Sides::Both)?)));
+    let (ray, hit) = hit.expect("something is shown");
+    let object = &scene.objects()[hit.object];
+    match (&object.shape, hit.hit.on_triangle) {
+        (Shape::Mesh { mesh, .. }, Some(at)) => object
+            .placement
+            .point_to_world(mesh.corners(at.triangle)[0]),
+        _ => ray.at(hit.hit.t),
+    }
+}

@@ -1,0 +1,87 @@
+//! `sightline verify` as a process.
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+fn run(args: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
+    command
+        .args(args.split_whitespace())
+        .env("RUST_LOG", "error");
+    command.output().expect("the program runs")
+}
+
+#[test]
+fn the_demo_is_explained() {
+    let output = run("verify --size 320x240");
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.starts_with("320x240 pixels, "), "{text}");
+    let unexplained = text.lines().find(|line| line.starts_with("unexplained"));
+    assert_eq!(
+        unexplained,
+        Some("unexplained         0  defects"),
+        "{text}"
+    );
+}
+
+#[test]
+fn json_counts_every_pixel_once() {
+    let output = run("verify --size 320x240 --json");
+    let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
+    let count = |name: &str| line[name].as_u64().expect("a count");
+    let classes = ["same", "edge", "depth", "f32_limit", "unexplained"];
+    assert_eq!(classes.map(count).iter().sum::<u64>(), 320 * 240);
+    assert!(count("shown") > 10_000, "{line}");
+    assert!(count("outline") > 1000, "{line}");
+}
+
+/// Seen from afar through a long lens the usual picker is wrong, and verify says so in every way it has.
+#[test]
+fn a_defect_is_an_exit_code_a_line_and_a_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let image = folder.path().join("where.png");
+    let view =
+        "--size 320x240 --eye 3000,2400,5000 --target 0,0.5,0 --fov 0.05 --near 1 --far 10000";
+    let output = run(&format!("verify {view} --json"));
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let output = run(&format!(
+        "verify {view} --picker usual --json --image {}",
+        image.display()
+    ));
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let stderr = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(stderr.lines().count(), 1, "{stderr}");
+    let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
+    let worst = &line["worst"];
+    assert_eq!(worst["class"], "unexplained");
+    let [x, y] = [0, 1].map(|i| worst["pixel"][i].as_u64().expect("a pixel"));
+    let decoder = png::Decoder::new(std::io::BufReader::new(
+        std::fs::File::open(&image).expect("a file"),
+    ));
+    let mut reader = decoder.read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+    reader.next_frame(&mut pixels).expect("a PNG");
+    let at = usize::try_from(3 * (y * 320 + x)).expect("small");
+    assert_eq!(
+        pixels[at..at + 3],
+        [213, 94, 0],
+        "the worst pixel is painted"
+    );
+}
+
+#[test]
+fn without_a_driver_it_says_that_picking_needs_none() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
+    command.arg("verify").env("RUST_LOG", "error");
+    command
+        .env("VK_DRIVER_FILES", "/nowhere.json")
+        .env("VK_ICD_FILENAMES", "/nowhere.json");
+    let output = command.output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(4), "{output:?}");
+    let stderr = String::from_utf8(output.stderr).expect("text");
+    assert!(
+        stderr.ends_with("picking itself needs no driver\n"),
+        "{stderr}"
+    );
+}

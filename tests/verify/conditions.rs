@@ -1,0 +1,233 @@
+//! Every condition that a user can bring about, over every scene: nothing is left unexplained.
+
+use crate::{
+    cameras::{Shot, culled, few_shots, shots},
+    common, drawn,
+    models::{coplanar, inside, matrices, slivers, under},
+    scenes::{gpu, shapes},
+};
+use glam::DVec3;
+use sightline::{
+    pick,
+    render::{Gpu, Renderer, SceneBuffers},
+    scene::{self, Progress, Scene},
+    verify::{Class, Report, compare},
+};
+use std::{collections::BTreeMap, time::Instant};
+
+/// What a view must show at the least, in pixels: agreement on nothing is no agreement. A view that is cut or culled may
+/// be left with nothing; all of its condition together may not.
+const LEAST_SHOWN: usize = 10;
+
+/// Meshes that take long, to draw or for want of a tree, are seen by a third of the cameras.
+fn takes_long(triangles: usize) -> bool {
+    triangles > 50_000 || (100..512).contains(&triangles)
+}
+
+/// Counts over all scenes and views of one condition.
+#[derive(Default)]
+struct Tally {
+    views: usize,
+    shown: usize,
+    outline: usize,
+    classes: [usize; 4],
+}
+
+impl Tally {
+    fn add(&mut self, report: &Report) {
+        self.views += 1;
+        self.shown += report.shown;
+        self.outline += report.outline;
+        for (count, class) in self.classes.iter_mut().zip(Class::ALL) {
+            *count += report.count(class);
+        }
+    }
+
+    fn differ(&self) -> usize {
+        self.classes.iter().sum()
+    }
+}
+
+/// Draws, picks and compares; collects what must not be.
+struct Sweep {
+    gpu: Gpu,
+    renderer: Renderer,
+    tallies: BTreeMap<&'static str, Tally>,
+    ordinary: Tally,
+    defects: Vec<String>,
+}
+
+impl Sweep {
+    fn new() -> Self {
+        let gpu = gpu();
+        Self {
+            renderer: Renderer::new(&gpu, 1),
+            gpu,
+            tallies: BTreeMap::new(),
+            ordinary: Tally::default(),
+            defects: Vec::new(),
+        }
+    }
+
+    fn check(&mut self, name: &str, scene: &Scene, shots: Vec<Shot>) {
+        scene.build_trees();
+        let buffers = SceneBuffers::upload(&self.gpu, scene).expect("fits");
+        for shot in shots {
+            let drawn = drawn(&self.gpu, &mut self.renderer, &buffers, &shot.view);
+            let report = compare(scene, &shot.view, &drawn, &pick::ids(scene, &shot.view));
+            self.tallies.entry(shot.condition).or_default().add(&report);
+            if shot.ordinary {
+                self.ordinary.add(&report);
+            }
+            let place = format!("{name}, {}", shot.condition);
+            if report.count(Class::Unexplained) > 0 {
+                let count = report.count(Class::Unexplained);
+                self.defects.push(format!(
+                    "{place}: {count}, {:?}, {:?}",
+                    report.worst(),
+                    shot.view
+                ));
+            }
+            if report.shown < LEAST_SHOWN && !may_be_empty(shot.condition) {
+                self.defects.push(format!(
+                    "{place}: only {} pixels show anything",
+                    report.shown
+                ));
+            }
+        }
+    }
+
+    fn finish(mut self) {
+        for (name, tally) in &self.tallies {
+            if tally.shown < 4 * LEAST_SHOWN * tally.views {
+                (self.defects).push(format!("{name}: only {} pixels show anything", tally.shown));
+            }
+        }
+        println!(
+            "{:<44}{:>6}{:>10}{:>9}{:>6}{:>7}{:>6}{:>6}{:>8}",
+            "condition", "views", "shown", "outline", "edge", "depth", "f32", "un", "share"
+        );
+        let rows = self.tallies.iter().map(|(name, tally)| (*name, tally));
+        for (name, tally) in rows.chain([("ordinary, together", &self.ordinary)]) {
+            let [edge, depth, limit, unexplained] = tally.classes;
+            println!(
+                "{name:<44}{:>6}{:>10}{:>9}{edge:>6}{depth:>7}{limit:>6}{unexplained:>6}{:>7.2}%",
+                tally.views,
+                tally.shown,
+                tally.outline,
+                share(tally)
+            );
+        }
+        assert!(self.defects.is_empty(), "{}", self.defects.join("\n"));
+        let share = share(&self.ordinary);
+        assert!(share <= 0.3, "{share} % of ordinary outline pixels differ");
+    }
+}
+
+fn may_be_empty(condition: &str) -> bool {
+    let words = ["cut", "culled", "from the middle", "along an axis"];
+    words.iter().any(|word| condition.contains(word))
+}
+
+/// Per cent of outline pixels that differ.
+fn share(tally: &Tally) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "few pixels")]
+    let share = 100.0 * tally.differ() as f64 / tally.outline.max(1) as f64;
+    share
+}
+
+fn under_matrices(sweep: &mut Sweep, name: &str, scene: &Scene) {
+    let bounds = scene.visible_bounds();
+    let flat = (bounds.max - bounds.min).min_element() == 0.0;
+    for (condition, matrix, ordinary) in matrices() {
+        // What is flat already would be a line.
+        if flat && condition == "thin as paper" {
+            continue;
+        }
+        let scene = under(scene, matrix);
+        let shots = few_shots(&scene, condition, ordinary);
+        sweep.check(&format!("{name}, {condition}"), &scene, shots);
+    }
+}
+
+#[test]
+fn own_scenes() {
+    let mut sweep = Sweep::new();
+    let scene = shapes(DVec3::ZERO);
+    sweep.check("shapes", &scene, shots(&scene));
+    under_matrices(&mut sweep, "shapes", &scene);
+    let demo = scene::load(&[], &Progress::default())
+        .expect("the demo")
+        .scene;
+    sweep.check("demo", &demo, shots(&demo));
+    under_matrices(&mut sweep, "demo", &demo);
+    for (condition, scene, view) in inside() {
+        // Nothing but a mesh about the eye has nothing to show when culled.
+        let views = if scene.objects().len() > 1 {
+            vec![view, culled(&view)]
+        } else {
+            vec![view]
+        };
+        let shots = views
+            .into_iter()
+            .map(|view| Shot::new(condition, view, false));
+        sweep.check(condition, &scene, shots.collect());
+    }
+    sweep.finish();
+}
+
+#[test]
+fn slivers_and_coplanar_faces() {
+    let mut sweep = Sweep::new();
+    for (name, scene) in [("slivers", slivers()), ("coplanar", coplanar())] {
+        let all = shots(&scene).into_iter().map(|shot| Shot {
+            ordinary: false,
+            ..shot
+        });
+        sweep.check(name, &scene, all.collect());
+        under_matrices(&mut sweep, name, &scene);
+    }
+    sweep.ordinary = Tally::default();
+    sweep.finish();
+}
+
+#[test]
+fn real_files() {
+    let Some(folder) = common::shared() else {
+        println!("real files: absent");
+        return;
+    };
+    let mut paths: Vec<_> = std::fs::read_dir(folder.join("models"))
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "obj"))
+        .collect();
+    paths.sort();
+    assert!(!paths.is_empty(), "no models");
+    let mut sweep = Sweep::new();
+    for path in paths {
+        let name = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let scene = scene::load(&[path], &Progress::default())
+            .expect("a scene")
+            .scene;
+        scene.build_trees();
+        let start = Instant::now();
+        let every = if takes_long(scene.triangle_count()) {
+            3
+        } else {
+            1
+        };
+        sweep.check(
+            &name,
+            &scene,
+            shots(&scene).into_iter().step_by(every).collect(),
+        );
+        under_matrices(&mut sweep, &name, &scene);
+        println!("{name}: {:.1?}", start.elapsed());
+    }
+    sweep.finish();
+}

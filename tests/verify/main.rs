@@ -1,0 +1,35 @@
+//! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker that is
+//! wrong in any way is found out.
+
+mod broken;
+mod cameras;
+mod command;
+#[path = "../common/mod.rs"]
+mod common;
+mod conditions;
+mod models;
+#[path = "../common/scenes.rs"]
+mod scenes;
+
+use sightline::{
+    camera::View,
+    image::{Id, Image},
+    render::{Gpu, Renderer, SceneBuffers, Targets},
+    scene::Scene,
+};
+
+/// What the GPU draws, as ids.
+fn drawn(gpu: &Gpu, renderer: &mut Renderer, buffers: &SceneBuffers, view: &View) -> Image<Id> {
+    let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
+    renderer
+        .draw(gpu, buffers, &targets, view, &[])
+        .expect("draws");
+    targets.read_ids(gpu).expect("ids")
+}
+
+/// [`drawn`] of one view.
+fn drawn_once(scene: &Scene, view: &View) -> Image<Id> {
+    let gpu = scenes::gpu();
+    let buffers = SceneBuffers::upload(&gpu, scene).expect("fits");
+    drawn(&gpu, &mut Renderer::new(&gpu, 1), &buffers, view)
+}

@@ -1,0 +1,125 @@
+//! Clicks, selection and visibility.
+
+use super::*;
+
+#[test]
+fn a_click_selects_and_a_click_beside_selects_nothing() {
+    let mut state = front_view();
+    let line = state
+        .apply(Action::Click(MIDDLE, 0.0))
+        .expect("a click answers");
+    assert_eq!(line.px, MIDDLE + 0.5, "the pixel's centre is picked");
+    assert_eq!(line.hit.as_ref().expect("a hit").object, "front");
+    assert_eq!(selected(&state), Some("front"));
+    let line = state
+        .apply(Action::Click(DVec2::new(3.0, 3.0), 1.0))
+        .expect("a click answers");
+    assert_eq!((line.hit, selected(&state)), (None, None));
+}
+
+#[test]
+fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
+    let mut state = front_view();
+    let mut time = 0.0;
+    let mut seen = Vec::new();
+    for _ in 0..6 {
+        state.apply(Action::Click(MIDDLE, time));
+        state.apply(Action::Click(MIDDLE + 0.25, time + 0.5 * DOUBLE_CLICK_S));
+        let hit = state
+            .selection()
+            .and_then(|s| s.pick.as_ref()?.hit.clone())
+            .expect("a hit");
+        seen.push((hit.object, hit.front));
+        time += 10.0;
+    }
+    // In and out of the cube, in and out of the sphere, the square, and round again.
+    let expected = [
+        ("front", true),
+        ("front", false),
+        ("middle", true),
+        ("middle", false),
+        ("back", true),
+        ("front", true),
+    ];
+    assert_eq!(seen, expected.map(|(name, front)| (name.to_owned(), front)));
+    state.apply(Action::Click(MIDDLE + DVec2::X, time));
+    assert_eq!(selected(&state), Some("front"), "another pixel starts anew");
+}
+
+#[test]
+fn hidden_is_not_picked_and_shown_is_again() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::HideSelection);
+    assert_eq!(state.selection(), None);
+    state.apply(Action::Click(MIDDLE, 1.0));
+    assert_eq!(selected(&state), Some("middle"));
+    state.apply(Action::Isolate);
+    state.apply(Action::Hover(Some(MIDDLE)));
+    assert_eq!(state.hover(), Some(1));
+    let visible: Vec<bool> = state
+        .scene()
+        .objects()
+        .iter()
+        .map(|object| object.visible)
+        .collect();
+    assert_eq!(visible, [false, true, false]);
+    state.apply(Action::ShowAll);
+    state.apply(Action::Click(MIDDLE, 20.0));
+    state.apply(Action::Click(MIDDLE + DVec2::X, 21.0));
+    assert_eq!(selected(&state), Some("front"));
+    state.apply(Action::SetVisible(0, false));
+    state.apply(Action::Hover(Some(MIDDLE)));
+    assert_eq!(state.hover(), Some(1));
+    state.apply(Action::Hover(None));
+    assert_eq!(state.hover(), None);
+}
+
+#[test]
+fn a_resize_keeps_what_is_in_the_middle() {
+    let mut state = front_view();
+    for (width, height) in [(1, 1), (3, 2000), (2560, 1440)] {
+        let viewport = Viewport::new(width, height).expect("a viewport");
+        state.apply(Action::Resize(viewport));
+        let middle = DVec2::new(f64::from(width), f64::from(height)) / 2.0;
+        assert_near(
+            state.view().project(DVec3::ZERO).expect("in front").px,
+            middle,
+            1e-9,
+        );
+        state.apply(Action::Click(middle.floor(), 0.0));
+        assert_eq!(selected(&state), Some("front"), "{width}x{height}");
+    }
+}
+
+#[test]
+fn the_pipeline_follows_a_pick_to_its_own_pixel() {
+    for orthographic in [false, true] {
+        let mut state = front_view();
+        state.apply(Action::Lens(LensControls {
+            orthographic,
+            ..state.controls()
+        }));
+        state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+        let px = DVec2::new(404.5, 310.5);
+        let pick = pick::pick(state.scene(), state.view(), px).expect("something there");
+        let object = &state.scene().objects()[pick.id - 1];
+        let steps = Steps::follow(state.view(), object, pick.point_object).expect("in front");
+        assert!(steps.world.distance(pick.point_world) < 1e-12);
+        assert!((steps.view.z - pick.depth).abs() < 1e-12);
+        assert!(
+            steps.ndc.distance(pick.ndc) < 1e-12,
+            "{} and {}",
+            steps.ndc,
+            pick.ndc
+        );
+        assert_near(steps.px, px, 1e-9);
+        let ray = state.view().ray(px);
+        assert!(steps.ray.direction.distance(ray.direction) < 1e-12);
+        // The product of the matrices says the same in one step.
+        let clip =
+            Matrices::of(state.view(), Some(object)).product() * pick.point_object.extend(1.0);
+        assert!((clip.truncate() / clip.w).distance(pick.ndc) < 1e-12);
+        assert!((clip - steps.clip).length() < 1e-11);
+    }
+}
