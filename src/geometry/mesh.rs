@@ -3,7 +3,7 @@
 use super::{
     Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
     guarded_volume,
-    triangle::{compare_t, is_in_doubt},
+    triangle::{compare_t, is_in_doubt, settled_volume},
 };
 use crate::colour::Srgb;
 use glam::DVec3;
@@ -202,7 +202,12 @@ impl Mesh {
     /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
     #[must_use]
     pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
-        self.nearest::<true>(ray, sides, guarded_volume, accept)
+        // What the tree has sifted need not be filtered again.
+        let test = match self.tree.get() {
+            Some(_) => settled_volume,
+            None => guarded_volume,
+        };
+        self.nearest::<true>(ray, sides, test, accept)
     }
 
     /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
@@ -222,53 +227,47 @@ impl Mesh {
         &self,
         ray: &Ray,
         sides: Sides,
-        test: impl Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>,
+        test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        let local = VertexRay::new(ray, self.data.origin);
-        let mut best: Option<Found> = None;
+        // Most rays meet nothing and need none.
+        let mut local = None;
+        let mut best: Option<Hit> = None;
         let mut end = ray.t_max;
-        self.visit::<SIFT>(&local, |triangle, corners| {
-            if let Some(hit) = test(&local, corners)
+        self.visit::<SIFT>(ray, |triangle, corners| {
+            let local = &*local.get_or_insert_with(|| VertexRay::new(ray, self.data.origin));
+            if let Some(hit) = test(local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
-                let found = Found {
-                    triangle,
-                    corners,
-                    hit,
-                };
-                if best.is_none_or(|best| found.compare(&best, &local).is_lt()) {
-                    best = Some(found);
+                let hit = hit.on(triangle, corners);
+                if best.is_none_or(|best| self.order(&hit, &best, local).is_lt()) {
                     // The exact parameter may be this much further, and nearer or equal ones may lie before it.
-                    end = hit.t + hit.t_error;
+                    end = hit.t + hit.on_triangle.map_or(0.0, |at| at.t_error);
+                    best = Some(hit);
                 }
             }
             end
         });
-        best.map(Found::into_hit)
+        best
     }
 
     /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
     #[must_use]
     pub fn all(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Vec<Hit> {
         let local = VertexRay::new(ray, self.data.origin);
-        let mut all: Vec<Found> = Vec::new();
-        self.visit::<true>(&local, |triangle, corners| {
+        let mut all = Vec::new();
+        self.visit::<true>(ray, |triangle, corners| {
             if let Some(hit) = guarded_volume(&local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
-                all.push(Found {
-                    triangle,
-                    corners,
-                    hit,
-                });
+                all.push(hit.on(triangle, corners));
             }
             ray.t_max
         });
-        all.sort_by(|a, b| a.compare(b, &local));
-        all.into_iter().map(Found::into_hit).collect()
+        all.sort_by(|a, b| self.order(a, b, &local));
+        all
     }
 
     /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and
@@ -286,11 +285,22 @@ impl Mesh {
             if found { f64::NEG_INFINITY } else { ray.t_max }
         };
         if local.is_bounded() {
-            self.visit::<false>(&local, visit);
+            self.visit::<false>(ray, visit);
         } else {
             self.every_triangle(&mut visit);
         }
         found
+    }
+
+    /// The order along a ray of two of its hits.
+    fn order(&self, a: &Hit, b: &Hit, local: &VertexRay) -> Ordering {
+        let (Some(on_a), Some(on_b)) = (a.on_triangle, b.on_triangle) else {
+            return a.t.total_cmp(&b.t);
+        };
+        let triangles = [on_a.triangle, on_b.triangle];
+        let corners = || triangles.map(|triangle| self.vertex_corners(triangle));
+        compare_t(local, (a.t, on_a.t_error), (b.t, on_b.t_error), corners)
+            .then(triangles[0].cmp(&triangles[1]))
     }
 
     /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
@@ -298,12 +308,12 @@ impl Mesh {
     #[inline]
     fn visit<const SIFT: bool>(
         &self,
-        local: &VertexRay,
+        ray: &Ray,
         mut visit: impl FnMut(u32, [DVec3; 3]) -> f64,
     ) {
         match self.tree.get() {
-            Some(tree) if SIFT => tree.visit(&local.ray, visit),
-            Some(tree) => tree.visit_boxes(&local.ray, visit),
+            Some(tree) if SIFT => tree.visit(ray, &self.data.origin, &mut visit),
+            Some(tree) => tree.visit_boxes(ray, &self.data.origin, &mut visit),
             None => self.every_triangle(&mut visit),
         }
     }
@@ -319,48 +329,10 @@ impl Mesh {
     }
 }
 
-/// A triangle that is hit.
-#[derive(Clone, Copy)]
-struct Found {
-    triangle: u32,
-    corners: [DVec3; 3],
-    hit: TriangleHit,
-}
-
-impl Found {
-    /// The order along a ray.
-    fn compare(&self, other: &Self, local: &VertexRay) -> Ordering {
-        compare_t(local, (self.corners, self.hit), (other.corners, other.hit))
-            .then(self.triangle.cmp(&other.triangle))
-    }
-
-    fn into_hit(self) -> Hit {
-        let Self {
-            triangle,
-            corners,
-            hit,
-        } = self;
-        Hit {
-            t: hit.t,
-            normal: normal(corners),
-            on_triangle: Some(OnTriangle {
-                triangle,
-                barycentric: hit.barycentric,
-                front: hit.front,
-                t_error: hit.t_error,
-            }),
-        }
-    }
-}
-
 impl std::fmt::Debug for Mesh {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Mesh({} triangles)", self.data.triangles.len())
     }
-}
-
-fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
-    (b - a).cross(c - a)
 }
 
 fn wide(v: [f32; 3]) -> DVec3 {

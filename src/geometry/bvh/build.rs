@@ -6,6 +6,7 @@
 use super::{
     Bvh,
     node::{Child, Node, Packet, Plane, WIDTH},
+    ray::Place,
     split::{Leaf, Range},
 };
 use crate::geometry::Aabb;
@@ -45,7 +46,7 @@ pub(super) fn build(
     };
     let mut leaves: Vec<Leaf> = (0..count).map(|i| vertices.leaf(i)).collect();
     let all = Range::new(&mut leaves);
-    let [min, max] = all.bounds().map(|v| v.truncate().as_dvec3());
+    let [min, max] = all.bounds().map(Vec4::truncate);
     let site = Site {
         vertices,
         small: triangles.len() / (threads * JOBS_PER_THREAD),
@@ -69,8 +70,14 @@ pub(super) fn build(
     Some(Bvh {
         nodes,
         packets,
-        bounds: Aabb { min, max },
-        scale: f64::from(vertices.scale),
+        place: Place {
+            bounds: Aabb {
+                min: min.as_dvec3(),
+                max: max.as_dvec3(),
+            },
+            most: min.abs().max(max.abs()).max_element(),
+            scale: vertices.scale.into(),
+        },
     })
 }
 

@@ -20,9 +20,10 @@ mod walk;
 
 pub use simd::Simd;
 
-use super::{Aabb, Ray};
+use super::Ray;
 use glam::DVec3;
 use node::{Node, Packet};
+use ray::Place;
 use std::sync::atomic::AtomicBool;
 use walk::Walk;
 
@@ -32,11 +33,9 @@ pub struct Bvh {
     /// The first is the root; each comes before its children.
     nodes: Vec<Node>,
     packets: Vec<Packet>,
-    /// About all triangles, in the tree's lengths.
-    bounds: Aabb,
-    /// A power of two: the tree's lengths are the vertices' times this. Not 1 only for meshes so small or large that `f32`
-    /// products of their lengths would vanish or overflow.
-    scale: f64,
+    /// About all triangles. Its scale is not 1 only for meshes so small or large that `f32` products of their lengths
+    /// would vanish or overflow.
+    place: Place,
 }
 
 impl Bvh {
@@ -54,26 +53,34 @@ impl Bvh {
         build::build(positions, triangles, stop)
     }
 
-    /// Calls `visit` with every triangle that `ray` may hit and its corners, nearer boxes first. `visit` returns the
-    /// new end of the ray's interval; what begins beyond it is passed over, what begins *at* it is not, so that equal
-    /// hits are all seen.
+    /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, and its
+    /// corners about it; nearer boxes first. `visit` returns the new end of the ray's interval; what begins beyond it is
+    /// passed over, what begins *at* it is not, so that equal hits are all seen.
     ///
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
-    pub fn visit(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64) {
         simd::run_fastest(Walk::<_, true> {
             tree: self,
             ray,
+            center,
             visit,
         });
     }
 
     /// [`Bvh::visit`] by chosen instructions.
     #[inline]
-    pub fn visit_by(&self, simd: Simd, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+    pub fn visit_by(
+        &self,
+        simd: Simd,
+        ray: &Ray,
+        center: &DVec3,
+        visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64,
+    ) {
         simd.run(Walk::<_, true> {
             tree: self,
             ray,
+            center,
             visit,
         });
     }
@@ -81,10 +88,16 @@ impl Bvh {
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
-    pub fn visit_boxes(&self, ray: &Ray, visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+    pub fn visit_boxes(
+        &self,
+        ray: &Ray,
+        center: &DVec3,
+        visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64,
+    ) {
         simd::run_fastest(Walk::<_, false> {
             tree: self,
             ray,
+            center,
             visit,
         });
     }

@@ -34,49 +34,58 @@
 
 use super::node::Plane;
 use crate::geometry::{Aabb, Ray};
-use glam::DVec3;
+use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
-const U32: f64 = 0.5 * f32::EPSILON as f64;
+const U32: f32 = 0.5 * f32::EPSILON;
 /// The unit roundoff of `f64`.
 const U64: f64 = 0.5 * f64::EPSILON;
+/// How far the planes of boxes are moved apart, in `u D`.
+const PAD: f32 = 8.0;
+/// How far a corner may be from where `f32` sees it, in `u D`.
+const REACH: f32 = 10.0;
 /// Directions are scaled to be no smaller than this, and no larger than its reciprocal.
-const LEAST_SIZE: f64 = power_of_two(-30);
+const LEAST_SIZE: f32 = power_of_two(-30);
 /// Smaller components of a direction are taken for this.
-const LEAST_COMPONENT: f64 = power_of_two(-90);
+const LEAST_COMPONENT: f32 = power_of_two(-90);
 /// An eye that is farther away than this many times the mesh's largest coordinate is moved.
-const NEAR: f64 = 7.0;
+const NEAR: f32 = 7.0;
 
 /// `2^exponent`, for exponents of normal numbers.
-const fn power_of_two(exponent: i64) -> f64 {
-    f64::from_bits(((1023 + exponent) << 52).cast_unsigned())
+const fn power_of_two(exponent: i32) -> f32 {
+    f32::from_bits(((127 + exponent) << 23).cast_unsigned())
 }
 
-/// See the module's page.
+/// Where the things are that a ray is among.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// About all of them, in the tree's lengths.
+    pub bounds: Aabb,
+    /// `M`.
+    pub most: f32,
+    /// A power of two: the tree's lengths are the caller's times this.
+    pub scale: f64,
+}
+
+/// A ray as boxes see it.
 #[derive(Debug)]
 pub(super) struct TreeRay {
-    /// Through which side of a box the ray enters, by axis.
+    /// Through which side of a box it enters, by axis.
     pub entry: [Plane; 3],
-    /// Through which side of a box the ray leaves, by axis.
+    /// Through which side of a box it leaves, by axis.
     pub exit: [Plane; 3],
     /// 1 / direction.
-    pub inverse: [f32; 3],
-    /// Origin / direction, later by the padding.
-    pub entry_offset: [f32; 3],
-    /// Origin / direction, earlier by the padding.
-    pub exit_offset: [f32; 3],
+    pub inverse: Vec3A,
+    /// - origin / direction, earlier by the padding.
+    pub entry_offset: Vec3A,
+    /// - origin / direction, later by the padding.
+    pub exit_offset: Vec3A,
     /// The start of the interval.
     pub start: f32,
-    /// Two axes and the one along which the direction is largest.
-    pub axes: [usize; 3],
-    /// The origin along these, the last times the direction's sign.
-    pub origin: [f32; 3],
-    /// The direction along these, over its size along the last; there it is 1 or -1.
-    pub slope: [f32; 3],
-    /// The direction's size along the last of these: from `t` to a length.
-    pub size: f32,
-    /// How far a corner may be from where `f32` sees it.
-    pub reach: f32,
+    origin: Vec3A,
+    direction: Vec3A,
+    /// `D`.
+    distance: f32,
     /// What the caller's `t` is to be multiplied with, and then reduced by.
     t_scale: f64,
     t_start: f64,
@@ -88,124 +97,158 @@ pub(super) enum Prepared {
     Miss,
     /// Nothing: `f32` cannot hold it. Every triangle may be hit.
     Everything,
-    /// This, and the end of its interval.
-    Ray(TreeRay, f32),
+    /// This.
+    Ray(TreeRay),
 }
 
 impl TreeRay {
-    /// `ray` among things in `bounds`, all lengths times `scale`.
+    /// `ray`, of the caller's lengths, as the tree sees it about `center`.
     #[inline(always)]
-    pub fn prepare(ray: &Ray, bounds: &Aabb, scale: f64) -> Prepared {
+    pub fn prepare(ray: &Ray, center: DVec3, place: &Place) -> Prepared {
+        let origin = ((ray.origin - center) * place.scale).as_vec3a();
+        let direction = ray.direction.as_vec3a();
+        let away = origin.abs().max_element();
+        let size = direction.abs().max_element();
+        // Written so that NaN is false.
+        if away <= NEAR * place.most && LEAST_SIZE <= size && size <= 1.0 / LEAST_SIZE {
+            let t = [place.scale, 0.0];
+            Prepared::Ray(Self::new(ray, origin, direction, away + place.most, t))
+        } else {
+            Self::prepare_far(ray, center, place)
+        }
+    }
+
+    /// [`TreeRay::prepare`] when the eye is to be moved or the direction to be scaled.
+    #[cold]
+    fn prepare_far(ray: &Ray, center: DVec3, place: &Place) -> Prepared {
+        let (least, most) = (f64::from(LEAST_SIZE), f64::from(place.most));
+        let mut origin = (ray.origin - center) * place.scale;
         let mut direction = ray.direction;
-        let mut origin = ray.origin * scale;
-        let mut t_scale = scale;
-        let mut t_start = 0.0;
-        let (along, mut size) = largest(direction.abs());
-        if !(LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
+        let (mut t_scale, mut t_start) = (place.scale, 0.0);
+        let mut size = direction.abs().max_element();
+        if !(least..=1.0 / least).contains(&size) {
             let by = like(size);
             (direction, size) = (direction / by, size / by);
             t_scale *= by;
         }
-        let reciprocal = reciprocal(direction);
-        let (_, most) = largest(bounds.min.abs().max(bounds.max.abs()));
-        let (_, away) = largest(origin.abs());
+        let away = origin.abs().max_element();
         let far = 8.0 * U64 * (away + most);
         // Written so that NaN is false.
-        if !(far < most && size <= 1.0 / LEAST_SIZE && t_scale.is_normal()) {
+        if !(far < most && size <= 1.0 / least && t_scale.is_normal()) {
             return Prepared::Everything;
         }
         let mut distance = away + most;
-        if away > NEAR * most {
-            let Some(enter) = entry(origin, reciprocal, bounds, 2.0 * far) else {
+        if away > f64::from(NEAR) * most {
+            let Some(enter) = entry(origin, direction, &place.bounds, 2.0 * far) else {
                 return Prepared::Miss;
             };
             t_start = greater(enter, ray.t_min * t_scale);
             origin += t_start * direction;
             distance = 2.0 * most;
         }
-        let pad = 6.0 * U32 * distance + 4.0 * far;
-        let offset = origin * reciprocal;
-        let padding = pad * reciprocal.abs();
-        let [first, second] = [[1, 2], [2, 0], [0, 1]][along];
-        let (sign, per_size) = (1.0_f64.copysign(direction[along]), reciprocal[along].abs());
-        let [x, y, z] = direction.to_array().map(f64::is_sign_negative);
+        let (origin, direction) = (origin.as_vec3a(), direction.as_vec3a());
+        let distance = narrow(distance + far / f64::from(U32));
+        Prepared::Ray(Self::new(
+            ray,
+            origin,
+            direction,
+            distance,
+            [t_scale, t_start],
+        ))
+    }
+
+    #[inline(always)]
+    fn new(
+        ray: &Ray,
+        origin: Vec3A,
+        direction: Vec3A,
+        distance: f32,
+        [t_scale, t_start]: [f64; 2],
+    ) -> Self {
+        let safe = direction.abs().max(Vec3A::splat(LEAST_COMPONENT));
+        let inverse = safe.copysign(direction).recip();
+        let offset = -origin * inverse;
+        let padding = inverse.abs() * (PAD * U32 * distance);
+        let negative = direction.is_negative_bitmask() as usize;
+        let side = |axis: usize| negative >> axis & 1;
+        let [x, y, z] = [side(0), side(1), side(2)];
         let start = ray.t_min * t_scale - t_start;
-        let prepared = Self {
-            entry: [
-                Plane::X[usize::from(x)],
-                Plane::Y[usize::from(y)],
-                Plane::Z[usize::from(z)],
-            ],
-            exit: [
-                Plane::X[usize::from(!x)],
-                Plane::Y[usize::from(!y)],
-                Plane::Z[usize::from(!z)],
-            ],
-            inverse: reciprocal.as_vec3().to_array(),
-            entry_offset: (offset + padding).as_vec3().to_array(),
-            exit_offset: (offset - padding).as_vec3().to_array(),
+        Self {
+            entry: [Plane::X[x], Plane::Y[y], Plane::Z[z]],
+            exit: [Plane::X[1 - x], Plane::Y[1 - y], Plane::Z[1 - z]],
+            inverse,
+            entry_offset: offset - padding,
+            exit_offset: offset + padding,
             // As `end`, but never too late.
-            start: narrow(start - 4.0 * U32 * start.abs()),
-            axes: [first, second, along],
-            origin: [
-                narrow(origin[first]),
-                narrow(origin[second]),
-                narrow(sign * origin[along]),
-            ],
-            slope: [
-                narrow(direction[first] * per_size),
-                narrow(direction[second] * per_size),
-                narrow(sign),
-            ],
-            size: narrow(size),
-            reach: narrow(7.0 * U32 * distance + 4.0 * far),
+            start: narrow(start - 4.0 * f64::from(U32) * start.abs()),
+            origin,
+            direction,
+            distance,
             t_scale,
             t_start,
-        };
-        let end = prepared.end(ray.t_max);
-        Prepared::Ray(prepared, end)
+        }
     }
 
     /// The caller's end of the interval, as a `t` from the moved origin; never too early.
     #[inline(always)]
     pub fn end(&self, t_max: f64) -> f32 {
         // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
-        narrow(greater(
-            (t_max * self.t_scale - self.t_start) * (1.0 + 4.0 * U32),
-            0.0,
-        ))
+        let end = (t_max * self.t_scale - self.t_start) * (1.0 + 4.0 * f64::from(U32));
+        narrow(greater(end, 0.0))
+    }
+
+    /// As triangles see it.
+    #[inline(always)]
+    pub fn sheared(&self) -> ShearedRay {
+        let size = self.direction.abs();
+        let (axis, largest) = if size.y > size.x { (1, size.y) } else { (0, size.x) };
+        let along = if size.z > largest { 2 } else { axis };
+        let axes = [[1, 2, 0], [2, 0, 1], [0, 1, 2]][along];
+        let [origin, direction, inverse] =
+            [self.origin, self.direction, self.inverse].map(|v| v.to_array());
+        let [first, second, _] = axes;
+        let sign = 1.0_f32.copysign(direction[along]);
+        let per_size = inverse[along].abs();
+        ShearedRay {
+            axes,
+            origin: [origin[first], origin[second], -sign * origin[along]],
+            slope: [direction[first] * per_size, direction[second] * per_size, sign],
+            size: direction[along].abs(),
+            reach: REACH * U32 * self.distance,
+        }
     }
 }
 
-/// One over each component, which is finite.
-#[inline(always)]
-fn reciprocal(direction: DVec3) -> DVec3 {
-    let safe = direction.abs().max(DVec3::splat(LEAST_COMPONENT));
-    safe.copysign(direction).recip()
+/// A ray as triangles see it: as if it ran along the axis along which its direction is largest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShearedRay {
+    /// Two axes and that one.
+    pub axes: [usize; 3],
+    /// The origin along these, the last times minus the direction's sign.
+    pub origin: [f32; 3],
+    /// The direction along these, over its size along the last; there it is 1 or -1.
+    pub slope: [f32; 3],
+    /// The direction's size along the last: from `t` to a length.
+    pub size: f32,
+    /// How far a corner may be from where this sees it.
+    pub reach: f32,
 }
 
 /// Where a ray enters the box grown by `room` on all sides; `None` where it passes it.
-#[cold]
-fn entry(origin: DVec3, reciprocal: DVec3, bounds: &Aabb, room: f64) -> Option<f64> {
-    let to_min = (bounds.min - room - origin) * reciprocal;
-    let to_max = (bounds.max + room - origin) * reciprocal;
+fn entry(origin: DVec3, direction: DVec3, bounds: &Aabb, room: f64) -> Option<f64> {
+    let safe = direction.abs().max(DVec3::splat(LEAST_COMPONENT.into()));
+    let inverse = safe.copysign(direction).recip();
+    let to_min = (bounds.min - room - origin) * inverse;
+    let to_max = (bounds.max + room - origin) * inverse;
     let enter = to_min.min(to_max).max_element();
     let leave = to_min.max(to_max).min_element();
     (enter <= leave && leave >= 0.0).then_some(enter)
 }
 
 /// The power of two below `size`.
-#[cold]
 fn like(size: f64) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;
     f64::from_bits(size.to_bits() & !MANTISSA)
-}
-
-/// The axis of the largest component, and the component.
-#[inline(always)]
-fn largest(v: DVec3) -> (usize, f64) {
-    let (axis, size) = if v.y > v.x { (1, v.y) } else { (0, v.x) };
-    if v.z > size { (2, v.z) } else { (axis, size) }
 }
 
 /// As [`f64::max`], but `b` where either is NaN.

@@ -84,8 +84,8 @@ pub(super) trait Lanes: Copy {
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
     fn sub(self, a: Self::F, b: Self::F) -> Self::F;
     fn mul(self, a: Self::F, b: Self::F) -> Self::F;
-    /// `a * b - c`, rounded once or twice.
-    fn mul_sub(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// `a * b + c`, rounded once or twice.
+    fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// `c - a * b`, rounded once or twice.
     fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F;
     /// The lesser of each pair; NaN only where both are, and maybe where one is.
@@ -118,7 +118,7 @@ impl Lanes for Portable {
     #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] + b[i]) }
     #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] - b[i]) }
     #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] * b[i]) }
-    #[inline(always)] fn mul_sub(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { each(|i| a[i] * b[i] - c[i]) }
+    #[inline(always)] fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { each(|i| a[i] * b[i] + c[i]) }
     #[inline(always)] fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F { each(|i| c[i] - a[i] * b[i]) }
     #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] < b[i] { a[i] } else { b[i] }) }
     #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] > b[i] { a[i] } else { b[i] }) }
@@ -181,7 +181,7 @@ mod x86 {
         #[inline(always)] fn add(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_add_ps(a, b) } }
         #[inline(always)] fn sub(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_sub_ps(a, b) } }
         #[inline(always)] fn mul(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_mul_ps(a, b) } }
-        #[inline(always)] fn mul_sub(self, a: __m256, b: __m256, c: __m256) -> __m256 { unsafe { _mm256_fmsub_ps(a, b, c) } }
+        #[inline(always)] fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 { unsafe { _mm256_fmadd_ps(a, b, c) } }
         #[inline(always)] fn sub_mul(self, c: __m256, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_fnmadd_ps(a, b, c) } }
         #[inline(always)] fn min(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_min_ps(a, b) } }
         #[inline(always)] fn max(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_max_ps(a, b) } }
@@ -205,7 +205,7 @@ mod x86 {
         #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_add_ps(a[0], b[0]), _mm_add_ps(a[1], b[1])] } }
         #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_sub_ps(a[0], b[0]), _mm_sub_ps(a[1], b[1])] } }
         #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_mul_ps(a[0], b[0]), _mm_mul_ps(a[1], b[1])] } }
-        #[inline(always)] fn mul_sub(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { self.sub(self.mul(a, b), c) }
+        #[inline(always)] fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { self.add(self.mul(a, b), c) }
         #[inline(always)] fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F { self.sub(c, self.mul(a, b)) }
         #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_min_ps(a[0], b[0]), _mm_min_ps(a[1], b[1])] } }
         #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_max_ps(a[0], b[0]), _mm_max_ps(a[1], b[1])] } }

@@ -3,6 +3,7 @@
 use super::{
     Bvh,
     node::{Child, WIDTH},
+    ray::Place,
 };
 
 impl Bvh {
@@ -14,7 +15,8 @@ impl Bvh {
     pub fn validate(&self, positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<(), String> {
         let mut seen = vec![false; triangles.len()];
         let (mut nodes, mut packets) = (0, 0);
-        let everywhere = [self.bounds.min, self.bounds.max].map(|v| v.as_vec3().to_array());
+        let Place { bounds, scale, .. } = self.place;
+        let everywhere = [bounds.min, bounds.max].map(|v| v.as_vec3().to_array());
         // Each with the box that it must lie in.
         let mut open = vec![(Child::node(0), everywhere)];
         while let Some((child, bounds)) = open.pop() {
@@ -31,7 +33,7 @@ impl Bvh {
                     if std::mem::replace(place, true) {
                         return Err(format!("triangle {triangle} is there twice"));
                     }
-                    let scaled = |i: u32| positions[i as usize].map(|x| self.scale * f64::from(x));
+                    let scaled = |i: u32| positions[i as usize].map(|x| scale * f64::from(x));
                     if corners.map(|corner| corner.map(f64::from))
                         != triangles[triangle as usize].map(scaled)
                     {

@@ -3,7 +3,7 @@
 use super::{
     Bvh,
     node::{Child, Node, Packet, Plane, WIDTH, wide},
-    ray::{Prepared, TreeRay},
+    ray::{Prepared, ShearedRay, TreeRay},
     simd::{Lanes, Stack, Work},
 };
 use crate::geometry::Ray;
@@ -16,7 +16,9 @@ use glam::DVec3;
 pub(super) struct Walk<'a, F, const SIFT: bool> {
     pub tree: &'a Bvh,
     pub ray: &'a Ray,
-    pub visit: F,
+    /// Where the vertices' (0, 0, 0) lies for the ray.
+    pub center: &'a DVec3,
+    pub visit: &'a mut F,
 }
 
 impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
@@ -27,10 +29,12 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
         let Self {
             tree,
             ray,
-            mut visit,
+            center,
+            visit,
         } = self;
-        let unscale = 1.0 / tree.scale;
-        let (ray, mut end) = match TreeRay::prepare(ray, &tree.bounds, tree.scale) {
+        let unscale = 1.0 / tree.place.scale;
+        let t_max = ray.t_max;
+        let ray = match TreeRay::prepare(ray, *center, &tree.place) {
             Prepared::Miss => return,
             Prepared::Everything => {
                 for (triangle, corners) in tree.packets.iter().flat_map(Packet::iter) {
@@ -38,18 +42,23 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
                 }
                 return;
             }
-            Prepared::Ray(ray, end) => (ray, end),
+            Prepared::Ray(ray) => ray,
         };
+        let mut end = ray.end(t_max);
         let (nodes, packets) = (&*tree.nodes, &*tree.packets);
         let ray = &ray;
         let boxes = Boxes::new(lanes, ray);
-        let sieve = Sieve::new(lanes, ray);
+        let mut sieve = None;
         let mut stack = Stack::new();
         let mut child = Child::node(0);
         loop {
             if child.is_packet() {
                 let packet = &packets[child.index()];
                 let mut hit = if SIFT {
+                    let sieve = match &sieve {
+                        Some(sieve) => sieve,
+                        None => sieve.insert(Sieve::new(ray)),
+                    };
                     sieve.may_hit(lanes, packet, end)
                 } else {
                     present(lanes, packet)
@@ -197,9 +206,9 @@ impl<L: Lanes> Boxes<L> {
         Self {
             entry: ray.entry,
             exit: ray.exit,
-            inverse: splat3(lanes, ray.inverse),
-            entry_offset: splat3(lanes, ray.entry_offset),
-            exit_offset: splat3(lanes, ray.exit_offset),
+            inverse: splat3(lanes, ray.inverse.to_array()),
+            entry_offset: splat3(lanes, ray.entry_offset.to_array()),
+            exit_offset: splat3(lanes, ray.exit_offset.to_array()),
             start: lanes.splat(ray.start),
         }
     }
@@ -221,13 +230,13 @@ impl<L: Lanes> Boxes<L> {
     #[inline(always)]
     fn enter(&self, lanes: L, node: &Node, axis: usize) -> L::F {
         let plane = lanes.load(&node.planes[self.entry[axis] as usize]);
-        lanes.mul_sub(plane, self.inverse[axis], self.entry_offset[axis])
+        lanes.mul_add(plane, self.inverse[axis], self.entry_offset[axis])
     }
 
     #[inline(always)]
     fn leave(&self, lanes: L, node: &Node, axis: usize) -> L::F {
         let plane = lanes.load(&node.planes[self.exit[axis] as usize]);
-        lanes.mul_sub(plane, self.inverse[axis], self.exit_offset[axis])
+        lanes.mul_add(plane, self.inverse[axis], self.exit_offset[axis])
     }
 }
 
@@ -237,15 +246,10 @@ fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
 }
 
 /// A ray against the eight triangles of a packet.
-struct Sieve<L: Lanes> {
-    axes: [usize; 3],
-    origin: [L::F; 3],
-    slope: [L::F; 3],
-    reach: L::F,
-    reach_5: L::F,
-    behind: L::F,
-    size: f32,
-    reach_scalar: f32,
+struct Sieve {
+    ray: ShearedRay,
+    /// The start of the interval, as a length, and earlier by what a corner may be off.
+    start: f32,
 }
 
 /// Eight corners as the ray sees them: how far along it, and how far beside.
@@ -256,37 +260,39 @@ struct Seen<L: Lanes> {
     y: L::F,
 }
 
-impl<L: Lanes> Sieve<L> {
+impl Sieve {
     #[inline(always)]
-    fn new(lanes: L, ray: &TreeRay) -> Self {
-        Self {
-            axes: ray.axes,
-            origin: splat3(lanes, ray.origin),
-            slope: splat3(lanes, ray.slope),
-            reach: lanes.splat(ray.reach),
-            reach_5: lanes.splat(5.0 * ray.reach),
-            behind: lanes.splat(ray.start * ray.size - ray.reach),
-            size: ray.size,
-            reach_scalar: ray.reach,
-        }
+    fn new(ray: &TreeRay) -> Self {
+        let start = ray.start;
+        let ray = ray.sheared();
+        let start = start * ray.size - ray.reach;
+        Self { ray, start }
     }
 
     #[inline(always)]
-    fn see(&self, lanes: L, corner: &[[f32; WIDTH]; 3]) -> Seen<L> {
-        let x = lanes.load(&corner[self.axes[0]]);
-        let y = lanes.load(&corner[self.axes[1]]);
-        let along = lanes.load(&corner[self.axes[2]]);
-        let t = lanes.mul_sub(along, self.slope[2], self.origin[2]);
+    fn see<L: Lanes>(&self, lanes: L, corner: &[[f32; WIDTH]; 3]) -> Seen<L> {
+        let ShearedRay {
+            axes,
+            origin,
+            slope,
+            ..
+        } = &self.ray;
+        let x = lanes.load(&corner[axes[0]]);
+        let y = lanes.load(&corner[axes[1]]);
+        let along = lanes.load(&corner[axes[2]]);
+        let [origin_x, origin_y, origin_t] = splat3(lanes, *origin);
+        let [slope_x, slope_y, sign] = splat3(lanes, *slope);
+        let t = lanes.mul_add(along, sign, origin_t);
         Seen {
             t,
-            x: lanes.sub_mul(lanes.sub(x, self.origin[0]), self.slope[0], t),
-            y: lanes.sub_mul(lanes.sub(y, self.origin[1]), self.slope[1], t),
+            x: lanes.sub_mul(lanes.sub(x, origin_x), slope_x, t),
+            y: lanes.sub_mul(lanes.sub(y, origin_y), slope_y, t),
         }
     }
 
     /// Which triangles the ray may hit before `end`; see [`super::ray`] for the bounds.
     #[inline(always)]
-    fn may_hit(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
+    fn may_hit<L: Lanes>(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
         let [a, b, c] = &packet.corners;
         let a = self.see(lanes, a);
         let b = self.see(lanes, b);
@@ -298,21 +304,22 @@ impl<L: Lanes> Sieve<L> {
             lanes.max(beside(lanes, a), beside(lanes, b)),
             beside(lanes, c),
         );
-        let slack = lanes.sub_mul(self.reach_5, m, lanes.splat(-5.0 * f32::EPSILON));
-        let e = lanes.mul(lanes.add(m, self.reach), slack);
+        let ShearedRay { size, reach, .. } = self.ray;
+        let slack = lanes.sub_mul(lanes.splat(5.0 * reach), m, lanes.splat(-5.0 * f32::EPSILON));
+        let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
         let nearest = lanes.min(lanes.min(a.t, b.t), c.t);
         let farthest = lanes.max(lanes.max(a.t, b.t), c.t);
-        let end = lanes.splat(end * self.size + self.reach_scalar);
-        one_sign & lanes.le(nearest, end) & lanes.le(self.behind, farthest)
+        let end = lanes.splat(end * size + reach);
+        one_sign & lanes.le(nearest, end) & lanes.le(lanes.splat(self.start), farthest)
     }
 }
 
 /// Twice the area that two corners span with the ray, with its sign.
 #[inline(always)]
 fn edge<L: Lanes>(lanes: L, a: Seen<L>, b: Seen<L>) -> L::F {
-    lanes.mul_sub(a.x, b.y, lanes.mul(a.y, b.x))
+    lanes.sub_mul(lanes.mul(a.x, b.y), a.y, b.x)
 }
 
 /// The larger of |x| and |y|.
