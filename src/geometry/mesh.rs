@@ -203,11 +203,11 @@ impl Mesh {
     #[must_use]
     pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
         // What the tree has sifted need not be filtered again.
-        let test = match self.tree.get() {
-            Some(_) => settled_volume,
-            None => guarded_volume,
-        };
-        self.nearest::<true>(ray, sides, test, accept)
+        if self.tree.get().is_some() {
+            self.nearest::<true>(ray, sides, |ray, corners| settled_volume(ray, corners), accept)
+        } else {
+            self.nearest::<true>(ray, sides, guarded_volume, accept)
+        }
     }
 
     /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
@@ -227,7 +227,7 @@ impl Mesh {
         &self,
         ray: &Ray,
         sides: Sides,
-        test: TriangleTest,
+        test: impl Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
         // Most rays meet nothing and need none.
@@ -240,11 +240,14 @@ impl Mesh {
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
-                let hit = hit.on(triangle, corners);
-                if best.is_none_or(|best| self.order(&hit, &best, local).is_lt()) {
+                let is_first = best.is_none_or(|best| {
+                    let hit = hit.on(triangle, corners);
+                    self.order(&hit, &best, local).is_lt()
+                });
+                if is_first {
                     // The exact parameter may be this much further, and nearer or equal ones may lie before it.
-                    end = hit.t + hit.on_triangle.map_or(0.0, |at| at.t_error);
-                    best = Some(hit);
+                    end = hit.t + hit.t_error;
+                    best = Some(hit.on(triangle, corners));
                 }
             }
             end

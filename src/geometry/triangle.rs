@@ -131,6 +131,7 @@ pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHi
 }
 
 /// [`guarded_volume`], to the bit, for triangles that are likely to be hit: it costs the same for those that are not.
+#[inline(always)]
 pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     settle(ray, corners).unwrap_or_else(|InDoubt| exact::hit(ray, corners))
 }
@@ -168,7 +169,7 @@ fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
 /// For triangles that may be hit: the tail is taken off the corners instead of being reckoned as an error.
 ///
 /// With corners to within `2 U` the steps above sum up to `18 U m^2 |d|_1`.
-#[inline]
+#[inline(always)]
 fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let m = largest(seen);
@@ -215,6 +216,7 @@ const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
 /// `2 U`, by `18 U s^2 |a|_1`. The quotient of two numbers that err by `e_n` and `e_d` errs by
 /// `(e_n + |t| e_d) / (|N . d| - e_d)`. Twelve more roundings of `t` leave room for those of the quotient, of the
 /// bound, and of `t` plus or minus it.
+#[inline(always)]
 fn parameter(ray: &VertexRay, corners: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let edges = [corners[1] - corners[0], corners[2] - corners[0]];
     let normal = edges[0].cross(edges[1]);

@@ -5,8 +5,8 @@
 
 use super::{
     Bvh,
-    node::{Child, Node, Packet, Plane, WIDTH},
-    ray::Place,
+    node::{Child, Line, Node, Packet, Place, Plane, WIDTH},
+    ray::Frame,
     split::{Leaf, Range},
 };
 use crate::geometry::Aabb;
@@ -33,7 +33,7 @@ pub(super) fn build(
 ) -> Option<Bvh> {
     let count = u32::try_from(triangles.len())
         .ok()
-        .filter(|count| (1..=1 << 30).contains(count))?;
+        .filter(|count| (1..=1 << 27).contains(count))?;
     let vertices = Vertices {
         positions,
         triangles,
@@ -61,16 +61,14 @@ pub(super) fn build(
         site.work();
     });
     let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);
-    let Progress { top, done, .. } = progress;
+    let Progress { top, grown, .. } = progress;
     drop(leaves);
     if stop.load(Ordering::Relaxed) {
         return None;
     }
-    let (nodes, packets) = assemble(top, done);
     Some(Bvh {
-        nodes,
-        packets,
-        place: Place {
+        lines: assemble(top, grown),
+        frame: Frame {
             bounds: Aabb {
                 min: min.as_dvec3(),
                 max: max.as_dvec3(),
@@ -105,18 +103,11 @@ struct Job<'a> {
     parent: Option<(usize, usize)>,
 }
 
-/// A small tree on its own.
-#[derive(Default)]
+/// A small tree on its own, and the child of a top node that it is.
 struct Grown {
-    nodes: Vec<Node>,
-    packets: Vec<Packet>,
-}
-
-/// A child of a top node, and what hangs there.
-struct Done {
     parent: (usize, usize),
-    root: Child,
-    grown: Grown,
+    root: Place,
+    lines: Vec<Line>,
 }
 
 /// What the threads share.
@@ -125,7 +116,7 @@ struct Progress<'a> {
     /// Jobs that wait or are worked on.
     open: usize,
     top: Vec<Node>,
-    done: Vec<Done>,
+    grown: Vec<Grown>,
 }
 
 impl<'a> Progress<'a> {
@@ -139,31 +130,31 @@ impl<'a> Progress<'a> {
             waiting: vec![root],
             open: 1,
             top: Vec::new(),
-            done: Vec::new(),
+            grown: Vec::new(),
         }
     }
 }
 
 /// The top nodes, then each small tree.
-fn assemble(mut nodes: Vec<Node>, done: Vec<Done>) -> (Vec<Node>, Vec<Packet>) {
-    let mut packets = Vec::new();
-    nodes.reserve_exact(done.iter().map(|done| done.grown.nodes.len()).sum());
-    packets.reserve_exact(done.iter().map(|done| done.grown.packets.len()).sum());
-    for Done {
+fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
+    let mut line = top.len() * Node::LINES;
+    for Grown {
         parent: (node, lane),
         root,
-        grown,
-    } in done
+        lines,
+    } in &grown
     {
-        let before = (nodes.len(), packets.len());
-        nodes[node].children[lane] = root.shifted(before.0, before.1);
-        packets.extend(grown.packets);
-        nodes.extend(grown.nodes.into_iter().map(|mut node| {
-            node.children = (node.children).map(|child| child.shifted(before.0, before.1));
-            node
-        }));
+        let node_place = Place::new(node * Node::LINES, false);
+        let place = Place::new(line, root.is_packet());
+        top[*node].children[*lane] = Child::between(node_place, place);
+        line += lines.len();
     }
-    (nodes, packets)
+    let mut all = Vec::with_capacity(line);
+    all.extend(top.iter().flat_map(Node::lines));
+    for small in grown {
+        all.extend_from_slice(&small.lines);
+    }
+    all
 }
 
 struct Site<'a> {
@@ -182,14 +173,14 @@ impl<'a> Site<'a> {
             match job.parent {
                 _ if self.stop.load(Ordering::Relaxed) => {}
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
-                    let mut grown = Grown::default();
-                    let root = self.grow(&mut grown, job.range, job.depth);
-                    let done = Done {
+                    let mut lines = Vec::new();
+                    let root = self.grow(&mut lines, job.range, job.depth);
+                    let grown = Grown {
                         parent,
                         root,
-                        grown,
+                        lines,
                     };
-                    self.lock().done.push(done);
+                    self.lock().grown.push(grown);
                 }
                 parent => self.divide(job.range, job.depth, parent),
             }
@@ -223,7 +214,8 @@ impl<'a> Site<'a> {
         let mut progress = self.lock();
         let index = progress.top.len();
         if let Some((node, lane)) = parent {
-            progress.top[node].children[lane] = Child::node(index);
+            let [node_place, place] = [node, index].map(|i| Place::new(i * Node::LINES, false));
+            progress.top[node].children[lane] = Child::between(node_place, place);
         }
         progress.top.push(node_of(&parts));
         progress.open += parts.len();
@@ -235,23 +227,24 @@ impl<'a> Site<'a> {
         progress.waiting.extend(jobs);
     }
 
-    /// Adds what becomes of `range` to `grown`.
-    fn grow(&self, grown: &mut Grown, range: Range, depth: usize) -> Child {
+    /// Adds what becomes of `range` to `lines`, and says where.
+    fn grow(&self, lines: &mut Vec<Line>, range: Range, depth: usize) -> Place {
         if range.len() <= WIDTH {
-            grown.packets.push(self.vertices.packet(range.leaves()));
-            return Child::packet(grown.packets.len() - 1);
+            let place = Place::new(lines.len(), true);
+            lines.extend(self.vertices.packet(range.leaves()).lines());
+            return place;
         }
-        let index = grown.nodes.len();
+        let place = Place::new(lines.len(), false);
         if self.stop.load(Ordering::Relaxed) {
-            return Child::NONE;
+            return place;
         }
         let parts = range.split_wide(depth);
-        grown.nodes.push(node_of(&parts));
+        lines.extend(node_of(&parts).lines());
         for (lane, part) in parts.into_iter().enumerate() {
-            let child = self.grow(grown, part, depth + 1);
-            grown.nodes[index].children[lane] = child;
+            let child = self.grow(lines, part, depth + 1);
+            Node::at_mut(lines, place).children[lane] = Child::between(place, child);
         }
-        Child::node(index)
+        place
     }
 }
 

@@ -22,20 +22,17 @@ pub use simd::Simd;
 
 use super::Ray;
 use glam::DVec3;
-use node::{Node, Packet};
-use ray::Place;
+use node::{Line, Node, Packet, Place};
+use ray::Frame;
 use std::sync::atomic::AtomicBool;
 use walk::Walk;
 
 /// A tree over triangles, in the vertices' own space.
 #[derive(Debug)]
 pub struct Bvh {
-    /// The first is the root; each comes before its children.
-    nodes: Vec<Node>,
-    packets: Vec<Packet>,
-    /// About all triangles. Its scale is not 1 only for meshes so small or large that `f32` products of their lengths
-    /// would vanish or overflow.
-    place: Place,
+    /// Nodes and packets; the first is the root, and each comes before its children.
+    lines: Vec<Line>,
+    frame: Frame,
 }
 
 impl Bvh {
@@ -105,6 +102,21 @@ impl Bvh {
     /// Bytes that it takes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.packets)
+        size_of_val(&*self.lines)
+    }
+
+    /// All packets with their places.
+    fn packets(&self) -> impl Iterator<Item = (Place, &Packet)> {
+        let mut open = vec![Place::ROOT];
+        std::iter::from_fn(move || {
+            loop {
+                let place = open.pop()?;
+                if place.is_packet() {
+                    return Some((place, Packet::at(&self.lines, place)));
+                }
+                let node = Node::at(&self.lines, place);
+                open.extend(node.children().map(|(_, child)| place.of(child)));
+            }
+        })
     }
 }

@@ -1,12 +1,18 @@
 //! What a tree is made of: nodes of eight boxes and packets of eight triangles, each number beside its seven likes.
 
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
 /// Children of a node, and triangles of a packet.
 pub(super) const WIDTH: usize = 8;
 
+/// A cache line: what nodes and packets are stored in.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub(super) struct Line([u32; 16]);
+
 /// Eight boxes and what is in them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Node {
     /// By [`Plane`]: smallest x, y, z, then greatest x, y, z of each child. A child that is not there has them the
@@ -14,6 +20,8 @@ pub(super) struct Node {
     pub planes: [[f32; WIDTH]; 6],
     /// What is in each box.
     pub children: [Child; WIDTH],
+    /// The rest of the cache line.
+    unused: [u32; WIDTH],
 }
 
 /// One of the six sides of a box.
@@ -41,33 +49,33 @@ impl Plane {
     pub const MAX: [Self; 3] = [Self::MaxX, Self::MaxY, Self::MaxZ];
 }
 
-/// A node or a packet, by its place in the tree's list of either.
+/// Where a node or a packet is in the tree's lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Child(u32);
+pub(super) struct Place(u32);
 
-impl Child {
-    /// Nothing; behind a box that no ray enters.
-    pub const NONE: Self = Self(u32::MAX);
-    const LEAF: u32 = 1 << 31;
+impl Place {
+    /// The first node.
+    pub const ROOT: Self = Self(0);
 
-    /// The node of this index, which must be below `2^31`.
-    pub fn node(index: usize) -> Self {
-        Self(narrow(index))
-    }
-
-    /// The packet of this index, which must be below `2^31 - 1`.
-    pub fn packet(index: usize) -> Self {
-        Self(narrow(index) | Self::LEAF)
+    /// In this line, which must be below `2^31`.
+    pub fn new(line: usize, is_packet: bool) -> Self {
+        Self(narrow(line << 1 | usize::from(is_packet)))
     }
 
     #[inline(always)]
     pub fn is_packet(self) -> bool {
-        self.0 & Self::LEAF != 0
+        self.0 & 1 != 0
     }
 
     #[inline(always)]
-    pub fn index(self) -> usize {
-        (self.0 & !Self::LEAF) as usize
+    pub fn line(self) -> usize {
+        (self.0 >> 1) as usize
+    }
+
+    /// Where a child of the node in this place is.
+    #[inline(always)]
+    pub fn of(self, child: Child) -> Self {
+        Self(self.0.wrapping_add(child.0))
     }
 
     /// For a stack of numbers.
@@ -80,14 +88,21 @@ impl Child {
     pub fn from_bits(bits: u32) -> Self {
         Self(bits)
     }
+}
 
-    /// The same child after `nodes` and `packets` others have been put before its list.
-    pub fn shifted(self, nodes: usize, packets: usize) -> Self {
-        match self {
-            Self::NONE => Self::NONE,
-            child if child.is_packet() => Self::packet(child.index() + packets),
-            child => Self::node(child.index() + nodes),
-        }
+/// A node or a packet by how far it is behind the node that leads to it, so that a small tree may be put anywhere in a
+/// large one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
+pub(super) struct Child(u32);
+
+impl Child {
+    /// Nothing; behind a box that no ray enters.
+    pub const NONE: Self = Self(0);
+
+    /// What is in `place` for the node in place `node`, which is before it.
+    pub fn between(node: Place, place: Place) -> Self {
+        Self(place.0 - node.0)
     }
 }
 
@@ -111,7 +126,34 @@ impl Node {
             [f32::NEG_INFINITY; WIDTH],
         ],
         children: [Child::NONE; WIDTH],
+        unused: [0; WIDTH],
     };
+    /// Lines that it takes.
+    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+
+    /// The node in this place.
+    #[inline(always)]
+    pub fn at(lines: &[Line], place: Place) -> &Self {
+        let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
+        bytemuck::cast_ref(lines.expect("nodes are whole"))
+    }
+
+    /// The node in this place, to change it.
+    pub fn at_mut(lines: &mut [Line], place: Place) -> &mut Self {
+        let lines = lines[place.line()..].first_chunk_mut::<{ Self::LINES }>();
+        bytemuck::cast_mut(lines.expect("nodes are whole"))
+    }
+
+    /// What is stored of it.
+    pub fn lines(&self) -> &[Line; Self::LINES] {
+        bytemuck::cast_ref(self)
+    }
+
+    /// Its children and their lanes.
+    pub fn children(&self) -> impl Iterator<Item = (usize, Child)> {
+        let children = self.children.into_iter().enumerate();
+        children.filter(|&(_, child)| child != Child::NONE)
+    }
 
     /// The corners of a child's box.
     pub fn bounds(&self, child: usize) -> [[f32; 3]; 2] {
@@ -120,7 +162,7 @@ impl Node {
 }
 
 /// Up to eight triangles. Lanes without one are NaN, which hits nothing.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Packet {
     /// By corner and axis.
@@ -135,6 +177,20 @@ impl Packet {
         corners: [[[f32::NAN; WIDTH]; 3]; 3],
         triangles: [u32::MAX; WIDTH],
     };
+    /// Lines that it takes.
+    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+
+    /// The packet in this place.
+    #[inline(always)]
+    pub fn at(lines: &[Line], place: Place) -> &Self {
+        let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
+        bytemuck::cast_ref(lines.expect("packets are whole"))
+    }
+
+    /// What is stored of it.
+    pub fn lines(&self) -> &[Line; Self::LINES] {
+        bytemuck::cast_ref(self)
+    }
 
     /// The corners of one of its triangles.
     #[inline(always)]

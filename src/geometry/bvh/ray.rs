@@ -56,10 +56,10 @@ const fn power_of_two(exponent: i32) -> f32 {
     f32::from_bits(((127 + exponent) << 23).cast_unsigned())
 }
 
-/// Where the things are that a ray is among.
+/// Where a tree lies, and in which lengths.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    /// About all of them, in the tree's lengths.
+pub(super) struct Frame {
+    /// About all triangles, in the tree's lengths.
     pub bounds: Aabb,
     /// `M`.
     pub most: f32,
@@ -104,27 +104,27 @@ pub(super) enum Prepared {
 impl TreeRay {
     /// `ray`, of the caller's lengths, as the tree sees it about `center`.
     #[inline(always)]
-    pub fn prepare(ray: &Ray, center: DVec3, place: &Place) -> Prepared {
-        let origin = ((ray.origin - center) * place.scale).as_vec3a();
+    pub fn prepare(ray: &Ray, center: DVec3, frame: &Frame) -> Prepared {
+        let origin = ((ray.origin - center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
-        if away <= NEAR * place.most && LEAST_SIZE <= size && size <= 1.0 / LEAST_SIZE {
-            let t = [place.scale, 0.0];
-            Prepared::Ray(Self::new(ray, origin, direction, away + place.most, t))
+        if away <= NEAR * frame.most && LEAST_SIZE <= size && size <= 1.0 / LEAST_SIZE {
+            let t = [frame.scale, 0.0];
+            Prepared::Ray(Self::new(ray, origin, direction, away + frame.most, t))
         } else {
-            Self::prepare_far(ray, center, place)
+            Self::prepare_far(ray, center, frame)
         }
     }
 
     /// [`TreeRay::prepare`] when the eye is to be moved or the direction to be scaled.
     #[cold]
-    fn prepare_far(ray: &Ray, center: DVec3, place: &Place) -> Prepared {
-        let (least, most) = (f64::from(LEAST_SIZE), f64::from(place.most));
-        let mut origin = (ray.origin - center) * place.scale;
+    fn prepare_far(ray: &Ray, center: DVec3, frame: &Frame) -> Prepared {
+        let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
+        let mut origin = (ray.origin - center) * frame.scale;
         let mut direction = ray.direction;
-        let (mut t_scale, mut t_start) = (place.scale, 0.0);
+        let (mut t_scale, mut t_start) = (frame.scale, 0.0);
         let mut size = direction.abs().max_element();
         if !(least..=1.0 / least).contains(&size) {
             let by = like(size);
@@ -139,7 +139,7 @@ impl TreeRay {
         }
         let mut distance = away + most;
         if away > f64::from(NEAR) * most {
-            let Some(enter) = entry(origin, direction, &place.bounds, 2.0 * far) else {
+            let Some(enter) = entry(origin, direction, &frame.bounds, 2.0 * far) else {
                 return Prepared::Miss;
             };
             t_start = greater(enter, ray.t_min * t_scale);

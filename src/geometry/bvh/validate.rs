@@ -2,8 +2,8 @@
 
 use super::{
     Bvh,
-    node::{Child, WIDTH},
-    ray::Place,
+    node::{Child, Node, Packet, Place, WIDTH},
+    ray::Frame,
 };
 
 impl Bvh {
@@ -14,23 +14,18 @@ impl Bvh {
     /// What is wrong, for whoever repairs the builder.
     pub fn validate(&self, positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<(), String> {
         let mut seen = vec![false; triangles.len()];
-        let (mut nodes, mut packets) = (0, 0);
-        let Place { bounds, scale, .. } = self.place;
+        let mut lines = 0;
+        let Frame { bounds, scale, .. } = self.frame;
         let everywhere = [bounds.min, bounds.max].map(|v| v.as_vec3().to_array());
         // Each with the box that it must lie in.
-        let mut open = vec![(Child::node(0), everywhere)];
-        while let Some((child, bounds)) = open.pop() {
-            if child == Child::NONE {
-                return Err("a box leads nowhere".into());
-            }
-            if child.is_packet() {
-                packets += 1;
-                let packet = (self.packets.get(child.index()))
-                    .ok_or_else(|| format!("{child:?} does not exist"))?;
-                for (triangle, corners) in packet.iter() {
-                    let place = seen.get_mut(triangle as usize);
-                    let place = place.ok_or_else(|| format!("{triangle} does not exist"))?;
-                    if std::mem::replace(place, true) {
+        let mut open = vec![(Place::ROOT, everywhere)];
+        while let Some((place, bounds)) = open.pop() {
+            if place.is_packet() {
+                lines += Packet::LINES;
+                for (triangle, corners) in Packet::at(&self.lines, place).iter() {
+                    let found = seen.get_mut(triangle as usize);
+                    let found = found.ok_or_else(|| format!("{triangle} does not exist"))?;
+                    if std::mem::replace(found, true) {
                         return Err(format!("triangle {triangle} is there twice"));
                     }
                     let scaled = |i: u32| positions[i as usize].map(|x| scale * f64::from(x));
@@ -45,21 +40,25 @@ impl Bvh {
                 }
                 continue;
             }
-            nodes += 1;
-            let node = (self.nodes.get(child.index()))
-                .ok_or_else(|| format!("{child:?} does not exist"))?;
+            lines += Node::LINES;
+            let node = Node::at(&self.lines, place);
             for lane in 0..WIDTH {
                 let inner = node.bounds(lane);
-                if node.children[lane] == Child::NONE && inner[0] > inner[1] {
+                let child = node.children[lane];
+                let is_empty = inner[0] > inner[1];
+                if (child == Child::NONE) != is_empty {
+                    return Err("a box leads nowhere, or nowhere leads to a node".into());
+                }
+                if is_empty {
                     continue;
                 }
                 if !inner.iter().all(|&corner| holds(bounds, corner)) {
-                    return Err(format!("a box of {child:?} is outside of the node's own"));
+                    return Err(format!("a box of {place:?} is outside of the node's own"));
                 }
-                open.push((node.children[lane], inner));
+                open.push((place.of(child), inner));
             }
         }
-        if (nodes, packets) != (self.nodes.len(), self.packets.len()) {
+        if lines != self.lines.len() {
             return Err("some nodes or packets are not reached once".into());
         }
         let lost = seen.iter().position(|seen| !seen);

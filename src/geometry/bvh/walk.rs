@@ -2,7 +2,7 @@
 
 use super::{
     Bvh,
-    node::{Child, Node, Packet, Plane, WIDTH, wide},
+    node::{Line, Node, Packet, Place, Plane, WIDTH, wide},
     ray::{Prepared, ShearedRay, TreeRay},
     simd::{Lanes, Stack, Work},
 };
@@ -32,28 +32,30 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
             center,
             visit,
         } = self;
-        let unscale = 1.0 / tree.place.scale;
+        let unscale = 1.0 / tree.frame.scale;
         let t_max = ray.t_max;
-        let ray = match TreeRay::prepare(ray, *center, &tree.place) {
+        let ray = match TreeRay::prepare(ray, *center, &tree.frame) {
             Prepared::Miss => return,
             Prepared::Everything => {
-                for (triangle, corners) in tree.packets.iter().flat_map(Packet::iter) {
-                    visit(triangle, wide(corners, unscale));
+                for (_, packet) in tree.packets() {
+                    for (triangle, corners) in packet.iter() {
+                        visit(triangle, wide(corners, unscale));
+                    }
                 }
                 return;
             }
             Prepared::Ray(ray) => ray,
         };
         let mut end = ray.end(t_max);
-        let (nodes, packets) = (&*tree.nodes, &*tree.packets);
+        let lines = &*tree.lines;
         let ray = &ray;
         let boxes = Boxes::new(lanes, ray);
         let mut sieve = None;
         let mut stack = Stack::new();
-        let mut child = Child::node(0);
+        let mut place = Place::ROOT;
         loop {
-            if child.is_packet() {
-                let packet = &packets[child.index()];
+            if place.is_packet() {
+                let packet = Packet::at(lines, place);
                 let mut hit = if SIFT {
                     let sieve = match &sieve {
                         Some(sieve) => sieve,
@@ -70,17 +72,18 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
                     end = ray.end(visit(packet.triangles[lane], corners));
                 }
             } else {
-                let node = &nodes[child.index()];
+                let node = Node::at(lines, place);
                 let (hit, enter) = boxes.may_hit(lanes, node, end);
                 if hit != 0 {
-                    child = nearest(lanes, (nodes, packets), node, hit, enter, &mut stack);
+                    let open = Open { node, place, enter: lanes.store(enter), hit };
+                    place = open.nearest(lanes, lines, &mut stack);
                     continue;
                 }
             }
             loop {
                 let Some(item) = stack.pop() else { return };
                 if begins(item) <= end {
-                    child = Child::from_bits(low(item));
+                    place = place_of(item);
                     break;
                 }
             }
@@ -88,94 +91,84 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
     }
 }
 
-/// The nearest of the children in `hit`; the others go onto the stack, farthest first.
-#[inline(always)]
-fn nearest<L: Lanes>(
-    lanes: L,
-    lists: (&[Node], &[Packet]),
-    node: &Node,
-    mut hit: u32,
-    enter: L::F,
-    stack: &mut Stack,
-) -> Child {
-    let enter = lanes.store(enter);
-    let first = next(node, &mut hit, &enter);
-    if hit == 0 {
-        return Child::from_bits(low(first));
-    }
-    let second = next(node, &mut hit, &enter);
-    let (mut near, far) = if first <= second {
-        (first, second)
-    } else {
-        (second, first)
-    };
-    prefetch(lanes, lists, near);
-    prefetch(lanes, lists, far);
-    if hit == 0 {
+/// The children of a node that a ray may enter.
+struct Open<'a> {
+    node: &'a Node,
+    place: Place,
+    /// Where the ray enters each.
+    enter: [f32; WIDTH],
+    /// Those that are not yet taken.
+    hit: u32,
+}
+
+impl Open<'_> {
+    /// The nearest; the others go onto the stack, farthest first.
+    #[inline(always)]
+    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[Line], stack: &mut Stack) -> Place {
+        let first = self.next();
+        if self.hit == 0 {
+            return place_of(first);
+        }
+        let second = self.next();
+        let (mut near, far) = if first <= second {
+            (first, second)
+        } else {
+            (second, first)
+        };
+        prefetch(lanes, lines, near);
+        prefetch(lanes, lines, far);
+        let start = stack.len();
         stack.push(far);
-        return Child::from_bits(low(near));
+        while self.hit != 0 {
+            let mut other = self.next();
+            prefetch(lanes, lines, other);
+            if other < near {
+                (near, other) = (other, near);
+            }
+            stack.push(other);
+            // Into its place among those above `start`.
+            let items = stack.above(start);
+            let mut at = items.len() - 1;
+            while at > 0 && items[at - 1] < other {
+                items[at] = items[at - 1];
+                at -= 1;
+            }
+            items[at] = other;
+        }
+        place_of(near)
     }
-    let start = stack.len();
-    stack.push(far);
-    loop {
-        let mut other = next(node, &mut hit, &enter);
-        prefetch(lanes, lists, other);
-        if other < near {
-            (near, other) = (other, near);
-        }
-        stack.push(other);
-        // Into its place among those above `start`.
-        let items = stack.above(start);
-        let mut at = items.len() - 1;
-        while at > 0 && items[at - 1] < other {
-            items[at] = items[at - 1];
-            at -= 1;
-        }
-        items[at] = other;
-        if hit == 0 {
-            return Child::from_bits(low(near));
-        }
-    }
-}
 
-/// The first child in `hit`, which it leaves.
-#[inline(always)]
-fn next(node: &Node, hit: &mut u32, enter: &[f32; WIDTH]) -> u64 {
-    let lane = hit.trailing_zeros() as usize % WIDTH;
-    *hit &= *hit - 1;
-    item(enter[lane], node.children[lane])
-}
-
-#[inline(always)]
-fn prefetch<L: Lanes>(lanes: L, (nodes, packets): (&[Node], &[Packet]), item: u64) {
-    let child = Child::from_bits(low(item));
-    if child.is_packet() {
-        let packet = &packets[child.index()];
-        lanes.prefetch(&packet.corners[0][0]);
-        lanes.prefetch(&packet.corners[0][2]);
-        lanes.prefetch(&packet.corners[1][1]);
-        lanes.prefetch(&packet.corners[2][0]);
-        lanes.prefetch(&packet.corners[2][2]);
-    } else {
-        let node = &nodes[child.index()];
-        lanes.prefetch(&node.planes[0]);
-        lanes.prefetch(&node.planes[2]);
-        lanes.prefetch(&node.planes[4]);
-        lanes.prefetch(&node.children);
+    /// The first that is left.
+    #[inline(always)]
+    fn next(&mut self) -> u64 {
+        let lane = self.hit.trailing_zeros() as usize % WIDTH;
+        self.hit &= self.hit - 1;
+        item(self.enter[lane], self.place.of(self.node.children[lane]))
     }
 }
 
-/// A child and where its box begins, so that the nearer is the smaller number: floats that are not negative are ordered
-/// as their bits are. (Others, of rays that begin behind their origin, are merely visited in another order.)
+/// What will be read of a node, and most of a packet.
 #[inline(always)]
-fn item(begins: f32, child: Child) -> u64 {
-    u64::from(begins.to_bits()) << 32 | u64::from(child.bits())
+fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
+    let line = place_of(item).line();
+    if let Some(lines) = lines[line..].first_chunk::<{ Node::LINES }>() {
+        for line in lines {
+            lanes.prefetch(line);
+        }
+    }
+}
+
+/// A place and where the box about it begins, so that the nearer is the smaller number: floats that are not negative are
+/// ordered as their bits are. (Others, of rays that begin behind their origin, are merely visited in another order.)
+#[inline(always)]
+fn item(begins: f32, place: Place) -> u64 {
+    u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
 }
 
 #[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "the lower half")]
-fn low(item: u64) -> u32 {
-    item as u32
+fn place_of(item: u64) -> Place {
+    Place::from_bits(item as u32)
 }
 
 #[inline(always)]
