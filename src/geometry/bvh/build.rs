@@ -7,6 +7,7 @@ use super::{
     Bvh,
     node::{Child, Line, Node, Packet, Place, Plane, WIDTH},
     ray::Frame,
+    simd::with_large_pages,
     split::{Leaf, Range},
 };
 use crate::geometry::Aabb;
@@ -44,7 +45,8 @@ pub(super) fn build(
     } else {
         thread::available_parallelism().map_or(1, NonZero::get)
     };
-    let mut leaves: Vec<Leaf> = (0..count).map(|i| vertices.leaf(i)).collect();
+    let mut leaves = with_large_pages(triangles.len());
+    leaves.extend((0..count).map(|i| vertices.leaf(i)));
     let all = Range::new(&mut leaves);
     let [min, max] = all.bounds().map(Vec4::truncate);
     let site = Site {
@@ -149,7 +151,7 @@ fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
         top[*node].children[*lane] = Child::between(node_place, place);
         line += lines.len();
     }
-    let mut all = Vec::with_capacity(line);
+    let mut all = with_large_pages(line);
     all.extend(top.iter().flat_map(Node::lines));
     for small in grown {
         all.extend_from_slice(&small.lines);
