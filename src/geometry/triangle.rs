@@ -67,18 +67,16 @@ impl VertexRay {
     }
 }
 
-/// Whether each component is 0 or between `2^-200` and `2^200` in size. By their bits, which are in the order of the
-/// numbers, and without a branch: each ray that may hit anything pays for it.
+/// Whether each component is 0 or between `2^-200` and `2^200` in size. Without a branch, since each ray that may hit
+/// anything pays for it.
 #[inline]
 fn in_range(v: DVec3) -> bool {
-    const LEAST: u64 = (1023 - 200) << 53;
-    const GREATEST: u64 = (1023 + 200) << 53;
-    let is_good = |x: f64| {
-        let size = x.to_bits() << 1;
-        // Below 0 comes the greatest number there is.
-        (size.wrapping_sub(1) >= LEAST - 1) & (size <= GREATEST)
-    };
-    is_good(v.x) & is_good(v.y) & is_good(v.z)
+    const LEAST: f64 = f64::from_bits((1023 - 200) << 52);
+    const GREATEST: f64 = 1.0 / LEAST;
+    let sizes = v.abs().to_array();
+    sizes.into_iter().fold(true, |all, size| {
+        all & ((size == 0.0) | (size >= LEAST)) & (size <= GREATEST)
+    })
 }
 
 /// Where a ray meets a triangle.

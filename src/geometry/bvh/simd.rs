@@ -217,28 +217,35 @@ mod x86 {
     }
 }
 
-/// What a walk has yet to look at; holds as much as the deepest tree needs (see the assertion in [`super::split`]).
-pub(super) struct Stack {
-    items: [MaybeUninit<u64>; Self::CAPACITY],
-    len: usize,
-}
+/// Room for a [`Stack`]; as much as the deepest tree needs (see the assertion in [`super::split`]).
+pub(super) struct StackRoom([MaybeUninit<u64>; Self::CAPACITY]);
 
-impl Stack {
+impl StackRoom {
     /// Items that fit.
     pub const CAPACITY: usize = 256;
 
     #[inline(always)]
     pub fn new() -> Self {
-        Self {
-            items: [const { MaybeUninit::uninit() }; Self::CAPACITY],
-            len: 0,
-        }
+        Self([const { MaybeUninit::uninit() }; Self::CAPACITY])
+    }
+}
+
+/// What a walk has yet to look at. Its length is apart from its room so that it stays in a register.
+pub(super) struct Stack<'a> {
+    room: &'a mut StackRoom,
+    len: usize,
+}
+
+impl<'a> Stack<'a> {
+    #[inline(always)]
+    pub fn new(room: &'a mut StackRoom) -> Self {
+        Self { room, len: 0 }
     }
 
     /// Puts an item on top. Panics when it is full.
     #[inline(always)]
     pub fn push(&mut self, item: u64) {
-        self.items[self.len] = MaybeUninit::new(item);
+        self.room.0[self.len] = MaybeUninit::new(item);
         self.len += 1;
     }
 
@@ -247,7 +254,7 @@ impl Stack {
     pub fn pop(&mut self) -> Option<u64> {
         self.len = self.len.checked_sub(1)?;
         // SAFETY: all items below the old `len` have been written, and `push` kept `len` within the array.
-        Some(unsafe { self.items.get_unchecked(self.len).assume_init() })
+        Some(unsafe { self.room.0.get_unchecked(self.len).assume_init() })
     }
 
     #[inline(always)]
@@ -258,7 +265,7 @@ impl Stack {
     /// The items from `start` on, lowest first.
     #[inline(always)]
     pub fn above(&mut self, start: usize) -> &mut [u64] {
-        let items = &mut self.items[start..self.len];
+        let items = &mut self.room.0[start..self.len];
         // SAFETY: all items below `len` have been written.
         unsafe { items.assume_init_mut() }
     }

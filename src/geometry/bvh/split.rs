@@ -3,7 +3,7 @@
 //!
 //! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
 
-use super::{node::WIDTH, simd::Stack};
+use super::{node::WIDTH, simd::StackRoom};
 use glam::Vec4;
 
 /// Bins that a range is sorted into along each axis.
@@ -14,7 +14,7 @@ const HALVED_BELOW: usize = 22;
 /// Nodes on the longest way down: what lies below `HALVED_BELOW` holds 8^11 triangles.
 const DEEPEST: usize = HALVED_BELOW + 10;
 // Of each node on the way down, all children but one may wait.
-const _: () = assert!(DEEPEST * (WIDTH - 1) < Stack::CAPACITY);
+const _: () = assert!(DEEPEST * (WIDTH - 1) < StackRoom::CAPACITY);
 
 /// A triangle's box; the last component of `min` carries its index as bits.
 #[derive(Clone, Copy)]

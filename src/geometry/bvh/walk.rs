@@ -4,7 +4,7 @@ use super::{
     Bvh,
     node::{Line, Node, Packet, Place, Plane, WIDTH, wide},
     ray::{Prepared, ShearedRay, TreeRay},
-    simd::{Lanes, Stack, Work},
+    simd::{Lanes, Stack, StackRoom, Work},
 };
 use crate::geometry::Ray;
 use glam::DVec3;
@@ -51,7 +51,8 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
         let ray = &ray;
         let boxes = Boxes::new(lanes, ray);
         let mut sieve = None;
-        let mut stack = Stack::new();
+        let mut room = StackRoom::new();
+        let mut stack = Stack::new(&mut room);
         let mut place = Place::ROOT;
         loop {
             if place.is_packet() {
