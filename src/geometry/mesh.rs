@@ -1,7 +1,7 @@
 //! Triangle meshes: what one file holds.
 
 use super::{
-    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
+    Aabb, Bvh, Candidate, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
     guarded_volume,
     triangle::{compare_t, is_in_doubt, settled_volume},
 };
@@ -314,10 +314,15 @@ impl Mesh {
         ray: &Ray,
         mut visit: impl FnMut(u32, [DVec3; 3]) -> f64,
     ) {
-        match self.tree.get() {
-            Some(tree) if SIFT => tree.visit(ray, &self.data.origin, &mut visit),
-            Some(tree) => tree.visit_boxes(ray, &self.data.origin, &mut visit),
-            None => self.every_triangle(&mut visit),
+        let Some(tree) = self.tree.get() else {
+            return self.every_triangle(&mut visit);
+        };
+        let center = &self.data.origin;
+        let mut visit = |found: Candidate| visit(found.triangle(), found.corners());
+        if SIFT {
+            tree.visit(ray, center, &mut visit);
+        } else {
+            tree.visit_boxes(ray, center, &mut visit);
         }
     }
 

@@ -25,7 +25,7 @@ mod square;
 mod triangle;
 
 pub use bounds::Aabb;
-pub use bvh::{Bvh, Simd};
+pub use bvh::{Bvh, Candidate, Simd};
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};

@@ -18,6 +18,7 @@ mod split;
 mod validate;
 mod walk;
 
+pub use node::Candidate;
 pub use simd::Simd;
 
 use super::Ray;
@@ -50,13 +51,13 @@ impl Bvh {
         build::build(positions, triangles, stop)
     }
 
-    /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, and its
-    /// corners about it; nearer boxes first. `visit` returns the new end of the ray's interval; what begins beyond it is
+    /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, nearer
+    /// boxes first. `visit` returns the new end of the ray's interval; what begins beyond it is
     /// passed over, what begins *at* it is not, so that equal hits are all seen.
     ///
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
-    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64) {
+    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
         simd::run_fastest(Walk::<_, true> {
             tree: self,
             ray,
@@ -72,7 +73,7 @@ impl Bvh {
         simd: Simd,
         ray: &Ray,
         center: &DVec3,
-        visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64,
+        visit: &mut impl FnMut(Candidate) -> f64,
     ) {
         simd.run(Walk::<_, true> {
             tree: self,
@@ -89,7 +90,7 @@ impl Bvh {
         &self,
         ray: &Ray,
         center: &DVec3,
-        visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64,
+        visit: &mut impl FnMut(Candidate) -> f64,
     ) {
         simd::run_fastest(Walk::<_, false> {
             tree: self,

@@ -200,16 +200,46 @@ impl Packet {
         [corner(a), corner(b), corner(c)]
     }
 
-    /// Its triangles with their corners.
-    pub fn iter(&self) -> impl Iterator<Item = (u32, [[f32; 3]; 3])> {
-        let lanes = (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan());
-        lanes.map(|lane| (self.triangles[lane], self.corners_of(lane)))
+    /// Those that hold a triangle.
+    pub fn lanes(&self) -> impl Iterator<Item = usize> {
+        (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan())
     }
 }
 
-/// Corners in `f64`, lengths times `unscale`, which must be a power of two.
-#[inline(always)]
-pub(super) fn wide([a, b, c]: [[f32; 3]; 3], unscale: f64) -> [DVec3; 3] {
-    let corner = |[x, y, z]: [f32; 3]| unscale * DVec3::new(x.into(), y.into(), z.into());
-    [corner(a), corner(b), corner(c)]
+/// A triangle that a ray may hit.
+///
+/// Its corners are read by whoever needs them, where they are needed: on their way through memory they would cost as much
+/// as a node.
+#[derive(Clone, Copy)]
+pub struct Candidate<'a> {
+    packet: &'a Packet,
+    lane: usize,
+    unscale: f64,
+}
+
+impl<'a> Candidate<'a> {
+    /// `unscale` brings the tree's lengths to the vertices', and is a power of two.
+    #[inline(always)]
+    pub(super) fn new(packet: &'a Packet, lane: usize, unscale: f64) -> Self {
+        Self {
+            packet,
+            lane: lane % WIDTH,
+            unscale,
+        }
+    }
+
+    /// Which triangle of the mesh.
+    #[inline(always)]
+    #[must_use]
+    pub fn triangle(&self) -> u32 {
+        self.packet.triangles[self.lane]
+    }
+
+    /// Its corners, to the bit.
+    #[inline(always)]
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 3] {
+        let wide = |[x, y, z]: [f32; 3]| self.unscale * DVec3::new(x.into(), y.into(), z.into());
+        self.packet.corners_of(self.lane).map(wide)
+    }
 }

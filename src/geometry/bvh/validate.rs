@@ -22,7 +22,9 @@ impl Bvh {
         while let Some((place, bounds)) = open.pop() {
             if place.is_packet() {
                 lines += Packet::LINES;
-                for (triangle, corners) in Packet::at(&self.lines, place).iter() {
+                let packet = Packet::at(&self.lines, place);
+                for lane in packet.lanes() {
+                    let (triangle, corners) = (packet.triangles[lane], packet.corners_of(lane));
                     let found = seen.get_mut(triangle as usize);
                     let found = found.ok_or_else(|| format!("{triangle} does not exist"))?;
                     if std::mem::replace(found, true) {

@@ -2,15 +2,15 @@
 
 use super::{
     Bvh,
-    node::{Line, Node, Packet, Place, Plane, WIDTH, wide},
+    node::{Candidate, Line, Node, Packet, Place, Plane, WIDTH},
     ray::{Prepared, ShearedRay, TreeRay},
     simd::{Lanes, Stack, StackRoom, Work},
 };
 use crate::geometry::Ray;
 use glam::DVec3;
 
-/// Hands the triangles that a ray may hit to `visit`, with their corners, nearer boxes first; `visit` returns the new end
-/// of the ray's interval.
+/// Hands the triangles that a ray may hit to `visit`, nearer boxes first; `visit` returns the new end of the ray's
+/// interval.
 ///
 /// Where `SIFT` is false, triangles are judged by their boxes alone.
 pub(super) struct Walk<'a, F, const SIFT: bool> {
@@ -21,7 +21,7 @@ pub(super) struct Walk<'a, F, const SIFT: bool> {
     pub visit: &'a mut F,
 }
 
-impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
+impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
     type Output = ();
 
     #[inline(always)]
@@ -38,8 +38,8 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
             Prepared::Miss => return,
             Prepared::Everything => {
                 for (_, packet) in tree.packets() {
-                    for (triangle, corners) in packet.iter() {
-                        visit(triangle, wide(corners, unscale));
+                    for lane in packet.lanes() {
+                        visit(Candidate::new(packet, lane, unscale));
                     }
                 }
                 return;
@@ -69,8 +69,7 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64, const SIFT: bool> Work for Walk<'_, F, SI
                 while hit != 0 {
                     let lane = hit.trailing_zeros() as usize % WIDTH;
                     hit &= hit - 1;
-                    let corners = wide(packet.corners_of(lane), unscale);
-                    end = ray.end(visit(packet.triangles[lane], corners));
+                    end = ray.end(visit(Candidate::new(packet, lane, unscale)));
                 }
             } else {
                 let node = Node::at(lines, place);
