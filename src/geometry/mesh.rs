@@ -112,6 +112,7 @@ impl Mesh {
     }
 
     /// The part that holds a triangle.
+    #[inline]
     #[must_use]
     pub fn part_of(&self, triangle: u32) -> usize {
         self.data
