@@ -4,10 +4,11 @@
 //! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
 
 use super::{node::WIDTH, simd::StackRoom};
-use glam::Vec4;
+use glam::{BVec4A, Vec4};
 
-/// Bins that a range is sorted into along each axis.
-const BINS: usize = 16;
+/// Triangles from which on a range is sorted into 16 bins along each axis; fewer are into 8: more bins would cost more
+/// than they tell.
+const WORTH_16_BINS: usize = 64;
 /// Below this depth ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
 /// deeper than [`DEEPEST`].
 const HALVED_BELOW: usize = 22;
@@ -59,6 +60,16 @@ impl Extent {
             min: self.min.min(min),
             max: self.max.max(max),
         }
+    }
+
+    /// [`Extent::union`] with a point, or with nothing.
+    #[inline(always)]
+    fn union_where(self, wanted: bool, point: Vec4) -> Self {
+        let wanted = BVec4A::splat(wanted);
+        self.union(
+            Vec4::select(wanted, point, Self::EMPTY.min),
+            Vec4::select(wanted, point, Self::EMPTY.max),
+        )
     }
 
     /// Half the surface.
@@ -129,29 +140,35 @@ impl<'a> Range<'a> {
 
     /// In two, neither empty.
     fn split(self, by_area: bool) -> (Self, Self) {
-        if by_area && let Some(cut) = Binning::new(&self).best() {
-            return self.split_at(&cut);
+        let cut = match self.leaves.len() {
+            _ if !by_area => None,
+            count if count < WORTH_16_BINS => Binning::<8>::new(&self).best(),
+            _ => Binning::<16>::new(&self).best(),
+        };
+        match cut {
+            Some(cut) => self.split_at(&cut),
+            None => {
+                let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
+                (Self::new(a), Self::new(b))
+            }
         }
-        let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
-        (Self::new(a), Self::new(b))
     }
 
+    /// Without a branch, of which a processor would foresee every other one only.
     fn split_at(self, cut: &Cut) -> (Self, Self) {
         let Self { leaves, .. } = self;
         let [mut below, mut above] = [Extent::EMPTY; 2];
-        let (mut start, mut end) = (0, leaves.len());
-        while start < end {
-            let center = leaves[start].center();
-            if cut.is_below(center) {
-                below = below.union(center, center);
-                start += 1;
-            } else {
-                above = above.union(center, center);
-                end -= 1;
-                leaves.swap(start, end);
-            }
+        let mut count = 0;
+        for i in 0..leaves.len() {
+            let leaf = leaves[i];
+            leaves[i] = leaves[count];
+            leaves[count] = leaf;
+            let is_below = cut.is_below(&leaf);
+            below = below.union_where(is_below, leaf.center());
+            above = above.union_where(!is_below, leaf.center());
+            count += usize::from(is_below);
         }
-        let (a, b) = leaves.split_at_mut(start);
+        let (a, b) = leaves.split_at_mut(count);
         let part = |leaves, bounds, centers| Self {
             leaves,
             bounds,
@@ -167,27 +184,39 @@ impl<'a> Range<'a> {
 struct Bins {
     origin: Vec4,
     scale: Vec4,
+    /// Numbers less than their count, which is a power of two.
+    mask: u32,
 }
 
 impl Bins {
-    fn new(centers: &Extent) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "a small number")]
-        let last = Vec4::splat((BINS - 1) as f32);
+    /// 2^23.
+    const INTEGER: f32 = 8_388_608.0;
+
+    #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    fn new(centers: &Extent, mask: u32) -> Self {
         let size = centers.max - centers.min;
+        let scale = Vec4::splat(mask as f32) / size;
         Self {
             origin: centers.min,
-            scale: Vec4::select(size.cmpgt(Vec4::ZERO), last / size, Vec4::ZERO),
+            scale: Vec4::select(size.cmpgt(Vec4::ZERO), scale, Vec4::ZERO),
+            mask,
         }
     }
 
     /// The bin of a centre along each axis. Of a float between 2^23 and 2^24 the last bits are an integer; taking no more
     /// than them gives some bin, always the same, even for what overflows.
     #[inline(always)]
-    fn of(&self, center: Vec4) -> [usize; 3] {
-        const INTEGER: f32 = 8_388_608.0; // 2^23
-        let at = (center - self.origin) * self.scale + Vec4::splat(INTEGER);
+    fn of(&self, center: Vec4) -> [u32; 3] {
+        let at = (center - self.origin) * self.scale + Vec4::splat(Self::INTEGER);
         let [x, y, z, _] = at.to_array();
-        [x, y, z].map(|x| x.to_bits() as usize % BINS)
+        [x, y, z].map(|x| x.to_bits() & self.mask)
+    }
+
+    /// The same along one axis.
+    #[inline(always)]
+    fn along(&self, axis: usize, center: f32) -> u32 {
+        let at = (center - self.origin[axis]) * self.scale[axis] + Self::INTEGER;
+        at.to_bits() & self.mask
     }
 }
 
@@ -196,31 +225,33 @@ struct Cut {
     bins: Bins,
     axis: usize,
     /// The first bin above the cut.
-    first_above: usize,
+    first_above: u32,
     bounds: [Extent; 2],
 }
 
 impl Cut {
     #[inline(always)]
-    fn is_below(&self, center: Vec4) -> bool {
-        self.bins.of(center)[self.axis] < self.first_above
+    fn is_below(&self, leaf: &Leaf) -> bool {
+        let center = leaf.min[self.axis] + leaf.max[self.axis];
+        self.bins.along(self.axis, center) < self.first_above
     }
 }
 
 /// How many triangles fall into each bin along each axis, and the boxes about them.
-struct Binning {
+struct Binning<const BINS: usize> {
     bins: Bins,
     extents: [[Extent; BINS]; 3],
     counts: [[usize; BINS]; 3],
 }
 
-impl Binning {
+impl<const BINS: usize> Binning<BINS> {
     fn new(range: &Range) -> Self {
-        let bins = Bins::new(&range.centers);
+        let bins = Bins::new(&range.centers, narrow(BINS - 1));
         let mut extents = [[Extent::EMPTY; BINS]; 3];
         let mut counts = [[0; BINS]; 3];
         for leaf in &*range.leaves {
             for (axis, bin) in bins.of(leaf.center()).into_iter().enumerate() {
+                let bin = bin as usize % BINS;
                 let extent = &mut extents[axis][bin];
                 *extent = extent.union(leaf.min, leaf.max);
                 counts[axis][bin] += 1;
@@ -264,7 +295,7 @@ impl Binning {
         Some(Cut {
             bins: self.bins,
             axis,
-            first_above,
+            first_above: narrow(first_above),
             bounds,
         })
     }
@@ -277,4 +308,9 @@ fn cost(extent: &Extent, count: usize) -> f32 {
         return f32::INFINITY;
     }
     extent.area() * count.div_ceil(WIDTH) as f32
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a number of bins")]
+fn narrow(bin: usize) -> u32 {
+    bin as u32
 }
