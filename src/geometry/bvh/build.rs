@@ -175,7 +175,8 @@ impl<'a> Site<'a> {
             match job.parent {
                 _ if self.stop.load(Ordering::Relaxed) => {}
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
-                    let mut lines = Vec::new();
+                    // Enough for almost all.
+                    let mut lines = Vec::with_capacity(job.range.len());
                     let root = self.grow(&mut lines, job.range, job.depth);
                     let grown = Grown {
                         parent,
