@@ -1,8 +1,8 @@
 //! Triangle meshes: what one file holds.
 
 use super::{
-    Aabb, Bvh, Candidate, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
-    guarded_volume,
+    Aabb, Bvh, Candidate, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest,
+    VertexRay, guarded_volume,
     triangle::{compare_t, is_in_doubt, settled_volume},
 };
 use crate::colour::Srgb;
@@ -204,8 +204,17 @@ impl Mesh {
     #[must_use]
     pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
         // What the tree has sifted need not be filtered again.
+        #[expect(
+            clippy::redundant_closure,
+            reason = "a closure is inlined into the walk, its function is not"
+        )]
         if self.tree.get().is_some() {
-            self.nearest::<true>(ray, sides, |ray, corners| settled_volume(ray, corners), accept)
+            self.nearest::<true>(
+                ray,
+                sides,
+                |ray, corners| settled_volume(ray, corners),
+                accept,
+            )
         } else {
             self.nearest::<true>(ray, sides, guarded_volume, accept)
         }
@@ -310,11 +319,7 @@ impl Mesh {
     /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
     /// false, a tree leaves out none whose box the ray may meet.
     #[inline]
-    fn visit<const SIFT: bool>(
-        &self,
-        ray: &Ray,
-        mut visit: impl FnMut(u32, [DVec3; 3]) -> f64,
-    ) {
+    fn visit<const SIFT: bool>(&self, ray: &Ray, mut visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
         let Some(tree) = self.tree.get() else {
             return self.every_triangle(&mut visit);
         };

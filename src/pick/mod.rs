@@ -83,13 +83,25 @@ pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) ->
 
 fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
-    for batch in scene.batches() {
-        let within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
+    let mut within = *ray;
+    let mut visit = |batch: &Range<usize>| {
         let found = closest_in_batch(scene, batch, &within, sides, test);
         best = match (best, found) {
             (Some(best), Some(found)) if best.is_before(&found) => Some(best),
             (best, found) => found.or(best),
         };
+        if let Some(best) = &best {
+            within = ray.until(just_behind(best.hit.t));
+        }
+        within.t_max
+    };
+    if test.is_none() {
+        scene.visit_batches(ray, visit);
+    } else {
+        // Another test may hit what the ray misses.
+        for batch in scene.batches() {
+            visit(batch);
+        }
     }
     best
 }
@@ -97,12 +109,17 @@ fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let mut hits = Vec::new();
-    for batch in scene.batches() {
-        let found = all_in_batch(scene, batch, ray, sides);
-        hits = merged(hits, found);
-    }
-    hits
+    let mut met = Vec::new();
+    scene.visit_batches(ray, |batch| {
+        met.push(batch.clone());
+        ray.t_max
+    });
+    // Lists are merged in the order of the objects.
+    met.sort_unstable_by_key(|batch| batch.start);
+    let lists = met
+        .iter()
+        .map(|batch| all_in_batch(scene, batch, ray, sides));
+    lists.fold(Vec::new(), merged)
 }
 
 /// Two lists of hits as one, each in its own order.
@@ -149,16 +166,17 @@ fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) ->
 
 /// Whether `f64` alone leaves open if a world-space ray hits one of the visible triangles in its interval.
 fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
-    scene.batches().iter().any(|batch| {
+    let mut found = false;
+    scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        let local = first.placement.ray_to_object(ray);
-        let Shape::Mesh { mesh, part } = &first.shape else {
-            return false;
-        };
-        mesh.is_in_doubt(&local, |part_hit| {
-            visible_part(scene, batch, *part, part_hit).is_some()
-        })
-    })
+        if let (false, Shape::Mesh { mesh, part }) = (found, &first.shape) {
+            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            found = mesh.is_in_doubt(&first.placement.ray_to_object(ray), accept);
+        }
+        // Once is enough: nothing lies before this.
+        if found { f64::NEG_INFINITY } else { ray.t_max }
+    });
+    found
 }
 
 fn closest_in_batch(

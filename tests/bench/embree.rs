@@ -13,7 +13,6 @@ use std::{
     ffi::{CString, c_char, c_void},
     num::NonZero,
     ptr::null_mut,
-    sync::Arc,
     thread,
     time::Instant,
 };
@@ -53,7 +52,7 @@ extern "C" fn monitor(memory: Handle, bytes: isize, _: bool) -> bool {
 
 /// Medium quality, or medium with its robust mode.
 pub struct Embree {
-    library: Arc<Library>,
+    library: &'static Library,
     robust: bool,
 }
 
@@ -63,10 +62,13 @@ pub fn installed() -> Vec<Embree> {
     let library = ["libembree3.so.3", "libembree3.dylib", "embree3.dll"]
         .iter()
         .find_map(|name| unsafe { Library::new(name) }.ok());
-    let library = library.map(Arc::new);
+    // Never unloaded: its threads outlive its scenes.
+    let library = library.map(|library| &*Box::leak(Box::new(library)));
     let kinds = [false, true].map(|robust| {
-        let library = library.clone()?;
-        Some(Embree { library, robust })
+        Some(Embree {
+            library: library?,
+            robust,
+        })
     });
     kinds.into_iter().flatten().collect()
 }
@@ -99,12 +101,12 @@ impl Rival for Embree {
         const VERTEX: i32 = 1;
         const UINT3: i32 = 0x5003;
         const FLOAT3: i32 = 0x9003;
-        let library = &self.library;
+        let library = self.library;
         // It may read four bytes beyond the last vertex.
         let mut positions = sample.positions.clone();
         positions.push([0.0; 3]);
         let mut scene = EmbreeScene {
-            library: library.clone(),
+            library,
             device: null_mut(),
             scene: null_mut(),
             memory: Box::default(),
@@ -189,7 +191,7 @@ impl Rival for Embree {
 
 /// A scene with what it was made from.
 struct EmbreeScene {
-    library: Arc<Library>,
+    library: &'static Library,
     device: Handle,
     scene: Handle,
     memory: Box<Count>,

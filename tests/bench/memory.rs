@@ -15,10 +15,12 @@ pub struct Count {
 }
 
 impl Count {
-    pub const ZERO: Self = Self {
-        now: AtomicIsize::new(0),
-        peak: AtomicIsize::new(0),
-    };
+    const fn new() -> Self {
+        Self {
+            now: AtomicIsize::new(0),
+            peak: AtomicIsize::new(0),
+        }
+    }
 
     /// Counts more, or fewer.
     pub fn add(&self, bytes: isize) {
@@ -60,7 +62,7 @@ pub fn cost_of<T>(work: impl FnOnce() -> T) -> (T, Cost) {
 struct Counting(Count);
 
 #[global_allocator]
-static COUNTING: Counting = Counting(Count::ZERO);
+static COUNTING: Counting = Counting(Count::new());
 
 // SAFETY: the system's allocator does the work; sizes are only counted.
 unsafe impl GlobalAlloc for Counting {

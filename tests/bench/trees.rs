@@ -3,6 +3,8 @@
 //!
 //! `cargo bench --features rivals [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
 //! measured where its library is installed (Debian, Ubuntu: `libembree3-3`).
+//!
+//! Last of each mesh comes what a hover costs: single rays, one pixel after the other, each timed by itself.
 
 mod embree;
 mod memory;
@@ -14,7 +16,7 @@ use memory::Cost;
 use meshes::Sample;
 use rivals::{Answer, Built, Rival};
 use sightline::geometry::{Aabb, Mesh, Ray, Sides};
-use std::{path::PathBuf, process::ExitCode, time::Instant};
+use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
 
 /// Rays are a square picture's.
 const SIDE: u32 = 384;
@@ -55,6 +57,8 @@ fn main() -> ExitCode {
     for sample in files.into_iter().chain(generated) {
         let rows = measure(&sample, &rivals, reference);
         print(&sample, &rivals, &rows);
+        let [median, p99] = hover(&sample);
+        println!("Sightline, hover: median {median} ns, 99th percentile {p99} ns");
         all.push(rows);
     }
     println!("\ngeometric mean of the ratios");
@@ -194,6 +198,21 @@ fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row]) {
         "Sightline, per million triangles: {:.0} ms, {per_million:.0} MB",
         1e3 * seconds / millions
     );
+}
+
+/// Median and 99th percentile of single rays, in nanoseconds, the clock's own time included.
+fn hover(sample: &Sample) -> [u128; 2] {
+    let mesh = Mesh::new(sample.data()).expect("a mesh");
+    mesh.build_tree();
+    let rays = rays::camera(&mesh.part_bounds(0), SIDE, false);
+    let timed = |ray: &Ray| {
+        let start = Instant::now();
+        black_box(mesh.closest(ray, Sides::Both, |_| true));
+        start.elapsed().as_nanos()
+    };
+    let mut times: Vec<_> = rays.iter().map(timed).collect();
+    times.sort_unstable();
+    [50, 99].map(|percent| times[times.len() * percent / 100])
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a count")]

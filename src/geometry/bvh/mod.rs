@@ -86,12 +86,7 @@ impl Bvh {
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
-    pub fn visit_boxes(
-        &self,
-        ray: &Ray,
-        center: &DVec3,
-        visit: &mut impl FnMut(Candidate) -> f64,
-    ) {
+    pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
         simd::run_fastest(Walk::<_, false> {
             tree: self,
             ray,

@@ -112,7 +112,7 @@ impl TreeRay {
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
-        if away <= NEAR * frame.most && LEAST_SIZE <= size && size <= 1.0 / LEAST_SIZE {
+        if away <= NEAR * frame.most && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
             let t = [frame.scale, 0.0];
             Prepared::Ray(Self::new(ray, origin, direction, away + frame.most, t))
         } else {
@@ -204,7 +204,11 @@ impl TreeRay {
     #[inline(always)]
     pub fn sheared(&self) -> ShearedRay {
         let size = self.direction.abs();
-        let (axis, largest) = if size.y > size.x { (1, size.y) } else { (0, size.x) };
+        let (axis, largest) = if size.y > size.x {
+            (1, size.y)
+        } else {
+            (0, size.x)
+        };
         let along = if size.z > largest { 2 } else { axis };
         let axes = [[1, 2, 0], [2, 0, 1], [0, 1, 2]][along];
         let [origin, direction, inverse] =
@@ -215,7 +219,11 @@ impl TreeRay {
         ShearedRay {
             axes,
             origin: [origin[first], origin[second], -sign * origin[along]],
-            slope: [direction[first] * per_size, direction[second] * per_size, sign],
+            slope: [
+                direction[first] * per_size,
+                direction[second] * per_size,
+                sign,
+            ],
             size: direction[along].abs(),
             reach: REACH * U32 * self.distance,
         }
@@ -238,13 +246,7 @@ pub(super) struct ShearedRay {
 }
 
 /// Where a ray enters the box grown by `room` on all sides; `None` where it passes it, or has left it before `start`.
-fn entry(
-    origin: DVec3,
-    direction: DVec3,
-    start: f64,
-    bounds: &Aabb,
-    room: f64,
-) -> Option<f64> {
+fn entry(origin: DVec3, direction: DVec3, start: f64, bounds: &Aabb, room: f64) -> Option<f64> {
     let safe = direction.abs().max(DVec3::splat(LEAST_COMPONENT.into()));
     let inverse = safe.copysign(direction).recip();
     let to_min = (bounds.min - room - origin) * inverse;

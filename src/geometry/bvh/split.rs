@@ -145,13 +145,11 @@ impl<'a> Range<'a> {
             count if count < WORTH_16_BINS => Binning::<8>::new(&self).best(),
             _ => Binning::<16>::new(&self).best(),
         };
-        match cut {
-            Some(cut) => self.split_at(&cut),
-            None => {
-                let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
-                (Self::new(a), Self::new(b))
-            }
+        if let Some(cut) = cut {
+            return self.split_at(&cut);
         }
+        let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
+        (Self::new(a), Self::new(b))
     }
 
     /// Without a branch, of which a processor would foresee every other one only.
@@ -160,10 +158,10 @@ impl<'a> Range<'a> {
         let [mut below, mut above] = [Extent::EMPTY; 2];
         let mut count = 0;
         for i in 0..leaves.len() {
+            // Read before it moves: what was just written is slow to read.
             let leaf = leaves[i];
-            leaves[i] = leaves[count];
-            leaves[count] = leaf;
             let is_below = cut.is_below(&leaf);
+            leaves.swap(i, count);
             below = below.union_where(is_below, leaf.center());
             above = above.union_where(!is_below, leaf.center());
             count += usize::from(is_below);

@@ -75,7 +75,12 @@ impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
                 let node = Node::at(lines, place);
                 let (hit, enter) = boxes.may_hit(lanes, node, end);
                 if hit != 0 {
-                    let open = Open { node, place, enter: lanes.store(enter), hit };
+                    let open = Open {
+                        node,
+                        place,
+                        enter: lanes.store(enter),
+                        hit,
+                    };
                     place = open.nearest(lanes, lines, &mut stack);
                     continue;
                 }
@@ -298,7 +303,11 @@ impl Sieve {
             beside(lanes, c),
         );
         let ShearedRay { size, reach, .. } = self.ray;
-        let slack = lanes.sub_mul(lanes.splat(5.0 * reach), m, lanes.splat(-5.0 * f32::EPSILON));
+        let slack = lanes.sub_mul(
+            lanes.splat(5.0 * reach),
+            m,
+            lanes.splat(-5.0 * f32::EPSILON),
+        );
         let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
         let minus_e = lanes.sub(lanes.splat(0.0), e);
         let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);

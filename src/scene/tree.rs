@@ -1,0 +1,199 @@
+//! A tree over what stands in a scene, so that a ray among thousands of objects asks the few that it may meet.
+//!
+//! Its boxes only reject, and with room to spare: whoever asks the batches that it hands out gets the hits that asking
+//! every batch would give, to the bit.
+//!
+//! # The room
+//!
+//! An object is hit in its own space. With `U = 2^-53`, `k` the product of the Frobenius norms of its model matrix and of the
+//! inverse (at least 3), and `D` the sum of the largest coordinates of eye, box and model translation: the inverse is within
+//! about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of the given one
+//! wherever it may hit; a hit on a curved or flat shape lies on that line and within some `U` of the shape, also where the
+//! ray grazes it and `t` is vague; the box's own corners round by `4 k U D`. Boxes are grown by `2^-40 k^2 D`, which is 300
+//! times that, and where it matters still nothing.
+
+use super::{Object, Scene};
+use crate::geometry::{Aabb, Ray};
+use glam::{DMat3, DVec3};
+
+/// Fewer batches are asked one after the other.
+const WORTH_A_TREE: usize = 8;
+/// Nodes that may wait: one for each level, and halving by count makes no more than 64.
+const DEEPEST: usize = 64;
+
+/// How much boxes grow, before `k^2 D`.
+const ROOM: f64 = f64::from_bits((1023 - 40) << 52);
+
+/// A binary tree over the boxes of batches.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SceneTree {
+    /// Each before its children, of which the first follows at once; the root first.
+    nodes: Vec<Node>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    bounds: Aabb,
+    /// `ROOM * k^2`, the largest of what is in it. The box is already grown by it times all of `D` but the eye's part.
+    room: f64,
+    /// The batch that is in it, or the second child.
+    content: Content,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Content {
+    Batch(usize),
+    Second(usize),
+}
+
+impl SceneTree {
+    /// Over the batches of a scene; of no use, and empty, for a few.
+    pub fn new(scene: &Scene) -> Self {
+        let batches = scene.batches().iter().enumerate();
+        let mut leaves: Vec<Node> = batches
+            .filter_map(|(index, batch)| {
+                let parts = scene.bounds[batch.clone()].iter();
+                let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(*part));
+                leaf(index, &scene.objects[batch.start], bounds)
+            })
+            .collect();
+        let mut tree = Self::default();
+        if leaves.len() >= WORTH_A_TREE {
+            tree.nodes.reserve_exact(2 * leaves.len() - 1);
+            tree.grow(&mut leaves);
+        }
+        tree
+    }
+
+    /// Whether it knows its scene.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    fn grow(&mut self, leaves: &mut [Node]) {
+        if let [leaf] = leaves {
+            self.nodes.push(*leaf);
+            return;
+        }
+        let empty = (Aabb::EMPTY, Aabb::EMPTY, 0.0_f64);
+        let (bounds, centers, room) = leaves.iter().fold(empty, |(bounds, centers, room), leaf| {
+            let centers = centers.including(leaf.bounds.center());
+            (bounds.union(leaf.bounds), centers, room.max(leaf.room))
+        });
+        let size = centers.max - centers.min;
+        let axis = size.max_position();
+        let middle = leaves.len() / 2;
+        leaves.select_nth_unstable_by(middle, |a, b| {
+            let [a, b] = [a, b].map(|leaf| leaf.bounds.center()[axis]);
+            a.total_cmp(&b)
+        });
+        let place = self.nodes.len();
+        self.nodes.push(Node {
+            bounds,
+            room,
+            content: Content::Second(0),
+        });
+        let (first, second) = leaves.split_at_mut(middle);
+        self.grow(first);
+        self.nodes[place].content = Content::Second(self.nodes.len());
+        self.grow(second);
+    }
+
+    /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of
+    /// the ray's interval.
+    pub fn visit(&self, ray: &Ray, mut visit: impl FnMut(usize) -> f64) {
+        let away = ray.origin.abs().max_element();
+        let inverse = ray.direction.recip();
+        let mut end = ray.t_max;
+        let enter = |place: usize, end: f64| self.nodes[place].enter(ray, inverse, away, end);
+        let mut waiting = [(0_usize, 0.0); DEEPEST];
+        let mut count = 0_usize;
+        let mut next = enter(0, end).map(|begin| (0, begin));
+        loop {
+            let Some((place, begin)) = next else {
+                let Some(last) = count.checked_sub(1) else {
+                    return;
+                };
+                count = last;
+                next = Some(waiting[last]);
+                continue;
+            };
+            next = None;
+            if begin > end {
+                continue;
+            }
+            match self.nodes[place].content {
+                Content::Batch(batch) => end = visit(batch),
+                Content::Second(second) => {
+                    let [first, second] =
+                        [place + 1, second].map(|child| Some((child, enter(child, end)?)));
+                    next = first.or(second);
+                    if let (Some(a), Some(b)) = (first, second) {
+                        let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
+                        next = Some(near);
+                        waiting[count] = far;
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Node {
+    /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
+    fn enter(&self, ray: &Ray, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
+        let room = self.room * away;
+        let to_min = (self.bounds.min - room - ray.origin) * inverse;
+        let to_max = (self.bounds.max + room - ray.origin) * inverse;
+        let (mut begin, mut end) = (ray.t_min, end);
+        for axis in 0..3 {
+            let (a, b) = (to_min[axis], to_max[axis]);
+            let (near, far) = if inverse[axis].is_sign_negative() {
+                (b, a)
+            } else {
+                (a, b)
+            };
+            // Written so that NaN, from a ray along a plane of the box, changes nothing.
+            if near > begin {
+                begin = near;
+            }
+            if far < end {
+                end = far;
+            }
+        }
+        // Beside a slab that it runs along, it enters at infinity.
+        (begin <= end && begin < f64::INFINITY).then_some(begin)
+    }
+}
+
+/// The box about a batch, with what it takes of the room; `None` where there is nothing to hit.
+fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
+    if bounds.is_empty() {
+        return None;
+    }
+    let model = object.placement.model();
+    let norm = |m: DMat3| m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt();
+    let k = norm(model.matrix3) * norm(object.placement.inverse_linear());
+    let room = ROOM * k * k;
+    let largest = [bounds.min, bounds.max, model.translation].map(|v| v.abs().max_element());
+    let grown = room * (largest[0].max(largest[1]) + largest[2]);
+    // What overflows is asked always.
+    let everything = !grown.is_finite();
+    let bounds = if everything {
+        Aabb {
+            min: DVec3::NEG_INFINITY,
+            max: DVec3::INFINITY,
+        }
+    } else {
+        Aabb {
+            min: bounds.min - grown,
+            max: bounds.max + grown,
+        }
+    };
+    Some(Node {
+        bounds,
+        room: if everything { 0.0 } else { room },
+        content: Content::Batch(batch),
+    })
+}
