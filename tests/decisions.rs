@@ -120,7 +120,7 @@ fn mesh_of(triangles: &[[DVec3; 3]], vertex_origin: DVec3) -> Arc<Mesh> {
 }
 
 fn closest(mesh: &Mesh, ray: &Ray, sides: Sides) -> Option<u32> {
-    let hit = mesh.closest(ray, sides, guarded_volume, |_| true)?;
+    let hit = mesh.closest(ray, sides, |_| true)?;
     hit.on_triangle.map(|at| at.triangle)
 }
 
@@ -195,7 +195,7 @@ fn the_tree_decides_as_brute_force_does() {
             let [brute, tree] = [(), ()].map(|()| mesh_of(&triangles, vertex_origin));
             tree.build_tree();
             for ray in rays {
-                let all = |mesh: &Mesh| mesh.all(&ray, Sides::Both, guarded_volume, |_| true);
+                let all = |mesh: &Mesh| mesh.all(&ray, Sides::Both, |_| true);
                 let expected = all(&brute);
                 assert_eq!(all(&tree), expected, "{}: {ray:?}", family.name);
                 let first = expected

@@ -173,7 +173,7 @@ fn index(random: &mut Random, count: usize) -> u32 {
 }
 
 fn hit_by(mesh: &Mesh, ray: &Ray, test: TriangleTest) -> Option<u32> {
-    let hit = mesh.closest(ray, Sides::Both, test, |_| true)?;
+    let hit = mesh.closest_by(ray, Sides::Both, test, |_| true)?;
     Some(hit.on_triangle?.triangle)
 }
 

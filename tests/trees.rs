@@ -62,14 +62,14 @@ fn the_tree_finds_what_brute_force_finds() {
                 (ray.t_min, ray.t_max) = (0.3 * scale, 1.5 * scale);
             }
             for sides in [Sides::Both, Sides::Front] {
-                let expected = brute.all(&ray, sides, guarded_volume, |_| true);
+                let expected = brute.all(&ray, sides, |_| true);
                 assert_eq!(
-                    with_tree.all(&ray, sides, guarded_volume, |_| true),
+                    with_tree.all(&ray, sides, |_| true),
                     expected,
                     "ray {i} of seed {seed}"
                 );
                 for mesh in [&brute, &with_tree] {
-                    let closest = mesh.closest(&ray, sides, guarded_volume, |_| true);
+                    let closest = mesh.closest(&ray, sides, |_| true);
                     assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
                 }
                 if expected.is_empty() {
@@ -125,7 +125,7 @@ fn a_closed_mesh_lets_no_ray_through() {
         } else {
             random.point(0.4)
         };
-        let hit = closed.closest(&ray_to(eye, target), Sides::Both, guarded_volume, |_| true);
+        let hit = closed.closest(&ray_to(eye, target), Sides::Both, |_| true);
         assert!(hit.is_some(), "ray {i} leaks");
     }
 }

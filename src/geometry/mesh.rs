@@ -1,12 +1,17 @@
 //! Triangle meshes: what one file holds.
 
 use super::{
-    Aabb, Bvh, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest, VertexRay,
-    triangle::{compare_t, is_in_doubt},
+    Aabb, Bvh, Candidate, CornerNormals, Hit, OnTriangle, Ray, Sides, TriangleHit, TriangleTest,
+    VertexRay, guarded_volume,
+    triangle::{compare_t, is_in_doubt, settled_volume},
 };
 use crate::colour::Srgb;
 use glam::DVec3;
-use std::{cmp::Ordering, ops::Range, sync::OnceLock};
+use std::{
+    cmp::Ordering,
+    ops::Range,
+    sync::{OnceLock, atomic::AtomicBool},
+};
 
 /// Below this many triangles a tree costs more than it saves in any session of picks.
 const WORTH_A_TREE: usize = 512;
@@ -107,6 +112,7 @@ impl Mesh {
     }
 
     /// The part that holds a triangle.
+    #[inline]
     #[must_use]
     pub fn part_of(&self, triangle: u32) -> usize {
         self.data
@@ -167,9 +173,23 @@ impl Mesh {
     /// Builds the tree, if the mesh is large enough to be worth one and has none yet. Until then picks try
     /// every triangle: the answer is the same.
     pub fn build_tree(&self) {
-        if self.data.triangles.len() >= WORTH_A_TREE {
-            self.tree
-                .get_or_init(|| Bvh::new(&self.data.positions, &self.data.triangles));
+        self.build_tree_unless(&AtomicBool::new(false));
+    }
+
+    /// [`Mesh::build_tree`], given up soon after `stop` is set.
+    pub fn build_tree_unless(&self, stop: &AtomicBool) {
+        let MeshData {
+            positions,
+            triangles,
+            ..
+        } = &self.data;
+        if triangles.len() < WORTH_A_TREE || self.tree.get().is_some() {
+            return;
+        }
+        if let Some(tree) = Bvh::build(positions, triangles, stop) {
+            debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
+            // Whoever else may have built one meanwhile has built the same.
+            let _ = self.tree.set(tree);
         }
     }
 
@@ -192,53 +212,87 @@ impl Mesh {
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
-    /// the lowest triangle. By [`guarded_volume`](super::guarded_volume) the choice is that of exact arithmetic.
-    pub fn closest(
+    /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
+    #[must_use]
+    pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
+        // What the tree has sifted need not be filtered again.
+        #[expect(
+            clippy::redundant_closure,
+            reason = "a closure is inlined into the walk, its function is not"
+        )]
+        if self.tree.get().is_some() {
+            self.nearest::<true>(
+                ray,
+                sides,
+                |ray, corners| settled_volume(ray, corners),
+                accept,
+            )
+        } else {
+            self.nearest::<true>(ray, sides, guarded_volume, accept)
+        }
+    }
+
+    /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
+    #[must_use]
+    pub fn closest_by(
         &self,
         ray: &Ray,
         sides: Sides,
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        let local = VertexRay::new(ray, self.data.origin);
-        let mut best: Option<(u32, TriangleHit)> = None;
-        let mut end = ray.t_max;
-        self.visit(&local, |triangle| {
-            if let Some(hit) = test(&local, self.vertex_corners(triangle))
-                && (sides == Sides::Both || hit.front)
-                && accept(self.part_of(triangle))
-                && best.is_none_or(|best| self.compare(&local, (triangle, hit), best).is_lt())
-            {
-                best = Some((triangle, hit));
-                // The exact parameter may be this much further, and nearer or equal ones may lie before it.
-                end = hit.t + hit.t_error;
-            }
-            end
-        });
-        best.map(|found| self.hit(found))
+        self.nearest::<false>(ray, sides, test, accept)
     }
 
-    /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
-    pub fn all(
+    #[inline]
+    fn nearest<const SIFT: bool>(
         &self,
         ray: &Ray,
         sides: Sides,
-        test: TriangleTest,
+        test: impl Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>,
         accept: impl Fn(usize) -> bool,
-    ) -> Vec<Hit> {
-        let local = VertexRay::new(ray, self.data.origin);
-        let mut found = Vec::new();
-        self.visit(&local, |triangle| {
-            if let Some(hit) = test(&local, self.vertex_corners(triangle))
+    ) -> Option<Hit> {
+        // Most rays meet nothing and need none.
+        let mut local = None;
+        let mut best: Option<Hit> = None;
+        let mut end = ray.t_max;
+        self.visit::<SIFT>(ray, |triangle, corners| {
+            let local = &*local.get_or_insert_with(|| VertexRay::new(ray, self.data.origin));
+            if let Some(hit) = test(local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
             {
-                found.push((triangle, hit));
+                let is_first = best.is_none_or(|best| {
+                    let hit = hit.on(triangle, corners);
+                    self.order(&hit, &best, local).is_lt()
+                });
+                if is_first {
+                    // The exact parameter may be this much further, and nearer or equal ones may lie before it.
+                    end = hit.t + hit.t_error;
+                    best = Some(hit.on(triangle, corners));
+                }
+            }
+            end
+        });
+        best
+    }
+
+    /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
+    #[must_use]
+    pub fn all(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Vec<Hit> {
+        let local = VertexRay::new(ray, self.data.origin);
+        let mut all = Vec::new();
+        self.visit::<true>(ray, |triangle, corners| {
+            if let Some(hit) = guarded_volume(&local, corners)
+                && (sides == Sides::Both || hit.front)
+                && accept(self.part_of(triangle))
+            {
+                all.push(hit.on(triangle, corners));
             }
             ray.t_max
         });
-        found.sort_by(|&a, &b| self.compare(&local, a, b));
-        found.into_iter().map(|found| self.hit(found)).collect()
+        all.sort_by(|a, b| self.order(a, b, &local));
+        all
     }
 
     /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and
@@ -247,50 +301,52 @@ impl Mesh {
         let local = VertexRay::new(ray, self.data.origin);
         let inverse = ray.direction.recip();
         let mut found = false;
-        self.visit(&local, |triangle| {
-            let corners = self.vertex_corners(triangle);
+        let mut visit = |triangle, corners| {
             found = found
                 || is_in_doubt(&local, corners)
                     && Aabb::around(corners).may_hit(&local, inverse)
                     && accept(self.part_of(triangle));
             // Once is enough: nothing lies before this.
             if found { f64::NEG_INFINITY } else { ray.t_max }
-        });
+        };
+        if local.is_bounded() {
+            self.visit::<false>(ray, visit);
+        } else {
+            self.every_triangle(&mut visit);
+        }
         found
     }
 
-    /// Every triangle that the ray may hit: through the tree, or all of them in order.
-    fn visit(&self, local: &VertexRay, mut visit: impl FnMut(u32) -> f64) {
-        if let Some(tree) = self.tree.get() {
-            tree.visit(local, visit);
+    /// The order along a ray of two of its hits.
+    fn order(&self, a: &Hit, b: &Hit, local: &VertexRay) -> Ordering {
+        let (Some(on_a), Some(on_b)) = (a.on_triangle, b.on_triangle) else {
+            return a.t.total_cmp(&b.t);
+        };
+        let triangles = [on_a.triangle, on_b.triangle];
+        let corners = || triangles.map(|triangle| self.vertex_corners(triangle));
+        compare_t(local, (a.t, on_a.t_error), (b.t, on_b.t_error), corners)
+            .then(triangles[0].cmp(&triangles[1]))
+    }
+
+    /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
+    /// false, a tree leaves out none whose box the ray may meet.
+    #[inline]
+    fn visit<const SIFT: bool>(&self, ray: &Ray, mut visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
+        let Some(tree) = self.tree.get() else {
+            return self.every_triangle(&mut visit);
+        };
+        let center = &self.data.origin;
+        let mut visit = |found: Candidate| visit(found.triangle(), found.corners());
+        if SIFT {
+            tree.visit(ray, center, &mut visit);
         } else {
-            for triangle in (0..).take(self.data.triangles.len()) {
-                visit(triangle);
-            }
+            tree.visit_boxes(ray, center, &mut visit);
         }
     }
 
-    /// The order of hits along a ray.
-    fn compare(
-        &self,
-        local: &VertexRay,
-        (a, hit_a): (u32, TriangleHit),
-        (b, hit_b): (u32, TriangleHit),
-    ) -> Ordering {
-        let [corners_a, corners_b] = [a, b].map(|triangle| self.vertex_corners(triangle));
-        compare_t(local, (corners_a, hit_a), (corners_b, hit_b)).then(a.cmp(&b))
-    }
-
-    fn hit(&self, (triangle, hit): (u32, TriangleHit)) -> Hit {
-        Hit {
-            t: hit.t,
-            normal: normal(self.vertex_corners(triangle)),
-            on_triangle: Some(OnTriangle {
-                triangle,
-                barycentric: hit.barycentric,
-                front: hit.front,
-                t_error: hit.t_error,
-            }),
+    fn every_triangle(&self, visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64) {
+        for triangle in (0..).take(self.data.triangles.len()) {
+            visit(triangle, self.vertex_corners(triangle));
         }
     }
 
@@ -303,10 +359,6 @@ impl std::fmt::Debug for Mesh {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Mesh({} triangles)", self.data.triangles.len())
     }
-}
-
-fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
-    (b - a).cross(c - a)
 }
 
 fn wide(v: [f32; 3]) -> DVec3 {

@@ -26,7 +26,7 @@ mod triangle;
 mod trs;
 
 pub use bounds::Aabb;
-pub use bvh::Bvh;
+pub use bvh::{Bvh, Candidate, Simd};
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};

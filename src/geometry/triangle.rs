@@ -3,7 +3,12 @@
 //! What counts as a hit: triangles are closed, so a ray through an edge or corner that triangles share hits at least
 //! one of them; a ray within a triangle's plane misses; a triangle without area is never hit.
 
-use super::{Ray, exact};
+#![allow(
+    clippy::inline_always,
+    reason = "what decides hits is one piece of code, a tenth faster than as three"
+)]
+
+use super::{Hit, OnTriangle, Ray, exact};
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -29,6 +34,7 @@ pub struct VertexRay {
 
 impl VertexRay {
     /// `ray` of object space, as vertices about `vertex_origin` see it.
+    #[inline]
     #[must_use]
     pub fn new(ray: &Ray, vertex_origin: DVec3) -> Self {
         let origin = ray.origin - vertex_origin;
@@ -36,7 +42,7 @@ impl VertexRay {
         let from_ray = ray.origin - origin;
         let tail = (ray.origin - (origin + from_ray)) + (from_ray - vertex_origin);
         let direction = ray.direction.abs();
-        let in_range = [origin, tail, direction].into_iter().all(in_range);
+        let in_range = in_range(origin) & in_range(tail) & in_range(direction);
         Self {
             ray: Ray { origin, ..*ray },
             tail,
@@ -66,13 +72,19 @@ impl VertexRay {
     }
 }
 
+/// Whether each component is 0 or between `2^-200` and `2^200` in size.
+#[expect(
+    clippy::needless_bitwise_bool,
+    reason = "without a branch: each ray that may hit anything pays for it"
+)]
+#[inline]
 fn in_range(v: DVec3) -> bool {
     const LEAST: f64 = f64::from_bits((1023 - 200) << 52);
     const GREATEST: f64 = 1.0 / LEAST;
     let sizes = v.abs().to_array();
-    sizes
-        .into_iter()
-        .all(|size| size == 0.0 || (LEAST..=GREATEST).contains(&size))
+    sizes.into_iter().fold(true, |all, size| {
+        all & ((size == 0.0) | (size >= LEAST)) & (size <= GREATEST)
+    })
 }
 
 /// Where a ray meets a triangle.
@@ -88,6 +100,23 @@ pub struct TriangleHit {
     pub barycentric: [f64; 3],
 }
 
+impl TriangleHit {
+    /// As a hit on this triangle of a mesh, which has these corners.
+    #[inline]
+    pub(super) fn on(self, triangle: u32, [a, b, c]: [DVec3; 3]) -> Hit {
+        Hit {
+            t: self.t,
+            normal: (b - a).cross(c - a),
+            on_triangle: Some(OnTriangle {
+                triangle,
+                barycentric: self.barycentric,
+                front: self.front,
+                t_error: self.t_error,
+            }),
+        }
+    }
+}
+
 /// A way to meet a ray with a triangle given by its corners (of `f32` components). Picks take it as a parameter, so
 /// that methods can be compared. `None` outside the ray's interval.
 pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
@@ -100,27 +129,31 @@ pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
 /// usually all. A ray or corner that is not finite misses.
 #[must_use]
 pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    match by_f64(ray, corners) {
-        Verdict::Miss => None,
-        Verdict::Hit(hit) => Some(hit),
-        Verdict::InDoubt => exact::hit(ray, corners),
+    if is_passed_by(ray, corners) {
+        None
+    } else {
+        settled_volume(ray, corners)
     }
+}
+
+/// [`guarded_volume`], to the bit, for triangles that are likely to be hit: it costs the same for those that are not.
+#[inline(always)]
+pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    settle(ray, corners).unwrap_or_else(|InDoubt| exact::hit(ray, corners))
 }
 
 /// Whether `f64` leaves [`guarded_volume`]'s answer to exact arithmetic, of a triangle whose plane the ray reaches within
 /// its interval.
 pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
-    matches!(by_f64(ray, corners), Verdict::InDoubt) && exact::reaches_plane(ray, corners)
+    !is_passed_by(ray, corners)
+        && settle(ray, corners).is_err()
+        && exact::reaches_plane(ray, corners)
 }
 
-/// What `f64` can say for certain.
-enum Verdict {
-    Miss,
-    Hit(TriangleHit),
-    InDoubt,
-}
+/// `f64` cannot say.
+struct InDoubt;
 
-/// Most triangles are passed by far and end here.
+/// Whether the ray misses for certain, as it does most triangles, by far.
 ///
 /// The bound. A volume is `d . (p x q)`. With `m` the largest component of the three corners as seen from the ray,
 /// `U m` bounds the rounding of each of them (for the tail, by the definition of `tail_as_length`). A product of two
@@ -130,54 +163,51 @@ enum Verdict {
 /// of the components. Terms in `U^2` and the rounding of the bound itself need far less than the eighth that 16 adds.
 /// (A static filter in the sense of Shewchuk 1997.)
 #[inline]
-fn by_f64(ray: &VertexRay, corners: [DVec3; 3]) -> Verdict {
+fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let m = largest(seen) + ray.tail_as_length;
     let bound = 16.0 * U * ray.taxicab * (m * m);
     let volumes = volumes(ray.ray.direction, seen);
     // Written so that NaN is in doubt.
-    if least(volumes) < -bound && greatest(volumes) > bound {
-        return Verdict::Miss;
-    }
-    settle(ray, corners)
+    least(volumes) < -bound && greatest(volumes) > bound
 }
 
 /// For triangles that may be hit: the tail is taken off the corners instead of being reckoned as an error.
 ///
 /// With corners to within `2 U` the steps above sum up to `18 U m^2 |d|_1`.
-#[inline(never)]
-fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Verdict {
+#[inline(always)]
+fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let m = largest(seen);
     let bound = 20.0 * U * ray.taxicab * (m * m);
     let volumes = volumes(ray.ray.direction, seen);
     let (least, greatest) = (least(volumes), greatest(volumes));
     if least < -bound && greatest > bound {
-        return Verdict::Miss;
+        return Ok(None);
     }
     let front = greatest < -bound;
     if !(front || least > bound) {
-        return Verdict::InDoubt;
+        return Err(InDoubt);
     }
     let (t, t_error) = parameter(ray, corners, seen[0]);
     if !(t_error <= HALF_OF_THE_DIGITS * t.abs()) {
-        return Verdict::InDoubt;
+        return Err(InDoubt);
     }
     let Ray { t_min, t_max, .. } = ray.ray;
     let (low, high) = (t - t_error, t + t_error);
     if high < t_min || low >= t_max {
-        Verdict::Miss
+        Ok(None)
     } else if low >= t_min && high < t_max {
         let [u, v, w] = volumes;
         let sum = u + v + w;
-        Verdict::Hit(TriangleHit {
+        Ok(Some(TriangleHit {
             t,
             t_error,
             front,
             barycentric: volumes.map(|volume| volume / sum),
-        })
+        }))
     } else {
-        Verdict::InDoubt
+        Err(InDoubt)
     }
 }
 
@@ -192,6 +222,7 @@ const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
 /// `2 U`, by `18 U s^2 |a|_1`. The quotient of two numbers that err by `e_n` and `e_d` errs by
 /// `(e_n + |t| e_d) / (|N . d| - e_d)`. Twelve more roundings of `t` leave room for those of the quotient, of the
 /// bound, and of `t` plus or minus it.
+#[inline(always)]
 fn parameter(ray: &VertexRay, corners: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let edges = [corners[1] - corners[0], corners[2] - corners[0]];
     let normal = edges[0].cross(edges[1]);
@@ -210,20 +241,19 @@ fn parameter(ray: &VertexRay, corners: [DVec3; 3], a: DVec3) -> (f64, f64) {
     (t, t_error)
 }
 
-/// A hit triangle's corners, and the hit.
-pub(super) type HitTriangle = ([DVec3; 3], TriangleHit);
-
-/// Which of two hit triangles the ray meets first: by exact arithmetic where their errors leave it open. Methods that
-/// give no bound are taken at their word.
+/// Which of two hit triangles the ray meets first, of which `corners` gives the corners: by exact arithmetic where their
+/// errors leave it open. Methods that give no bound are taken at their word.
 pub(super) fn compare_t(
     ray: &VertexRay,
-    (corners_a, a): HitTriangle,
-    (corners_b, b): HitTriangle,
+    a: (f64, f64),
+    b: (f64, f64),
+    corners: impl FnOnce() -> [[DVec3; 3]; 2],
 ) -> Ordering {
-    if a.t_error + b.t_error > 0.0 && overlap((a.t, a.t_error), (b.t, b.t_error)) {
-        exact::compare_t(ray, corners_a, corners_b)
+    if a.1 + b.1 > 0.0 && overlap(a, b) {
+        let [a, b] = corners();
+        exact::compare_t(ray, a, b)
     } else {
-        a.t.total_cmp(&b.t)
+        a.0.total_cmp(&b.0)
     }
 }
 
@@ -304,7 +334,7 @@ fn max(a: f64, b: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The derivation of [`by_f64`]'s bound, held against exact volumes.
+    /// The derivation of [`is_passed_by`]'s bound, held against exact volumes.
     #[test]
     fn volumes_round_by_less_than_their_bound() {
         let mut state = 7_u64;

@@ -11,7 +11,7 @@ pub use selection::draw_selection;
 
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest, guarded_volume, overlap},
+    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest, overlap},
     scene::{Scene, Shape},
 };
 use glam::DVec2;
@@ -72,42 +72,54 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
 /// The nearest hit of a world-space ray on the visible objects.
 #[must_use]
 pub fn closest(scene: &Scene, ray: &Ray, sides: Sides) -> Option<SceneHit> {
-    closest_by(scene, ray, sides, guarded_volume)
+    nearest(scene, ray, sides, None)
 }
 
 /// [`closest`] by another triangle test.
 #[must_use]
 pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) -> Option<SceneHit> {
+    nearest(scene, ray, sides, Some(test))
+}
+
+fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
     let mut within = *ray;
-    scene.visit_batches(ray, |batch| {
+    let mut visit = |batch: &Range<usize>| {
         let found = closest_in_batch(scene, batch, &within, sides, test);
         best = match (best, found) {
             (Some(best), Some(found)) if best.is_before(&found) => Some(best),
             (best, found) => found.or(best),
         };
-        within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
+        if let Some(best) = &best {
+            within = ray.until(just_behind(best.hit.t));
+        }
         within.t_max
-    });
+    };
+    if test.is_none() {
+        scene.visit_batches(ray, visit);
+    } else {
+        // Another test may hit what the ray misses.
+        for batch in scene.batches() {
+            visit(batch);
+        }
+    }
     best
 }
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let mut by_batch = Vec::new();
+    let mut met = Vec::new();
     scene.visit_batches(ray, |batch| {
-        let found = all_in_batch(scene, batch, ray, sides);
-        if !found.is_empty() {
-            by_batch.push((batch.start, found));
-        }
+        met.push(batch.clone());
         ray.t_max
     });
-    // Whatever the order in which they were visited.
-    by_batch.sort_by_key(|(first, _)| *first);
-    by_batch
-        .into_iter()
-        .fold(Vec::new(), |hits, (_, found)| merged(hits, found))
+    // Lists are merged in the order of the objects.
+    met.sort_unstable_by_key(|batch| batch.start);
+    let lists = met
+        .iter()
+        .map(|batch| all_in_batch(scene, batch, ray, sides));
+    lists.fold(Vec::new(), merged)
 }
 
 /// Two lists of hits as one, each in its own order.
@@ -135,7 +147,7 @@ fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) ->
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            let found = mesh.all(&local, sides, guarded_volume, accept).into_iter();
+            let found = mesh.all(&local, sides, accept).into_iter();
             let hits = found.filter_map(|hit| {
                 let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
                 Some(SceneHit { object, hit })
@@ -157,10 +169,9 @@ fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
     let mut found = false;
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        if let (Shape::Mesh { mesh, part }, false) = (&first.shape, found) {
-            let local = first.placement.ray_to_object(ray);
+        if let (false, Shape::Mesh { mesh, part }) = (found, &first.shape) {
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            found = mesh.is_in_doubt(&local, accept);
+            found = mesh.is_in_doubt(&first.placement.ray_to_object(ray), accept);
         }
         // Once is enough: nothing lies before this.
         if found { f64::NEG_INFINITY } else { ray.t_max }
@@ -173,14 +184,17 @@ fn closest_in_batch(
     batch: &Range<usize>,
     ray: &Ray,
     sides: Sides,
-    test: TriangleTest,
+    test: Option<TriangleTest>,
 ) -> Option<SceneHit> {
     let first = &scene.objects()[batch.start];
     let local = first.placement.ray_to_object(ray);
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            let hit = mesh.closest(&local, sides, test, accept)?;
+            let hit = match test {
+                None => mesh.closest(&local, sides, accept),
+                Some(test) => mesh.closest_by(&local, sides, test, accept),
+            }?;
             let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
             Some(SceneHit { object, hit })
         }

@@ -22,8 +22,12 @@ use crate::{
     geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Ray, Sphere, Square},
 };
 use glam::DVec3;
-use std::{ops::Range, sync::Arc};
-use tree::BatchTree;
+use std::{
+    collections::HashSet,
+    ops::Range,
+    sync::{Arc, atomic::AtomicBool},
+};
+use tree::SceneTree;
 
 /// A shape in its object space.
 #[derive(Clone, Debug)]
@@ -162,7 +166,8 @@ pub struct Scene {
     objects: Vec<Object>,
     bounds: Vec<Aabb>,
     batches: Vec<Range<usize>>,
-    tree: BatchTree,
+    meshes: Vec<Arc<Mesh>>,
+    tree: SceneTree,
 }
 
 impl Scene {
@@ -171,13 +176,16 @@ impl Scene {
     pub fn new(objects: Vec<Object>) -> Self {
         let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
         let batches = batches(&objects);
-        let tree = BatchTree::new(&objects, &batches, &bounds);
-        Self {
+        let meshes = meshes(&objects);
+        let mut scene = Self {
             objects,
             bounds,
             batches,
-            tree,
-        }
+            meshes,
+            tree: SceneTree::default(),
+        };
+        scene.tree = SceneTree::new(&scene);
+        scene
     }
 
     /// All objects, hidden ones too.
@@ -219,7 +227,7 @@ impl Scene {
         self.objects[object].placement = placement;
         self.bounds[object] = self.objects[object].bounds_world();
         self.batches = batches(&self.objects);
-        self.tree = BatchTree::new(&self.objects, &self.batches, &self.bounds);
+        self.tree = SceneTree::new(self);
     }
 
     /// Hides the objects with these ids (from 1).
@@ -243,12 +251,16 @@ impl Scene {
         &self.batches
     }
 
-    /// Calls `visit` with every batch that a world-space ray may hit within its interval, those of nearer boxes first
-    /// where there are many. `visit` returns the new end of the interval: what lies behind it is passed over.
+    /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
+    /// returns the new end of the ray's interval. What is passed over has no hit in it.
     pub fn visit_batches(&self, ray: &Ray, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        let batches = &self.batches;
-        self.tree
-            .visit(ray, batches.len(), |index| visit(&batches[index]));
+        if self.tree.is_empty() {
+            for batch in &self.batches {
+                visit(batch);
+            }
+        } else {
+            self.tree.visit(ray, |batch| visit(&self.batches[batch]));
+        }
     }
 
     /// Triangles of all meshes, hidden ones too.
@@ -264,23 +276,33 @@ impl Scene {
     /// Whether each mesh that is worth a tree has one.
     #[must_use]
     pub fn trees_are_built(&self) -> bool {
-        self.batches
-            .iter()
-            .all(|batch| match &self.objects[batch.start].shape {
-                Shape::Mesh { mesh, .. } => mesh.is_ready(),
-                _ => true,
-            })
+        self.meshes.iter().all(|mesh| mesh.is_ready())
     }
 
     /// Builds the tree of each mesh that has none. Takes about 0.3 s for a million triangles; picks are right before
     /// it is done, only slower.
     pub fn build_trees(&self) {
-        for batch in &self.batches {
-            if let Shape::Mesh { mesh, .. } = &self.objects[batch.start].shape {
-                mesh.build_tree();
-            }
+        self.build_trees_unless(&AtomicBool::new(false));
+    }
+
+    /// [`Scene::build_trees`], given up soon after `stop` is set.
+    pub fn build_trees_unless(&self, stop: &AtomicBool) {
+        for mesh in &self.meshes {
+            mesh.build_tree_unless(stop);
         }
     }
+}
+
+/// Each mesh of the objects once.
+fn meshes(objects: &[Object]) -> Vec<Arc<Mesh>> {
+    let mut seen = HashSet::new();
+    let shapes = objects.iter().map(|object| &object.shape);
+    let meshes = shapes.filter_map(|shape| match shape {
+        Shape::Mesh { mesh, .. } => Some(mesh),
+        _ => None,
+    });
+    let first = meshes.filter(|mesh| seen.insert(Arc::as_ptr(mesh)));
+    first.cloned().collect()
 }
 
 fn batches(objects: &[Object]) -> Vec<Range<usize>> {

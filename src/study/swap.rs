@@ -20,7 +20,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square, guarded_volume},
+    geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square},
     pick::{self, SceneHit},
     scene::{Object, Scene, Shape},
 };
@@ -213,7 +213,7 @@ impl Step for PlacedCase {
                     Shape::Cube => Cuboid::hits(&local).into_iter().flatten().next(),
                     Shape::Square => Square::hit(&local),
                     Shape::Mesh { mesh, part } => {
-                        mesh.closest(&local, view.sides, guarded_volume, |other| other == *part)
+                        mesh.closest(&local, view.sides, |other| other == *part)
                     }
                 }?;
                 let t = hit.t / stretch;

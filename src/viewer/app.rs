@@ -7,7 +7,7 @@ use super::{
     command,
     exhibit::Chart,
     input::Drag,
-    loading::{self, Answer, Loading},
+    loading::{self, Answer, Loading, TreeBuild},
     panels::{Filter, Floating, Statistics},
     pass,
     screenshot::Screenshots,
@@ -38,6 +38,8 @@ pub(super) struct App {
     meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// The load under way, of which files, and whether they are those on screen.
     pub loading: Option<(Loading, Vec<PathBuf>, Reload)>,
+    /// What is being built for the scene on screen.
+    trees: Option<TreeBuild>,
     /// The first scene takes the command line's camera.
     first: bool,
     pub notices: Notices,
@@ -82,6 +84,7 @@ impl App {
             paths: Vec::new(),
             meshes: Vec::new(),
             loading: None,
+            trees: None,
             first: true,
             notices: Notices::new(),
             floating: Floating::default(),
@@ -141,7 +144,7 @@ impl App {
                 self.paths = paths;
                 self.notices.clear();
                 self.warn(&warnings);
-                loading::build_trees(self.state.scene());
+                self.trees = Some(TreeBuild::start(self.state.scene()));
             }
             Err(text) => self.complain(text),
         }

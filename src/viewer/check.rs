@@ -72,7 +72,7 @@ impl Check {
         let stop = Arc::clone(&cancelled);
         let (sender, result) = channel();
         thread::spawn(move || {
-            scene.build_trees();
+            scene.build_trees_unless(&stop);
             let picked = pick::ids_by(&scene, &of.view, |px| {
                 if stop.load(Ordering::Relaxed) {
                     return None;

@@ -5,6 +5,7 @@ use std::{
     path::PathBuf,
     sync::{
         Arc,
+        atomic::{AtomicBool, Ordering},
         mpsc::{Receiver, TryRecvError, channel},
     },
     thread,
@@ -52,10 +53,26 @@ impl Drop for Loading {
     }
 }
 
-/// Builds the trees of a scene's meshes beside the window; picks try every triangle until they are there.
-pub(super) fn build_trees(scene: &Scene) {
-    let scene = scene.clone();
-    thread::spawn(move || scene.build_trees());
+/// Trees of a scene's meshes that are being built beside the window; picks try every triangle until they are there.
+/// Dropping it stops the work.
+pub(super) struct TreeBuild {
+    stop: Arc<AtomicBool>,
+}
+
+impl TreeBuild {
+    /// Begins.
+    pub fn start(scene: &Scene) -> Self {
+        let stop = Arc::new(AtomicBool::new(false));
+        let (scene, stopped) = (scene.clone(), Arc::clone(&stop));
+        thread::spawn(move || scene.build_trees_unless(&stopped));
+        Self { stop }
+    }
+}
+
+impl Drop for TreeBuild {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
 }
 
 /// An answer faster than this, in seconds, is no person's: there is no dialog on this desktop.

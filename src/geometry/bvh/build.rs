@@ -1,0 +1,300 @@
+//! How a tree is built: top down, on several threads.
+//!
+//! Ranges of triangles are jobs until they are small, and each makes a node and up to eight jobs more; a thread builds
+//! a small one alone. In the end the small trees are put behind each other.
+
+use super::{
+    Bvh,
+    node::{Child, Line, Node, Packet, Place, Plane, WIDTH},
+    ray::Frame,
+    simd::with_large_pages,
+    split::{Leaf, Range},
+};
+use crate::geometry::Aabb;
+use glam::Vec4;
+use std::{
+    num::NonZero,
+    sync::{
+        Condvar, Mutex, MutexGuard, PoisonError,
+        atomic::{AtomicBool, Ordering},
+    },
+    thread,
+};
+
+/// Triangles from which on a tree is built by several threads.
+const WORTH_THREADS: usize = 20_000;
+/// Jobs for each thread, about: enough that none is idle for long at the end.
+const JOBS_PER_THREAD: usize = 16;
+
+/// See [`Bvh::build`].
+pub(super) fn build(
+    positions: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+    stop: &AtomicBool,
+) -> Option<Bvh> {
+    let count = u32::try_from(triangles.len())
+        .ok()
+        .filter(|count| (1..=1 << 27).contains(count))?;
+    let vertices = Vertices {
+        positions,
+        triangles,
+        scale: scale(positions)?,
+    };
+    let threads = if triangles.len() < WORTH_THREADS {
+        1
+    } else {
+        thread::available_parallelism().map_or(1, NonZero::get)
+    };
+    let mut leaves = with_large_pages(triangles.len());
+    leaves.extend((0..count).map(|i| vertices.leaf(i)));
+    let all = Range::new(&mut leaves);
+    let [min, max] = all.bounds().map(Vec4::truncate);
+    let site = Site {
+        vertices,
+        small: triangles.len() / (threads * JOBS_PER_THREAD),
+        stop,
+        progress: Mutex::new(Progress::starting_with(all)),
+        news: Condvar::new(),
+    };
+    thread::scope(|scope| {
+        for _ in 1..threads {
+            scope.spawn(|| site.work());
+        }
+        site.work();
+    });
+    let progress = (site.progress.into_inner()).unwrap_or_else(PoisonError::into_inner);
+    let Progress { top, grown, .. } = progress;
+    drop(leaves);
+    if stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    Some(Bvh {
+        lines: assemble(top, grown),
+        frame: Frame {
+            bounds: Aabb {
+                min: min.as_dvec3(),
+                max: max.as_dvec3(),
+            },
+            most: min.abs().max(max.abs()).max_element(),
+            scale: vertices.scale.into(),
+        },
+    })
+}
+
+/// The power of two that brings coordinates to where products of them neither vanish nor overflow; `None` where it would
+/// change one of them.
+fn scale(positions: &[[f32; 3]]) -> Option<f32> {
+    const SAFE: f32 = 1_073_741_824.0; // 2^30
+    let coordinates = positions.as_flattened();
+    let largest = coordinates.iter().fold(0.0_f32, |m, x| m.max(x.abs()));
+    if largest == 0.0 || (1.0 / SAFE..=SAFE).contains(&largest) {
+        return Some(1.0);
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "within 150")]
+    let exponent = (largest.log2() as i32).clamp(-126, 126);
+    let (scale, unscale) = (2_f32.powi(-exponent), 2_f32.powi(exponent));
+    let kept = |x: &f32| ((x * scale) * unscale).to_bits() == x.to_bits();
+    coordinates.iter().all(kept).then_some(scale)
+}
+
+/// Triangles that become the given child of one of the top nodes.
+struct Job<'a> {
+    range: Range<'a>,
+    depth: usize,
+    /// Node and lane; none for the root.
+    parent: Option<(usize, usize)>,
+}
+
+/// A small tree on its own, and the child of a top node that it is.
+struct Grown {
+    parent: (usize, usize),
+    root: Place,
+    lines: Vec<Line>,
+}
+
+/// What the threads share.
+struct Progress<'a> {
+    waiting: Vec<Job<'a>>,
+    /// Jobs that wait or are worked on.
+    open: usize,
+    top: Vec<Node>,
+    grown: Vec<Grown>,
+}
+
+impl<'a> Progress<'a> {
+    fn starting_with(all: Range<'a>) -> Self {
+        let root = Job {
+            range: all,
+            depth: 0,
+            parent: None,
+        };
+        Self {
+            waiting: vec![root],
+            open: 1,
+            top: Vec::new(),
+            grown: Vec::new(),
+        }
+    }
+}
+
+/// The top nodes, then each small tree.
+fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
+    let mut line = top.len() * Node::LINES;
+    for Grown {
+        parent: (node, lane),
+        root,
+        lines,
+    } in &grown
+    {
+        let node_place = Place::new(node * Node::LINES, false);
+        let place = Place::new(line, root.is_packet());
+        top[*node].children[*lane] = Child::between(node_place, place);
+        line += lines.len();
+    }
+    let mut all = with_large_pages(line);
+    all.extend(top.iter().flat_map(Node::lines));
+    for small in grown {
+        all.extend_from_slice(&small.lines);
+    }
+    all
+}
+
+struct Site<'a> {
+    vertices: Vertices<'a>,
+    /// Triangles up to which a range is one thread's.
+    small: usize,
+    stop: &'a AtomicBool,
+    progress: Mutex<Progress<'a>>,
+    news: Condvar,
+}
+
+impl<'a> Site<'a> {
+    /// What each thread does, until no job is left.
+    fn work(&self) {
+        while let Some(job) = self.next() {
+            match job.parent {
+                _ if self.stop.load(Ordering::Relaxed) => {}
+                Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
+                    // Enough for almost all.
+                    let mut lines = Vec::with_capacity(job.range.len());
+                    let root = self.grow(&mut lines, job.range, job.depth);
+                    let grown = Grown {
+                        parent,
+                        root,
+                        lines,
+                    };
+                    self.lock().grown.push(grown);
+                }
+                parent => self.divide(job.range, job.depth, parent),
+            }
+            self.lock().open -= 1;
+            self.news.notify_all();
+        }
+    }
+
+    /// The largest job that waits; `None` when all are done.
+    fn next(&self) -> Option<Job<'a>> {
+        let mut progress = self.lock();
+        loop {
+            let waiting = progress.waiting.iter().enumerate();
+            if let Some((largest, _)) = waiting.max_by_key(|(_, job)| job.range.len()) {
+                return Some(progress.waiting.swap_remove(largest));
+            }
+            if progress.open == 0 {
+                return None;
+            }
+            progress = (self.news.wait(progress)).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Progress<'a>> {
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Makes a top node and a job for each of its children.
+    fn divide(&self, range: Range<'a>, depth: usize, parent: Option<(usize, usize)>) {
+        let parts = range.split_wide(depth);
+        let mut progress = self.lock();
+        let index = progress.top.len();
+        if let Some((node, lane)) = parent {
+            let [node_place, place] = [node, index].map(|i| Place::new(i * Node::LINES, false));
+            progress.top[node].children[lane] = Child::between(node_place, place);
+        }
+        progress.top.push(node_of(&parts));
+        progress.open += parts.len();
+        let jobs = parts.into_iter().enumerate().map(|(lane, range)| Job {
+            range,
+            depth: depth + 1,
+            parent: Some((index, lane)),
+        });
+        progress.waiting.extend(jobs);
+    }
+
+    /// Adds what becomes of `range` to `lines`, and says where.
+    fn grow(&self, lines: &mut Vec<Line>, range: Range, depth: usize) -> Place {
+        if range.len() <= WIDTH {
+            let place = Place::new(lines.len(), true);
+            lines.extend(self.vertices.packet(range.leaves()).lines());
+            return place;
+        }
+        let place = Place::new(lines.len(), false);
+        if self.stop.load(Ordering::Relaxed) {
+            return place;
+        }
+        let parts = range.split_wide(depth);
+        lines.extend(node_of(&parts).lines());
+        for (lane, part) in parts.into_iter().enumerate() {
+            let child = self.grow(lines, part, depth + 1);
+            Node::at_mut(lines, place).children[lane] = Child::between(place, child);
+        }
+        place
+    }
+}
+
+/// A node with the boxes of `parts`, of which nothing is known yet but that.
+fn node_of(parts: &[Range]) -> Node {
+    let mut node = Node::EMPTY;
+    for (lane, part) in parts.iter().enumerate() {
+        for (side, corner) in [Plane::MIN, Plane::MAX].into_iter().zip(part.bounds()) {
+            for (plane, x) in side.into_iter().zip(corner.to_array()) {
+                node.planes[plane as usize][lane] = x;
+            }
+        }
+    }
+    node
+}
+
+/// Vertices in the tree's lengths.
+#[derive(Clone, Copy)]
+struct Vertices<'a> {
+    positions: &'a [[f32; 3]],
+    triangles: &'a [[u32; 3]],
+    scale: f32,
+}
+
+impl Vertices<'_> {
+    fn corners(&self, triangle: u32) -> [[f32; 3]; 3] {
+        self.triangles[triangle as usize]
+            .map(|i| self.positions[i as usize].map(|x| x * self.scale))
+    }
+
+    fn leaf(&self, triangle: u32) -> Leaf {
+        let [a, b, c] = self
+            .corners(triangle)
+            .map(|[x, y, z]| Vec4::new(x, y, z, 0.0));
+        Leaf::new(triangle, a.min(b).min(c), a.max(b).max(c))
+    }
+
+    fn packet(&self, leaves: &[Leaf]) -> Packet {
+        let mut packet = Packet::EMPTY;
+        for (lane, leaf) in leaves.iter().enumerate() {
+            packet.triangles[lane] = leaf.triangle();
+            for (corner, position) in self.corners(leaf.triangle()).into_iter().enumerate() {
+                for (axis, x) in position.into_iter().enumerate() {
+                    packet.corners[corner][axis][lane] = x;
+                }
+            }
+        }
+        packet
+    }
+}

@@ -1,0 +1,145 @@
+//! A bounding volume hierarchy over a mesh's triangles, which only ever rejects.
+//!
+//! Nodes of eight boxes and leaves of eight triangles, so that one instruction handles eight numbers (Wald, Benthin
+//! & Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are judged in `f32`, each with
+//! a derived bound ([`ray`]) on what rounding may have done: what is rejected is missed for certain. What remains
+//! goes to the caller, who decides in `f64`; so whichever instructions there are, the answer is the same to the bit.
+
+#![allow(
+    clippy::inline_always,
+    reason = "what is not inlined into the walk is not compiled for its instructions"
+)]
+
+mod build;
+mod node;
+mod ray;
+mod simd;
+mod split;
+mod validate;
+mod walk;
+
+pub use node::Candidate;
+pub use simd::Simd;
+
+use super::{Aabb, Ray};
+use glam::{DVec3, Vec3};
+use node::{Line, Node, Packet, Place};
+use ray::Frame;
+use std::sync::atomic::AtomicBool;
+use walk::Walk;
+
+/// A tree over triangles, in the vertices' own space.
+#[derive(Debug)]
+pub struct Bvh {
+    /// Nodes and packets; the first is the root, and each comes before its children.
+    lines: Vec<Line>,
+    frame: Frame,
+}
+
+impl Bvh {
+    /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
+    /// finite.
+    ///
+    /// `None` when `stop` was set meanwhile, and for meshes that a tree cannot hold: without triangles, with more than
+    /// `2^30` of them, or with coordinates that differ by so many orders of magnitude that scaling would change them.
+    #[must_use]
+    pub fn build(
+        positions: &[[f32; 3]],
+        triangles: &[[u32; 3]],
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        build::build(positions, triangles, stop)
+    }
+
+    /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, nearer
+    /// boxes first. `visit` returns the new end of the ray's interval; what begins beyond it is
+    /// passed over, what begins *at* it is not, so that equal hits are all seen.
+    ///
+    /// Which triangles are visited beyond those that are hit may differ between processors.
+    #[inline]
+    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
+        simd::run_fastest(Walk::<_, true> {
+            tree: self,
+            ray,
+            center,
+            visit,
+        });
+    }
+
+    /// [`Bvh::visit`] by chosen instructions.
+    #[inline]
+    pub fn visit_by(
+        &self,
+        simd: Simd,
+        ray: &Ray,
+        center: &DVec3,
+        visit: &mut impl FnMut(Candidate) -> f64,
+    ) {
+        simd.run(Walk::<_, true> {
+            tree: self,
+            ray,
+            center,
+            visit,
+        });
+    }
+
+    /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
+    /// that the ray misses.
+    #[inline]
+    pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
+        simd::run_fastest(Walk::<_, false> {
+            tree: self,
+            ray,
+            center,
+            visit,
+        });
+    }
+
+    /// The boxes so many steps below the root, and packets' that are nearer to it: at most `most` of them.
+    #[must_use]
+    pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
+        let Frame { bounds, scale, .. } = self.frame;
+        let mut boxes = vec![(Place::ROOT, bounds)];
+        for _ in 0..level {
+            let below = boxes.iter().flat_map(|&(place, bounds)| {
+                let node = (!place.is_packet()).then(|| Node::at(&self.lines, place));
+                let children = node.into_iter().flat_map(move |node| {
+                    node.children().map(move |(lane, child)| {
+                        let [min, max] = node
+                            .bounds(lane)
+                            .map(|corner| Vec3::from(corner).as_dvec3());
+                        (place.of(child), Aabb { min, max })
+                    })
+                });
+                children.chain(place.is_packet().then_some((place, bounds)))
+            });
+            boxes = below.take(most).collect();
+        }
+        let unscaled = boxes.into_iter().map(|(_, Aabb { min, max })| Aabb {
+            min: min / scale,
+            max: max / scale,
+        });
+        unscaled.collect()
+    }
+
+    /// Bytes that it takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.lines)
+    }
+
+    /// All packets with their places.
+    fn packets(&self) -> impl Iterator<Item = (Place, &Packet)> {
+        let mut open = vec![Place::ROOT];
+        std::iter::from_fn(move || {
+            loop {
+                let place = open.pop()?;
+                if place.is_packet() {
+                    return Some((place, Packet::at(&self.lines, place)));
+                }
+                let node = Node::at(&self.lines, place);
+                open.extend(node.children().map(|(_, child)| place.of(child)));
+            }
+        })
+    }
+}

@@ -1,0 +1,245 @@
+//! What a tree is made of: nodes of eight boxes and packets of eight triangles, each number beside its seven likes.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+
+/// Children of a node, and triangles of a packet.
+pub(super) const WIDTH: usize = 8;
+
+/// A cache line: what nodes and packets are stored in.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub(super) struct Line([u32; 16]);
+
+/// Eight boxes and what is in them.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub(super) struct Node {
+    /// By [`Plane`]: smallest x, y, z, then greatest x, y, z of each child. A child that is not there has them the
+    /// wrong way round, and infinite, so that no ray enters it.
+    pub planes: [[f32; WIDTH]; 6],
+    /// What is in each box.
+    pub children: [Child; WIDTH],
+    /// The rest of the cache line.
+    unused: [u32; WIDTH],
+}
+
+/// One of the six sides of a box.
+#[derive(Clone, Copy, Debug)]
+#[repr(usize)]
+pub(super) enum Plane {
+    MinX,
+    MinY,
+    MinZ,
+    MaxX,
+    MaxY,
+    MaxZ,
+}
+
+impl Plane {
+    /// The sides with the smallest and the greatest x.
+    pub const X: [Self; 2] = [Self::MinX, Self::MaxX];
+    /// The sides with the smallest and the greatest y.
+    pub const Y: [Self; 2] = [Self::MinY, Self::MaxY];
+    /// The sides with the smallest and the greatest z.
+    pub const Z: [Self; 2] = [Self::MinZ, Self::MaxZ];
+    /// The sides with the smallest coordinates, by axis.
+    pub const MIN: [Self; 3] = [Self::MinX, Self::MinY, Self::MinZ];
+    /// The sides with the greatest coordinates, by axis.
+    pub const MAX: [Self; 3] = [Self::MaxX, Self::MaxY, Self::MaxZ];
+}
+
+/// Where a node or a packet is in the tree's lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place(u32);
+
+impl Place {
+    /// The first node.
+    pub const ROOT: Self = Self(0);
+
+    /// In this line, which must be below `2^31`.
+    pub fn new(line: usize, is_packet: bool) -> Self {
+        Self(narrow(line << 1 | usize::from(is_packet)))
+    }
+
+    #[inline(always)]
+    pub fn is_packet(self) -> bool {
+        self.0 & 1 != 0
+    }
+
+    #[inline(always)]
+    pub fn line(self) -> usize {
+        (self.0 >> 1) as usize
+    }
+
+    /// Where a child of the node in this place is.
+    #[inline(always)]
+    pub fn of(self, child: Child) -> Self {
+        Self(self.0.wrapping_add(child.0))
+    }
+
+    /// For a stack of numbers.
+    #[inline(always)]
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+
+    #[inline(always)]
+    pub fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+}
+
+/// A node or a packet by how far it is behind the node that leads to it, so that a small tree may be put anywhere in a
+/// large one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
+pub(super) struct Child(u32);
+
+impl Child {
+    /// Nothing; behind a box that no ray enters.
+    pub const NONE: Self = Self(0);
+
+    /// What is in `place` for the node in place `node`, which is before it.
+    pub fn between(node: Place, place: Place) -> Self {
+        Self(place.0 - node.0)
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "build refuses meshes that large"
+)]
+fn narrow(index: usize) -> u32 {
+    index as u32
+}
+
+impl Node {
+    /// No child at all.
+    pub const EMPTY: Self = Self {
+        planes: [
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+            [f32::NEG_INFINITY; WIDTH],
+        ],
+        children: [Child::NONE; WIDTH],
+        unused: [0; WIDTH],
+    };
+    /// Lines that it takes.
+    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+
+    /// The node in this place.
+    #[inline(always)]
+    pub fn at(lines: &[Line], place: Place) -> &Self {
+        let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
+        bytemuck::cast_ref(lines.expect("nodes are whole"))
+    }
+
+    /// The node in this place, to change it.
+    pub fn at_mut(lines: &mut [Line], place: Place) -> &mut Self {
+        let lines = lines[place.line()..].first_chunk_mut::<{ Self::LINES }>();
+        bytemuck::cast_mut(lines.expect("nodes are whole"))
+    }
+
+    /// What is stored of it.
+    pub fn lines(&self) -> &[Line; Self::LINES] {
+        bytemuck::cast_ref(self)
+    }
+
+    /// Its children and their lanes.
+    pub fn children(&self) -> impl Iterator<Item = (usize, Child)> {
+        let children = self.children.into_iter().enumerate();
+        children.filter(|&(_, child)| child != Child::NONE)
+    }
+
+    /// The corners of a child's box.
+    pub fn bounds(&self, child: usize) -> [[f32; 3]; 2] {
+        [Plane::MIN, Plane::MAX].map(|side| side.map(|plane| self.planes[plane as usize][child]))
+    }
+}
+
+/// Up to eight triangles. Lanes without one are NaN, which hits nothing.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub(super) struct Packet {
+    /// By corner and axis.
+    pub corners: [[[f32; WIDTH]; 3]; 3],
+    /// Which triangles of the mesh.
+    pub triangles: [u32; WIDTH],
+}
+
+impl Packet {
+    /// No triangle.
+    pub const EMPTY: Self = Self {
+        corners: [[[f32::NAN; WIDTH]; 3]; 3],
+        triangles: [u32::MAX; WIDTH],
+    };
+    /// Lines that it takes.
+    pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
+
+    /// The packet in this place.
+    #[inline(always)]
+    pub fn at(lines: &[Line], place: Place) -> &Self {
+        let lines = lines[place.line()..].first_chunk::<{ Self::LINES }>();
+        bytemuck::cast_ref(lines.expect("packets are whole"))
+    }
+
+    /// What is stored of it.
+    pub fn lines(&self) -> &[Line; Self::LINES] {
+        bytemuck::cast_ref(self)
+    }
+
+    /// The corners of one of its triangles.
+    #[inline(always)]
+    pub fn corners_of(&self, lane: usize) -> [[f32; 3]; 3] {
+        let [a, b, c] = &self.corners;
+        let corner = |[x, y, z]: &[[f32; WIDTH]; 3]| [x[lane], y[lane], z[lane]];
+        [corner(a), corner(b), corner(c)]
+    }
+
+    /// Those that hold a triangle.
+    pub fn lanes(&self) -> impl Iterator<Item = usize> {
+        (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan())
+    }
+}
+
+/// A triangle that a ray may hit.
+///
+/// Its corners are read by whoever needs them, where they are needed: on their way through memory they would cost as much
+/// as a node.
+#[derive(Clone, Copy)]
+pub struct Candidate<'a> {
+    packet: &'a Packet,
+    lane: usize,
+    unscale: f64,
+}
+
+impl<'a> Candidate<'a> {
+    /// `unscale` brings the tree's lengths to the vertices', and is a power of two.
+    #[inline(always)]
+    pub(super) fn new(packet: &'a Packet, lane: usize, unscale: f64) -> Self {
+        Self {
+            packet,
+            lane: lane % WIDTH,
+            unscale,
+        }
+    }
+
+    /// Which triangle of the mesh.
+    #[inline(always)]
+    #[must_use]
+    pub fn triangle(&self) -> u32 {
+        self.packet.triangles[self.lane]
+    }
+
+    /// Its corners, to the bit.
+    #[inline(always)]
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 3] {
+        let wide = |[x, y, z]: [f32; 3]| self.unscale * DVec3::new(x.into(), y.into(), z.into());
+        self.packet.corners_of(self.lane).map(wide)
+    }
+}

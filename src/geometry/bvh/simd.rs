@@ -1,0 +1,335 @@
+//! The one room with `unsafe` in it: eight `f32` at once, a stack that is not cleared first, and large pages.
+//!
+//! Why at all: through these eight lanes the tree is about three times as fast as without them, clearing the stack
+//! would cost a ray as much as two nodes, and in pages of 4 kB a tree over a million triangles is a tenth slower. What
+//! keeps it sound is in three rules:
+//!
+//! * A value of [`Avx2`] is proof that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one. Each of its
+//!   methods is safe because there is no other way to call it. So with [`Avx512`]. SSE2 is part of x86-64.
+//! * [`Stack`] reads only below `len`, where it has written.
+//! * The advice of [`with_large_pages`] changes no content.
+//!
+//! No function here decides anything about a pick; which one runs changes the speed and never the answer.
+#![allow(
+    unsafe_code,
+    reason = "vector instructions, an uncleared stack and large pages; see above"
+)]
+#![allow(clippy::wildcard_imports, reason = "one name an instruction")]
+
+use std::mem::MaybeUninit;
+
+/// Which instructions walk a tree. All give the same hits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Simd {
+    /// As AVX2, with twice the registers: x86-64 of servers, and of desktops since about 2022.
+    Avx512,
+    /// Eight lanes at once, with fused multiply-add: x86-64 since about 2013.
+    Avx2,
+    /// Twice four lanes: every x86-64.
+    Sse2,
+    /// Plain Rust: everything else.
+    Portable,
+}
+
+impl Simd {
+    /// What this processor can do, fastest first.
+    pub fn available() -> impl Iterator<Item = Self> {
+        let avx512 = Avx512::detect().map(|_| Self::Avx512);
+        let avx2 = Avx2::detect().map(|_| Self::Avx2);
+        let sse2 = cfg!(target_arch = "x86_64").then_some(Self::Sse2);
+        [avx512, avx2, sse2, Some(Self::Portable)]
+            .into_iter()
+            .flatten()
+    }
+
+    /// Runs `work` by these instructions, or the portable ones where the processor has no such.
+    #[inline]
+    pub(super) fn run<W: Work>(self, work: W) -> W::Output {
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => match Avx512::detect() {
+                Some(avx512) => avx512.run(work),
+                None => work.run(Portable),
+            },
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => match Avx2::detect() {
+                Some(avx2) => avx2.run(work),
+                None => work.run(Portable),
+            },
+            #[cfg(target_arch = "x86_64")]
+            Self::Sse2 => work.run(x86::Sse2),
+            _ => work.run(Portable),
+        }
+    }
+}
+
+/// Runs `work` by the fastest instructions of this processor.
+#[inline]
+pub(super) fn run_fastest<W: Work>(work: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(avx512) = Avx512::detect() {
+        avx512.run(work)
+    } else if let Some(avx2) = Avx2::detect() {
+        avx2.run(work)
+    } else {
+        work.run(x86::Sse2)
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    work.run(Portable)
+}
+
+/// Something to do by whichever instructions there are.
+///
+/// `run` must be `#[inline(always)]`, and so must all that it calls with its lanes, which rules out closures: only then is
+/// it compiled for the instructions that they stand for.
+pub(super) trait Work {
+    /// What comes out.
+    type Output;
+    /// Does it.
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}
+
+/// Arithmetic on eight `f32` at once. Comparisons give a mask whose bit `i` is lane `i`; with NaN they are false.
+pub(super) trait Lanes: Copy {
+    /// Eight numbers.
+    type F: Copy;
+    fn splat(self, x: f32) -> Self::F;
+    fn load(self, from: &[f32; 8]) -> Self::F;
+    fn store(self, from: Self::F) -> [f32; 8];
+    fn add(self, a: Self::F, b: Self::F) -> Self::F;
+    fn sub(self, a: Self::F, b: Self::F) -> Self::F;
+    fn mul(self, a: Self::F, b: Self::F) -> Self::F;
+    /// `a * b + c`, rounded once or twice.
+    fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// `c - a * b`, rounded once or twice.
+    fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F;
+    /// The lesser of each pair; NaN only where both are, and maybe where one is.
+    fn min(self, a: Self::F, b: Self::F) -> Self::F;
+    /// The greater of each pair; NaN only where both are, and maybe where one is.
+    fn max(self, a: Self::F, b: Self::F) -> Self::F;
+    fn abs(self, a: Self::F) -> Self::F;
+    /// Where `a <= b`.
+    fn le(self, a: Self::F, b: Self::F) -> u32;
+    /// Asks for the cache line of `item`, which is going to be read.
+    fn prefetch<T>(self, item: &T);
+}
+
+/// [`Lanes`] in plain Rust.
+#[derive(Clone, Copy)]
+pub(super) struct Portable;
+
+/// `f` of each lane.
+#[inline(always)]
+fn each(f: impl FnMut(usize) -> f32) -> [f32; 8] {
+    std::array::from_fn(f)
+}
+
+#[rustfmt::skip] // A line an operation.
+impl Lanes for Portable {
+    type F = [f32; 8];
+    #[inline(always)] fn splat(self, x: f32) -> Self::F { [x; 8] }
+    #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { *from }
+    #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { from }
+    #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] + b[i]) }
+    #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] - b[i]) }
+    #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] * b[i]) }
+    #[inline(always)] fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { each(|i| a[i] * b[i] + c[i]) }
+    #[inline(always)] fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F { each(|i| c[i] - a[i] * b[i]) }
+    #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] < b[i] { a[i] } else { b[i] }) }
+    #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] > b[i] { a[i] } else { b[i] }) }
+    #[inline(always)] fn abs(self, a: Self::F) -> Self::F { each(|i| a[i].abs()) }
+    #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { (0..8).fold(0, |mask, i| mask | u32::from(a[i] <= b[i]) << i) }
+    #[inline(always)] fn prefetch<T>(self, _: &T) {}
+}
+
+#[cfg(target_arch = "x86_64")]
+use x86::{Avx2, Avx512};
+
+#[cfg(not(target_arch = "x86_64"))]
+use nowhere::{Nowhere as Avx2, Nowhere as Avx512};
+
+#[cfg(not(target_arch = "x86_64"))]
+mod nowhere {
+    /// Instructions that this processor has not.
+    pub(super) struct Nowhere;
+
+    impl Nowhere {
+        pub fn detect() -> Option<Self> {
+            None
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Lanes, Work};
+    use std::arch::x86_64::*;
+
+    /// Proof that the processor has AVX2 and FMA.
+    #[derive(Clone, Copy)]
+    pub(super) struct Avx2(());
+
+    impl Avx2 {
+        #[inline(always)]
+        pub fn detect() -> Option<Self> {
+            let has = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+            has.then_some(Self(()))
+        }
+
+        /// Runs `work` compiled for AVX2 and FMA. Rust never fuses `a * b + c` by itself, so scalar code within gives
+        /// the same bits as elsewhere.
+        #[inline(always)]
+        pub fn run<W: Work>(self, work: W) -> W::Output {
+            #[target_feature(enable = "avx2,fma")]
+            fn compiled_for_avx2<W: Work>(lanes: Avx2, work: W) -> W::Output {
+                work.run(lanes)
+            }
+            // SAFETY: `self` proves that the processor has both.
+            unsafe { compiled_for_avx2(self, work) }
+        }
+    }
+
+    /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`]; the compiler
+    /// has 32 registers for them in place of 16, and spares a walk that stores and reloads half of what it knows.
+    #[derive(Clone, Copy)]
+    pub(super) struct Avx512(Avx2);
+
+    impl Avx512 {
+        #[inline(always)]
+        pub fn detect() -> Option<Self> {
+            let has = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl");
+            Avx2::detect().filter(|_| has).map(Self)
+        }
+
+        /// Runs `work` compiled for them.
+        #[inline(always)]
+        pub fn run<W: Work>(self, work: W) -> W::Output {
+            #[target_feature(enable = "avx2,fma,avx512f,avx512vl")]
+            fn compiled_for_avx512<W: Work>(lanes: Avx2, work: W) -> W::Output {
+                work.run(lanes)
+            }
+            // SAFETY: `self` proves that the processor has all of them.
+            unsafe { compiled_for_avx512(self.0, work) }
+        }
+    }
+
+    // SAFETY of all: `self` proves that the processor has the instructions; loads and stores are unaligned and of
+    // eight floats, which the arrays have; a prefetch reads nothing.
+    #[rustfmt::skip] // A line an operation.
+    impl Lanes for Avx2 {
+        type F = __m256;
+        #[inline(always)] fn splat(self, x: f32) -> __m256 { unsafe { _mm256_set1_ps(x) } }
+        #[inline(always)] fn load(self, from: &[f32; 8]) -> __m256 { unsafe { _mm256_loadu_ps(from.as_ptr()) } }
+        #[inline(always)] fn store(self, from: __m256) -> [f32; 8] { let mut to = [0.0; 8]; unsafe { _mm256_storeu_ps(to.as_mut_ptr(), from) }; to }
+        #[inline(always)] fn add(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_add_ps(a, b) } }
+        #[inline(always)] fn sub(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_sub_ps(a, b) } }
+        #[inline(always)] fn mul(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_mul_ps(a, b) } }
+        #[inline(always)] fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 { unsafe { _mm256_fmadd_ps(a, b, c) } }
+        #[inline(always)] fn sub_mul(self, c: __m256, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_fnmadd_ps(a, b, c) } }
+        #[inline(always)] fn min(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_min_ps(a, b) } }
+        #[inline(always)] fn max(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_max_ps(a, b) } }
+        #[inline(always)] fn abs(self, a: __m256) -> __m256 { unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) } }
+        #[inline(always)] fn le(self, a: __m256, b: __m256) -> u32 { unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)).cast_unsigned() } }
+        #[inline(always)] fn prefetch<T>(self, item: &T) { unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(item).cast()) } }
+    }
+
+    /// [`Lanes`] as two halves, by what every x86-64 has.
+    #[derive(Clone, Copy)]
+    pub(super) struct Sse2;
+
+    // SAFETY of all: SSE2 is part of x86-64; loads and stores are unaligned and of four floats, of which the arrays
+    // have two times as many; a prefetch reads nothing.
+    #[rustfmt::skip] // A line an operation.
+    impl Lanes for Sse2 {
+        type F = [__m128; 2];
+        #[inline(always)] fn splat(self, x: f32) -> Self::F { unsafe { [_mm_set1_ps(x); 2] } }
+        #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { unsafe { [_mm_loadu_ps(from.as_ptr()), _mm_loadu_ps(from[4..].as_ptr())] } }
+        #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { let mut to = [0.0; 8]; unsafe { _mm_storeu_ps(to.as_mut_ptr(), from[0]); _mm_storeu_ps(to[4..].as_mut_ptr(), from[1]) }; to }
+        #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_add_ps(a[0], b[0]), _mm_add_ps(a[1], b[1])] } }
+        #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_sub_ps(a[0], b[0]), _mm_sub_ps(a[1], b[1])] } }
+        #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_mul_ps(a[0], b[0]), _mm_mul_ps(a[1], b[1])] } }
+        #[inline(always)] fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F { self.add(self.mul(a, b), c) }
+        #[inline(always)] fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F { self.sub(c, self.mul(a, b)) }
+        #[inline(always)] fn min(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_min_ps(a[0], b[0]), _mm_min_ps(a[1], b[1])] } }
+        #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_max_ps(a[0], b[0]), _mm_max_ps(a[1], b[1])] } }
+        #[inline(always)] fn abs(self, a: Self::F) -> Self::F { unsafe { [_mm_andnot_ps(_mm_set1_ps(-0.0), a[0]), _mm_andnot_ps(_mm_set1_ps(-0.0), a[1])] } }
+        #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { let [low, high] = unsafe { [_mm_movemask_ps(_mm_cmple_ps(a[0], b[0])), _mm_movemask_ps(_mm_cmple_ps(a[1], b[1]))] }; (low | high << 4).cast_unsigned() }
+        #[inline(always)] fn prefetch<T>(self, item: &T) { unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(item).cast()) } }
+    }
+}
+
+/// Room for a [`Stack`]; as much as the deepest tree needs (see the assertion in [`super::split`]).
+pub(super) struct StackRoom([MaybeUninit<u64>; Self::CAPACITY]);
+
+impl StackRoom {
+    /// Items that fit.
+    pub const CAPACITY: usize = 256;
+
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self([const { MaybeUninit::uninit() }; Self::CAPACITY])
+    }
+}
+
+/// What a walk has yet to look at. Its length is apart from its room so that it stays in a register.
+pub(super) struct Stack<'a> {
+    room: &'a mut StackRoom,
+    len: usize,
+}
+
+impl<'a> Stack<'a> {
+    #[inline(always)]
+    pub fn new(room: &'a mut StackRoom) -> Self {
+        Self { room, len: 0 }
+    }
+
+    /// Puts an item on top. Panics when it is full.
+    #[inline(always)]
+    pub fn push(&mut self, item: u64) {
+        self.room.0[self.len] = MaybeUninit::new(item);
+        self.len += 1;
+    }
+
+    /// Takes the topmost item.
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<u64> {
+        self.len = self.len.checked_sub(1)?;
+        // SAFETY: all items below the old `len` have been written, and `push` kept `len` within the array.
+        Some(unsafe { self.room.0.get_unchecked(self.len).assume_init() })
+    }
+
+    #[inline(always)]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// The items from `start` on, lowest first.
+    #[inline(always)]
+    pub fn above(&mut self, start: usize) -> &mut [u64] {
+        let items = &mut self.room.0[start..self.len];
+        // SAFETY: all items below `len` have been written.
+        unsafe { items.assume_init_mut() }
+    }
+}
+
+/// A list with room for `capacity` items, in large pages where the system has them, so that a walk through it waits less
+/// often for an address.
+pub(super) fn with_large_pages<T>(capacity: usize) -> Vec<T> {
+    let list: Vec<T> = Vec::with_capacity(capacity);
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::{
+            mm::{Advice, madvise},
+            param::page_size,
+        };
+        let start = list.as_ptr().addr().next_multiple_of(page_size());
+        let end = list.as_ptr().addr() + capacity * size_of::<T>();
+        if start < end {
+            let from = list.as_ptr().with_addr(start).cast_mut().cast();
+            // SAFETY: the pages begin within the list, and this advice changes nothing that a program can see. It may be
+            // refused; then pages are small.
+            let _ = unsafe { madvise(from, end - start, Advice::LinuxHugepage) };
+        }
+    }
+    list
+}

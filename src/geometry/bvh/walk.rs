@@ -1,0 +1,331 @@
+//! A ray's way through a tree.
+
+use super::{
+    Bvh,
+    node::{Candidate, Line, Node, Packet, Place, Plane, WIDTH},
+    ray::{Prepared, ShearedRay, TreeRay},
+    simd::{Lanes, Stack, StackRoom, Work},
+};
+use crate::geometry::Ray;
+use glam::DVec3;
+
+/// Hands the triangles that a ray may hit to `visit`, nearer boxes first; `visit` returns the new end of the ray's
+/// interval.
+///
+/// Where `SIFT` is false, triangles are judged by their boxes alone.
+pub(super) struct Walk<'a, F, const SIFT: bool> {
+    pub tree: &'a Bvh,
+    pub ray: &'a Ray,
+    /// Where the vertices' (0, 0, 0) lies for the ray.
+    pub center: &'a DVec3,
+    pub visit: &'a mut F,
+}
+
+impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Self {
+            tree,
+            ray,
+            center,
+            visit,
+        } = self;
+        let unscale = 1.0 / tree.frame.scale;
+        let t_max = ray.t_max;
+        let ray = match TreeRay::prepare(ray, *center, &tree.frame) {
+            Prepared::Miss => return,
+            Prepared::Everything => {
+                for (_, packet) in tree.packets() {
+                    for lane in packet.lanes() {
+                        visit(Candidate::new(packet, lane, unscale));
+                    }
+                }
+                return;
+            }
+            Prepared::Ray(ray) => ray,
+        };
+        let mut end = ray.end(t_max);
+        let lines = &*tree.lines;
+        let ray = &ray;
+        let boxes = Boxes::new(lanes, ray);
+        let mut sieve = None;
+        let mut room = StackRoom::new();
+        let mut stack = Stack::new(&mut room);
+        let mut place = Place::ROOT;
+        loop {
+            if place.is_packet() {
+                let packet = Packet::at(lines, place);
+                let mut hit = if SIFT {
+                    let sieve = match &sieve {
+                        Some(sieve) => sieve,
+                        None => sieve.insert(Sieve::new(ray)),
+                    };
+                    sieve.may_hit(lanes, packet, end)
+                } else {
+                    present(lanes, packet)
+                };
+                while hit != 0 {
+                    let lane = hit.trailing_zeros() as usize % WIDTH;
+                    hit &= hit - 1;
+                    end = ray.end(visit(Candidate::new(packet, lane, unscale)));
+                }
+            } else {
+                let node = Node::at(lines, place);
+                let (hit, enter) = boxes.may_hit(lanes, node, end);
+                if hit != 0 {
+                    let open = Open {
+                        node,
+                        place,
+                        enter: lanes.store(enter),
+                        hit,
+                    };
+                    place = open.nearest(lanes, lines, &mut stack);
+                    continue;
+                }
+            }
+            loop {
+                let Some(item) = stack.pop() else { return };
+                if begins(item) <= end {
+                    place = place_of(item);
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// The children of a node that a ray may enter.
+struct Open<'a> {
+    node: &'a Node,
+    place: Place,
+    /// Where the ray enters each.
+    enter: [f32; WIDTH],
+    /// Those that are not yet taken.
+    hit: u32,
+}
+
+impl Open<'_> {
+    /// The nearest; the others go onto the stack, farthest first.
+    #[inline(always)]
+    fn nearest<L: Lanes>(mut self, lanes: L, lines: &[Line], stack: &mut Stack) -> Place {
+        let first = self.next();
+        if self.hit == 0 {
+            return place_of(first);
+        }
+        let second = self.next();
+        let (mut near, far) = if first <= second {
+            (first, second)
+        } else {
+            (second, first)
+        };
+        prefetch(lanes, lines, near);
+        prefetch(lanes, lines, far);
+        let start = stack.len();
+        stack.push(far);
+        while self.hit != 0 {
+            let mut other = self.next();
+            prefetch(lanes, lines, other);
+            if other < near {
+                (near, other) = (other, near);
+            }
+            stack.push(other);
+            // Into its place among those above `start`.
+            let items = stack.above(start);
+            let mut at = items.len() - 1;
+            while at > 0 && items[at - 1] < other {
+                items[at] = items[at - 1];
+                at -= 1;
+            }
+            items[at] = other;
+        }
+        place_of(near)
+    }
+
+    /// The first that is left.
+    #[inline(always)]
+    fn next(&mut self) -> u64 {
+        let lane = self.hit.trailing_zeros() as usize % WIDTH;
+        self.hit &= self.hit - 1;
+        item(self.enter[lane], self.place.of(self.node.children[lane]))
+    }
+}
+
+/// What will be read of a node, and most of a packet.
+#[inline(always)]
+fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
+    let line = place_of(item).line();
+    if let Some(lines) = lines[line..].first_chunk::<{ Node::LINES }>() {
+        for line in lines {
+            lanes.prefetch(line);
+        }
+    }
+}
+
+/// A place and where the box about it begins, so that the nearer is the smaller number: floats that are not negative are
+/// ordered as their bits are. (Others, of rays that begin behind their origin, are merely visited in another order.)
+#[inline(always)]
+fn item(begins: f32, place: Place) -> u64 {
+    u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
+}
+
+#[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "the lower half")]
+fn place_of(item: u64) -> Place {
+    Place::from_bits(item as u32)
+}
+
+#[inline(always)]
+fn begins(item: u64) -> f32 {
+    f32::from_bits((item >> 32) as u32)
+}
+
+/// Which lanes hold a triangle.
+#[inline(always)]
+fn present<L: Lanes>(lanes: L, packet: &Packet) -> u32 {
+    let x = lanes.load(&packet.corners[0][0]);
+    lanes.le(x, x)
+}
+
+/// A ray against the eight boxes of a node.
+struct Boxes<L: Lanes> {
+    entry: [Plane; 3],
+    exit: [Plane; 3],
+    inverse: [L::F; 3],
+    entry_offset: [L::F; 3],
+    exit_offset: [L::F; 3],
+    start: L::F,
+}
+
+impl<L: Lanes> Boxes<L> {
+    #[inline(always)]
+    fn new(lanes: L, ray: &TreeRay) -> Self {
+        Self {
+            entry: ray.entry,
+            exit: ray.exit,
+            inverse: splat3(lanes, ray.inverse.to_array()),
+            entry_offset: splat3(lanes, ray.entry_offset.to_array()),
+            exit_offset: splat3(lanes, ray.exit_offset.to_array()),
+            start: lanes.splat(ray.start),
+        }
+    }
+
+    /// Which boxes the ray may enter before `end`, and where.
+    #[inline(always)]
+    fn may_hit(&self, lanes: L, node: &Node, end: f32) -> (u32, L::F) {
+        let begin = lanes.max(
+            lanes.max(self.enter(lanes, node, 0), self.enter(lanes, node, 1)),
+            lanes.max(self.enter(lanes, node, 2), self.start),
+        );
+        let end = lanes.min(
+            lanes.min(self.leave(lanes, node, 0), self.leave(lanes, node, 1)),
+            lanes.min(self.leave(lanes, node, 2), lanes.splat(end)),
+        );
+        (lanes.le(begin, end), begin)
+    }
+
+    #[inline(always)]
+    fn enter(&self, lanes: L, node: &Node, axis: usize) -> L::F {
+        let plane = lanes.load(&node.planes[self.entry[axis] as usize]);
+        lanes.mul_add(plane, self.inverse[axis], self.entry_offset[axis])
+    }
+
+    #[inline(always)]
+    fn leave(&self, lanes: L, node: &Node, axis: usize) -> L::F {
+        let plane = lanes.load(&node.planes[self.exit[axis] as usize]);
+        lanes.mul_add(plane, self.inverse[axis], self.exit_offset[axis])
+    }
+}
+
+#[inline(always)]
+fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
+    [lanes.splat(x), lanes.splat(y), lanes.splat(z)]
+}
+
+/// A ray against the eight triangles of a packet.
+struct Sieve {
+    ray: ShearedRay,
+    /// The start of the interval, as a length, and earlier by what a corner may be off.
+    start: f32,
+}
+
+/// Eight corners as the ray sees them: how far along it, and how far beside.
+#[derive(Clone, Copy)]
+struct Seen<L: Lanes> {
+    t: L::F,
+    x: L::F,
+    y: L::F,
+}
+
+impl Sieve {
+    #[inline(always)]
+    fn new(ray: &TreeRay) -> Self {
+        let start = ray.start;
+        let ray = ray.sheared();
+        let start = start * ray.size - ray.reach;
+        Self { ray, start }
+    }
+
+    #[inline(always)]
+    fn see<L: Lanes>(&self, lanes: L, corner: &[[f32; WIDTH]; 3]) -> Seen<L> {
+        let ShearedRay {
+            axes,
+            origin,
+            slope,
+            ..
+        } = &self.ray;
+        let x = lanes.load(&corner[axes[0]]);
+        let y = lanes.load(&corner[axes[1]]);
+        let along = lanes.load(&corner[axes[2]]);
+        let [origin_x, origin_y, origin_t] = splat3(lanes, *origin);
+        let [slope_x, slope_y, sign] = splat3(lanes, *slope);
+        let t = lanes.mul_add(along, sign, origin_t);
+        Seen {
+            t,
+            x: lanes.sub_mul(lanes.sub(x, origin_x), slope_x, t),
+            y: lanes.sub_mul(lanes.sub(y, origin_y), slope_y, t),
+        }
+    }
+
+    /// Which triangles the ray may hit before `end`; see [`super::ray`] for the bounds.
+    #[inline(always)]
+    fn may_hit<L: Lanes>(&self, lanes: L, packet: &Packet, end: f32) -> u32 {
+        let [a, b, c] = &packet.corners;
+        let a = self.see(lanes, a);
+        let b = self.see(lanes, b);
+        let c = self.see(lanes, c);
+        let (u, v, w) = (edge(lanes, b, c), edge(lanes, c, a), edge(lanes, a, b));
+        let least = lanes.min(lanes.min(u, v), w);
+        let greatest = lanes.max(lanes.max(u, v), w);
+        let m = lanes.max(
+            lanes.max(beside(lanes, a), beside(lanes, b)),
+            beside(lanes, c),
+        );
+        let ShearedRay { size, reach, .. } = self.ray;
+        let slack = lanes.sub_mul(
+            lanes.splat(5.0 * reach),
+            m,
+            lanes.splat(-5.0 * f32::EPSILON),
+        );
+        let e = lanes.mul(lanes.add(m, lanes.splat(reach)), slack);
+        let minus_e = lanes.sub(lanes.splat(0.0), e);
+        let one_sign = lanes.le(minus_e, least) | lanes.le(greatest, e);
+        let nearest = lanes.min(lanes.min(a.t, b.t), c.t);
+        let farthest = lanes.max(lanes.max(a.t, b.t), c.t);
+        let end = lanes.splat(end * size + reach);
+        one_sign & lanes.le(nearest, end) & lanes.le(lanes.splat(self.start), farthest)
+    }
+}
+
+/// Twice the area that two corners span with the ray, with its sign.
+#[inline(always)]
+fn edge<L: Lanes>(lanes: L, a: Seen<L>, b: Seen<L>) -> L::F {
+    lanes.sub_mul(lanes.mul(a.x, b.y), a.y, b.x)
+}
+
+/// The larger of |x| and |y|.
+#[inline(always)]
+fn beside<L: Lanes>(lanes: L, a: Seen<L>) -> L::F {
+    lanes.max(lanes.abs(a.x), lanes.abs(a.y))
+}

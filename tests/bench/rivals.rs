@@ -1,0 +1,198 @@
+//! Who is measured, each behind the same two questions.
+
+use crate::{
+    embree,
+    memory::{Cost, cost_of},
+    meshes::Sample,
+};
+use glam::{DVec3, Vec3A};
+use obvhs::{
+    BvhBuildParams,
+    bvh2::{self, Bvh2},
+    cwbvh::{self, CwBvh},
+    ray::RayHit,
+    rt_triangle::RtTriangle,
+    triangle::Triangle,
+};
+use parry3d::{
+    math::Vector,
+    query::RayCast,
+    shape::{FeatureId, TriMesh},
+};
+use sightline::geometry::{Mesh, Ray, Sides};
+use std::time::Duration;
+
+/// Ray parameter and triangle of the nearest hit.
+pub type Answer = Option<(f64, u32)>;
+
+/// A way to build a tree.
+pub trait Rival {
+    fn name(&self) -> &'static str;
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost);
+}
+
+/// A tree.
+pub trait Built {
+    /// One answer a ray.
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]);
+}
+
+/// All that there are; Embree, where it is installed, comes second and third.
+pub fn all() -> Vec<Box<dyn Rival>> {
+    let mut all: Vec<Box<dyn Rival>> = vec![Box::new(Sightline)];
+    for embree in embree::installed() {
+        all.push(Box::new(embree));
+    }
+    all.extend([
+        Box::new(Obvhs8) as _,
+        Box::new(Obvhs2) as _,
+        Box::new(Parry) as _,
+    ]);
+    all
+}
+
+struct Sightline;
+
+impl Rival for Sightline {
+    fn name(&self) -> &'static str {
+        "Sightline"
+    }
+
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        let mesh = Mesh::new(sample.data()).expect("a mesh");
+        let ((), cost) = cost_of(|| mesh.build_tree());
+        (Box::new(mesh), cost)
+    }
+}
+
+impl Built for Mesh {
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            let hit = Mesh::closest(self, ray, Sides::Both, |_| true);
+            *answer = hit.and_then(|hit| Some((hit.t, hit.on_triangle?.triangle)));
+        }
+    }
+}
+
+fn obvhs_triangles(sample: &Sample) -> Vec<Triangle> {
+    let corner = |i: u32| Vec3A::from(sample.positions[i as usize]);
+    let triangles = sample.triangles.iter().map(|t| t.map(corner));
+    let triangles = triangles.map(|[v0, v1, v2]| Triangle { v0, v1, v2 });
+    triangles.collect()
+}
+
+fn in_order(triangles: &[Triangle], order: &[u32]) -> Vec<RtTriangle> {
+    let triangles = order.iter().map(|&i| &triangles[i as usize]);
+    triangles.map(RtTriangle::from).collect()
+}
+
+fn obvhs_ray(ray: &Ray) -> obvhs::ray::Ray {
+    #[expect(clippy::cast_possible_truncation, reason = "f32 holds it")]
+    obvhs::ray::Ray::new(
+        ray.origin.as_vec3a(),
+        ray.direction.as_vec3a(),
+        ray.t_min as f32,
+        ray.t_max as f32,
+    )
+}
+
+/// obvhs, nodes of eight.
+struct Obvhs8;
+
+struct Obvhs8Built(CwBvh, Vec<RtTriangle>);
+
+impl Rival for Obvhs8 {
+    fn name(&self) -> &'static str {
+        "obvhs CWBVH"
+    }
+
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        let triangles = obvhs_triangles(sample);
+        let (built, cost) = cost_of(|| {
+            let params = BvhBuildParams::medium_build();
+            let mut spent = Duration::default();
+            let tree = cwbvh::builder::build_cwbvh_from_tris(&triangles, params, &mut spent);
+            let triangles = in_order(&triangles, &tree.primitive_indices);
+            Obvhs8Built(tree, triangles)
+        });
+        (Box::new(built), cost)
+    }
+}
+
+impl Built for Obvhs8Built {
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            let mut hit = RayHit::none();
+            let test = |ray: &obvhs::ray::Ray, id: usize| self.1[id].intersect(ray);
+            let found = self.0.ray_traverse(obvhs_ray(ray), &mut hit, test);
+            let triangle = |id: u32| self.0.primitive_indices[id as usize];
+            *answer = found.then(|| (f64::from(hit.t), triangle(hit.primitive_id)));
+        }
+    }
+}
+
+/// obvhs, nodes of two.
+struct Obvhs2;
+
+struct Obvhs2Built(Bvh2, Vec<RtTriangle>);
+
+impl Rival for Obvhs2 {
+    fn name(&self) -> &'static str {
+        "obvhs BVH2"
+    }
+
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        let triangles = obvhs_triangles(sample);
+        let (built, cost) = cost_of(|| {
+            let params = BvhBuildParams::medium_build();
+            let mut spent = Duration::default();
+            let tree = bvh2::builder::build_bvh2_from_tris(&triangles, params, &mut spent);
+            let triangles = in_order(&triangles, &tree.primitive_indices);
+            Obvhs2Built(tree, triangles)
+        });
+        (Box::new(built), cost)
+    }
+}
+
+impl Built for Obvhs2Built {
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            let mut hit = RayHit::none();
+            let test = |ray: &obvhs::ray::Ray, id: usize| self.1[id].intersect(ray);
+            let found = self.0.ray_traverse(obvhs_ray(ray), &mut hit, test);
+            let triangle = |id: u32| self.0.primitive_indices[id as usize];
+            *answer = found.then(|| (f64::from(hit.t), triangle(hit.primitive_id)));
+        }
+    }
+}
+
+struct Parry;
+
+impl Rival for Parry {
+    fn name(&self) -> &'static str {
+        "parry3d"
+    }
+
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        let vertices = sample.positions.iter().map(|&p| Vector::from(p));
+        let (vertices, triangles): (Vec<_>, _) = (vertices.collect(), sample.triangles.clone());
+        let (mesh, cost) = cost_of(|| TriMesh::new(vertices, triangles).expect("a mesh"));
+        (Box::new(mesh), cost)
+    }
+}
+
+impl Built for TriMesh {
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        let narrow = |v: DVec3| Vector::from(v.as_vec3().to_array());
+        let count = u32::try_from(self.indices().len()).expect("fits");
+        for (ray, answer) in rays.iter().zip(answers) {
+            let asked = parry3d::query::Ray::new(narrow(ray.origin), narrow(ray.direction));
+            let hit = self.cast_local_ray_and_get_normal(&asked, f32::INFINITY, false);
+            *answer = hit.and_then(|hit| match hit.feature {
+                // Back faces are counted on from the last front.
+                FeatureId::Face(face) => Some((f64::from(hit.time_of_impact), face % count)),
+                _ => None,
+            });
+        }
+    }
+}

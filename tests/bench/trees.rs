@@ -1,0 +1,222 @@
+//! How fast the nearest hit is found, against other libraries: the same rays, pass after pass in turn, every answer
+//! checked. Prints ratios, which hold on a busy machine where times do not.
+//!
+//! `cargo bench --features rivals [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
+//! measured where its library is installed (Debian, Ubuntu: `libembree3-3`).
+//!
+//! Last of each mesh comes what a hover costs: single rays, one pixel after the other, each timed by itself.
+
+mod embree;
+mod memory;
+mod meshes;
+mod rays;
+mod rivals;
+
+use memory::Cost;
+use meshes::Sample;
+use rivals::{Answer, Built, Rival};
+use sightline::geometry::{Aabb, Mesh, Ray, Sides};
+use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
+
+/// Rays are a square picture's.
+const SIDE: u32 = 384;
+/// Passes that are timed, after one that is not.
+const PASSES: usize = 7;
+/// Builds that are timed.
+const BUILDS: usize = 3;
+/// Triangles that brute force may try for a mesh, to say which answers are right.
+const TRUTH: usize = 400_000_000;
+
+/// What came of one mesh, by rival.
+struct Row {
+    /// Nanoseconds a ray of the fastest pass; by kind of rays.
+    nanoseconds: [f64; 3],
+    /// Ratio of the passes' times to the reference's: the median.
+    ratios: [f64; 3],
+    wrong: usize,
+    judged: usize,
+    cost: Cost,
+}
+
+fn main() -> ExitCode {
+    let files = std::env::args()
+        .skip(1)
+        .filter(|arg| !arg.starts_with("--"));
+    let files: Vec<_> = files
+        .filter_map(|path| meshes::of_file(PathBuf::from(path)))
+        .collect();
+    let generated = meshes::generated(files.is_empty());
+    let rivals = rivals::all();
+    let reference = usize::from(rivals[1].name() == "Embree");
+    println!(
+        "ratios to {}, {} rays a pass",
+        rivals[reference].name(),
+        SIDE * SIDE
+    );
+    let mut all = Vec::new();
+    for sample in files.into_iter().chain(generated) {
+        let rows = measure(&sample, &rivals, reference);
+        print(&sample, &rivals, &rows);
+        let [median, p99] = hover(&sample);
+        println!("Sightline, hover: median {median} ns, 99th percentile {p99} ns");
+        all.push(rows);
+    }
+    println!("\ngeometric mean of the ratios");
+    for (i, rival) in rivals.iter().enumerate() {
+        print!("{:14}", rival.name());
+        for kind in 0..3 {
+            print!(
+                " {:18.2}",
+                geometric_mean(all.iter().map(|rows| rows[i].ratios[kind]))
+            );
+        }
+        println!();
+    }
+    let wrong: usize = all.iter().map(|rows| rows[0].wrong).sum();
+    if wrong == 0 {
+        ExitCode::SUCCESS
+    } else {
+        println!("Sightline gave {wrong} wrong answers");
+        ExitCode::FAILURE
+    }
+}
+
+fn measure(sample: &Sample, rivals: &[Box<dyn Rival>], reference: usize) -> Vec<Row> {
+    let truth = Mesh::new(sample.data()).expect("a mesh");
+    let bounds = truth.part_bounds(0);
+    let rays = [
+        rays::camera(&bounds, SIDE, true),
+        rays::camera(&bounds, SIDE, false),
+        rays::from_all_around(&bounds, (SIDE * SIDE) as usize),
+    ];
+    let mut built: Vec<(Box<dyn Built>, Cost)> = rivals.iter().map(|r| r.build(sample)).collect();
+    for _ in 1..BUILDS {
+        for (rival, (_, cost)) in rivals.iter().zip(&mut built) {
+            cost.seconds = cost.seconds.min(rival.build(sample).1.seconds);
+        }
+    }
+    let mut rows: Vec<Row> = built
+        .iter()
+        .map(|&(_, cost)| Row {
+            nanoseconds: [f64::INFINITY; 3],
+            ratios: [0.0; 3],
+            wrong: 0,
+            judged: 0,
+            cost,
+        })
+        .collect();
+    for (kind, rays) in rays.iter().enumerate() {
+        let mut answers = vec![vec![Answer::None; rays.len()]; rivals.len()];
+        let mut seconds = vec![Vec::new(); rivals.len()];
+        for _ in 0..=PASSES {
+            for (i, (tree, _)) in built.iter().enumerate() {
+                let start = Instant::now();
+                tree.closest(rays, &mut answers[i]);
+                seconds[i].push(start.elapsed().as_secs_f64());
+            }
+        }
+        judge(&truth, &bounds, rays, &answers, &mut rows);
+        #[expect(clippy::cast_precision_loss, reason = "a count")]
+        for (row, own) in rows.iter_mut().zip(&seconds) {
+            let timed = own.iter().zip(&seconds[reference]).skip(1);
+            let mut ratios: Vec<f64> = timed.map(|(own, other)| own / other).collect();
+            ratios.sort_by(f64::total_cmp);
+            row.ratios[kind] = ratios[ratios.len() / 2];
+            let fastest = own.iter().copied().fold(f64::INFINITY, f64::min);
+            row.nanoseconds[kind] = 1e9 * fastest / rays.len() as f64;
+        }
+    }
+    rows
+}
+
+/// Counts wrong answers: by brute force in `f64`, first where anybody disagrees, then of every so many.
+fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], rows: &mut [Row]) {
+    let budget = TRUTH / truth.data().triangles.len() / 3;
+    // What f32 makes of t, generously: beyond that it is another surface.
+    let tolerance = 1e-4 * bounds.radius();
+    let same = |ray: &Ray, a: Answer, b: Answer| match (a, b) {
+        (Some((a, _)), Some((b, _))) => (a - b).abs() * ray.direction.length() <= tolerance,
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let disputed = (0..rays.len()).filter(|&i| {
+        let first = answers[0][i];
+        answers.iter().any(|own| !same(&rays[i], own[i], first))
+    });
+    let step = (2 * rays.len()).div_ceil(budget);
+    let sample = (0..rays.len()).step_by(step);
+    for i in disputed.take(budget / 2).chain(sample) {
+        let ray = &rays[i];
+        let hit = truth.closest(ray, Sides::Both, |_| true);
+        let hit = hit.and_then(|hit| Some((hit.t, hit.on_triangle?.triangle)));
+        for (rival, row) in rows.iter_mut().enumerate() {
+            let answer = answers[rival][i];
+            row.judged += 1;
+            // Ours to the bit.
+            let right = if rival == 0 {
+                answer == hit
+            } else {
+                same(ray, answer, hit)
+            };
+            row.wrong += usize::from(!right);
+        }
+    }
+}
+
+fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row]) {
+    #[expect(clippy::cast_precision_loss, reason = "a count")]
+    let millions = sample.triangles.len() as f64 / 1e6;
+    println!("\n{}: {} triangles", sample.name, sample.triangles.len());
+    println!(
+        "{:14} {:>18} {:>18} {:>18} {:>14} {:>9} {:>9} {:>9}",
+        "", "incoherent ns", "coherent ns", "all around ns", "wrong", "build ms", "MB", "peak MB"
+    );
+    for (rival, row) in rivals.iter().zip(rows) {
+        print!("{:14}", rival.name());
+        for kind in 0..3 {
+            print!(" {:11.0} ({:.2})", row.nanoseconds[kind], row.ratios[kind]);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a size")]
+        let mb = |bytes: isize| bytes as f64 / 1e6;
+        let Cost {
+            seconds,
+            held,
+            peak,
+        } = row.cost;
+        println!(
+            " {:5} of {:5} {:9.1} {:9.1} {:9.1}",
+            row.wrong,
+            row.judged,
+            1e3 * seconds,
+            mb(held),
+            mb(peak)
+        );
+    }
+    let (seconds, held) = (rows[0].cost.seconds, rows[0].cost.held);
+    #[expect(clippy::cast_precision_loss, reason = "a size")]
+    let per_million = held as f64 / 1e6 / millions;
+    println!(
+        "Sightline, per million triangles: {:.0} ms, {per_million:.0} MB",
+        1e3 * seconds / millions
+    );
+}
+
+/// Median and 99th percentile of single rays, in nanoseconds, the clock's own time included.
+fn hover(sample: &Sample) -> [u128; 2] {
+    let mesh = Mesh::new(sample.data()).expect("a mesh");
+    mesh.build_tree();
+    let rays = rays::camera(&mesh.part_bounds(0), SIDE, false);
+    let timed = |ray: &Ray| {
+        let start = Instant::now();
+        black_box(mesh.closest(ray, Sides::Both, |_| true));
+        start.elapsed().as_nanos()
+    };
+    let mut times: Vec<_> = rays.iter().map(timed).collect();
+    times.sort_unstable();
+    [50, 99].map(|percent| times[times.len() * percent / 100])
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a count")]
+fn geometric_mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len() as f64;
+    (values.map(f64::ln).sum::<f64>() / count).exp()
+}
