@@ -51,6 +51,7 @@ pub struct Offscreen {
     pixels_per_point: f32,
     time_s: f64,
     copied: Option<String>,
+    at_rest: bool,
 }
 
 impl Offscreen {
@@ -75,6 +76,7 @@ impl Offscreen {
             pixels_per_point,
             time_s: 0.0,
             copied: None,
+            at_rest: false,
         };
         window.settle();
         Ok(window)
@@ -118,6 +120,12 @@ impl Offscreen {
             .notices
             .iter()
             .map(|Notice { text, .. }| text.as_str())
+    }
+
+    /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.at_rest
     }
 
     /// What was put on the clipboard last.
@@ -252,7 +260,8 @@ impl Offscreen {
                 self.app.take_chart();
             }
             self.pass(Vec::new(), Vec::new());
-            if !self.app.context.has_requested_repaint() && !self.app.is_busy() {
+            self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
+            if self.at_rest {
                 break;
             }
         }
