@@ -128,7 +128,7 @@ fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
     let shown = other.map_or("another method of the step".to_owned(), |swap| {
         name(&swap.info())
     });
-    ComboBox::from_id_salt("other methods")
+    let list = ComboBox::from_id_salt("other methods")
         .selected_text(shown)
         .width(ui.available_width() - 12.0)
         .show_ui(ui, |ui| {
@@ -140,6 +140,8 @@ fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
                 }
             }
         });
+    let hint = "the registry's other methods for what breaks here";
+    list.response.on_hover_text(hint);
     if let Some(method) = asked {
         commands.push(Command::Act(Action::PickBy(method)));
     }
