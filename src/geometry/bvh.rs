@@ -77,6 +77,25 @@ impl Bvh {
         }
     }
 
+    /// The boxes so many steps below the root, and leaves that are nearer to it: at most `most` of them.
+    #[must_use]
+    pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
+        let mut open: Vec<usize> = (0..self.tree.nodes.len().min(1)).collect();
+        for _ in 0..level {
+            let children = open.iter().flat_map(|&index| {
+                let node = &self.tree.nodes[index];
+                let first = node.first_index as usize;
+                if node.is_leaf() {
+                    index..index + 1
+                } else {
+                    first..first + 2
+                }
+            });
+            open = children.take(most).collect();
+        }
+        open.into_iter().map(|node| self.bounds(node)).collect()
+    }
+
     /// Whether box `a` lies before box `b` along the ray, by their centres.
     fn begins_before(&self, ray: &VertexRay, a: usize, b: usize) -> bool {
         let apart = self.bounds(b).center() - self.bounds(a).center();

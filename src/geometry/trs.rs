@@ -63,8 +63,7 @@ impl Trs {
 fn rotation(degrees: DVec3) -> DMat3 {
     let [(sx, cx), (sy, cy), (sz, cz)] = (degrees / 90.0).to_array().map(sin_cos_quarters);
     DMat3::from_cols(
-        // No minus zero: no rotation is the identity to the bit.
-        DVec3::new(cz * cy, sz * cy, 0.0 - sy),
+        DVec3::new(cz * cy, sz * cy, -sy),
         DVec3::new(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx),
         DVec3::new(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx),
     )

@@ -47,6 +47,7 @@
 mod budget;
 pub mod chart;
 mod csv;
+mod estimates;
 pub mod exact;
 pub mod gallery;
 pub mod methods;
@@ -60,8 +61,9 @@ mod timing;
 pub mod truth;
 pub mod workloads;
 
-pub use budget::{Term, budget};
+pub use budget::budget;
 pub use csv::{COLUMNS, csv};
+pub use estimates::Term;
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use table::{Summary, table};
 pub use timing::Time;

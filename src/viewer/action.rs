@@ -70,6 +70,11 @@ pub enum Action {
     ToggleGrid,
     /// Show something over the scene, or no more.
     Toggle(Overlay),
+    /// Show the boxes of trees a level deeper, or less deep; none beyond the first and the last level.
+    TreeLevel {
+        /// Away from the root.
+        deeper: bool,
+    },
     /// Show the scene at a stage of the pipeline.
     Stage(Stage),
     /// In the gallery: pick by this method, or by this program's own.

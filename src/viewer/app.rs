@@ -3,8 +3,7 @@
 use super::{
     Command, Notice, Notices, Options, Wake, Waker,
     action::Action,
-    canvas::Canvas,
-    check::{Check, Checking, OnScreen},
+    check::Checking,
     command,
     exhibit::Chart,
     input::Drag,
@@ -34,7 +33,7 @@ pub(super) struct App {
     pub textures: Textures,
     pub state: State,
     /// What the scene was made from, for the command that makes it again.
-    paths: Vec<PathBuf>,
+    pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
     meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// The load under way, of which files, and whether they are those on screen.
@@ -173,7 +172,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
+        self.loading.is_some() || checks || studies || !self.state.world().0.trees_are_built()
     }
 
     /// Takes what the user answered.
@@ -322,57 +321,6 @@ impl App {
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::Quit => self.quit = true,
-        }
-    }
-
-    /// Asks for a comparison of what will be on screen, or puts away the one that is.
-    fn toggle_check(&mut self) {
-        self.checking = match &self.checking {
-            Checking::Wanted => Checking::Off,
-            // One that a key before this one has outdated is as good as gone.
-            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
-            Checking::Off | Checking::On(_) => Checking::Wanted,
-        };
-    }
-
-    /// Begins the comparison that is asked for, once what it is about has been drawn.
-    pub fn start_check(&mut self, canvas: &Canvas) {
-        if !matches!(self.checking, Checking::Wanted) {
-            return;
-        }
-        match canvas.read_ids(&OnScreen::of(&self.state)) {
-            Ok(Some(drawn)) => {
-                let wake = self.wake.clone();
-                let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
-                self.checking = Checking::On(Box::new(check));
-                self.context.request_repaint();
-            }
-            Ok(None) => {}
-            Err(error) => {
-                self.checking = Checking::Off;
-                self.complain(error.to_string());
-            }
-        }
-    }
-
-    /// Takes what a comparison found, and puts away one of what is no longer shown.
-    pub fn take_checked(&mut self) {
-        let Checking::On(check) = &mut self.checking else {
-            return;
-        };
-        if !check.is_about(&self.state) {
-            // What another method gets wrong stays marked, wherever one looks from.
-            self.checking = match self.state.method() {
-                Some(_) => Checking::Wanted,
-                None => Checking::Off,
-            };
-        } else if check.poll(&self.context)
-            && let Some(found) = &check.found
-            && self.state.method().is_none()
-        {
-            let command = command::verify_command(&self.state, &self.paths);
-            let differ = found.report.disagreements.len();
-            log::info!("{differ} pixels differ: {command}");
         }
     }
 

@@ -52,7 +52,7 @@ struct Drawn {
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
     /// What is drawn with the scene, and about which object.
-    overlays: Option<(Overlays, Option<usize>)>,
+    overlays: Option<(Overlays, Option<usize>, Ready)>,
     selection: Option<usize>,
 }
 
@@ -64,6 +64,16 @@ pub(super) struct Laid {
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
+}
+
+/// Whether the trees that an overlay shows are there.
+#[derive(Clone, Copy, PartialEq)]
+struct Ready(bool);
+
+impl Ready {
+    fn of(state: &State) -> Self {
+        Self(state.scene().trees_are_built())
+    }
 }
 
 impl Canvas {
@@ -220,7 +230,7 @@ impl Canvas {
         let selection = state.selection().map(|selection| selection.object);
         let overlays = state.overlays();
         let wanted = Drawn {
-            overlays: overlays.in_scene().then_some((overlays, selection)),
+            overlays: (overlays.in_scene()).then(|| (overlays, selection, Ready::of(state))),
             view: View {
                 viewport,
                 ..*state.view()

@@ -1,6 +1,6 @@
 //! Verify in the window: the picture on screen against what a click on each of its pixels would pick.
 
-use super::state::State;
+use super::{Wake, app::App, canvas::Canvas, command, state::State};
 use crate::{
     camera::View,
     image::{Id, Image},
@@ -123,6 +123,59 @@ impl Check {
 impl Drop for Check {
     fn drop(&mut self) {
         self.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+impl App {
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    pub fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for, once what it is about has been drawn.
+    pub fn start_check(&mut self, canvas: &Canvas) {
+        if !matches!(self.checking, Checking::Wanted) {
+            return;
+        }
+        match canvas.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let wake = self.wake.clone();
+                let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
+                self.checking = Checking::On(Box::new(check));
+                self.context.request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let Checking::On(check) = &mut self.checking else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            // What another method gets wrong stays marked, wherever one looks from.
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        } else if check.poll(&self.context)
+            && let Some(found) = &check.found
+            && self.state.method().is_none()
+        {
+            let command = command::verify_command(&self.state, &self.paths);
+            let differ = found.report.disagreements.len();
+            log::info!("{differ} pixels differ: {command}");
+        }
     }
 }
 

@@ -105,6 +105,14 @@ impl State {
         self.hits.as_ref()
     }
 
+    /// The depth buffer's steps at the pick, in the picture that was clicked: the camera may have moved on.
+    #[must_use]
+    pub fn depth_steps(&self) -> Option<DepthSteps> {
+        let hits = self.hits.as_ref()?;
+        let pick = hits.picks.get(hits.at)?;
+        Some(DepthSteps::at(hits.view.camera.lens(), pick))
+    }
+
     /// The last two picked points, the older one first.
     #[must_use]
     pub fn landmarks(&self) -> &[Landmark] {

@@ -196,6 +196,18 @@ pub(super) const BINDINGS: &[Binding] = &[
         command: |_| Command::Act(Action::Toggle(Overlay::Boxes)),
     },
     Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::K)],
+        command: |_| Command::Act(Action::TreeLevel { deeper: false }),
+    },
+    Binding {
+        keys: "K, Shift+K",
+        does: "boxes of the meshes' trees: a level deeper, less deep",
+        shortcuts: &[(NONE, Key::K)],
+        command: |_| Command::Act(Action::TreeLevel { deeper: true }),
+    },
+    Binding {
         keys: "T",
         does: "freeze the camera: it stays as lines, seen from elsewhere",
         shortcuts: &[(NONE, Key::T)],
@@ -307,13 +319,14 @@ pub(super) fn pressed(ctx: &egui::Context, state: &State) -> Vec<Command> {
         return Vec::new();
     }
     ctx.input_mut(|input| {
-        let pressed = BINDINGS.iter().filter(|binding| {
-            binding
-                .shortcuts
-                .iter()
-                .any(|(modifiers, key)| input.consume_key(*modifiers, *key))
-        });
-        let mut asked: Vec<_> = pressed.map(|binding| (binding.command)(state)).collect();
+        let mut asked = Vec::new();
+        for binding in BINDINGS {
+            // What was pressed twice within a slow frame is done twice.
+            let times = (binding.shortcuts.iter())
+                .map(|(modifiers, key)| input.count_and_consume_key(*modifiers, *key))
+                .sum();
+            asked.extend((0..times).map(|_| (binding.command)(state)));
+        }
         asked.extend(input.events.iter().filter_map(|event| match event {
             Event::Paste(text) => Some(Command::Paste(text.clone())),
             _ => None,

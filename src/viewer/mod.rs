@@ -12,6 +12,7 @@
 
 pub mod action;
 mod app;
+pub mod camera;
 mod canvas;
 mod check;
 mod command;

@@ -64,12 +64,15 @@ impl Overlay {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Overlays {
     shown: [bool; Overlay::ALL.len()],
+    /// Boxes of the trees over meshes, so many steps below the root.
+    pub tree_level: Option<u32>,
 }
 
 impl Default for Overlays {
     fn default() -> Self {
         Self {
             shown: [false; Overlay::ALL.len()],
+            tree_level: None,
         }
         .toggled(Overlay::Triangle)
     }
@@ -89,21 +92,36 @@ impl Overlays {
         self
     }
 
+    /// The same at another level of trees.
+    pub(super) fn next_tree_level(self, deeper: bool) -> Self {
+        let tree_level = match (self.tree_level, deeper) {
+            (None, true) => Some(0),
+            (None, false) => Some(DEEPEST),
+            (Some(level), true) => Some(level + 1).filter(|level| *level <= DEEPEST),
+            (Some(level), false) => level.checked_sub(1),
+        };
+        Self { tree_level, ..self }
+    }
+
     /// Whether one of them is drawn with the scene.
     pub(super) fn in_scene(self) -> bool {
         use Overlay::{Boxes, Normals, Wireframe};
         [Wireframe, Normals, Boxes]
             .iter()
             .any(|&overlay| self.shows(overlay))
+            || self.tree_level.is_some()
     }
 }
 
 /// More lines than these take longer than a frame may.
 const MOST: usize = 100_000;
 const NORMAL: Srgb = Srgb([110, 190, 255]);
+/// Trees over millions of triangles are about as deep.
+const DEEPEST: u32 = 24;
+const TREE: Srgb = Srgb([130, 220, 140]);
 const BOX: Srgb = Srgb([240, 180, 80]);
 
-/// Normals and boxes of the selection, or of all that is visible where nothing is selected: the first [`MOST`] lines.
+/// Normals, boxes and trees of the selection, or of all that is visible where nothing is selected: the first [`MOST`] lines.
 pub(super) fn lines(state: &State) -> Vec<Line> {
     let (scene, overlays) = (state.scene(), state.overlays());
     let selected = state.selection().map(|selection| selection.object);
@@ -121,6 +139,26 @@ pub(super) fn lines(state: &State) -> Vec<Line> {
         if lines.len() >= MOST {
             lines.truncate(MOST);
             break;
+        }
+    }
+    if let Some(level) = overlays.tree_level {
+        for batch in scene.batches() {
+            let shows = |index: usize| {
+                scene.objects()[index].visible && selected.is_none_or(|selected| selected == index)
+            };
+            let object = &scene.objects()[batch.start];
+            let left = MOST.saturating_sub(lines.len());
+            if batch.clone().any(shows)
+                && let Shape::Mesh { mesh, .. } = &object.shape
+            {
+                for bounds in mesh.tree_boxes(level, left / 12) {
+                    lines.extend(edges(&bounds, TREE).map(|line| Line {
+                        from: object.placement.point_to_world(line.from),
+                        to: object.placement.point_to_world(line.to),
+                        ..line
+                    }));
+                }
+            }
         }
     }
     lines

@@ -1,19 +1,17 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
-//! [`Action`].
+//! [`Action`](super::action::Action).
 
 use super::{
-    action::{Action, LensControls},
+    action::LensControls,
+    camera::perspective_height,
     exhibit::Showing,
     inspect::{Landmark, RayHits},
     overlay::Overlays,
     stages::Stage,
 };
 use crate::{
-    camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
-        fit_near_far,
-    },
-    geometry::{Aabb, Placement, PlacementError, Sides},
+    camera::{CameraChoice, CameraError, Orbit, UpAxis, View, Viewport},
+    geometry::{Aabb, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
     study::swap::Swap,
@@ -46,17 +44,6 @@ pub struct Cursor {
     pub px: DVec2,
     /// The object that it shows, by index, and the point on it in object space; `None` for the background.
     pub hit: Option<(usize, DVec3)>,
-}
-
-/// Why an action does nothing.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum CannotBe {
-    /// It makes no camera.
-    #[error(transparent)]
-    Camera(#[from] CameraError),
-    /// It makes no model matrix.
-    #[error(transparent)]
-    Placement(#[from] PlacementError),
 }
 
 /// A camera that was left standing in the scene.
@@ -215,28 +202,6 @@ impl State {
         self.fit();
     }
 
-    /// The camera, all of it, as a scene file keeps it.
-    #[must_use]
-    pub fn camera_choice(&self) -> CameraChoice {
-        let camera = &self.view.camera;
-        let ortho = match camera.lens().projection {
-            Projection::Orthographic { height } => Some(height),
-            Projection::Perspective { .. } => None,
-        };
-        CameraChoice {
-            eye: Some(camera.eye()),
-            target: Some(camera.target()),
-            look: None,
-            up: Some(camera.up_hint()),
-            fov: ortho.is_none().then_some(self.controls.fov_deg),
-            ortho,
-            near: self.controls.near,
-            far: self.controls.far,
-            depth: Some(self.controls.depth),
-            up_axis: Some(self.up_axis),
-        }
-    }
-
     /// What there is to see.
     #[must_use]
     pub fn scene(&self) -> &Scene {
@@ -361,54 +326,4 @@ impl State {
         let eye = frozen.map(|frozen| frozen.view.camera.eye());
         frustum.chain(eye).fold(bounds, Aabb::including)
     }
-
-    /// What a typed value would do: nothing when it can be, the reason when it cannot.
-    ///
-    /// # Errors
-    /// When the action makes no camera, or no model matrix.
-    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
-        match action {
-            Action::Lens(controls) => {
-                self.camera_with(controls)?;
-            }
-            Action::Pose([eye, target, up]) => {
-                Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
-            }
-            Action::Camera(choice) => {
-                choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
-            }
-            Action::Place(_, model) => {
-                Placement::new(*model)?;
-            }
-            _ => {}
-        }
-        Ok(())
-    }
-
-    /// The present pose through another lens.
-    pub(super) fn camera_with(&self, controls: &LensControls) -> Result<Camera, CameraError> {
-        let pose = &self.view.camera;
-        let fov_y = controls.fov_deg.to_radians();
-        let mut lens = Lens {
-            projection: if controls.orthographic {
-                let height = self.height_per_distance * self.orbit.distance();
-                Projection::Orthographic { height }
-            } else {
-                Projection::Perspective { fov_y }
-            },
-            // Any valid planes: the fit looks only at pose and projection.
-            near: 1.0,
-            far: 2.0,
-            depth: controls.depth,
-        };
-        let camera = pose.with_lens(lens)?;
-        let bounds = self.shown_bounds();
-        (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
-        camera.with_lens(lens)
-    }
-}
-
-/// Height of the picture over the distance at which perspective shows it.
-pub(super) fn perspective_height(fov_deg: f64) -> f64 {
-    2.0 * (0.5 * fov_deg.to_radians()).tan()
 }

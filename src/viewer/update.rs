@@ -1,13 +1,14 @@
 //! What each action does to the state.
 
 use super::{
-    action::{Action, LensControls},
+    action::Action,
+    camera::perspective_height,
     inspect::RayHits,
     stages::{Stage, staged},
-    state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
+    state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State},
 };
 use crate::{
-    camera::{Camera, CameraChoice, Orbit, UpAxis, pixel_centre},
+    camera::{Camera, Orbit, UpAxis, pixel_centre},
     geometry::{Aabb, Placement},
     pick::{self, PickLine, SceneHit},
 };
@@ -100,6 +101,7 @@ impl State {
             }
             Action::ShowAll => self.show(|_| true, true),
             Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
+            Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
             Action::PickBy(method) => self.pick_by(method),
@@ -246,40 +248,6 @@ impl State {
         self.fit();
     }
 
-    fn reset_view(&mut self) {
-        // The choices made a camera before; bounds and viewport cannot make them none.
-        if let Ok(camera) = self
-            .opened_with
-            .resolve(&self.scene.visible_bounds(), self.view.viewport)
-        {
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.pivot_world = self.orbit.target();
-            self.moved();
-        }
-    }
-
-    /// A camera from elsewhere, to the bit; nothing when it is none.
-    fn set_camera(&mut self, choice: CameraChoice) {
-        let bounds = self.scene.visible_bounds();
-        let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
-            return;
-        };
-        self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
-        self.controls = LensControls {
-            // An orthographic one says nothing of it.
-            fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
-            ..LensControls::of(&choice)
-        };
-        self.orbit = Orbit::of_camera(&camera, self.up_axis);
-        self.height_per_distance = choice
-            .ortho
-            .map_or(perspective_height(self.controls.fov_deg), |height| {
-                height / self.orbit.distance()
-            });
-        self.pivot_world = self.orbit.target();
-        self.view.camera = camera;
-    }
-
     /// Moves an object; its pick follows.
     fn place(&mut self, object: usize, model: DAffine3) {
         let Ok(placement) = Placement::new(model) else {
@@ -298,24 +266,6 @@ impl State {
         self.fit();
     }
 
-    fn set_lens(&mut self, controls: LensControls) {
-        if self.camera_with(&controls).is_err() {
-            return;
-        }
-        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
-        match (was_orthographic, controls.orthographic) {
-            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
-            (true, false) => {
-                // To where perspective shows the target as large as it was.
-                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
-                self.orbit.zoom(self.orbit.target(), nearer);
-                return self.moved();
-            }
-            _ => {}
-        }
-        self.fit();
-    }
-
     fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
         for scene in iter::once(&mut self.scene).chain(self.world.as_mut().map(|(scene, _)| scene))
         {
@@ -327,20 +277,5 @@ impl State {
         self.cursor = None;
         self.repick();
         self.fit();
-    }
-
-    /// The orbit changed: the camera follows.
-    fn moved(&mut self) {
-        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
-            self.view.camera = camera;
-        }
-        self.fit();
-    }
-
-    /// The camera's place or the bounds changed: the planes follow.
-    pub(super) fn fit(&mut self) {
-        if let Ok(camera) = self.camera_with(&self.controls) {
-            self.view.camera = camera;
-        }
     }
 }

@@ -278,10 +278,8 @@ fn parallel_rays_are_studied_too() {
             assert!(ours.worst_error < 1e-3, "{name}: {ours:?}");
         }
         let worst = |method: &str, precision| {
-            let rays = rows("ray").into_iter();
-            let row = rays
-                .filter(|row| (row.method, row.precision) == (method, precision))
-                .last();
+            let mut rays = rows("ray").into_iter();
+            let row = rays.find(|row| (row.method, row.precision) == (method, precision));
             row.expect("a row").worst_error
         };
         // All that hold a point of the world in f32 lose it far out; f64 does not.

@@ -217,6 +217,25 @@ fn keys_act_and_typing_does_not() {
     assert!(window.has_quit());
 }
 
+/// The window with the matrices grows over no cursor that it follows.
+#[test]
+fn the_pipeline_follows_the_cursor_and_stays_still() {
+    let mut window = open(Vec::new(), 1.0);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let mut seen = 0;
+    for y in (100..690_u16).step_by(10) {
+        window.send([Event::PointerMoved(pos2(640.0, f32::from(y)))]);
+        let before = window.state().cursor();
+        window.wait_s(0.1);
+        assert_eq!(window.state().cursor(), before, "at {y}");
+        seen += usize::from(before.is_some());
+    }
+    assert!(
+        seen > 5 && seen < 50,
+        "{seen}: some are beside the window, some under it"
+    );
+}
+
 #[test]
 fn without_files_it_is_the_demo() {
     let window = open(Vec::new(), 1.0);

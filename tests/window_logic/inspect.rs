@@ -6,7 +6,7 @@ use sightline::{
     camera::Lens,
     geometry::{ColourRun, Mesh, MeshData, Part, Trs},
     pick::Pick,
-    viewer::inspect::{DepthSteps, triangle},
+    viewer::inspect::triangle,
 };
 use std::sync::Arc;
 
@@ -210,7 +210,10 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     state.apply(Action::Click(MIDDLE, 0.0));
     let pick = picked(&state).expect("the poster");
     assert_eq!(pick.object, "poster");
-    let steps = DepthSteps::at(state.view().camera.lens(), pick);
+    let steps = state.depth_steps().expect("a pick");
+    // It stays the clicked picture's, wherever the camera goes.
+    state.apply(Action::Zoom(MIDDLE, 0.001));
+    assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
     assert_eq!(
         (reversed, standard),
@@ -325,6 +328,26 @@ fn a_moved_object_s_pick_follows() {
     assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
 }
 
+/// Its pick is of its own surface, whatever lies before it.
+#[test]
+fn an_object_behind_another_keeps_its_own_pick() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::StepTo(3));
+    assert_eq!(selected(&state), Some("middle"));
+    place(
+        &mut state,
+        1,
+        Trs {
+            translation: DVec3::new(0.1, 0.0, 0.0),
+            ..STILL
+        },
+    );
+    let pick = picked(&state).expect("its back, still");
+    assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
+    assert_eq!(state.hits().map(|hits| hits.at), Some(3));
+}
+
 #[test]
 fn a_singular_matrix_is_refused_with_the_reason() {
     let mut state = front_view();
@@ -375,6 +398,9 @@ fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     let model = loaded.scene.objects()[0].placement.model();
     assert_eq!(model, trs.to_model(), "to the bit");
+    // What words say to the bit is said in words.
+    let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
+    assert!(!plain.contains("matrix"), "{plain}");
     state.reload(row());
     assert!(!state.edited());
     assert_eq!(
@@ -470,4 +496,73 @@ fn a_copied_camera_is_the_camera_to_the_bit() {
     state.check(&Action::Camera(none)).expect_err("no camera");
     state.apply(Action::Camera(none));
     assert_eq!(*state.view(), before);
+}
+
+#[test]
+fn levels_of_trees_are_stepped_through_and_hold_every_triangle() {
+    let mut state = front_view();
+    assert_eq!(state.overlays().tree_level, None);
+    let mut seen = Vec::new();
+    loop {
+        state.apply(Action::TreeLevel { deeper: true });
+        let Some(level) = state.overlays().tree_level else {
+            break;
+        };
+        seen.push(level);
+    }
+    assert_eq!(seen, (0..=24).collect::<Vec<_>>());
+    state.apply(Action::TreeLevel { deeper: false });
+    assert_eq!(state.overlays().tree_level, Some(24));
+    state.apply(Action::TreeLevel { deeper: false });
+    assert_eq!(state.overlays().tree_level, Some(23));
+
+    // A sheet of triangles: each level's boxes hold all of it, and are never fewer.
+    let side = 40_u32;
+    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| [x, y]));
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    let positions: Vec<[f32; 3]> = positions.map(|[x, y]| [x as f32, y as f32, 0.0]).collect();
+    let quads = (0..side).flat_map(|y| (0..side).map(move |x| y * (side + 1) + x));
+    let triangles: Vec<[u32; 3]> = quads
+        .flat_map(|a| {
+            [
+                [a, a + 1, a + side + 1],
+                [a + 1, a + side + 2, a + side + 1],
+            ]
+        })
+        .collect();
+    let count = u32::try_from(triangles.len()).expect("few");
+    let mesh = Mesh::new(MeshData {
+        origin: DVec3::new(1000.0, 0.0, 0.0),
+        positions,
+        triangles,
+        parts: vec![Part {
+            name: "sheet".into(),
+            triangles: 0..count,
+        }],
+        colours: vec![ColourRun {
+            triangles: 0..count,
+            colour: None,
+        }],
+        ..MeshData::default()
+    })
+    .expect("a mesh");
+    assert!(mesh.tree_boxes(0, 9).is_empty(), "no tree yet");
+    mesh.build_tree();
+    let mut boxes_before = 0;
+    for level in 0..6 {
+        let boxes = mesh.tree_boxes(level, 1000);
+        assert!(boxes.len() >= boxes_before, "{level}");
+        boxes_before = boxes.len();
+        for triangle in 0..count {
+            let corners = mesh.corners(triangle);
+            let holds = |bounds: &Aabb| {
+                let inside = |c: &DVec3| c.cmpge(bounds.min).all() && c.cmple(bounds.max).all();
+                corners.iter().all(inside)
+            };
+            assert!(boxes.iter().any(holds), "{triangle} at {level}");
+        }
+    }
+    assert_eq!(mesh.tree_boxes(0, 9)[0], mesh.part_bounds(0));
+    assert!(boxes_before > 8, "{boxes_before}");
+    assert_eq!(mesh.tree_boxes(5, 7).len(), 7, "no more than asked for");
 }

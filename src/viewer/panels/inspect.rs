@@ -25,7 +25,9 @@ pub(super) fn show(
     hits(ui, state, places, commands);
     corners(ui, state, hit, places, commands);
     distance(ui, state, places, commands);
-    depth(ui, state, hit);
+    if let Some(steps) = state.depth_steps() {
+        depth(ui, &steps);
+    }
 }
 
 /// A heading whose contents are found again under whatever it says.
@@ -100,8 +102,7 @@ fn distance(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Comman
     });
 }
 
-fn depth(ui: &mut Ui, state: &State, hit: &Pick) {
-    let steps = DepthSteps::at(state.world().1.camera.lens(), hit);
+fn depth(ui: &mut Ui, steps: &DepthSteps) {
     let hint = "the least difference in depth that the depth buffer's 32 bits tell apart here";
     let confused = steps.confuses(steps.in_use);
     section(ui, "depth", "Depth buffer".to_owned(), hint, |ui| {

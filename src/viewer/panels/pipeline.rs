@@ -10,11 +10,7 @@ use super::{
     },
     field::short,
 };
-use crate::{
-    camera::{DepthMapping, Projection, View},
-    geometry::Ray,
-    scene::Object,
-};
+use crate::camera::{DepthMapping, Projection, View};
 use egui::{Context, Grid, RichText, Ui, Window};
 use glam::{DMat4, DVec2, DVec3};
 
@@ -51,21 +47,29 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
             });
             ui.weak(mapping(state));
             ui.separator();
-            match (object, point, cursor(state)) {
+            let (title, values) = match (object, point, cursor(state)) {
                 (Some(object), Some((_, point)), _) => {
-                    ui.strong(if is_picked(state) { "The pick" } else { "Under the cursor" });
-                    followed(ui, state, object, point);
+                    let title = if is_picked(state) {
+                        "The pick"
+                    } else {
+                        "Under the cursor"
+                    };
+                    match Steps::follow(state.view(), object, point) {
+                        Some(steps) => (title, followed(&steps)),
+                        None => (
+                            "The picked point lies behind the eye now",
+                            Values::default(),
+                        ),
+                    }
                 }
-                (_, _, Some(px)) => {
-                    ui.strong("Under the cursor");
-                    background(ui, view, px);
-                }
-                _ => {
-                    ui.weak(
-                        "Point at a surface, or click it: its point is followed from object to pixel and back.",
-                    );
-                }
-            }
+                (_, _, Some(px)) => ("Under the cursor", background(view, px)),
+                _ => (
+                    "Point at a surface, or click it: its point is followed",
+                    Values::default(),
+                ),
+            };
+            ui.strong(title);
+            table(ui, &values);
         });
     if !open {
         commands.push(Command::TogglePipeline);
@@ -157,56 +161,64 @@ fn numbers(ui: &mut Ui, values: &[f64]) {
     }
 }
 
-fn followed(ui: &mut Ui, state: &State, object: &Object, point_object: DVec3) {
-    let Some(steps) = Steps::follow(state.view(), object, point_object) else {
-        ui.weak("The picked point lies behind the eye now.");
-        return;
-    };
-    let rows = [
-        (
-            "object",
-            "where the shape has it",
-            steps.object.to_array().to_vec(),
-        ),
-        ("world", "M * object", steps.world.to_array().to_vec()),
-        ("view", "V * world", steps.view.to_array().to_vec()),
-        ("clip", "P * view", steps.clip.to_array().to_vec()),
-        ("NDC", "clip / w", steps.ndc.to_array().to_vec()),
-    ];
-    table(ui, rows.into_iter().chain(back(steps.px, &steps.ray)));
-}
+/// What is followed on its way: name, and how it comes from the row before.
+const ROWS: [(&str, &str); 8] = [
+    ("object", "where the shape has it"),
+    ("world", "M * object"),
+    ("view", "V * world"),
+    ("clip", "P * view"),
+    ("NDC", "clip / w"),
+    ("pixel", "from the top left corner"),
+    ("ray from", "back again"),
+    ("ray along", "a unit vector"),
+];
 
-/// A pixel in which nothing shows: the way back alone.
-fn background(ui: &mut Ui, view: &View, px: DVec2) {
-    let ndc = view.viewport.px_to_ndc(px).to_array().to_vec();
-    let rows = [("NDC", "of the pixel", ndc)];
-    table(ui, rows.into_iter().chain(back(px, &view.ray(px))));
-}
+/// The numbers of [`ROWS`]; none where there is nothing to follow.
+type Values = [Vec<f64>; ROWS.len()];
 
-type Row = (&'static str, &'static str, Vec<f64>);
-
-/// From a pixel back as a ray.
-fn back(px: DVec2, ray: &Ray) -> [Row; 3] {
+fn followed(steps: &Steps) -> Values {
     [
-        ("pixel", "from the top left corner", px.to_array().to_vec()),
-        ("ray from", "back again", ray.origin.to_array().to_vec()),
-        (
-            "ray along",
-            "a unit vector",
-            ray.direction.to_array().to_vec(),
-        ),
+        steps.object.to_array().to_vec(),
+        steps.world.to_array().to_vec(),
+        steps.view.to_array().to_vec(),
+        steps.clip.to_array().to_vec(),
+        steps.ndc.to_array().to_vec(),
+        steps.px.to_array().to_vec(),
+        steps.ray.origin.to_array().to_vec(),
+        steps.ray.direction.to_array().to_vec(),
     ]
 }
 
-fn table(ui: &mut Ui, rows: impl Iterator<Item = Row>) {
+/// A pixel in which nothing shows: the way back alone.
+fn background(view: &View, px: DVec2) -> Values {
+    let ray = view.ray(px);
+    let ndc = view.viewport.px_to_ndc(px);
+    let [object, world, seen, clip] = Default::default();
+    [
+        object,
+        world,
+        seen,
+        clip,
+        ndc.to_array().to_vec(),
+        px.to_array().to_vec(),
+        ray.origin.to_array().to_vec(),
+        ray.direction.to_array().to_vec(),
+    ]
+}
+
+/// As large with numbers as without: else the window would come and go under the cursor that it follows.
+fn table(ui: &mut Ui, values: &Values) {
     Grid::new("steps")
         .num_columns(6)
         .striped(true)
         .show(ui, |ui| {
-            for (name, how, values) in rows {
+            for ((name, how), values) in ROWS.into_iter().zip(values) {
                 ui.label(name);
                 ui.weak(how);
-                numbers(ui, &values);
+                numbers(ui, values);
+                for _ in values.len()..4 {
+                    ui.label(RichText::new(format!("{:>10}", "")).monospace().size(11.0));
+                }
                 ui.end_row();
             }
         });

@@ -79,6 +79,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             for (which, ..) in Overlay::ALL {
                 overlay(ui, state, which, commands);
             }
+            tree_level(ui, state, commands);
         });
         menu.response.on_hover_text("lines over the scene");
         gallery::menu(ui, state, commands);
@@ -88,6 +89,21 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             .clicked()
         {
             commands.push(Command::ToggleHelp);
+        }
+    });
+}
+
+/// Which level of the trees over meshes shows.
+fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let level = state.overlays().tree_level;
+        let shown = level.map_or("off".to_owned(), |level| level.to_string());
+        let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
+        ui.label(format!("tree level: {shown}")).on_hover_text(hint);
+        for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
+            if ui.small_button(name).on_hover_text(hint).clicked() {
+                commands.push(Command::Act(Action::TreeLevel { deeper }));
+            }
         }
     });
 }
