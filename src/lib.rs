@@ -9,7 +9,7 @@
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
 //! a click:  event -> viewer::input -> Action -> viewer::State -> pick::pick -> Pick -> panel, JSON
 //! a frame:  State -> View -> render::Renderer -> colour, ids, selection -> window
-//! a pixel:  View::ray -> Placement::ray_to_object -> shape or Mesh (Bvh) -> Hit -> Pick
+//! a pixel:  View::ray -> Scene::visit_batches -> Placement::ray_to_object -> shape or Mesh (Bvh) -> Hit -> Pick
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //! ```
 //!
