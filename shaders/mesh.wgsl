@@ -83,6 +83,12 @@ fn colour_and_id(
     return ColourAndId(lit(in, front), id_of(in, primitive));
 }
 
+// Dark, as thin as lines are.
+@fragment
+fn edge() -> @location(0) vec4<f32> {
+    return vec4<f32>(0.005, 0.005, 0.008, 1.0);
+}
+
 @fragment
 fn mask() -> @location(0) f32 {
     return 1.0;

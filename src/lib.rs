@@ -37,7 +37,29 @@
 //! * **t**: the ray parameter; rays keep it when they change spaces. **distance** is from the eye; **depth** is along F.
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.
+//! * **batch**: objects that are drawn, and asked for hits, as one: parts of one mesh in one place, or a single object.
 //! * **front**: the ray runs against the outward normal. Normals are never flipped.
+//!
+//! # To add
+//!
+//! **A shape.** Give it a file in `geometry` with its box and its hits, a ray of object space in, and hold it to a closed
+//! form in `tests/shapes.rs`. Add the variant to [`scene::Shape`]; the compiler then names every place that has to know
+//! it: its word in scene files, its bounds, who asks it for hits, its edges, how it is drawn, what `verify` may put down
+//! to its outline, the study's truth. A shape of flat faces is drawn as those ([`geometry::Cuboid::face`] is how the cube
+//! does it); a curved one needs an impostor as [`render::sphere`] is. Put one into `tests/common/scenes.rs`, and every
+//! pixel of it is compared.
+//!
+//! **A ray method.** Write it as one function, generic over [`study::real::Real`], in its step's file under
+//! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
+//! gallery's menu read the list.
+//!
+//! **An overlay.** Add a variant and a row to [`viewer::overlay::Overlay`], a key to the table in `viewer/keys.rs` and to
+//! README's, and the lines in world space that it stands for to `viewer/overlay.rs`. Lines are hidden by what lies before
+//! them.
+//!
+//! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
+//! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an
+//! error of one line.
 
 pub mod camera;
 pub mod cli;

@@ -8,12 +8,12 @@ use common::{orthographic, perspective, view};
 use glam::{DVec3, dvec3};
 use scenes::{gpu, shapes};
 use sightline::{
-    camera::{View, Viewport},
+    camera::{DepthMapping, Lens, View, Viewport},
     colour::Srgb,
     geometry::Sides,
     image::{Id, Image, Rgb},
     look, pick,
-    render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets},
+    render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
     scene::Scene,
 };
 
@@ -404,6 +404,60 @@ fn a_picture_goes_where_the_window_wants_it() {
                 [0; 3]
             };
             assert_eq!(window.at(x, y), expected, "({x}, {y}) of {size:?}");
+        }
+    }
+}
+
+/// Edges of triangles are in the colours alone: what is picked by ids stays the same.
+#[test]
+fn a_wireframe_is_not_in_the_ids() {
+    let gpu = &gpu();
+    assert!(gpu.draws_wireframes(), "lavapipe draws edges");
+    let scene = shapes(DVec3::ZERO);
+    let buffers = SceneBuffers::upload(gpu, &scene).expect("fits");
+    for depth in [DepthMapping::Reversed, DepthMapping::Standard] {
+        let view = overview([320, 240]);
+        let lens = Lens {
+            depth,
+            ..*view.camera.lens()
+        };
+        let view = View {
+            camera: view.camera.with_lens(lens).expect("a lens"),
+            ..view
+        };
+        for samples in [1, 4] {
+            let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
+            let mut renderer = Renderer::new(gpu, samples);
+            let mut draw = |wireframe| {
+                renderer.wireframe = wireframe;
+                let drawn = renderer.draw(gpu, &buffers, &targets, &view, &[]);
+                drawn.expect("draws");
+                let ids = targets.read_ids(gpu).expect("ids");
+                (ids, targets.read_colours(gpu).expect("colours"))
+            };
+            let (ids, colours) = draw(None);
+            let changed = |wired: &Image<Rgb>| {
+                let pairs = wired
+                    .pixels()
+                    .iter()
+                    .zip(colours.pixels())
+                    .zip(ids.pixels());
+                let changed = pairs.filter(|((a, b), _)| a != b);
+                changed.map(|(_, id)| id.object).collect::<Vec<_>>()
+            };
+            let (all_ids, all) = draw(Some(Wireframe::OfAll));
+            let (one_ids, one) = draw(Some(Wireframe::Of(0)));
+            assert!(all_ids == ids && one_ids == ids, "{depth} {samples}");
+            // Edges of what is seen, also of backs, and few beside it: lines are wider than outlines.
+            let (all, one) = (changed(&all), changed(&one));
+            assert!(
+                one.len() > 100 && all.len() > 2 * one.len(),
+                "{}, {}",
+                one.len(),
+                all.len()
+            );
+            let beside = one.iter().filter(|object| **object != 1).count();
+            assert!(beside * 3 < one.len(), "{beside} of {}", one.len());
         }
     }
 }

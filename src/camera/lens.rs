@@ -78,6 +78,12 @@ impl Lens {
         Ok(())
     }
 
+    /// Whether all lines of sight are parallel.
+    #[must_use]
+    pub fn is_orthographic(&self) -> bool {
+        matches!(self.projection, Projection::Orthographic { .. })
+    }
+
     /// Half the picture's width and height: in world units for orthographic projection, at view depth 1 in
     /// perspective (so `tan(fov_y / 2)` high).
     #[must_use]
@@ -114,6 +120,28 @@ impl Lens {
         match self.projection {
             Projection::Perspective { .. } => a + b / depth,
             Projection::Orthographic { .. } => a * depth + b,
+        }
+    }
+
+    /// The least step in view depth that a 32-bit floating-point depth buffer shows at a view depth: from the number that
+    /// it stores there to the next one away from the eye. Infinite where there is none before the far plane.
+    #[must_use]
+    pub fn depth_step(&self, depth: f64) -> f64 {
+        #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]
+        let stored = self.ndc_depth(depth) as f32;
+        let next = match self.depth {
+            DepthMapping::Reversed => stored.next_down(),
+            DepthMapping::Standard => stored.next_up(),
+        };
+        let (a, b) = self.depth_row();
+        let view_depth = |ndc: f32| match self.projection {
+            Projection::Perspective { .. } => b / (f64::from(ndc) - a),
+            Projection::Orthographic { .. } => (f64::from(ndc) - b) / a,
+        };
+        if (0.0..=1.0).contains(&next) {
+            view_depth(next) - view_depth(stored)
+        } else {
+            f64::INFINITY
         }
     }
 

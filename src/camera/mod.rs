@@ -31,6 +31,8 @@ pub struct Camera {
     up: DVec3,
     forward: DVec3,
     lens: Lens,
+    /// The lens's half extent for aspect 1, taken once: a tangent costs as much as the rest of a ray.
+    half_height: f64,
 }
 
 /// Why there is no such camera.
@@ -127,6 +129,7 @@ impl Camera {
             up: right.cross(forward),
             forward,
             lens,
+            half_height: lens.half_extent(1.0).y,
         })
     }
 
@@ -136,7 +139,11 @@ impl Camera {
     /// When the lens is not valid.
     pub fn with_lens(self, lens: Lens) -> Result<Self, CameraError> {
         lens.check()?;
-        Ok(Self { lens, ..self })
+        Ok(Self {
+            lens,
+            half_height: lens.half_extent(1.0).y,
+            ..self
+        })
     }
 
     /// World position of the eye.
@@ -219,7 +226,7 @@ impl Camera {
     #[must_use]
     pub fn ray(&self, viewport: Viewport, px: DVec2) -> Ray {
         let ndc = viewport.px_to_ndc(px);
-        let half = self.lens.half_extent(viewport.aspect());
+        let half = self.half_extent(viewport);
         let aside = ndc.x * half.x * self.right + ndc.y * half.y * self.up;
         let (origin, direction) = match self.lens.projection {
             Projection::Perspective { .. } => (self.eye, (self.forward + aside).normalize()),
@@ -234,12 +241,17 @@ impl Camera {
         }
     }
 
+    /// [`Lens::half_extent`].
+    fn half_extent(&self, viewport: Viewport) -> DVec2 {
+        DVec2::new(self.half_height * viewport.aspect(), self.half_height)
+    }
+
     /// Where the picture shows a world point, clipped by nothing; `None` at or behind the eye in perspective,
     /// where no picture shows it.
     #[must_use]
     pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
         let view = self.to_view(point_world);
-        let half = self.lens.half_extent(viewport.aspect());
+        let half = self.half_extent(viewport);
         let w = match self.lens.projection {
             Projection::Perspective { .. } => view.z,
             Projection::Orthographic { .. } => 1.0,

@@ -85,6 +85,22 @@ pub struct View {
 }
 
 impl View {
+    /// Both ends, in pixels, of what the picture shows of a world-space segment: the part at or behind the near plane,
+    /// clipped by nothing else. `None` where there is no such part.
+    #[must_use]
+    pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
+        let near = self.camera.lens().near;
+        let [da, db] = [a, b].map(|p| self.camera.to_view(p).z - near);
+        let cut = || a.lerp(b, da / (da - db));
+        let [a, b] = match (da >= 0.0, db >= 0.0) {
+            (true, true) => [a, b],
+            (true, false) => [a, cut()],
+            (false, true) => [cut(), b],
+            (false, false) => return None,
+        };
+        Some([self.project(a)?.px, self.project(b)?.px])
+    }
+
     /// The world-space ray through a pixel position; see [`Camera::ray`].
     #[must_use]
     pub fn ray(&self, px: DVec2) -> Ray {

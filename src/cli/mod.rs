@@ -35,8 +35,8 @@ const EXIT_CODES: &str = "Exit codes: 0 done, 1 verify found a defect, 2 usage, 
 
 /// A 3D viewer in which what you see is what you pick, to the pixel.
 ///
-/// Without a command it opens the window. SCENE is an .obj or a scene .toml file; several make one scene; none is
-/// the demo.
+/// Without a command it opens the window. SCENE is an .obj or a scene .toml file, or gallery:NAME for a scene on which
+/// a known method breaks; several make one scene; none is the demo.
 #[derive(Debug, Parser)]
 #[command(name = "sightline", version, after_help = EXIT_CODES, subcommand_negates_reqs = true)]
 #[command(args_conflicts_with_subcommands = true)]

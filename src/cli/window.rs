@@ -1,7 +1,10 @@
 //! `sightline` without a command: the window.
 
 use super::{CliError, SceneArgs, ViewArgs, terminal::start_log};
-use crate::{scene::LoadError, viewer};
+use crate::{
+    scene::{LoadError, gallery::Exhibit},
+    viewer,
+};
 
 /// Arguments of the window.
 #[derive(Debug, clap::Args)]
@@ -22,6 +25,9 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
     start_log(args.scene.verbose);
     // A file that is not there is worth no window.
     for path in &args.scene.scenes {
+        if Exhibit::at(path)?.is_some() {
+            continue;
+        }
         std::fs::metadata(path).map_err(|source| LoadError::Read {
             file: path.clone(),
             source,

@@ -10,6 +10,15 @@ pub struct Cuboid;
 impl Cuboid {
     /// Half the side, in object space.
     pub const HALF_SIDE: f64 = 0.5;
+    /// The outward normals of its faces.
+    pub const NORMALS: [DVec3; 6] = [
+        DVec3::X,
+        DVec3::NEG_X,
+        DVec3::Y,
+        DVec3::NEG_Y,
+        DVec3::Z,
+        DVec3::NEG_Z,
+    ];
 
     /// The box itself.
     #[must_use]
@@ -18,6 +27,16 @@ impl Cuboid {
             min: DVec3::splat(-Self::HALF_SIDE),
             max: DVec3::splat(Self::HALF_SIDE),
         }
+    }
+
+    /// The corners of the face with this outward normal, one of the six along the axes; counter-clockwise seen from
+    /// outside.
+    #[must_use]
+    pub fn face(normal: DVec3) -> [DVec3; 4] {
+        let right = DVec3::new(normal.y.abs(), normal.z.abs(), normal.x.abs());
+        let up = normal.cross(right);
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+            .map(|(x, y)| Self::HALF_SIDE * (normal + x * right + y * up))
     }
 
     /// Where `ray` enters and leaves it, nearest first, as far as the ray's interval reaches; its faces belong

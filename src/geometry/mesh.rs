@@ -195,6 +195,18 @@ impl Mesh {
         }
     }
 
+    /// The object-space boxes of its tree at a level, 0 being the box about everything: at most `most` of them. None
+    /// where there is no tree.
+    #[must_use]
+    pub fn tree_boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
+        let boxes = self.tree.get().map(|tree| tree.boxes(level, most));
+        let placed = boxes.into_iter().flatten().map(|bounds| Aabb {
+            min: bounds.min + self.data.origin,
+            max: bounds.max + self.data.origin,
+        });
+        placed.collect()
+    }
+
     /// Whether rays are as fast as they will be: there is a tree, or no need of one.
     #[must_use]
     pub fn is_ready(&self) -> bool {

@@ -23,6 +23,7 @@ mod placement;
 mod sphere;
 mod square;
 mod triangle;
+mod trs;
 
 pub use bounds::Aabb;
 pub use bvh::{Bvh, Candidate, Simd};
@@ -34,6 +35,7 @@ pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
 pub use triangle::{TriangleHit, TriangleTest, VertexRay, guarded_volume, signed_volume};
+pub use trs::Trs;
 
 use glam::DVec3;
 

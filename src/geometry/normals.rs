@@ -35,10 +35,11 @@ pub fn crease_normals(
     triangles: &[[u32; 3]],
     crease: f32,
 ) -> CornerNormals {
-    let faces: Vec<Vec3> = triangles
-        .iter()
-        .map(|corners| face_normal(corners.map(|i| positions[i as usize])))
-        .collect();
+    let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
+    let faces = in_shares(triangles.len(), |share| {
+        triangles[share].iter().map(face).collect::<Vec<_>>()
+    });
+    let faces = faces.concat();
     let around = corners_by_vertex(positions.len(), triangles);
     let fans = Fans {
         positions,
@@ -47,20 +48,7 @@ pub fn crease_normals(
         around: &around,
         cos_crease: crease.cos(),
     };
-    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
-    let share = positions.len().div_ceil(threads).max(1);
-    let shares: Vec<_> = std::thread::scope(|scope| {
-        let fans = &fans;
-        let started: Vec<_> = (0..positions.len())
-            .step_by(share)
-            .map(|first| first..(first + share).min(positions.len()))
-            .map(|vertices| scope.spawn(move || fans.normals(vertices)))
-            .collect();
-        let finish = |thread: ScopedJoinHandle<_>| {
-            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-        };
-        started.into_iter().map(finish).collect()
-    });
+    let shares = in_shares(positions.len(), |vertices| fans.normals(vertices));
     let mut result = CornerNormals {
         normals: Vec::with_capacity(positions.len()),
         corners: vec![[0; 3]; triangles.len()],
@@ -79,6 +67,24 @@ pub fn crease_normals(
         result.normals.extend(normals);
     }
     result
+}
+
+/// The results of `work` on equal shares of `0..count`, in order, from a thread a core.
+fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let share = count.div_ceil(threads).max(1);
+    std::thread::scope(|scope| {
+        let work = &work;
+        let started: Vec<_> = (0..count)
+            .step_by(share)
+            .map(|first| first..(first + share).min(count))
+            .map(|share| scope.spawn(move || work(share)))
+            .collect();
+        let finish = |thread: ScopedJoinHandle<_>| {
+            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+        };
+        started.into_iter().map(finish).collect()
+    })
 }
 
 /// What the corners about vertices are made of.
@@ -109,31 +115,17 @@ impl Fans<'_> {
             let corners =
                 &self.around.corners[starts[vertex] as usize..starts[vertex + 1] as usize];
             fan.group(corners, self.triangles, self.faces, self.cos_crease);
-            for place in 0..corners.len() {
-                let root = fan.root(place);
-                if root == place {
-                    let index = u32::try_from(share.normals.len()).unwrap_or(u32::MAX);
-                    fan.parent[place].normal = index;
-                    share.normals.push(self.normal(corners, &fan, place));
-                }
-                share.of_corners.push(fan.parent[root].normal);
+            let first = u32::try_from(share.normals.len()).unwrap_or(u32::MAX);
+            for (place, &corner) in corners.iter().enumerate() {
+                let (face, at) = split(corner);
+                let group = fan.group_of(place, self.faces[face]);
+                fan.groups[group as usize].sum +=
+                    self.faces[face].as_dvec3() * self.weight(face, at);
+                share.of_corners.push(first + group);
             }
+            share.normals.extend(fan.groups.iter().map(Group::normal));
         }
         share
-    }
-
-    /// The mean over the group of corners that begins at `root`.
-    fn normal(&self, corners: &[u32], fan: &Fan, root: usize) -> [f32; 3] {
-        let members = (root..corners.len()).filter(|&other| fan.root(other) == root);
-        let mut sum = DVec3::ZERO;
-        for member in members {
-            let (face, at) = split(corners[member]);
-            sum += self.faces[face].as_dvec3() * self.weight(face, at);
-        }
-        let fallback = self.faces[split(corners[root]).0];
-        let normal = sum.try_normalize().map(DVec3::as_vec3);
-        let normal = normal.or(fallback.try_normalize()).unwrap_or(Vec3::Z);
-        normal.to_array()
     }
 
     /// The sine of a corner's angle over the lengths of its sides; 0 where a side has none.
@@ -179,12 +171,13 @@ fn split(corner: u32) -> (usize, usize) {
     (corner as usize / 3, corner as usize % 3)
 }
 
-/// Union-find over the corners about one vertex; a group's root is its first member.
+/// The corners about one vertex, grouped by union-find; a group's root is its first member.
 #[derive(Default)]
 struct Fan {
-    parent: Vec<Member>,
+    members: Vec<Member>,
     /// Edges at the vertex, as other end * 2^32 + place.
     spokes: Vec<u64>,
+    groups: Vec<Group>,
 }
 
 /// A corner in its group.
@@ -192,19 +185,36 @@ struct Fan {
 struct Member {
     /// An earlier member, or itself.
     parent: u32,
-    /// The group's normal, at its root.
-    normal: u32,
+    /// The group, at its root.
+    group: u32,
+}
+
+/// Corners that share a normal.
+struct Group {
+    /// Of the faces' normals, weighted.
+    sum: DVec3,
+    /// The normal of the first face, for want of another.
+    first: Vec3,
+}
+
+impl Group {
+    fn normal(&self) -> [f32; 3] {
+        let normal = self.sum.try_normalize().map(DVec3::as_vec3);
+        let normal = normal.or(self.first.try_normalize());
+        normal.unwrap_or(Vec3::Z).to_array()
+    }
 }
 
 impl Fan {
     /// Joins the corners whose faces share an edge at the vertex and bend there by no more than the crease.
     fn group(&mut self, corners: &[u32], triangles: &[[u32; 3]], faces: &[Vec3], cos_crease: f32) {
-        self.parent.clear();
+        self.members.clear();
         self.spokes.clear();
+        self.groups.clear();
         for (place, &corner) in (0_u32..).zip(corners) {
-            self.parent.push(Member {
+            self.members.push(Member {
                 parent: place,
-                normal: 0,
+                group: 0,
             });
             let (face, at) = split(corner);
             for other in [triangles[face][(at + 1) % 3], triangles[face][(at + 2) % 3]] {
@@ -229,15 +239,34 @@ impl Fan {
             if smooth {
                 let (root_a, root_b) = (self.root(a), self.root(b));
                 let (first, second) = (root_a.min(root_b), root_a.max(root_b));
-                self.parent[second].parent = self.parent[first].parent;
+                self.members[second].parent = self.members[first].parent;
             }
         }
     }
 
-    fn root(&self, mut place: usize) -> usize {
-        while self.parent[place].parent as usize != place {
-            place = self.parent[place].parent as usize;
+    /// Halves the path that it walks, so that a fan of any size takes hardly more than linear time.
+    fn root(&mut self, mut place: usize) -> usize {
+        loop {
+            let parent = self.members[place].parent;
+            let above = self.members[parent as usize].parent;
+            if parent == above {
+                return parent as usize;
+            }
+            self.members[place].parent = above;
+            place = above as usize;
         }
-        place
+    }
+
+    /// The number of a corner's group, which begins with its first member. In order of `place`.
+    fn group_of(&mut self, place: usize, face: Vec3) -> u32 {
+        let root = self.root(place);
+        if root == place {
+            self.members[root].group = u32::try_from(self.groups.len()).unwrap_or(u32::MAX);
+            self.groups.push(Group {
+                sum: DVec3::ZERO,
+                first: face,
+            });
+        }
+        self.members[root].group
     }
 }

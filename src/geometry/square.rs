@@ -22,6 +22,13 @@ impl Square {
         }
     }
 
+    /// Its corners, counter-clockwise seen from its front.
+    #[must_use]
+    pub fn corners() -> [DVec3; 4] {
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+            .map(|(x, y)| Self::HALF_SIDE * DVec3::new(x, y, 0.0))
+    }
+
     /// Where `ray` meets it within the ray's interval; its rim belongs to it. A ray within its plane misses.
     ///
     /// The plane's `t = N . (S - o) / N . d` with N = +z and S the origin.

@@ -3,7 +3,7 @@
 use super::{SceneHit, closest, is_in_doubt, just_behind};
 use crate::{
     camera::View,
-    geometry::{Hit, Placement, Ray, Sphere},
+    geometry::{Cuboid, Hit, Placement, Ray, Sphere, Square},
     scene::{Object, Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -54,13 +54,8 @@ pub(super) fn needs_exact(scene: &Scene, ray: &Ray, hits: &[SceneHit], i: usize)
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     match &object.shape {
         Shape::Sphere => sphere_outline_px(&object.placement, view, px),
-        Shape::Cube => polygon_px(&object.placement, view, px, &face(hit.normal)),
-        Shape::Square => polygon_px(
-            &object.placement,
-            view,
-            px,
-            &face(DVec3::Z).map(|p| p - 0.5 * DVec3::Z),
-        ),
+        Shape::Cube => polygon_px(&object.placement, view, px, &Cuboid::face(hit.normal)),
+        Shape::Square => polygon_px(&object.placement, view, px, &Square::corners()),
         Shape::Mesh { mesh, .. } => polygon_px(
             &object.placement,
             view,
@@ -68,19 +63,6 @@ pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Opt
             &mesh.corners(hit.on_triangle?.triangle),
         ),
     }
-}
-
-/// The corners of the unit cube's face with this unit normal.
-fn face(normal: DVec3) -> [DVec3; 4] {
-    let u = 0.5 * DVec3::new(normal.y.abs(), normal.z.abs(), normal.x.abs());
-    let v = 0.5 * DVec3::new(normal.z.abs(), normal.x.abs(), normal.y.abs());
-    let center = 0.5 * normal;
-    [
-        center - u - v,
-        center + u - v,
-        center + u + v,
-        center - u + v,
-    ]
 }
 
 fn polygon_px(
@@ -94,23 +76,10 @@ fn polygon_px(
         .map(|&corner| placement.point_to_world(corner))
         .collect();
     let edges = (0..world.len()).filter_map(|i| {
-        let [a, b] = clip_near(view, world[i], world[(i + 1) % world.len()])?;
-        Some(segment_px(px, view.project(a)?.px, view.project(b)?.px))
+        let [a, b] = view.project_segment(world[i], world[(i + 1) % world.len()])?;
+        Some(segment_px(px, a, b))
     });
     edges.min_by(f64::total_cmp)
-}
-
-/// The part of a world-space segment at or behind the near plane.
-fn clip_near(view: &View, a: DVec3, b: DVec3) -> Option<[DVec3; 2]> {
-    let near = view.camera.lens().near;
-    let [da, db] = [a, b].map(|p| view.camera.to_view(p).z - near);
-    let cut = || a.lerp(b, da / (da - db));
-    match (da >= 0.0, db >= 0.0) {
-        (true, true) => Some([a, b]),
-        (true, false) => Some([a, cut()]),
-        (false, true) => Some([cut(), b]),
-        (false, false) => None,
-    }
 }
 
 fn segment_px(p: DVec2, a: DVec2, b: DVec2) -> f64 {

@@ -84,42 +84,34 @@ pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) ->
 fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
     let mut best: Option<SceneHit> = None;
     let mut within = *ray;
-    let mut visit = |batch: &Range<usize>| {
+    scene.visit_batches(ray, |batch| {
         let found = closest_in_batch(scene, batch, &within, sides, test);
         best = match (best, found) {
             (Some(best), Some(found)) if best.is_before(&found) => Some(best),
             (best, found) => found.or(best),
         };
-        if let Some(best) = &best {
-            within = ray.until(just_behind(best.hit.t));
-        }
+        within = best.map_or(*ray, |best| ray.until(just_behind(best.hit.t)));
         within.t_max
-    };
-    if test.is_none() {
-        scene.visit_batches(ray, visit);
-    } else {
-        // Another test may hit what the ray misses.
-        for batch in scene.batches() {
-            visit(batch);
-        }
-    }
+    });
     best
 }
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let mut met = Vec::new();
+    let mut by_batch = Vec::new();
     scene.visit_batches(ray, |batch| {
-        met.push(batch.clone());
+        let found = all_in_batch(scene, batch, ray, sides);
+        if !found.is_empty() {
+            by_batch.push((batch.start, found));
+        }
         ray.t_max
     });
-    // Lists are merged in the order of the objects.
-    met.sort_unstable_by_key(|batch| batch.start);
-    let lists = met
-        .iter()
-        .map(|batch| all_in_batch(scene, batch, ray, sides));
-    lists.fold(Vec::new(), merged)
+    // Whatever the order in which they were visited.
+    by_batch.sort_by_key(|(first, _)| *first);
+    by_batch
+        .into_iter()
+        .fold(Vec::new(), |hits, (_, found)| merged(hits, found))
 }
 
 /// Two lists of hits as one, each in its own order.
@@ -169,9 +161,10 @@ fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
     let mut found = false;
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        if let (false, Shape::Mesh { mesh, part }) = (found, &first.shape) {
+        if let (Shape::Mesh { mesh, part }, false) = (&first.shape, found) {
+            let local = first.placement.ray_to_object(ray);
             let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
-            found = mesh.is_in_doubt(&first.placement.ray_to_object(ray), accept);
+            found = mesh.is_in_doubt(&local, accept);
         }
         // Once is enough: nothing lies before this.
         if found { f64::NEG_INFINITY } else { ray.t_max }

@@ -1,6 +1,10 @@
 //! The graphics device, with or without a window, and what can go wrong with it.
 
 use crate::camera::Viewport;
+use std::sync::{
+    Arc, Mutex,
+    atomic::{AtomicBool, Ordering},
+};
 
 /// A graphics device that can draw triangle ids.
 #[derive(Clone, Debug)]
@@ -12,6 +16,15 @@ pub struct Gpu {
     /// Takes commands.
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
+    reports: Arc<Reports>,
+}
+
+/// What the driver said outside of any call that could return it.
+#[derive(Debug, Default)]
+struct Reports {
+    lost: AtomicBool,
+    /// The first error since somebody asked.
+    error: Mutex<Option<String>>,
 }
 
 /// Why nothing can be drawn. Each says in one line what to do about it.
@@ -64,6 +77,9 @@ pub enum GpuError {
         /// The most the adapter takes.
         limit: u64,
     },
+    /// The driver gave the device up: it was reset, updated or unplugged.
+    #[error("{0} was lost, as when a driver restarts: try again, or draw with --by raycast")]
+    Lost(String),
     /// Graphics memory is used up.
     #[error("{0} is out of memory: draw a smaller picture or scene, or draw with --by raycast")]
     OutOfMemory(String),
@@ -108,7 +124,8 @@ impl Gpu {
         }
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("sightline"),
-            required_features: wgpu::Features::PRIMITIVE_INDEX,
+            required_features: wgpu::Features::PRIMITIVE_INDEX
+                | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
             // All there is: meshes and pictures are as large as the user says.
             required_limits: adapter.limits(),
             ..Default::default()
@@ -118,11 +135,14 @@ impl Gpu {
                 adapter: info.name.clone(),
                 reason: one_line(&error),
             })?;
+        let reports = Arc::default();
+        report_to(&reports, &device);
         Ok(Self {
             adapter,
             device,
             queue,
             info,
+            reports,
         })
     }
 
@@ -136,6 +156,13 @@ impl Gpu {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// Whether triangles can be drawn as their edges.
+    #[must_use]
+    pub fn draws_wireframes(&self) -> bool {
+        let features = self.device.features();
+        features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
     /// Samples a pixel that colours are worth: 4 on hardware, 1 in software.
@@ -211,10 +238,32 @@ impl Gpu {
     /// Waits until all that was submitted is done.
     ///
     /// # Errors
-    /// When the device is lost.
+    /// When the device is lost or refused something that was submitted.
     pub fn wait(&self) -> Result<(), GpuError> {
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.check()?;
         polled.map(|_| ()).map_err(|error| self.failed(&error))
+    }
+
+    /// Whether the device is gone for good: another [`Gpu`] is needed.
+    #[must_use]
+    pub fn is_lost(&self) -> bool {
+        self.reports.lost.load(Ordering::Acquire)
+    }
+
+    /// What the device refused since the last time somebody asked.
+    ///
+    /// # Errors
+    /// When it is lost, or refused something.
+    pub fn check(&self) -> Result<(), GpuError> {
+        if self.is_lost() {
+            return Err(GpuError::Lost(self.info.name.clone()));
+        }
+        let error = self.reports.error.lock();
+        match error.map_or(None, |mut error| error.take()) {
+            None => Ok(()),
+            Some(error) => Err(self.failed(&error)),
+        }
     }
 
     pub(super) fn failed(&self, error: &impl std::fmt::Display) -> GpuError {
@@ -223,6 +272,20 @@ impl Gpu {
             reason: one_line(error),
         }
     }
+}
+
+/// Keeps what `device` reports; left alone, wgpu would panic.
+fn report_to(reports: &Arc<Reports>, device: &wgpu::Device) {
+    let lost = Arc::clone(reports);
+    device.set_device_lost_callback(move |_, _| lost.lost.store(true, Ordering::Release));
+    let refused = Arc::clone(reports);
+    device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+        let text = one_line(&error);
+        log::debug!("{text}");
+        if let Ok(mut first) = refused.error.lock() {
+            first.get_or_insert(text);
+        }
+    }));
 }
 
 fn one_line(error: &impl std::fmt::Display) -> String {

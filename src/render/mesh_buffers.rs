@@ -8,6 +8,7 @@ use crate::{
     colour::Srgb,
     geometry::{Cuboid, Mesh, Square, face_normal},
 };
+use glam::DVec3;
 use std::collections::HashMap;
 use wgpu::BufferUsages;
 
@@ -35,36 +36,20 @@ impl MeshBuffers {
 
     /// The unit cube as twelve triangles.
     pub fn cube(gpu: &Gpu) -> Result<Self, GpuError> {
-        let mut faces = Vec::new();
-        for axis in 0..3 {
-            for side in [-1.0, 1.0] {
-                let at = |u: f64, v: f64| {
-                    let mut p = [0.0; 3];
-                    p[axis] = side;
-                    p[(axis + 1) % 3] = u * side;
-                    p[(axis + 2) % 3] = v;
-                    p.map(|c| super::transform::narrow(c * Cuboid::HALF_SIDE))
-                };
-                faces.push([at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0)]);
-            }
-        }
-        Self::quads(gpu, &faces)
+        Self::quads(gpu, &Cuboid::NORMALS.map(Cuboid::face))
     }
 
     /// The unit square as two triangles.
     pub fn square(gpu: &Gpu) -> Result<Self, GpuError> {
-        let h = super::transform::narrow(Square::HALF_SIDE);
-        Self::quads(
-            gpu,
-            &[[[-h, -h, 0.0], [h, -h, 0.0], [h, h, 0.0], [-h, h, 0.0]]],
-        )
+        Self::quads(gpu, &[Square::corners()])
     }
 
     /// Flat quadrilaterals, counter-clockwise seen from outside.
-    fn quads(gpu: &Gpu, quads: &[[[f32; 3]; 4]]) -> Result<Self, GpuError> {
+    fn quads(gpu: &Gpu, quads: &[[DVec3; 4]]) -> Result<Self, GpuError> {
         let mut vertices = Vec::new();
         let mut triangles = Vec::new();
         for (first, quad) in (0..).step_by(4).zip(quads) {
+            let quad = quad.map(|corner| corner.as_vec3().to_array());
             let normal = face_normal([quad[0], quad[1], quad[2]]).to_array();
             vertices.extend(quad.map(|position| Vertex {
                 position,

@@ -32,6 +32,8 @@ pub use gpu::{Gpu, GpuError};
 pub use outline::{Destination, Marks};
 pub use overlay::Line;
 pub use pipelines::SHADERS;
+pub use raster::Wireframe;
+pub(crate) use readback::read_rgb;
 pub use scene_buffers::SceneBuffers;
 pub use targets::Targets;
 
@@ -46,6 +48,8 @@ use crate::{
 pub struct Renderer {
     /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
     pub scale_factor: f32,
+    /// Whose edges are drawn over their faces. Nobody's at first, nor where [`Gpu::draws_wireframes`] says no.
+    pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     post: outline::PostPasses,
     frame: wgpu::Buffer,
@@ -57,6 +61,7 @@ impl Renderer {
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
             scale_factor: 1.0,
+            wireframe: None,
             pipelines: pipelines::Pipelines::new(gpu, colour_samples),
             post: outline::PostPasses::new(gpu),
             frame: uniform_buffer::<layout::Frame>(gpu, "frame"),

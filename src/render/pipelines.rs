@@ -56,6 +56,8 @@ pub(super) enum Drawn {
     Triangles { culled_mirrored: Option<bool> },
     /// Spheres, which cull themselves.
     Spheres,
+    /// Edges of triangles, over their faces.
+    Edges,
     /// Lines.
     Lines,
     /// The background.
@@ -179,12 +181,13 @@ impl Pipelines {
         };
         let (module, vertex, fragment) = match drawn {
             Drawn::Triangles { .. } => (&self.mesh, "vertex", surface_entry),
+            Drawn::Edges => (&self.mesh, "vertex", "edge"),
             Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
             Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
             Drawn::Background => (&self.overlay, "background_vertex", "background_colour"),
         };
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
-            Drawn::Triangles { .. } => &[Some(VERTEX)],
+            Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX)],
             Drawn::Lines => &[Some(LINE_VERTEX)],
             Drawn::Spheres | Drawn::Background => &[],
         };
@@ -265,12 +268,17 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
         ),
         Drawn::Spheres => (wgpu::PrimitiveTopology::TriangleStrip, None),
         Drawn::Lines => (wgpu::PrimitiveTopology::LineList, None),
-        Drawn::Background => (wgpu::PrimitiveTopology::TriangleList, None),
+        Drawn::Edges | Drawn::Background => (wgpu::PrimitiveTopology::TriangleList, None),
     };
     wgpu::PrimitiveState {
         topology,
         front_face: wgpu::FrontFace::Ccw,
         cull_mode,
+        polygon_mode: if drawn == Drawn::Edges {
+            wgpu::PolygonMode::Line
+        } else {
+            wgpu::PolygonMode::Fill
+        },
         ..Default::default()
     }
 }
@@ -291,6 +299,23 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
             nearer
         }),
         stencil: wgpu::StencilState::default(),
-        bias: wgpu::DepthBiasState::default(),
+        bias: if drawn == Drawn::Edges {
+            towards_the_eye(depth)
+        } else {
+            wgpu::DepthBiasState::default()
+        },
+    }
+}
+
+/// An edge is as deep as its faces, and rasterised at other points of them: a pixel's slope nearer, it is before them.
+fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
+    let nearer = match depth {
+        DepthMapping::Reversed => 1,
+        DepthMapping::Standard => -1,
+    };
+    wgpu::DepthBiasState {
+        constant: 4 * nearer,
+        slope_scale: if nearer > 0 { 1.5 } else { -1.5 },
+        clamp: 0.0,
     }
 }

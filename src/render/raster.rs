@@ -23,6 +23,15 @@ pub(super) struct Bindings {
     spheres: wgpu::BindGroup,
 }
 
+/// Whose edges are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wireframe {
+    /// Every object's that has triangles.
+    OfAll,
+    /// The object's with this index.
+    Of(usize),
+}
+
 impl Renderer {
     /// Draws colours and ids of the scene as `view` shows it, with lines that are in the colours only. Needed when
     /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`].
@@ -65,6 +74,17 @@ impl Renderer {
             );
             pass.draw(0..3, 0..1);
             self.draw_scene(gpu, &mut pass, colour_pass, view, scene, &bindings);
+            if let Some(wireframe) = self.wireframe.filter(|_| gpu.draws_wireframes()) {
+                self.draw_edges(
+                    gpu,
+                    &mut pass,
+                    colour_pass,
+                    view,
+                    scene,
+                    &bindings,
+                    wireframe,
+                );
+            }
             if !ends.is_empty() {
                 pass.set_pipeline(&self.pipelines.get(gpu, colour_pass, Drawn::Lines, depth));
                 pass.set_vertex_buffer(0, line_buffer.slice(..));
@@ -129,6 +149,45 @@ impl Renderer {
             self.draw_part(
                 gpu, pass, writes, view, bindings, draw, triangles, instances,
             );
+        }
+    }
+
+    /// Draws the edges of triangles where their faces are seen.
+    #[expect(clippy::too_many_arguments, reason = "those of the scene, and which")]
+    fn draw_edges(
+        &mut self,
+        gpu: &Gpu,
+        pass: &mut wgpu::RenderPass<'_>,
+        writes: Pass,
+        view: &View,
+        scene: &SceneBuffers,
+        bindings: &Bindings,
+        wireframe: Wireframe,
+    ) {
+        let depth = view.camera.lens().depth;
+        pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, depth));
+        pass.set_bind_group(0, &bindings.triangles, &[]);
+        let mut edges = |draw: &Draw, triangles: Range<u32>, instances: Range<u32>| {
+            if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
+                pass.set_vertex_buffer(0, buffers.vertices.slice(..));
+                pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.draw_indexed(3 * triangles.start..3 * triangles.end, 0, instances);
+            }
+        };
+        match wireframe {
+            Wireframe::OfAll => {
+                for draw in &scene.draws {
+                    if let DrawnShape::Triangles { triangles, .. } = &draw.shape {
+                        edges(draw, triangles.clone(), draw.instances.clone());
+                    }
+                }
+            }
+            Wireframe::Of(object) => {
+                if let Some(place) = scene.places.get(object) {
+                    let instance = place.instance..place.instance + 1;
+                    edges(&scene.draws[place.draw], place.triangles.clone(), instance);
+                }
+            }
         }
     }
 

@@ -96,7 +96,8 @@ impl Renderer {
     }
 }
 
-fn read_rgb(
+/// The values of a texture of 8-bit red, green, blue and whatever, as they are.
+pub(crate) fn read_rgb(
     gpu: &Gpu,
     texture: &wgpu::Texture,
     viewport: Viewport,

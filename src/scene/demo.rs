@@ -29,6 +29,7 @@ pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
         warnings,
         meshes: Vec::new(),
         title: "demo".to_owned(),
+        exhibit: None,
     })
 }
 

@@ -57,7 +57,7 @@ pub struct Description {
 #[serde(deny_unknown_fields)]
 struct SceneFile {
     camera: Option<Spanned<CameraChoice>>,
-    #[serde(default, rename = "object")]
+    #[serde(default, rename = "object", skip_serializing_if = "Vec::is_empty")]
     objects: Vec<Spanned<Entry>>,
 }
 

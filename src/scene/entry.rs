@@ -4,7 +4,7 @@ use super::{ObjError, Object, Problem, SaveError, Shape};
 use crate::{
     camera::{exactly, some_vector},
     colour::Srgb,
-    geometry::{Mesh, Placement, sin_cos_quarters},
+    geometry::{Mesh, Placement, Trs},
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Deserialize, Serialize};
@@ -184,15 +184,16 @@ impl Entry {
                 return Err(Problem::Both("matrix and position, rotation or scale"));
             }
             Some(rows) => from_rows(rows),
-            None => DAffine3 {
-                matrix3: self.rotation.map_or(DMat3::IDENTITY, rotation)
-                    * DMat3::from_diagonal(match self.scale {
-                        None => DVec3::ONE,
-                        Some(Scale::Uniform(scale)) => DVec3::splat(scale),
-                        Some(Scale::Axes(scale)) => scale.into(),
-                    }),
+            None => Trs {
                 translation: self.position.unwrap_or(DVec3::ZERO),
-            },
+                rotation_deg: self.rotation.unwrap_or(DVec3::ZERO),
+                scale: match self.scale {
+                    None => DVec3::ONE,
+                    Some(Scale::Uniform(scale)) => DVec3::splat(scale),
+                    Some(Scale::Axes(scale)) => scale.into(),
+                },
+            }
+            .to_model(),
         };
         Placement::new(model).map_err(|source| Problem::Placement {
             object: object.to_owned(),
@@ -248,16 +249,6 @@ impl Entry {
         }
         Ok(entry)
     }
-}
-
-/// Turns by degrees about the world's x axis, then its y axis, then its z axis: `Rz * Ry * Rx`.
-fn rotation(degrees: DVec3) -> DMat3 {
-    let [(sx, cx), (sy, cy), (sz, cz)] = (degrees / 90.0).to_array().map(sin_cos_quarters);
-    DMat3::from_cols(
-        DVec3::new(cz * cy, sz * cy, -sy),
-        DVec3::new(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx),
-        DVec3::new(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx),
-    )
 }
 
 fn from_rows(Rows([Row(x), Row(y), Row(z)]): Rows) -> DAffine3 {

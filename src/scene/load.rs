@@ -2,7 +2,9 @@
 
 use super::{
     Cancelled, DescriptionError, ObjError, Object, Problem, Progress, Scene, Shape, Warning, demo,
-    description, obj,
+    description,
+    gallery::{self, Exhibit},
+    obj,
 };
 use crate::{
     camera::CameraChoice,
@@ -28,6 +30,8 @@ pub struct Loaded {
     pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// A name for all of it, for the window's title.
     pub title: String,
+    /// The scene of the gallery that all of it is.
+    pub exhibit: Option<&'static Exhibit>,
 }
 
 /// Why there is no scene. One line that names the file.
@@ -47,12 +51,22 @@ pub enum LoadError {
     /// A scene file was refused.
     #[error(transparent)]
     Scene(DescriptionError),
+    /// The gallery has no scene of that name.
+    #[error(
+        "no \u{201c}{name}\u{201d} in the gallery: there are {}",
+        gallery::names()
+    )]
+    NoExhibit {
+        /// What was asked for.
+        name: String,
+    },
     /// A mesh file was refused.
     #[error(transparent)]
     Obj(ObjError),
 }
 
-/// Loads files as one scene: `.toml` is a scene file, anything else an OBJ file. Ids run on in the order of `paths`.
+/// Loads files as one scene: `.toml` is a scene file, `gallery:NAME` is one of the gallery's, anything else is an OBJ
+/// file. Ids run on in the order of `paths`.
 /// Without any path it is the demo.
 ///
 /// # Errors
@@ -66,7 +80,14 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
     let mut warnings = Vec::new();
     let mut camera = None;
     for path in paths {
-        if path
+        if let Some(exhibit) = Exhibit::at(path)? {
+            let mut meshes = exhibit.meshes(progress, &mut warnings)?;
+            let file = exhibit.file();
+            let scene =
+                description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
+            objects.extend(scene.objects);
+            camera = camera.or(scene.camera.map(|camera| (camera, file)));
+        } else if path
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
         {
@@ -90,6 +111,10 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
         warnings,
         meshes: meshes.0,
         title: title(paths),
+        exhibit: match paths {
+            [only] => Exhibit::at(only)?,
+            _ => None,
+        },
     })
 }
 

@@ -3,6 +3,7 @@
 mod demo;
 pub mod description;
 mod entry;
+pub mod gallery;
 mod load;
 pub mod obj;
 mod problem;
@@ -22,11 +23,10 @@ use crate::{
 };
 use glam::DVec3;
 use std::{
-    collections::HashSet,
     ops::Range,
     sync::{Arc, atomic::AtomicBool},
 };
-use tree::SceneTree;
+use tree::BatchTree;
 
 /// A shape in its object space.
 #[derive(Clone, Debug)]
@@ -165,26 +165,22 @@ pub struct Scene {
     objects: Vec<Object>,
     bounds: Vec<Aabb>,
     batches: Vec<Range<usize>>,
-    meshes: Vec<Arc<Mesh>>,
-    tree: SceneTree,
+    tree: BatchTree,
 }
 
 impl Scene {
     /// The objects in this order.
     #[must_use]
     pub fn new(objects: Vec<Object>) -> Self {
-        let bounds = objects.iter().map(Object::bounds_world).collect();
+        let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
         let batches = batches(&objects);
-        let meshes = meshes(&objects);
-        let mut scene = Self {
+        let tree = BatchTree::new(&objects, &batches, &bounds);
+        Self {
             objects,
             bounds,
             batches,
-            meshes,
-            tree: SceneTree::default(),
-        };
-        scene.tree = SceneTree::new(&scene);
-        scene
+            tree,
+        }
     }
 
     /// All objects, hidden ones too.
@@ -221,6 +217,14 @@ impl Scene {
         self.objects[object].visible = visible;
     }
 
+    /// Puts an object somewhere else.
+    pub fn place(&mut self, object: usize, placement: Placement) {
+        self.objects[object].placement = placement;
+        self.bounds[object] = self.objects[object].bounds_world();
+        self.batches = batches(&self.objects);
+        self.tree = BatchTree::new(&self.objects, &self.batches, &self.bounds);
+    }
+
     /// Hides the objects with these ids (from 1).
     ///
     /// # Errors
@@ -242,16 +246,12 @@ impl Scene {
         &self.batches
     }
 
-    /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
-    /// returns the new end of the ray's interval. What is passed over has no hit in it.
+    /// Calls `visit` with every batch that a world-space ray may hit within its interval, those of nearer boxes first
+    /// where there are many. `visit` returns the new end of the interval: what lies behind it is passed over.
     pub fn visit_batches(&self, ray: &Ray, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        if self.tree.is_empty() {
-            for batch in &self.batches {
-                visit(batch);
-            }
-        } else {
-            self.tree.visit(ray, |batch| visit(&self.batches[batch]));
-        }
+        let batches = &self.batches;
+        self.tree
+            .visit(ray, batches.len(), |index| visit(&batches[index]));
     }
 
     /// Triangles of all meshes, hidden ones too.
@@ -267,7 +267,12 @@ impl Scene {
     /// Whether each mesh that is worth a tree has one.
     #[must_use]
     pub fn trees_are_built(&self) -> bool {
-        self.meshes.iter().all(|mesh| mesh.is_ready())
+        self.batches
+            .iter()
+            .all(|batch| match &self.objects[batch.start].shape {
+                Shape::Mesh { mesh, .. } => mesh.is_ready(),
+                _ => true,
+            })
     }
 
     /// Builds the tree of each mesh that has none. Takes about 0.3 s for a million triangles; picks are right before
@@ -278,22 +283,12 @@ impl Scene {
 
     /// [`Scene::build_trees`], given up soon after `stop` is set.
     pub fn build_trees_unless(&self, stop: &AtomicBool) {
-        for mesh in &self.meshes {
-            mesh.build_tree_unless(stop);
+        for batch in &self.batches {
+            if let Shape::Mesh { mesh, .. } = &self.objects[batch.start].shape {
+                mesh.build_tree_unless(stop);
+            }
         }
     }
-}
-
-/// Each mesh of the objects once.
-fn meshes(objects: &[Object]) -> Vec<Arc<Mesh>> {
-    let mut seen = HashSet::new();
-    let shapes = objects.iter().map(|object| &object.shape);
-    let meshes = shapes.filter_map(|shape| match shape {
-        Shape::Mesh { mesh, .. } => Some(mesh),
-        _ => None,
-    });
-    let first = meshes.filter(|mesh| seen.insert(Arc::as_ptr(mesh)));
-    first.cloned().collect()
 }
 
 fn batches(objects: &[Object]) -> Vec<Range<usize>> {

@@ -1,199 +1,208 @@
-//! A tree over what stands in a scene, so that a ray among thousands of objects asks the few that it may meet.
-//!
-//! Its boxes only reject, and with room to spare: whoever asks the batches that it hands out gets the hits that asking
-//! every batch would give, to the bit.
-//!
-//! # The room
-//!
-//! An object is hit in its own space. With `U = 2^-53`, `k` the product of the Frobenius norms of its model matrix and of the
-//! inverse (at least 3), and `D` the sum of the largest coordinates of eye, box and model translation: the inverse is within
-//! about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of the given one
-//! wherever it may hit; a hit on a curved or flat shape lies on that line and within some `U` of the shape, also where the
-//! ray grazes it and `t` is vague; the box's own corners round by `4 k U D`. Boxes are grown by `2^-40 k^2 D`, which is 300
-//! times that, and where it matters still nothing.
+//! A tree over the batches of a scene, so that a ray asks a few of thousands for hits.
 
-use super::{Object, Scene};
-use crate::geometry::{Aabb, Ray};
+use super::Object;
+use crate::geometry::{Aabb, Placement, Ray, VertexRay};
 use glam::{DMat3, DVec3};
+use std::ops::Range;
 
-/// Fewer batches are asked one after the other.
+/// Fewer batches are quicker asked one after the other.
 const WORTH_A_TREE: usize = 8;
-/// Nodes that may wait: one for each level, and halving by count makes no more than 64.
-const DEEPEST: usize = 64;
+/// As many batches at most share a leaf.
+const LEAF: usize = 2;
 
-/// How much boxes grow, before `k^2 D`.
-const ROOM: f64 = f64::from_bits((1023 - 40) << 52);
-
-/// A binary tree over the boxes of batches.
+/// A binary tree of boxes; nothing for few batches.
 #[derive(Clone, Debug, Default)]
-pub(super) struct SceneTree {
-    /// Each before its children, of which the first follows at once; the root first.
+pub(super) struct BatchTree {
+    /// The root first; an inner node's left child comes right behind it.
     nodes: Vec<Node>,
+    /// Indices of batches, a leaf's next to each other.
+    order: Vec<usize>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Node {
     bounds: Aabb,
-    /// `ROOM * k^2`, the largest of what is in it. The box is already grown by it times all of `D` but the eye's part.
-    room: f64,
-    /// The batch that is in it, or the second child.
+    slack: Slack,
     content: Content,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Content {
-    Batch(usize),
-    Second(usize),
+    /// Places in the order.
+    Leaf(Range<usize>),
+    /// The right child.
+    Inner(usize),
 }
 
-impl SceneTree {
-    /// Over the batches of a scene; of no use, and empty, for a few.
-    pub fn new(scene: &Scene) -> Self {
-        let batches = scene.batches().iter().enumerate();
-        let mut leaves: Vec<Node> = batches
-            .filter_map(|(index, batch)| {
-                let parts = scene.bounds[batch.clone()].iter();
-                let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(*part));
-                leaf(index, &scene.objects[batch.start], bounds)
+impl BatchTree {
+    /// The tree over `batches` of `objects`, each of which lies within its box of `bounds`.
+    pub fn new(objects: &[Object], batches: &[Range<usize>], bounds: &[Aabb]) -> Self {
+        if batches.len() <= WORTH_A_TREE {
+            return Self::default();
+        }
+        let mut leaves: Vec<(usize, Aabb, Slack)> = batches
+            .iter()
+            .map(|batch| {
+                bounds[batch.clone()]
+                    .iter()
+                    .fold(Aabb::EMPTY, |all, one| all.union(*one))
+            })
+            .enumerate()
+            .filter(|(_, bounds)| !bounds.is_empty())
+            .map(|(index, bounds)| {
+                let placement = &objects[batches[index].start].placement;
+                (index, bounds, Slack::of(placement, &bounds))
             })
             .collect();
         let mut tree = Self::default();
-        if leaves.len() >= WORTH_A_TREE {
-            tree.nodes.reserve_exact(2 * leaves.len() - 1);
-            tree.grow(&mut leaves);
-        }
+        tree.split(&mut leaves);
         tree
     }
 
-    /// Whether it knows its scene.
-    pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
-    }
-
-    fn grow(&mut self, leaves: &mut [Node]) {
-        if let [leaf] = leaves {
-            self.nodes.push(*leaf);
-            return;
+    /// Adds a node over `leaves` and all below it.
+    fn split(&mut self, leaves: &mut [(usize, Aabb, Slack)]) {
+        let both = |all: (Aabb, Slack), leaf: &(usize, Aabb, Slack)| {
+            (all.0.union(leaf.1), all.1.max(leaf.2))
+        };
+        let (bounds, slack) = leaves.iter().fold((Aabb::EMPTY, Slack::default()), both);
+        let node = self.nodes.len();
+        if leaves.len() <= LEAF {
+            let start = self.order.len();
+            self.order.extend(leaves.iter().map(|leaf| leaf.0));
+            let content = Content::Leaf(start..self.order.len());
+            return self.nodes.push(Node {
+                bounds,
+                slack,
+                content,
+            });
         }
-        let empty = (Aabb::EMPTY, Aabb::EMPTY, 0.0_f64);
-        let (bounds, centers, room) = leaves.iter().fold(empty, |(bounds, centers, room), leaf| {
-            let centers = centers.including(leaf.bounds.center());
-            (bounds.union(leaf.bounds), centers, room.max(leaf.room))
-        });
-        let size = centers.max - centers.min;
-        let axis = size.max_position();
+        let centers = Aabb::around(leaves.iter().map(|leaf| leaf.1.center()));
+        let axis = (centers.max - centers.min).max_position();
         let middle = leaves.len() / 2;
+        // Halves of equal size, whatever lies where: the tree is as deep as the logarithm of its leaves.
         leaves.select_nth_unstable_by(middle, |a, b| {
-            let [a, b] = [a, b].map(|leaf| leaf.bounds.center()[axis]);
-            a.total_cmp(&b)
+            let [a, b] = [a, b].map(|leaf| (leaf.1.center()[axis], leaf.0));
+            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
         });
-        let place = self.nodes.len();
+        let (left, right) = leaves.split_at_mut(middle);
         self.nodes.push(Node {
             bounds,
-            room,
-            content: Content::Second(0),
+            slack,
+            content: Content::Inner(0),
         });
-        let (first, second) = leaves.split_at_mut(middle);
-        self.grow(first);
-        self.nodes[place].content = Content::Second(self.nodes.len());
-        self.grow(second);
+        self.split(left);
+        self.nodes[node].content = Content::Inner(self.nodes.len());
+        self.split(right);
     }
 
-    /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of
-    /// the ray's interval.
-    pub fn visit(&self, ray: &Ray, mut visit: impl FnMut(usize) -> f64) {
-        let away = ray.origin.abs().max_element();
+    /// Calls `visit` with the index of every batch of `batches` that `ray` may hit. `visit` returns the new end of the
+    /// ray's interval, as [`Scene::visit_batches`](super::Scene::visit_batches) says.
+    pub fn visit(&self, ray: &Ray, batches: usize, mut visit: impl FnMut(usize) -> f64) {
+        if self.nodes.is_empty() {
+            for batch in 0..batches {
+                visit(batch);
+            }
+            return;
+        }
         let inverse = ray.direction.recip();
-        let mut end = ray.t_max;
-        let enter = |place: usize, end: f64| self.nodes[place].enter(ray, inverse, away, end);
-        let mut waiting = [(0_usize, 0.0); DEEPEST];
-        let mut count = 0_usize;
-        let mut next = enter(0, end).map(|begin| (0, begin));
-        loop {
-            let Some((place, begin)) = next else {
-                let Some(last) = count.checked_sub(1) else {
-                    return;
-                };
-                count = last;
-                next = Some(waiting[last]);
-                continue;
+        let mut line = VertexRay::new(&widened(ray), DVec3::ZERO);
+        let distance = ray.origin.abs().max_element();
+        // Halved fewer than 64 times, the batches are used up.
+        let mut open = [0; 64];
+        let mut waiting = 1;
+        while waiting > 0 {
+            waiting -= 1;
+            let index = open[waiting];
+            let Node {
+                bounds,
+                slack,
+                content,
+            } = &self.nodes[index];
+            let slack = slack.world(distance);
+            let bounds = Aabb {
+                min: bounds.min - slack,
+                max: bounds.max + slack,
             };
-            next = None;
-            if begin > end {
+            if !bounds.may_hit(&line, inverse) {
                 continue;
             }
-            match self.nodes[place].content {
-                Content::Batch(batch) => end = visit(batch),
-                Content::Second(second) => {
-                    let [first, second] =
-                        [place + 1, second].map(|child| Some((child, enter(child, end)?)));
-                    next = first.or(second);
-                    if let (Some(a), Some(b)) = (first, second) {
-                        let (near, far) = if a.1 <= b.1 { (a, b) } else { (b, a) };
-                        next = Some(near);
-                        waiting[count] = far;
-                        count += 1;
+            match content {
+                Content::Leaf(places) => {
+                    for &batch in &self.order[places.clone()] {
+                        line.ray.t_max = widened(&ray.until(visit(batch))).t_max;
                     }
+                }
+                Content::Inner(right) => {
+                    let along = |node: usize| self.nodes[node].bounds.center().dot(ray.direction);
+                    let (left, right) = (index + 1, *right);
+                    // The nearer is taken first.
+                    let left_first = along(left) <= along(right);
+                    [open[waiting], open[waiting + 1]] = if left_first {
+                        [right, left]
+                    } else {
+                        [left, right]
+                    };
+                    waiting += 2;
                 }
             }
         }
     }
 }
 
-impl Node {
-    /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
-    fn enter(&self, ray: &Ray, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
-        let room = self.room * away;
-        let to_min = (self.bounds.min - room - ray.origin) * inverse;
-        let to_max = (self.bounds.max + room - ray.origin) * inverse;
-        let (mut begin, mut end) = (ray.t_min, end);
-        for axis in 0..3 {
-            let (a, b) = (to_min[axis], to_max[axis]);
-            let (near, far) = if inverse[axis].is_sign_negative() {
-                (b, a)
-            } else {
-                (a, b)
-            };
-            // Written so that NaN, from a ray along a plane of the box, changes nothing.
-            if near > begin {
-                begin = near;
-            }
-            if far < end {
-                end = far;
-            }
-        }
-        // Beside a slab that it runs along, it enters at infinity.
-        (begin <= end && begin < f64::INFINITY).then_some(begin)
+/// The ray with an interval that is wider by as much as a hit's parameter may be off: the roots of a sphere that it
+/// grazes have half of their digits.
+fn widened(ray: &Ray) -> Ray {
+    let off = |t: f64| 2.0 * f64::EPSILON.sqrt() * t.abs();
+    Ray {
+        t_min: ray.t_min - off(ray.t_min),
+        t_max: ray.t_max + off(ray.t_max),
+        ..*ray
     }
 }
 
-/// The box about a batch, with what it takes of the room; `None` where there is nothing to hit.
-fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
-    if bounds.is_empty() {
-        return None;
+/// How far from its box, in the world, a batch may be hit because a ray goes into its space by rounding.
+///
+/// A hit is found at `o' + t d'`, with `o' = Minv (o - T)` and `d' = Minv d` rounded. Its place in the world, by the
+/// exact `M` and `T`, is off the world's `o + t d` by two things: what `M Minv` differs from the identity, times the way
+/// from `T` to the hit; and a few roundings, which `|M| |Minv|` takes back to the world, of the ways from the eye to `T`
+/// and to the hit. The shapes' own roundings and that of the box are of the same kind. Both ways are at most the sum of
+/// the largest coordinates of `o`, `T` and the box, of which 64 roundings leave plenty.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slack {
+    /// For each unit of the eye's largest coordinate.
+    per_distance: f64,
+    /// Whatever the eye.
+    fixed: f64,
+}
+
+impl Slack {
+    fn of(placement: &Placement, bounds: &Aabb) -> Self {
+        let (model, inverse) = (placement.model(), placement.inverse_linear());
+        let condition = norm(model.matrix3.abs() * inverse.abs());
+        let residual = norm((model.matrix3 * inverse - DMat3::IDENTITY).abs());
+        let per_distance = 64.0 * f64::EPSILON * condition + 2.0 * residual;
+        let reach = bounds.min.abs().max(bounds.max.abs());
+        let reach = model.translation.abs().max_element() + reach.max_element();
+        Self {
+            per_distance,
+            fixed: per_distance * reach,
+        }
     }
-    let model = object.placement.model();
-    let norm = |m: DMat3| m.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt();
-    let k = norm(model.matrix3) * norm(object.placement.inverse_linear());
-    let room = ROOM * k * k;
-    let largest = [bounds.min, bounds.max, model.translation].map(|v| v.abs().max_element());
-    let grown = room * (largest[0].max(largest[1]) + largest[2]);
-    // What overflows is asked always.
-    let everything = !grown.is_finite();
-    let bounds = if everything {
-        Aabb {
-            min: DVec3::NEG_INFINITY,
-            max: DVec3::INFINITY,
+
+    fn max(self, other: Self) -> Self {
+        Self {
+            per_distance: self.per_distance.max(other.per_distance),
+            fixed: self.fixed.max(other.fixed),
         }
-    } else {
-        Aabb {
-            min: bounds.min - grown,
-            max: bounds.max + grown,
-        }
-    };
-    Some(Node {
-        bounds,
-        room: if everything { 0.0 } else { room },
-        content: Content::Batch(batch),
-    })
+    }
+
+    /// In world units, for rays that start with a coordinate this large.
+    fn world(self, distance: f64) -> f64 {
+        self.per_distance * distance + self.fixed
+    }
+}
+
+/// The largest sum of a row.
+fn norm(m: DMat3) -> f64 {
+    (m.x_axis + m.y_axis + m.z_axis).max_element()
 }

@@ -4,6 +4,7 @@
 //! ```text
 //! methods (the registry) + workloads -> run -> Report -> table, csv, chart
 //!                          truth (exact numbers) --^         scene + Report -> budget
+//! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
 //! Every method is one entry in its step's list under [`methods`]; every workload is a seeded family with one
@@ -46,19 +47,23 @@
 mod budget;
 pub mod chart;
 mod csv;
+mod estimates;
 pub mod exact;
+pub mod gallery;
 pub mod methods;
 pub mod random;
 pub mod real;
 mod run;
 pub mod step;
+pub mod swap;
 mod table;
 mod timing;
 pub mod truth;
 pub mod workloads;
 
-pub use budget::{Term, budget};
+pub use budget::budget;
 pub use csv::{COLUMNS, csv};
+pub use estimates::Term;
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use table::{Summary, table};
 pub use timing::Time;

@@ -1,6 +1,6 @@
 //! `f32` and `f64` under one name, so that a method is written once and studied in both.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use num_traits::Float;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
@@ -160,6 +160,12 @@ impl From<DVec3> for V3<f64> {
 /// A 3 x 3 matrix by its columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct M3<T>(pub [V3<T>; 3]);
+
+impl From<DMat3> for M3<f64> {
+    fn from(m: DMat3) -> Self {
+        Self([m.x_axis, m.y_axis, m.z_axis].map(V3::from))
+    }
+}
 
 impl<T: Real> M3<T> {
     /// Rounded, entry by entry, from `f64`.

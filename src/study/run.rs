@@ -3,7 +3,7 @@
 use super::{
     methods::{Visitor, each_step},
     random::Random,
-    step::{About, Bound, Case, Precision, Verdict},
+    step::{About, Bound, Case, Family, Precision, Verdict},
     timing::{self, Time},
     workloads::scene::SceneRays,
 };
@@ -214,31 +214,17 @@ impl Run<'_> {
     }
 
     fn workloads<C: Case>(&self) -> Vec<Workload<'_, C>> {
-        let Effort {
-            cases, picks, seed, ..
-        } = self.effort;
-        let count = if C::SLOW { picks } else { cases };
-        let families = C::families().iter().flat_map(|family| {
-            family.values.iter().map(move |&value| Workload {
-                family: family.name,
-                parameter: family.parameter,
-                value,
-                make: Box::new(move || {
-                    let names = [C::ABOUT.key, family.name, &value.to_string()];
-                    let mut random = Random::named(seed, &names);
-                    (0..count)
-                        .map(|_| (family.make)(&mut random, value))
-                        .collect()
-                }),
-            })
-        });
-        let own = self.scene.into_iter().map(|scene| Workload {
+        let families = C::families().iter();
+        let mut all: Vec<Workload<'_, C>> = families
+            .flat_map(|family| workloads(family, self.effort))
+            .collect();
+        all.extend(self.scene.map(|scene| Workload {
             family: SCENE,
             parameter: "-",
             value: 1.0,
             make: Box::new(|| C::of_scene(scene)),
-        });
-        families.chain(own).collect()
+        }));
+        all
     }
 
     /// The scene's own cases where there are some, else the first family's.
@@ -261,6 +247,39 @@ impl Run<'_> {
         })
         .collect()
     }
+}
+
+/// The workloads of a family, one for each value of its parameter.
+fn workloads<C: Case>(
+    family: &'static Family<C>,
+    effort: Effort,
+) -> impl Iterator<Item = Workload<'static, C>> {
+    let Effort {
+        cases, picks, seed, ..
+    } = effort;
+    let count = if C::SLOW { picks } else { cases };
+    family.values.iter().map(move |&value| Workload {
+        family: family.name,
+        parameter: family.parameter,
+        value,
+        make: Box::new(move || {
+            let names = [C::ABOUT.key, family.name, &value.to_string()];
+            let mut random = Random::named(seed, &names);
+            (0..count)
+                .map(|_| (family.make)(&mut random, value))
+                .collect()
+        }),
+    })
+}
+
+/// What every method of a step does in the family of this name: the rows that [`run`] has for it.
+#[must_use]
+pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
+    let named = C::families().iter().filter(|family| family.name == name);
+    named
+        .flat_map(|family| workloads(family, effort))
+        .flat_map(|work| judge(&work, &(work.make)()))
+        .collect()
 }
 
 /// Every method's answers to the cases of one workload.

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
-    geometry::{Cuboid, Sides},
+    geometry::{Cuboid, Sides, Square},
     render::transform::{VertexToView, depth_origin},
     scene::{Object, Shape},
 };
@@ -52,26 +52,17 @@ pub(super) fn surfaces(
                 .map(|i| DVec3::from_array(data.positions[i as usize].map(f64::from)));
             vec![of(data.origin, &corners)]
         }
-        Shape::Square => vec![of(DVec3::ZERO, &face(DVec3::ZERO, DVec3::X, DVec3::Y))],
+        Shape::Square => vec![of(DVec3::ZERO, &Square::corners())],
         Shape::Cube => {
             let ray = object.placement.ray_to_object(&view.ray(px));
-            let faces = (0..6).map(|i| (i % 3, if i < 3 { 1.0 } else { -1.0 }));
-            let shown = faces.filter(|&(axis, side)| {
-                view.sides == Sides::Both || side * ray.direction[axis] <= 0.0
-            });
-            let corners = shown.map(|(axis, side)| {
-                let [u, v] = [1, 2].map(|i| DVec3::AXES[(axis + i) % 3]);
-                face(side * Cuboid::HALF_SIDE * DVec3::AXES[axis], u, v)
-            });
-            corners.map(|corners| of(DVec3::ZERO, &corners)).collect()
+            let shown = Cuboid::NORMALS
+                .into_iter()
+                .filter(|normal| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0);
+            shown
+                .map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
+                .collect()
         }
     }
-}
-
-/// A unit square about `center`.
-fn face(center: DVec3, u: DVec3, v: DVec3) -> [DVec3; 4] {
-    [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
-        .map(|(along_u, along_v)| center + along_u * u + along_v * v)
 }
 
 /// A flat convex polygon at a pixel.

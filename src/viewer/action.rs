@@ -1,11 +1,12 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::stages::Stage;
+use super::{overlay::Overlay, stages::Stage};
 use crate::{
-    camera::{DepthMapping, UpAxis, Viewport},
+    camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     geometry::Sides,
+    study::swap::Swap,
 };
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 /// Something a user does. Positions are physical pixels of the scene's rectangle, from its top left corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +45,17 @@ pub enum Action {
     UpAxis(UpAxis),
     /// Show both sides of surfaces or only fronts.
     Sides(Sides),
+    /// Pick this surface of those on the last click's ray, from the front.
+    StepTo(usize),
+    /// Pick the next surface on the last click's ray, or the one before.
+    Step {
+        /// The next, further away.
+        forward: bool,
+    },
+    /// Give an object this model matrix; nothing when it has no inverse.
+    Place(usize, DAffine3),
+    /// Take over a camera, all that it says of it.
+    Camera(CameraChoice),
     /// Select an object, or nothing.
     Select(Option<usize>),
     /// Show or hide an object.
@@ -56,8 +68,22 @@ pub enum Action {
     ShowAll,
     /// Show or hide the grid with its axes.
     ToggleGrid,
+    /// Show something over the scene, or no more.
+    Toggle(Overlay),
+    /// Show the boxes of trees a level deeper, or less deep; none beyond the first and the last level.
+    TreeLevel {
+        /// Away from the root.
+        deeper: bool,
+    },
     /// Show the scene at a stage of the pipeline.
     Stage(Stage),
+    /// In the gallery: pick by this method, or by this program's own.
+    PickBy(Option<Swap>),
+    /// In the gallery: pick by the next method, or the one before.
+    NextMethod {
+        /// The next.
+        forward: bool,
+    },
     /// Leave the present camera standing in the scene, as lines, or take it away.
     ToggleFreeze,
 }
@@ -75,4 +101,18 @@ pub struct LensControls {
     pub far: Option<f64>,
     /// What the depth buffer stores.
     pub depth: DepthMapping,
+}
+
+impl LensControls {
+    /// What somebody says of a camera's lens.
+    #[must_use]
+    pub fn of(choice: &CameraChoice) -> Self {
+        Self {
+            fov_deg: choice.fov.unwrap_or(CameraChoice::FOV),
+            orthographic: choice.ortho.is_some(),
+            near: choice.near,
+            far: choice.far,
+            depth: choice.depth.unwrap_or_default(),
+        }
+    }
 }

@@ -1,36 +1,39 @@
-//! The program behind the window: what commands do, and what loads bring.
+//! The program behind the window: what commands do, and what loads bring. Knows no window.
 
 use super::{
-    Command, Notice, Notices, Options, ViewerError, Wake,
+    Command, Notice, Notices, Options, Wake, Waker,
     action::Action,
-    check::{Check, Checking, OnScreen},
+    check::Checking,
     command,
+    exhibit::Chart,
     input::Drag,
-    loading::{self, Loading, TreeBuild},
+    loading::{self, Answer, Loading, TreeBuild},
     panels::{Filter, Floating, Statistics},
-    shell::Shell,
+    pass,
+    screenshot::Screenshots,
     stages::Stage,
     state::State,
+    textures::Textures,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Viewport},
     geometry::Mesh,
     pick::PickLine,
-    scene::{Loaded, Warning, description},
+    scene::{Loaded, Scene, Warning, description},
 };
 use glam::DVec2;
 use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
-use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 
-/// All that lives as long as the event loop.
+/// All that outlives frames, devices and windows.
 pub(super) struct App {
     pub options: Options,
-    pub proxy: EventLoopProxy<Wake>,
-    /// The window, once the event loop runs.
-    pub shell: Option<Shell>,
+    /// Wakes whoever shows this.
+    pub wake: Waker,
+    pub context: egui::Context,
+    pub textures: Textures,
     pub state: State,
     /// What the scene was made from, for the command that makes it again.
-    paths: Vec<PathBuf>,
+    pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
     meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// The load under way, of which files, and whether they are those on screen.
@@ -43,21 +46,34 @@ pub(super) struct App {
     pub floating: Floating,
     pub filter: Filter,
     pub checking: Checking,
+    pub chart: Option<Chart>,
+    pub screenshots: Screenshots,
+    /// What was open before the gallery.
+    outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
     announced: u64,
     pub statistics: Statistics,
-    /// Why the window could not be opened, for the caller of [`super::run`].
-    pub failed: Option<ViewerError>,
+    /// What is to go on the clipboard.
+    pub copied: Option<String>,
+    /// The user is done.
+    pub quit: bool,
 }
 
 /// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
 #[derive(Clone, Copy)]
 pub(super) struct Reload(bool);
 
+/// What is of use of a text on the clipboard; the rest may be objects.
+#[derive(serde::Deserialize)]
+struct Clipping {
+    camera: Option<CameraChoice>,
+}
+
 impl App {
-    pub fn new(options: Options, proxy: EventLoopProxy<Wake>) -> Result<Self, ViewerError> {
+    /// Begins to load what the options name.
+    pub fn new(options: Options, wake: Waker) -> Result<Self, CameraError> {
         let state = State::new(
             Loaded::default(),
             CameraChoice::default(),
@@ -74,14 +90,19 @@ impl App {
             floating: Floating::default(),
             filter: Filter::default(),
             checking: Checking::Off,
+            chart: None,
+            screenshots: Screenshots::default(),
+            outside: Vec::new(),
             reveal_selection: false,
             drag: None,
             announced: 0,
             statistics: Statistics::default(),
-            failed: None,
-            shell: None,
+            copied: None,
+            quit: false,
+            context: pass::context(),
+            textures: Textures::default(),
             state,
-            proxy,
+            wake,
             options,
         };
         app.open(app.options.paths.clone());
@@ -94,8 +115,8 @@ impl App {
     }
 
     fn load(&mut self, paths: Vec<PathBuf>, reload: Reload) {
-        let proxy = self.proxy.clone();
-        let wake = move || drop(proxy.send_event(Wake::Look));
+        let wake = self.wake.clone();
+        let wake = move || wake(Wake::Look);
         self.loading = Some((Loading::start(paths.clone(), wake), paths, reload));
     }
 
@@ -117,6 +138,9 @@ impl App {
             });
         match shown {
             Ok(warnings) => {
+                if self.state.showing().is_none() {
+                    self.outside.clone_from(&paths);
+                }
                 self.paths = paths;
                 self.notices.clear();
                 self.warn(&warnings);
@@ -144,8 +168,29 @@ impl App {
         Ok(())
     }
 
+    /// Whether something is under way that will change what is shown.
+    pub fn is_busy(&self) -> bool {
+        let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
+        let studies = self
+            .chart
+            .as_ref()
+            .is_some_and(|chart| chart.rows.is_none());
+        self.loading.is_some() || checks || studies || !self.state.world().0.trees_are_built()
+    }
+
+    /// Takes what the user answered.
+    pub fn answered(&mut self, answer: Answer) {
+        match answer {
+            Answer::Open(paths) => self.open(paths),
+            Answer::Save(path) => self.save(path),
+            Answer::NoDialog => self.complain(
+                "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
+            ),
+        }
+    }
+
     /// Writes what is shown as a scene file, which from then on is what is shown.
-    pub fn save(&mut self, path: PathBuf) {
+    fn save(&mut self, path: PathBuf) {
         self.act(Action::Stage(Stage::World));
         let text = description::to_toml(
             self.state.scene(),
@@ -160,18 +205,46 @@ impl App {
             Ok(()) => {
                 log::info!("saved {}", path.display());
                 self.paths = vec![path];
+                self.state.edited = false;
             }
             Err(text) => self.complain(text),
         }
     }
 
-    /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal.
+    /// Takes over the camera that a text has, as a scene file writes it.
+    fn paste_camera(&mut self, text: &str) -> Result<(), String> {
+        let none = "the clipboard holds no camera: Shift+C copies one, and so does the [camera] of a scene file";
+        let says = toml::from_str::<Clipping>(text).map_err(|_| none)?;
+        let camera = Action::Camera(says.camera.ok_or(none)?);
+        self.state
+            .check(&camera)
+            .map_err(|error| format!("the camera on the clipboard: {error}"))?;
+        self.act(camera);
+        Ok(())
+    }
+
+    /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
+    /// already is not said again.
     pub fn complain(&mut self, text: String) {
+        if self.notices.iter().any(|notice| notice.text == text) {
+            return;
+        }
         log::error!("{text}");
         self.notices.push(Notice {
             text,
             is_error: true,
         });
+        self.context.request_repaint();
+    }
+
+    /// Says that something is done.
+    pub fn say(&mut self, text: String) {
+        log::info!("{text}");
+        self.notices.push(Notice {
+            text,
+            is_error: false,
+        });
+        self.context.request_repaint();
     }
 
     fn warn(&mut self, warnings: &[Warning]) {
@@ -193,16 +266,16 @@ impl App {
         }
     }
 
-    pub fn run_command(&mut self, command: Command, event_loop: &ActiveEventLoop) {
+    pub fn run_command(&mut self, command: Command) {
         match command {
             Command::Act(action) => self.act(action),
             Command::OpenDialog => {
-                let proxy = self.proxy.clone();
-                loading::open_dialog(move |answer| drop(proxy.send_event(Wake::Answered(answer))));
+                let wake = self.wake.clone();
+                loading::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::SaveDialog => {
-                let proxy = self.proxy.clone();
-                loading::save_dialog(move |answer| drop(proxy.send_event(Wake::Answered(answer))));
+                let wake = self.wake.clone();
+                loading::save_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::Open(paths) => self.open(paths),
             Command::Reload if self.loading.is_none() => {
@@ -210,82 +283,61 @@ impl App {
             }
             Command::Reload => {}
             Command::CopyCommandLine => {
-                let text = self.view_command();
-                self.copy(text);
+                self.copied = Some(self.view_command());
+                if self.state.edited() {
+                    self.complain(
+                        "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
+                            .into(),
+                    );
+                }
+            }
+            Command::CopyCamera => {
+                let camera = self.state.camera_choice();
+                self.copied = description::to_toml(&Scene::default(), &camera, &[]).ok();
+            }
+            Command::Paste(text) => {
+                if let Err(reason) = self.paste_camera(&text) {
+                    self.complain(reason);
+                }
+            }
+            Command::Screenshot => {
+                self.screenshots.wanted = true;
+                self.context.request_repaint();
             }
             Command::CopyPick => {
                 let line = self
                     .state
                     .selection()
                     .and_then(|selection| selection.pick.as_ref());
-                if let Some(text) = line.and_then(|line| serde_json::to_string(line).ok()) {
-                    self.copy(text);
-                }
+                self.copied = line.and_then(|line| serde_json::to_string(line).ok());
             }
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
             Command::Escape if matches!(self.checking, Checking::On(_)) => {
                 self.checking = Checking::Off;
             }
             Command::Escape => self.act(Action::Select(None)),
+            Command::NextExhibit { forward } => self.open_next_exhibit(forward),
+            Command::LeaveGallery => self.open(self.outside.clone()),
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
-            Command::Quit => event_loop.exit(),
+            Command::Quit => self.quit = true,
         }
     }
 
-    /// Asks for a comparison of what will be on screen, or puts away the one that is.
-    fn toggle_check(&mut self) {
-        self.checking = match &self.checking {
-            Checking::Wanted => Checking::Off,
-            // One that a key before this one has outdated is as good as gone.
-            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
-            Checking::Off | Checking::On(_) => Checking::Wanted,
-        };
-    }
-
-    /// Begins the comparison that is asked for.
-    pub fn start_check(&mut self) {
-        let (Checking::Wanted, Some(shell)) = (&self.checking, &self.shell) else {
-            return;
-        };
-        match shell.frame.read_ids(&OnScreen::of(&self.state)) {
-            Ok(Some(drawn)) => {
-                let proxy = self.proxy.clone();
-                let wake = move || drop(proxy.send_event(Wake::Look));
-                let check = Check::start(&self.state, drawn, wake);
-                self.checking = Checking::On(Box::new(check));
-                shell.egui.egui_ctx().request_repaint();
-            }
-            Ok(None) => {}
-            Err(error) => {
-                self.checking = Checking::Off;
-                self.complain(error.to_string());
-            }
-        }
-    }
-
-    /// Takes what a comparison found, and puts away one of what is no longer shown.
-    pub fn take_checked(&mut self) {
-        let (Checking::On(check), Some(shell)) = (&mut self.checking, &self.shell) else {
-            return;
-        };
-        if !check.is_about(&self.state) {
-            self.checking = Checking::Off;
-        } else if check.poll(shell.egui.egui_ctx())
-            && let Some(found) = &check.found
-        {
-            let command = command::verify_command(&self.state, &self.paths);
-            let differ = found.report.disagreements.len();
-            log::info!("{differ} pixels differ: {command}");
-        }
-    }
-
-    fn act(&mut self, action: Action) {
+    pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
+        let method = self.state.method();
         let picked = self.state.apply(action);
+        if self.state.method() != method {
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        }
         if clicks {
             self.statistics.pick = Some(start.elapsed());
             self.reveal_selection = true;
@@ -307,12 +359,6 @@ impl App {
         let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
         command::pick_command(&self.state, &self.paths, at_px)
-    }
-
-    fn copy(&mut self, text: String) {
-        if let Some(shell) = &mut self.shell {
-            shell.egui.set_clipboard_text(text);
-        }
     }
 
     /// Says once that a scene is on the screen.

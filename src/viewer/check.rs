@@ -1,10 +1,11 @@
 //! Verify in the window: the picture on screen against what a click on each of its pixels would pick.
 
-use super::state::State;
+use super::{Wake, app::App, canvas::Canvas, command, state::State};
 use crate::{
     camera::View,
     image::{Id, Image},
     pick,
+    study::swap::Swap,
     verify::{self, Report},
 };
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
@@ -30,6 +31,8 @@ pub(super) enum Checking {
 /// A check under way or done. It is about what was on screen when it began, and goes when that changes.
 pub(super) struct Check {
     of: OnScreen,
+    /// The method of others that picks.
+    method: Option<Swap>,
     cancelled: Arc<AtomicBool>,
     result: Receiver<Report>,
     pub found: Option<Found>,
@@ -63,7 +66,7 @@ impl OnScreen {
 impl Check {
     /// Begins to compare `drawn`, the ids on screen, with picks of the state's scene; calls `wake` when done.
     pub fn start(state: &State, drawn: Image<Id>, wake: impl FnOnce() + Send + 'static) -> Self {
-        let of = OnScreen::of(state);
+        let (of, method) = (OnScreen::of(state), state.method());
         let scene = state.scene().clone();
         let cancelled = Arc::new(AtomicBool::new(false));
         let stop = Arc::clone(&cancelled);
@@ -74,7 +77,10 @@ impl Check {
                 if stop.load(Ordering::Relaxed) {
                     return None;
                 }
-                pick::closest(&scene, &of.view.ray(px), of.view.sides)
+                match method {
+                    Some(method) => Some(method.pick(&scene, &of.view, px)?.hit),
+                    None => pick::closest(&scene, &of.view.ray(px), of.view.sides),
+                }
             });
             if !stop.load(Ordering::Relaxed) {
                 // The receiver is gone when the view has changed; then nobody wants the report.
@@ -84,6 +90,7 @@ impl Check {
         });
         Self {
             of,
+            method,
             cancelled,
             result,
             found: None,
@@ -103,13 +110,72 @@ impl Check {
 
     /// Whether it is about what the state shows.
     pub fn is_about(&self, state: &State) -> bool {
-        self.of == OnScreen::of(state)
+        (self.of, self.method) == (OnScreen::of(state), state.method())
+    }
+
+    /// Whose picks these are, where they are not this program's own.
+    pub fn by(&self) -> String {
+        let name = |method: Swap| format!(" by\n{}", method.info().name);
+        self.method.map_or_else(String::new, name)
     }
 }
 
 impl Drop for Check {
     fn drop(&mut self) {
         self.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+impl App {
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    pub fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for, once what it is about has been drawn.
+    pub fn start_check(&mut self, canvas: &Canvas) {
+        if !matches!(self.checking, Checking::Wanted) {
+            return;
+        }
+        match canvas.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let wake = self.wake.clone();
+                let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
+                self.checking = Checking::On(Box::new(check));
+                self.context.request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let Checking::On(check) = &mut self.checking else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            // What another method gets wrong stays marked, wherever one looks from.
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        } else if check.poll(&self.context)
+            && let Some(found) = &check.found
+            && self.state.method().is_none()
+        {
+            let command = command::verify_command(&self.state, &self.paths);
+            let differ = found.report.disagreements.len();
+            log::info!("{differ} pixels differ: {command}");
+        }
     }
 }
 

@@ -1,16 +1,7 @@
-//! The event loop's side: events in, passes over the panels, frames out.
+//! The event loop's side: events in, frames out.
 
-use super::{
-    Command, Wake,
-    action::Action,
-    app::App,
-    frame::Panels,
-    input::SceneRect,
-    loading::Answer,
-    panels::{self, Shown},
-    shell::Shell,
-};
-use std::time::{Duration, Instant};
+use super::{ViewerError, Wake, app::App, pass::Pass, shell::Shell};
+use std::time::Instant;
 use winit::{
     application::ApplicationHandler,
     dpi::PhysicalSize,
@@ -19,99 +10,51 @@ use winit::{
     window::WindowId,
 };
 
-/// What a pass over the panels leaves to draw.
-struct Pass {
-    shapes: Vec<egui::epaint::ClippedShape>,
-    pixels_per_point: f32,
-    /// Where the scene goes; `None` where there is no room for it.
-    place: Option<SceneRect>,
+/// The program in its window.
+pub(super) struct Host {
+    pub app: App,
+    /// The window, once the event loop runs.
+    pub shell: Option<Shell>,
+    /// Why it could not be opened, for the caller of [`super::run`].
+    pub failed: Option<ViewerError>,
 }
 
-impl App {
-    /// Shows the panels to what has happened since the last pass and does what that asks for.
+impl Host {
     fn pass(&mut self, event_loop: &ActiveEventLoop) -> Option<Pass> {
         let shell = self.shell.as_mut()?;
         let input = shell.egui.take_egui_input(&shell.window);
-        let dropped: Vec<_> = input
-            .dropped_files
-            .iter()
-            .map(|file| file.path().to_path_buf())
-            .collect();
-        let context = shell.egui.egui_ctx().clone();
-        let mut commands = Vec::new();
-        let mut place = None;
-        let output = context.run_ui(input, |ui| {
-            let mut shown = Shown {
-                state: &self.state,
-                notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
-                floating: self.floating,
-                checking: &self.checking,
-                statistics: &self.statistics,
-                filter: &mut self.filter,
-                reveal_selection: self.reveal_selection,
-            };
-            let (scene, asked) = panels::show(ui, &mut shown, &mut self.drag);
-            place = scene;
-            commands.extend(asked);
-        });
-        self.reveal_selection = false;
-        shell
-            .egui
-            .handle_platform_output(&shell.window, output.platform_output);
-        shell.textures.append(output.textures_delta);
-        if !dropped.is_empty() {
-            commands.push(Command::Open(dropped));
+        let mut pass = self.app.pass(input);
+        let platform = std::mem::take(&mut pass.platform);
+        shell.egui.handle_platform_output(&shell.window, platform);
+        if self.app.quit {
+            event_loop.exit();
         }
-        let idle = |command: &Command| {
-            matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
-        };
-        let (acted, hover) = (!commands.iter().all(idle), self.state.hover());
-        for command in commands {
-            self.run_command(command, event_loop);
-        }
-        // The panels showed the state before that: they show what came of it in the next pass.
-        if acted || hover != self.state.hover() {
-            context.request_repaint();
-        } else if self.loading.is_some() {
-            context.request_repaint_after(Duration::from_millis(50));
-        }
-        Some(Pass {
-            shapes: output.shapes,
-            pixels_per_point: output.pixels_per_point,
-            place,
-        })
+        Some(pass)
     }
 
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
         let start = Instant::now();
-        self.take_loaded();
-        self.take_checked();
+        self.app.take_loaded();
+        self.app.take_checked();
         let Some(pass) = self.pass(event_loop) else {
             return;
         };
-        let Some(shell) = &mut self.shell else { return };
-        shell
-            .window
-            .set_title(&format!("{} \u{2013} Sightline", self.state.name()));
-        let context = shell.egui.egui_ctx();
-        let panels = Panels {
-            primitives: context.tessellate(pass.shapes, pass.pixels_per_point),
-            textures: std::mem::take(&mut shell.textures),
-            pixels_per_point: pass.pixels_per_point,
+        let (app, Some(shell)) = (&mut self.app, &mut self.shell) else {
+            return;
         };
-        match shell.frame.draw(&self.state, pass.place, panels) {
-            Ok(true) => {
-                self.statistics.frame = start.elapsed();
-                self.announce();
-            }
+        let title = format!("{} \u{2013} Sightline", app.state.name());
+        shell.window.set_title(&title);
+        match shell.surface.restore() {
             Ok(false) => {}
-            Err(error) => {
-                context.request_repaint();
-                self.complain(error.to_string());
-            }
+            Ok(true) => app.textures.renew(),
+            Err(error) => return app.complain(error.to_string()),
         }
-        self.start_check();
+        let laid = app.lay(pass, &mut shell.surface.canvas);
+        let drawn = shell.surface.draw(&app.state, &laid);
+        if let Ok(true) = drawn {
+            app.statistics.frame = start.elapsed();
+        }
+        app.drawn(drawn, &mut shell.surface.canvas, &laid);
     }
 
     fn request_redraw(&self) {
@@ -121,7 +64,7 @@ impl App {
     }
 }
 
-impl ApplicationHandler<Wake> for App {
+impl ApplicationHandler<Wake> for Host {
     fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
         if let StartCause::ResumeTimeReached { .. } = cause {
             event_loop.set_control_flow(ControlFlow::Wait);
@@ -133,10 +76,12 @@ impl ApplicationHandler<Wake> for App {
         if self.shell.is_some() {
             return;
         }
-        match Shell::open(event_loop, &self.options, &self.proxy) {
+        let app = &mut self.app;
+        match Shell::open(event_loop, &app.options, app.context.clone()) {
             Ok(shell) => {
-                self.statistics.adapter = shell.frame.adapter_name();
-                self.statistics.software = shell.frame.is_software();
+                let gpu = &shell.surface.canvas.gpu;
+                gpu.adapter_name().clone_into(&mut app.statistics.adapter);
+                app.statistics.software = gpu.is_software();
                 self.shell = Some(shell);
                 self.request_redraw();
             }
@@ -151,13 +96,7 @@ impl ApplicationHandler<Wake> for App {
         match wake {
             Wake::Look => self.request_redraw(),
             Wake::Answered(answer) => {
-                match answer {
-                    Answer::Open(paths) => self.open(paths),
-                    Answer::Save(path) => self.save(path),
-                    Answer::NoDialog => self.complain(
-                        "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
-                    ),
-                }
+                self.app.answered(answer);
                 self.request_redraw();
             }
             Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
@@ -173,7 +112,7 @@ impl ApplicationHandler<Wake> for App {
             WindowEvent::CloseRequested => return event_loop.exit(),
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
-                shell.frame.resize(*width, *height);
+                shell.surface.resize(*width, *height);
             }
             _ => {}
         }

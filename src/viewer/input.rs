@@ -1,14 +1,10 @@
-//! Mouse and keys to actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
+//! The mouse's events to actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
 //! began on a panel never reaches the scene.
 
-use super::{
-    Command,
-    action::{Action, LensControls},
-};
-use crate::camera::{Projection, View, Viewport};
-use crate::geometry::Sides;
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Sense, Ui};
-use glam::{DVec2, DVec3};
+use super::action::Action;
+use crate::camera::Viewport;
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Sense, Ui};
+use glam::DVec2;
 
 /// A press that travels further than this, in points, is a drag.
 const CLICK_TRAVEL: f32 = 3.0;
@@ -70,6 +66,15 @@ impl SceneRect {
         let points = |px: [u32; 2]| px.map(|px| px as f32 / self.pixels_per_point);
         let size = points([self.viewport.width(), self.viewport.height()]);
         Rect::from_min_size(points(self.origin_px).into(), size.into())
+    }
+
+    /// A position within the rectangle in pixels as a position in points.
+    #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
+    pub fn to_position(self, px: DVec2) -> Pos2 {
+        let scale = f64::from(self.pixels_per_point);
+        let origin = DVec2::from(self.origin_px.map(f64::from));
+        let points = (px + origin) / scale;
+        Pos2::new(points.x as f32, points.y as f32)
     }
 
     /// A position in points as a position within the rectangle in pixels. The pointer's own pixels went through
@@ -185,241 +190,4 @@ fn wheel(ui: &Ui, place: SceneRect, pointer: Pos2, actions: &mut Vec<Action>) {
             }
         }
     });
-}
-
-/// A key and what it does.
-pub(super) struct Binding {
-    /// As the help writes it.
-    pub keys: &'static str,
-    /// What it does, for the help.
-    pub does: &'static str,
-    shortcuts: &'static [(Modifiers, Key)],
-    command: fn(&View, LensControls) -> Command,
-}
-
-const NONE: Modifiers = Modifiers::NONE;
-const SHIFT: Modifiers = Modifiers::SHIFT;
-const CTRL: Modifiers = Modifiers::COMMAND;
-
-/// Every key, in the order of the help.
-pub(super) const BINDINGS: &[Binding] = &[
-    Binding {
-        keys: "F",
-        does: "frame the selection",
-        shortcuts: &[(NONE, Key::F)],
-        command: |_, _| Command::Act(Action::FrameSelection),
-    },
-    Binding {
-        keys: "A, Home",
-        does: "frame all",
-        shortcuts: &[(NONE, Key::A), (NONE, Key::Home)],
-        command: |_, _| Command::Act(Action::FrameAll),
-    },
-    Binding {
-        keys: "Enter",
-        does: "the view that the scene opened with",
-        shortcuts: &[(NONE, Key::Enter)],
-        command: |_, _| Command::Act(Action::ResetView),
-    },
-    Binding {
-        keys: "1, Ctrl+1",
-        does: "front, back",
-        shortcuts: &[(NONE, Key::Num1)],
-        command: |_, _| look(DVec3::Z),
-    },
-    Binding {
-        keys: "",
-        does: "",
-        shortcuts: &[(CTRL, Key::Num1)],
-        command: |_, _| look(DVec3::NEG_Z),
-    },
-    Binding {
-        keys: "3, Ctrl+3",
-        does: "right, left",
-        shortcuts: &[(NONE, Key::Num3)],
-        command: |_, _| look(DVec3::X),
-    },
-    Binding {
-        keys: "",
-        does: "",
-        shortcuts: &[(CTRL, Key::Num3)],
-        command: |_, _| look(DVec3::NEG_X),
-    },
-    Binding {
-        keys: "7, Ctrl+7",
-        does: "top, bottom",
-        shortcuts: &[(NONE, Key::Num7)],
-        command: |_, _| look(DVec3::Y),
-    },
-    Binding {
-        keys: "",
-        does: "",
-        shortcuts: &[(CTRL, Key::Num7)],
-        command: |_, _| look(DVec3::NEG_Y),
-    },
-    Binding {
-        keys: "9",
-        does: "from the corner",
-        shortcuts: &[(NONE, Key::Num9)],
-        command: |_, _| look(DVec3::ONE),
-    },
-    Binding {
-        keys: "5",
-        does: "perspective, orthographic",
-        shortcuts: &[(NONE, Key::Num5)],
-        command: |_, controls| {
-            Command::Act(Action::Lens(LensControls {
-                orthographic: !controls.orthographic,
-                ..controls
-            }))
-        },
-    },
-    Binding {
-        keys: "B",
-        does: "back faces",
-        shortcuts: &[(NONE, Key::B)],
-        command: |view, _| {
-            Command::Act(Action::Sides(if view.sides == Sides::Both {
-                Sides::Front
-            } else {
-                Sides::Both
-            }))
-        },
-    },
-    Binding {
-        keys: "G",
-        does: "grid and axes",
-        shortcuts: &[(NONE, Key::G)],
-        command: |_, _| Command::Act(Action::ToggleGrid),
-    },
-    Binding {
-        keys: "Shift+H",
-        does: "hide the selection",
-        shortcuts: &[(SHIFT, Key::H)],
-        command: |_, _| Command::Act(Action::HideSelection),
-    },
-    Binding {
-        keys: "I",
-        does: "hide all but the selection",
-        shortcuts: &[(NONE, Key::I)],
-        command: |_, _| Command::Act(Action::Isolate),
-    },
-    Binding {
-        keys: "U",
-        does: "show all",
-        shortcuts: &[(NONE, Key::U)],
-        command: |_, _| Command::Act(Action::ShowAll),
-    },
-    Binding {
-        keys: "Ctrl+O",
-        does: "open files",
-        shortcuts: &[(CTRL, Key::O)],
-        command: |_, _| Command::OpenDialog,
-    },
-    Binding {
-        keys: "Ctrl+S",
-        does: "save as a scene file",
-        shortcuts: &[(CTRL, Key::S)],
-        command: |_, _| Command::SaveDialog,
-    },
-    Binding {
-        keys: "R",
-        does: "read the files again",
-        shortcuts: &[(NONE, Key::R)],
-        command: |_, _| Command::Reload,
-    },
-    Binding {
-        keys: "T",
-        does: "freeze the camera: it stays as lines, with the pick's ray, while you look from elsewhere",
-        shortcuts: &[(NONE, Key::T)],
-        command: |_, _| Command::Act(Action::ToggleFreeze),
-    },
-    Binding {
-        keys: "P",
-        does: "the matrices, and the pick on its way through them",
-        shortcuts: &[(NONE, Key::P)],
-        command: |_, _| Command::TogglePipeline,
-    },
-    Binding {
-        keys: "V",
-        does: "compare what is drawn with what is picked, pixel by pixel",
-        shortcuts: &[(NONE, Key::V)],
-        command: |_, _| Command::ToggleCheck,
-    },
-    Binding {
-        keys: "C",
-        does: "copy the view as a command",
-        shortcuts: &[(NONE, Key::C)],
-        command: |_, _| Command::CopyCommandLine,
-    },
-    Binding {
-        keys: "J",
-        does: "copy the pick as JSON",
-        shortcuts: &[(NONE, Key::J)],
-        command: |_, _| Command::CopyPick,
-    },
-    Binding {
-        keys: "Esc",
-        does: "stop loading, close the help or the comparison, select nothing",
-        shortcuts: &[(NONE, Key::Escape)],
-        command: |_, _| Command::Escape,
-    },
-    Binding {
-        keys: "H, ?",
-        does: "this help",
-        shortcuts: &[
-            (NONE, Key::H),
-            (SHIFT, Key::Questionmark),
-            (NONE, Key::Questionmark),
-        ],
-        command: |_, _| Command::ToggleHelp,
-    },
-    Binding {
-        keys: "Ctrl+Q",
-        does: "quit",
-        shortcuts: &[(CTRL, Key::Q)],
-        command: |_, _| Command::Quit,
-    },
-];
-
-/// What the mouse does, for the help.
-pub(super) const MOUSE: &[(&str, &str)] = &[
-    ("left drag", "orbit about the point under the cursor"),
-    ("right, middle or Shift + left drag", "pan"),
-    ("wheel, pinch", "zoom at the cursor"),
-    ("click", "pick; the same pixel again: the surface behind"),
-    (
-        "double click",
-        "set pivot and centre; on nothing: frame all",
-    ),
-];
-
-fn look(to_eye: DVec3) -> Command {
-    Command::Act(Action::LookFrom(to_eye))
-}
-
-/// What the keys say, unless somebody is typing.
-pub(super) fn keys(ctx: &egui::Context, view: &View, controls: LensControls) -> Vec<Command> {
-    if ctx.egui_wants_keyboard_input() {
-        return Vec::new();
-    }
-    ctx.input_mut(|input| {
-        let pressed = BINDINGS.iter().filter(|binding| {
-            binding
-                .shortcuts
-                .iter()
-                .any(|(modifiers, key)| input.consume_key(*modifiers, *key))
-        });
-        pressed
-            .map(|binding| (binding.command)(view, controls))
-            .collect()
-    })
-}
-
-/// The word for a projection.
-pub(super) fn projection_name(view: &View) -> &'static str {
-    match view.camera.lens().projection {
-        Projection::Perspective { .. } => "perspective",
-        Projection::Orthographic { .. } => "orthographic",
-    }
 }

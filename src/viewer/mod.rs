@@ -1,24 +1,40 @@
 //! The window: the only place that names winit or egui.
 //!
 //! Events become egui's input; the panels and the scene widget turn that into commands; those that change the
-//! picture are [`action::Action`]s, applied to the [`state::State`]; the frame draws what the state says. Nothing is
+//! picture are [`action::Action`]s, applied to the [`state::State`]; the canvas draws what the state says. Nothing is
 //! drawn unless something happened.
+//!
+//! ```text
+//! winit event -> events (Host) -> pass (App, panels) -> Command -> app -> Action -> update (State)
+//! State -> canvas (scene, marks, panels) -> surface -> screen
+//! egui event  -> offscreen     -> the same           -> canvas -> picture
+//! ```
 
 pub mod action;
 mod app;
+pub mod camera;
+mod canvas;
 mod check;
 mod command;
 mod events;
-mod frame;
+pub mod exhibit;
 mod frozen;
 mod input;
+pub mod inspect;
+mod keys;
 mod loading;
+pub mod offscreen;
+pub mod overlay;
 mod panels;
+mod pass;
 pub mod pipeline;
+mod screenshot;
 mod shell;
 mod stage;
 pub mod stages;
 pub mod state;
+mod surface;
+mod textures;
 mod update;
 
 use crate::{
@@ -28,7 +44,12 @@ use crate::{
 };
 use action::Action;
 use app::App;
-use std::{path::PathBuf, time::Instant};
+use events::Host;
+use std::{
+    path::PathBuf,
+    sync::Arc,
+    time::{Duration, Instant},
+};
 use winit::event_loop::{ControlFlow, EventLoop};
 
 /// What the window opens with.
@@ -79,11 +100,24 @@ enum Command {
     Reload,
     /// Put the view as a command line on the clipboard.
     CopyCommandLine,
+    /// Put the camera on the clipboard, as a scene file writes it.
+    CopyCamera,
+    /// Take over the camera in this text from the clipboard.
+    Paste(String),
+    /// Write what is on screen into a PNG file.
+    Screenshot,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
     /// Compare the picture with its picks, or close the comparison.
     ToggleCheck,
-    /// Stop loading, or close the help or the comparison, or select nothing.
+    /// Open the gallery's scene after the present one, or before it.
+    NextExhibit {
+        /// After it.
+        forward: bool,
+    },
+    /// Open again what was open before the gallery.
+    LeaveGallery,
+    /// Stop loading, pick by Sightline's own method again, or close the help or the comparison, or select nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
@@ -103,6 +137,9 @@ enum Wake {
     RepaintAt(Instant),
 }
 
+/// How background work and egui wake whoever shows the program.
+type Waker = Arc<dyn Fn(Wake) + Send + Sync>;
+
 /// A message that waits to be read.
 struct Notice {
     text: String,
@@ -121,9 +158,21 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
         .build()
         .map_err(|error| no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
-    let mut app = App::new(options, event_loop.create_proxy())?;
+    let proxy = event_loop.create_proxy();
+    // The loop is gone when the window is: then nobody is to be woken.
+    let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
+    let app = App::new(options, Arc::clone(&wake))?;
+    app.context.set_request_repaint_callback(move |info| {
+        let delay = info.delay.min(Duration::from_hours(1));
+        wake(Wake::RepaintAt(Instant::now() + delay));
+    });
+    let mut host = Host {
+        app,
+        shell: None,
+        failed: None,
+    };
     event_loop
-        .run_app(&mut app)
+        .run_app(&mut host)
         .map_err(|error| no_display(&error))?;
-    app.failed.map_or(Ok(()), Err)
+    host.failed.map_or(Ok(()), Err)
 }

@@ -1,13 +1,10 @@
-//! The operating system's window, egui's side of it and what draws into it.
+//! The operating system's window, egui's side of it and the surface that it shows.
 
-use super::{Options, ViewerError, Wake, frame::Frame, input};
-use std::{
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use super::{Options, ViewerError, surface::Surface};
+use std::sync::Arc;
 use winit::{
     dpi::{LogicalSize, PhysicalSize},
-    event_loop::{ActiveEventLoop, EventLoopProxy},
+    event_loop::ActiveEventLoop,
     window::Window,
 };
 
@@ -15,9 +12,7 @@ use winit::{
 pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
-    pub frame: Frame,
-    /// egui's textures that came and went since the last frame.
-    pub textures: egui::TexturesDelta,
+    pub surface: Surface,
 }
 
 impl Shell {
@@ -25,7 +20,7 @@ impl Shell {
     pub fn open(
         event_loop: &ActiveEventLoop,
         options: &Options,
-        proxy: &EventLoopProxy<Wake>,
+        context: egui::Context,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
         let attributes = match options.size {
@@ -36,19 +31,9 @@ impl Shell {
         };
         let window = event_loop.create_window(attributes);
         let window = Arc::new(window.map_err(|error| ViewerError::NoDisplay(error.to_string()))?);
-        let frame = Frame::new(Arc::clone(&window), event_loop.owned_display_handle())?;
-        let context = egui::Context::default();
-        input::options(&context);
-        dark(&context);
-        let wake = proxy.clone();
-        context.set_request_repaint_callback(move |info| {
-            let _ = wake.send_event(Wake::RepaintAt(
-                Instant::now() + info.delay.min(Duration::from_hours(1)),
-            ));
-        });
-        let scale = window.scale_factor();
+        let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
-        let scale = scale as f32;
+        let scale = window.scale_factor() as f32;
         let egui = egui_winit::State::new(
             context,
             egui::ViewportId::ROOT,
@@ -60,16 +45,7 @@ impl Shell {
         Ok(Self {
             window,
             egui,
-            frame,
-            textures: egui::TexturesDelta::default(),
+            surface,
         })
     }
-}
-
-/// Panels as dark as the scene, whatever the desktop's theme, with errors that are readable on them.
-fn dark(context: &egui::Context) {
-    context.set_theme(egui::Theme::Dark);
-    let mut visuals = egui::Visuals::dark();
-    visuals.error_fg_color = egui::Color32::from_rgb(255, 120, 105);
-    context.set_visuals(visuals);
 }

@@ -162,32 +162,10 @@ fn surface(object: &Object) -> Vec<([DVec3; 3], Srgb)> {
                 .map(|triangle| (mesh.corners(triangle), colour(triangle)))
                 .collect()
         }
-        Shape::Square => {
-            let half = Square::HALF_SIDE;
-            let corner = |x, y| DVec3::new(x * half, y * half, 0.0);
-            quads(vec![[
-                corner(-1.0, -1.0),
-                corner(1.0, -1.0),
-                corner(1.0, 1.0),
-                corner(-1.0, 1.0),
-            ]])
-        }
-        Shape::Cube => quads(cube_faces()),
+        Shape::Square => quads(vec![Square::corners()]),
+        Shape::Cube => quads(Cuboid::NORMALS.map(Cuboid::face).to_vec()),
         Shape::Sphere => quads(sphere_quads()),
     }
-}
-
-fn cube_faces() -> Vec<[DVec3; 4]> {
-    let half = Cuboid::HALF_SIDE;
-    let faces = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
-    faces
-        .map(|out| {
-            let right = DVec3::new(out.y.abs(), out.z.abs(), out.x.abs());
-            let up = out.cross(right);
-            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-                .map(|(x, y)| half * (out + x * right + y * up))
-        })
-        .collect()
 }
 
 /// The sphere by parallels and meridians, counter-clockwise seen from outside.

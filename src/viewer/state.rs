@@ -1,18 +1,20 @@
 //! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
-//! [`Action`].
+//! [`Action`](super::action::Action).
 
 use super::{
-    action::{Action, LensControls},
+    action::LensControls,
+    camera::perspective_height,
+    exhibit::Showing,
+    inspect::{Landmark, RayHits},
+    overlay::Overlays,
     stages::Stage,
 };
 use crate::{
-    camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, UpAxis, View, Viewport,
-        fit_near_far,
-    },
+    camera::{CameraChoice, CameraError, Orbit, UpAxis, View, Viewport},
     geometry::{Aabb, Sides},
     pick::PickLine,
     scene::{Loaded, Scene},
+    study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
@@ -33,8 +35,15 @@ pub struct Selection {
 pub(super) struct LastClick {
     pub pixel: DVec2,
     pub time_s: f64,
-    /// How many surfaces in front of the picked one were passed over.
-    pub behind: usize,
+}
+
+/// The pixel under the cursor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    /// Its centre.
+    pub px: DVec2,
+    /// The object that it shows, by index, and the point on it in object space; `None` for the background.
+    pub hit: Option<(usize, DVec3)>,
 }
 
 /// A camera that was left standing in the scene.
@@ -51,7 +60,7 @@ pub struct State {
     pub(super) scene: Scene,
     /// Counts scenes, for those who keep something made from one.
     pub(super) scene_revision: u64,
-    /// Counts changes of visibility.
+    /// Counts changes of visibility and of model matrices.
     pub(super) visibility_revision: u64,
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
@@ -64,13 +73,20 @@ pub struct State {
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
-    pub(super) hover: Option<usize>,
+    pub(super) cursor: Option<Cursor>,
     pub(super) last_click: Option<LastClick>,
+    pub(super) hits: Option<RayHits>,
+    pub(super) landmarks: Vec<Landmark>,
+    /// Whether a model matrix is not that of the files any more.
+    pub(super) edited: bool,
     pub(super) grid: bool,
+    pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     pub(super) stage: Stage,
     /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
     pub(super) world: Option<(Scene, View)>,
+    /// The gallery's scene that this is.
+    pub(super) showing: Option<Showing>,
 }
 
 impl State {
@@ -88,14 +104,8 @@ impl State {
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
-        let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
-        let controls = LensControls {
-            fov_deg,
-            orthographic: choice.ortho.is_some(),
-            near: choice.near,
-            far: choice.far,
-            depth: choice.depth.unwrap_or_default(),
-        };
+        let controls = LensControls::of(&choice);
+        let fov_deg = controls.fov_deg;
         Ok(Self {
             scene: loaded.scene,
             scene_revision: 0,
@@ -116,12 +126,17 @@ impl State {
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
             selection: None,
-            hover: None,
+            cursor: None,
             last_click: None,
+            hits: None,
+            landmarks: Vec::new(),
+            edited: false,
             grid: true,
+            overlays: Overlays::default(),
             frozen: None,
             stage: Stage::World,
             world: None,
+            showing: loaded.exhibit.map(Showing::new),
         })
     }
 
@@ -141,6 +156,7 @@ impl State {
             scene_revision: self.scene_revision + 1,
             visibility_revision: self.visibility_revision + 1,
             grid: self.grid,
+            overlays: self.overlays,
             ..next
         };
         Ok(())
@@ -149,6 +165,9 @@ impl State {
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
     pub fn reload(&mut self, loaded: Loaded) {
         self.show_stage(Stage::World);
+        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
+            self.showing = loaded.exhibit.map(Showing::new);
+        }
         let old = std::mem::replace(&mut self.scene, loaded.scene);
         let old = old.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -175,31 +194,12 @@ impl State {
         }
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.last_click = None;
+        self.hits = None;
+        self.landmarks.clear();
+        self.edited = false;
         self.fit();
-    }
-
-    /// The camera, all of it, as a scene file keeps it.
-    #[must_use]
-    pub fn camera_choice(&self) -> CameraChoice {
-        let camera = &self.view.camera;
-        let ortho = match camera.lens().projection {
-            Projection::Orthographic { height } => Some(height),
-            Projection::Perspective { .. } => None,
-        };
-        CameraChoice {
-            eye: Some(camera.eye()),
-            target: Some(camera.target()),
-            look: None,
-            up: Some(camera.up_hint()),
-            fov: ortho.is_none().then_some(self.controls.fov_deg),
-            ortho,
-            near: self.controls.near,
-            far: self.controls.far,
-            depth: Some(self.controls.depth),
-            up_axis: Some(self.up_axis),
-        }
     }
 
     /// What there is to see.
@@ -214,7 +214,7 @@ impl State {
         self.scene_revision
     }
 
-    /// Changes whenever objects are shown or hidden.
+    /// Changes whenever objects are shown, hidden or moved.
     #[must_use]
     pub fn visibility_revision(&self) -> u64 {
         self.visibility_revision
@@ -253,10 +253,28 @@ impl State {
         self.selection.as_ref()
     }
 
+    /// Whether a model matrix is not that of the files any more.
+    #[must_use]
+    pub fn edited(&self) -> bool {
+        self.edited
+    }
+
     /// The object under the cursor.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
-        self.hover
+        self.cursor?.hit.map(|(object, _)| object)
+    }
+
+    /// The pixel under the cursor; `None` while the cursor is elsewhere.
+    #[must_use]
+    pub fn cursor(&self) -> Option<Cursor> {
+        self.cursor
+    }
+
+    /// What is shown over the scene.
+    #[must_use]
+    pub fn overlays(&self) -> Overlays {
+        self.overlays
     }
 
     /// Whether the grid shows.
@@ -269,6 +287,19 @@ impl State {
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
         self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// The gallery's scene that this is, and by which method it is picked from.
+    #[must_use]
+    pub fn showing(&self) -> Option<&Showing> {
+        self.showing.as_ref()
+    }
+
+    /// The method of others that picks now; `None` for this program's own. Stages other than the world's know no other.
+    #[must_use]
+    pub fn method(&self) -> Option<Swap> {
+        let showing = self.showing.as_ref().filter(|_| self.stage == Stage::World);
+        showing?.method
     }
 
     /// How far along the pipeline the scene is shown.
@@ -295,45 +326,4 @@ impl State {
         let eye = frozen.map(|frozen| frozen.view.camera.eye());
         frustum.chain(eye).fold(bounds, Aabb::including)
     }
-
-    /// What a typed value would do: nothing when it can be, the reason when it cannot.
-    ///
-    /// # Errors
-    /// When the action makes no camera.
-    pub fn check(&self, action: &Action) -> Result<(), CameraError> {
-        match action {
-            Action::Lens(controls) => self.camera_with(controls).map(|_| ()),
-            Action::Pose([eye, target, up]) => {
-                Camera::new(*eye, *target, *up, *self.view.camera.lens()).map(|_| ())
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The present pose through another lens.
-    pub(super) fn camera_with(&self, controls: &LensControls) -> Result<Camera, CameraError> {
-        let pose = &self.view.camera;
-        let fov_y = controls.fov_deg.to_radians();
-        let mut lens = Lens {
-            projection: if controls.orthographic {
-                let height = self.height_per_distance * self.orbit.distance();
-                Projection::Orthographic { height }
-            } else {
-                Projection::Perspective { fov_y }
-            },
-            // Any valid planes: the fit looks only at pose and projection.
-            near: 1.0,
-            far: 2.0,
-            depth: controls.depth,
-        };
-        let camera = pose.with_lens(lens)?;
-        let bounds = self.shown_bounds();
-        (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
-        camera.with_lens(lens)
-    }
-}
-
-/// Height of the picture over the distance at which perspective shows it.
-pub(super) fn perspective_height(fov_deg: f64) -> f64 {
-    2.0 * (0.5 * fov_deg.to_radians()).tan()
 }

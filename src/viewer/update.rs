@@ -1,16 +1,18 @@
 //! What each action does to the state.
 
 use super::{
-    action::{Action, LensControls},
+    action::Action,
+    camera::perspective_height,
+    inspect::RayHits,
     stages::{Stage, staged},
-    state::{DOUBLE_CLICK_S, Frozen, LastClick, Selection, State, perspective_height},
+    state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State},
 };
 use crate::{
     camera::{Camera, Orbit, UpAxis, pixel_centre},
-    geometry::Aabb,
-    pick::{self, PickLine},
+    geometry::{Aabb, Placement},
+    pick::{self, PickLine, SceneHit},
 };
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use std::iter;
 
 /// Radians of orbit for a pixel of drag.
@@ -28,28 +30,14 @@ impl State {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }
-            Action::Turn(by_px) => {
-                self.orbit.turn(
-                    self.pivot_world,
-                    -by_px.x * TURN_PER_PX,
-                    by_px.y * TURN_PER_PX,
-                );
-                self.moved();
-            }
+            Action::Turn(by_px) => self.turn(by_px),
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
-            Action::Pan(by_px) => {
-                self.orbit.pan(
-                    by_px,
-                    self.pan_depth,
-                    self.view.camera.lens(),
-                    self.view.viewport,
-                );
-                self.moved();
-            }
+            Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {
                 self.orbit.zoom(self.point_at(px), factor);
                 self.moved();
             }
+            Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
             Action::Click(px, time_s) => {
                 let line = self.click(px, time_s);
                 if self.stage == Stage::World {
@@ -62,7 +50,7 @@ impl State {
                 });
             }
             Action::Recentre(px) => self.recentre(px),
-            Action::Hover(px) => self.hover = px.and_then(|px| self.object_at(px)),
+            Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
             Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self
@@ -90,8 +78,13 @@ impl State {
                 self.reset_view();
             }
             Action::Sides(sides) => self.view.sides = sides,
+            Action::StepTo(at) => self.step_to(at),
+            Action::Step { forward } => self.step(forward),
+            Action::Place(object, model) => self.place(object, model),
+            Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => {
                 self.selection = object.map(|object| Selection { object, pick: None });
+                self.hits = None;
                 self.last_click = None;
             }
             Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
@@ -107,46 +100,66 @@ impl State {
                 }
             }
             Action::ShowAll => self.show(|_| true, true),
+            Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
+            Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
             Action::ToggleGrid => self.grid = !self.grid,
             Action::ToggleFreeze => self.toggle_freeze(),
+            Action::PickBy(method) => self.pick_by(method),
+            Action::NextMethod { forward } => {
+                if let Some(showing) = &self.showing {
+                    self.pick_by(showing.next_method(forward));
+                }
+            }
             Action::Stage(stage) => self.show_stage(stage),
         }
         None
     }
 
-    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
-    fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
-        let px = pixel_centre(px);
-        let behind = match self.last_click {
-            Some(last) if last.pixel == px && time_s - last.time_s > DOUBLE_CLICK_S => {
-                last.behind + 1
-            }
-            Some(last) if last.pixel == px => last.behind,
-            _ => 0,
-        };
-        let hit = if behind == 0 {
-            pick::pick(&self.scene, &self.view, px)
-        } else {
-            let mut hits = pick::pick_all(&self.scene, &self.view, px);
-            let index = behind % hits.len().max(1);
-            (index < hits.len()).then(|| hits.swap_remove(index))
-        };
-        let line = PickLine { px, hit };
-        self.last_click = Some(LastClick {
-            pixel: px,
-            time_s,
-            behind,
-        });
-        self.selection = line.hit.as_ref().map(|hit| Selection {
-            object: hit.id - 1,
-            pick: Some(line.clone()),
-        });
-        line
+    fn turn(&mut self, by_px: DVec2) {
+        self.orbit.turn(
+            self.pivot_world,
+            -by_px.x * TURN_PER_PX,
+            by_px.y * TURN_PER_PX,
+        );
+        self.moved();
     }
 
-    fn object_at(&self, px: DVec2) -> Option<usize> {
-        let ray = self.view.ray(pixel_centre(px));
-        pick::closest(&self.scene, &ray, self.view.sides).map(|hit| hit.object)
+    fn pan(&mut self, by_px: DVec2) {
+        self.orbit.pan(
+            by_px,
+            self.pan_depth,
+            self.view.camera.lens(),
+            self.view.viewport,
+        );
+        self.moved();
+    }
+
+    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
+    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
+        let px = pixel_centre(px);
+        let last = self.last_click.filter(|last| last.pixel == px);
+        let at = match (last, &self.hits) {
+            (Some(last), Some(hits)) => {
+                hits.at + usize::from(time_s - last.time_s > DOUBLE_CLICK_S)
+            }
+            _ => 0,
+        };
+        self.last_click = Some(LastClick { pixel: px, time_s });
+        self.take_hits(RayHits::cast(&self.scene, self.view, px, at))
+    }
+
+    fn cursor_at(&self, px: DVec2) -> Cursor {
+        let px = pixel_centre(px);
+        let ray = self.view.ray(px);
+        let hit = pick::closest(&self.scene, &ray, self.view.sides);
+        let point = |hit: SceneHit| {
+            let placement = &self.scene.objects()[hit.object].placement;
+            (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))
+        };
+        Cursor {
+            px,
+            hit: hit.map(point),
+        }
     }
 
     fn recentre(&mut self, px: DVec2) {
@@ -196,11 +209,12 @@ impl State {
         self.stage = stage;
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
         self.last_click = None;
         if let Some(selection) = &mut self.selection {
             selection.pick = None;
         }
+        self.hits = None;
         if stage == Stage::World {
             self.scene = scene;
             self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
@@ -234,33 +248,21 @@ impl State {
         self.fit();
     }
 
-    fn reset_view(&mut self) {
-        // The choices made a camera before; bounds and viewport cannot make them none.
-        if let Ok(camera) = self
-            .opened_with
-            .resolve(&self.scene.visible_bounds(), self.view.viewport)
-        {
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.pivot_world = self.orbit.target();
-            self.moved();
-        }
-    }
-
-    fn set_lens(&mut self, controls: LensControls) {
-        if self.camera_with(&controls).is_err() {
+    /// Moves an object; its pick follows.
+    fn place(&mut self, object: usize, model: DAffine3) {
+        let Ok(placement) = Placement::new(model) else {
+            return;
+        };
+        // Other stages are made from the world, and show it as it was when they were.
+        if self.stage != Stage::World || object >= self.scene.objects().len() {
             return;
         }
-        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
-        match (was_orthographic, controls.orthographic) {
-            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
-            (true, false) => {
-                // To where perspective shows the target as large as it was.
-                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
-                self.orbit.zoom(self.orbit.target(), nearer);
-                return self.moved();
-            }
-            _ => {}
-        }
+        self.scene.place(object, placement);
+        self.visibility_revision += 1;
+        self.edited = true;
+        self.cursor = None;
+        self.last_click = None;
+        self.repick();
         self.fit();
     }
 
@@ -272,22 +274,8 @@ impl State {
             }
         }
         self.visibility_revision += 1;
-        self.hover = None;
+        self.cursor = None;
+        self.repick();
         self.fit();
-    }
-
-    /// The orbit changed: the camera follows.
-    fn moved(&mut self) {
-        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
-            self.view.camera = camera;
-        }
-        self.fit();
-    }
-
-    /// The camera's place or the bounds changed: the planes follow.
-    pub(super) fn fit(&mut self) {
-        if let Ok(camera) = self.camera_with(&self.controls) {
-            self.view.camera = camera;
-        }
     }
 }

@@ -1,12 +1,15 @@
 //! OBJ files, good and hostile: what they say is what the mesh holds, and what they cannot say is refused in a line.
 
+mod adverse;
 #[path = "../common/mod.rs"]
 mod common;
+mod mended;
 mod real;
 mod refusals;
 mod shading;
 mod shapes;
 mod structure;
+mod written;
 
 use glam::DVec3;
 use sightline::{

@@ -89,7 +89,7 @@ fn kd_takes_one_value_and_survives_garbage() {
     let folder = Folder::new(&[("some.obj", text.as_bytes()), ("a file.mtl", library)]);
     let file = folder.load("some.obj").expect("it loads");
     let told =
-        ["a file.mtl:5: Kd is not a colour: it takes one to three numbers (nor on 1 more lines)"];
+        ["a file.mtl:5: Kd is not a colour: it takes one to three numbers (more such lines: 1)"];
     assert_eq!(folder.warnings(&file), told);
     let colours: Vec<_> = (0..3).map(|i| file.mesh.triangle_colour(i)).collect();
     assert_eq!(
@@ -161,7 +161,7 @@ fn what_is_not_a_surface_is_counted() {
 
 #[test]
 fn vertices_without_a_face_are_outside_the_bounds() {
-    let stray = mesh(&format!("{CUBE}v 1000 nan 1000\nv -50 0 0\n"));
+    let stray = mesh(&format!("{CUBE}v 1000 0 1000\nv -50 0 0\n"));
     assert_eq!(stray.data().positions.len(), 8);
     assert_eq!(
         (bounds(&stray).min, bounds(&stray).max),

@@ -6,6 +6,7 @@ mod breaks;
 mod by_hand;
 mod charts;
 mod gallery;
+mod no_adapter;
 
 use sightline::study::{
     self, COLUMNS, Effort, Report, Row,

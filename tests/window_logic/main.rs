@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod gallery;
+mod inspect;
 mod lens;
 mod moving;
 mod picking;

@@ -123,3 +123,21 @@ fn the_pipeline_follows_a_pick_to_its_own_pixel() {
         assert!((clip - steps.clip).length() < 1e-11);
     }
 }
+
+#[test]
+fn the_cursor_knows_the_point_that_a_pick_there_reports() {
+    let mut state = front_view();
+    state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+    state.apply(Action::Hover(Some(DVec2::new(404.2, 310.9))));
+    let cursor = state.cursor().expect("over the scene");
+    assert_eq!(cursor.px, DVec2::new(404.5, 310.5));
+    let pick = pick::pick(state.scene(), state.view(), cursor.px).expect("something there");
+    assert_eq!(cursor.hit, Some((pick.id - 1, pick.point_object)));
+    state.apply(Action::Hover(Some(DVec2::new(2.0, 3.0))));
+    let cursor = state.cursor().expect("over the scene");
+    assert_eq!(
+        (cursor.px, cursor.hit),
+        (DVec2::new(2.5, 3.5), None),
+        "the background has a pixel too"
+    );
+}

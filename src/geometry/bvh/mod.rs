@@ -21,7 +21,7 @@ mod walk;
 pub use node::Candidate;
 pub use simd::Simd;
 
-use super::Ray;
+use super::{Aabb, Ray};
 use glam::DVec3;
 use node::{Line, Node, Packet, Place};
 use ray::Frame;
@@ -99,6 +99,40 @@ impl Bvh {
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.lines)
+    }
+
+    /// The boxes so many steps below the root, and leaves' that are nearer to it: at most `most` of them.
+    #[must_use]
+    pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
+        // Each with what is in it.
+        let mut open = vec![(Place::ROOT, self.frame.bounds)];
+        for _ in 0..level {
+            let below = open
+                .into_iter()
+                .flat_map(|(place, bounds)| self.below(place, bounds));
+            open = below.take(most).collect();
+        }
+        let unscale = 1.0 / self.frame.scale;
+        let boxes = open.into_iter().map(|(_, Aabb { min, max })| Aabb {
+            min: unscale * min,
+            max: unscale * max,
+        });
+        boxes.take(most).collect()
+    }
+
+    /// The children of a node with their boxes, or the packet itself.
+    fn below(&self, place: Place, bounds: Aabb) -> Vec<(Place, Aabb)> {
+        if place.is_packet() {
+            return vec![(place, bounds)];
+        }
+        let node = Node::at(&self.lines, place);
+        let children = node.children().map(|(lane, child)| {
+            let [min, max] = node
+                .bounds(lane)
+                .map(|corner| DVec3::from(corner.map(f64::from)));
+            (place.of(child), Aabb { min, max })
+        });
+        children.collect()
     }
 
     /// All packets with their places.

@@ -1,13 +1,14 @@
 //! From what `tobj` read and the [`Outline`] to one mesh.
 
 use super::{
-    ObjError, ObjFile, line_of_endless_vertex, material, notes,
+    ObjError, ObjFile, material, notes,
     outline::{Name, Outline},
     polygon::Splitter,
 };
 use crate::{
     colour::Srgb,
     geometry::{Aabb, ColourRun, CornerNormals, Mesh, MeshData, Part, crease_normals},
+    scene::Progress,
 };
 use glam::{DVec3, Vec3};
 use std::{
@@ -19,29 +20,22 @@ use std::{
 /// Edges that bend by more are drawn sharp where the file has no normals. Radians.
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
-/// A face with more corners is left out: no modeller writes one, and splitting it could take minutes.
-const MOST_CORNERS: usize = 1 << 16;
-
-/// So is a face with more than this many corners of which half are repeats.
-const MOST_REPEATS: usize = 1 << 8;
+/// A face with more than this many corners of which half are repeats is left out, too.
+const MOST_REPEATS: usize = 1 << 5;
 
 /// In place of indices to the file's normals.
 const COMPUTED: [u32; 3] = [u32::MAX; 3];
 
-/// Puts a file's mesh together. `models` is one, since the source hides what begins others.
+/// Puts a file's mesh together. `models` is one, since the washer hides what begins others.
 pub(super) fn build(
     path: &Path,
     models: Vec<tobj::Model>,
     outline: &Outline,
+    progress: &Progress,
 ) -> Result<ObjFile, ObjError> {
-    let no_faces = |left_out: &LeftOut| ObjError::NoFaces {
-        file: path.to_owned(),
-        holds: notes::what_is_there(outline, left_out),
-    };
     let model = models.into_iter().next();
-    let model = model.ok_or_else(|| no_faces(&LeftOut::default()))?;
-    let mut warnings = Vec::new();
-    let materials = material::read_libraries(path, &outline.libraries, &mut warnings);
+    let model = model.ok_or_else(|| notes::nothing(path, outline, &LeftOut::default()))?;
+    let materials = material::read_libraries(path, &outline.libraries, progress)?;
 
     let mut builder = Builder::new(path, &model.mesh)?;
     let mut objects = outline.objects.iter().peekable();
@@ -55,17 +49,27 @@ pub(super) fn build(
         }
         while let Some((_, material)) = uses.next_if(|(first, _)| *first <= face) {
             let (name, _) = &outline.material_names[*material];
-            builder.begin_colour(materials.get(name).and_then(|material| material.colour));
+            builder.begin_colour(
+                materials
+                    .by_name
+                    .get(name)
+                    .and_then(|material| material.colour),
+            );
         }
         let arity = model.mesh.face_arities.get(face).map_or(3, |&n| n as usize);
+        if arity > 4 {
+            progress.advance(0)?;
+        }
         builder.face(corners..corners + arity, with_normals);
         corners += arity;
     }
     if builder.data.triangles.is_empty() {
-        return Err(no_faces(&builder.left_out));
+        return Err(notes::nothing(path, outline, &builder.left_out));
     }
+    let mut warnings: Vec<_> = notes::about_lines(path, outline).collect();
     warnings.extend(notes::about_geometry(path, outline, &builder.left_out));
-    warnings.extend(notes::about_materials(path, outline, &materials));
+    warnings.extend(notes::about_materials(path, outline, &materials.by_name));
+    warnings.extend(materials.warnings);
 
     let mesh = Mesh::new(builder.finish()).map_err(|source| ObjError::NoMesh {
         file: path.to_owned(),
@@ -78,6 +82,8 @@ pub(super) fn build(
 /// A mesh in the making, face by face.
 struct Builder<'a> {
     from: &'a tobj::Mesh,
+    /// Vertices that are not three finite numbers.
+    nowhere: HashSet<u32>,
     data: MeshData,
     /// The file's normals at unit length; zero where they have no direction.
     normals: Vec<[f32; 3]>,
@@ -93,27 +99,18 @@ struct Builder<'a> {
 pub(super) struct LeftOut {
     /// Triangles without area.
     pub without_area: usize,
-    /// Faces with too many corners.
-    pub oversized: usize,
+    /// Faces with a corner that is not three finite numbers.
+    pub nowhere: usize,
+    /// Faces with too many corners, of which too many are the same.
+    pub repetitive: usize,
 }
 
 impl<'a> Builder<'a> {
     fn new(path: &Path, from: &'a tobj::Mesh) -> Result<Self, ObjError> {
         let (vertices, _) = from.positions.as_chunks::<3>();
-        let bounds = Aabb::around(vertices.iter().map(|&v| DVec3::from_array(v)));
-        if let Some(bad) = vertices.iter().flatten().position(|c| !c.is_finite()) {
-            return Err(match line_of_endless_vertex(path) {
-                Some(line) => ObjError::BadLine {
-                    file: path.to_owned(),
-                    line,
-                    problem: "a coordinate is not a finite number",
-                },
-                None => ObjError::NoMesh {
-                    file: path.to_owned(),
-                    source: crate::geometry::MeshError::NotFinite(bad / 3),
-                },
-            });
-        }
+        let is_somewhere = |v: &DVec3| v.is_finite();
+        let all = vertices.iter().map(|&v| DVec3::from_array(v));
+        let bounds = Aabb::around(all.clone().filter(is_somewhere));
         let extent = (bounds.max - bounds.min).max_element();
         if extent > f64::from(f32::MAX) {
             return Err(ObjError::TooLarge {
@@ -122,13 +119,22 @@ impl<'a> Builder<'a> {
             });
         }
         let origin = origin(bounds);
-        let positions = vertices
-            .iter()
-            .map(|&v| narrow(DVec3::from_array(v) - origin));
+        // No face uses those that are nowhere.
+        let nowhere = (0..)
+            .zip(all.clone())
+            .filter_map(|(i, v)| (!is_somewhere(&v)).then_some(i));
+        let positions = all.map(|v| {
+            if is_somewhere(&v) {
+                narrow(v - origin)
+            } else {
+                [0.0; 3]
+            }
+        });
         let (colours, _) = from.vertex_color.as_chunks::<3>();
         let (normals, _) = from.normals.as_chunks::<3>();
         Ok(Self {
             from,
+            nowhere: nowhere.collect(),
             data: MeshData {
                 origin,
                 positions: positions.collect(),
@@ -198,6 +204,10 @@ impl<'a> Builder<'a> {
     fn face(&mut self, corners: std::ops::Range<usize>, with_normals: bool) {
         let from = self.from;
         let vertices = &from.indices[corners.clone()];
+        if !self.nowhere.is_empty() && vertices.iter().any(|i| self.nowhere.contains(i)) {
+            self.left_out.nowhere += 1;
+            return;
+        }
         let normals = Some(&from.normal_indices)
             .filter(|_| with_normals)
             .and_then(|indices| indices.get(corners))
@@ -210,8 +220,8 @@ impl<'a> Builder<'a> {
             self.triangle(vertices, normals, [0, 1, 2]);
             return;
         }
-        if is_oversized(vertices) {
-            self.left_out.oversized += 1;
+        if is_repetitive(vertices) {
+            self.left_out.repetitive += 1;
             return;
         }
         let mut polygon = std::mem::take(&mut self.polygon);
@@ -294,10 +304,9 @@ fn origin(bounds: Aabb) -> DVec3 {
     }))
 }
 
-fn is_oversized(vertices: &[u32]) -> bool {
-    vertices.len() > MOST_CORNERS
-        || vertices.len() > MOST_REPEATS
-            && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
+fn is_repetitive(vertices: &[u32]) -> bool {
+    vertices.len() > MOST_REPEATS
+        && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
 }
 
 fn unit(normal: DVec3) -> [f32; 3] {

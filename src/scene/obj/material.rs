@@ -2,13 +2,28 @@
 //!
 //! Read here and not by `tobj`, which panics on `Kd 0.5` and drops a whole library for one bad line.
 
-use crate::colour::Srgb;
-use crate::scene::Warning;
+use super::{
+    Stop,
+    lines::{Lines, decode},
+    notes::list,
+};
+use crate::{
+    colour::Srgb,
+    scene::{Cancelled, Progress, Warning},
+};
 use std::{
-    collections::HashMap,
-    fs,
+    collections::{HashMap, HashSet},
+    fs::{self, File},
+    io::{self, BufReader, ErrorKind},
     path::{Path, PathBuf},
 };
+
+/// Beyond so many bytes in all, material files are not read: they have a few hundred for each material.
+const MOST_BYTES: u64 = 1 << 26;
+/// So many are looked for.
+const MOST_FILES: usize = 1 << 12;
+/// So many on one line.
+const MOST_ON_A_LINE: usize = 1 << 6;
 
 /// What a scene without textures and blending takes from a material, and what it leaves.
 #[derive(Clone, Debug, Default)]
@@ -21,28 +36,84 @@ pub(super) struct Material {
     pub textures: Vec<String>,
 }
 
-/// Reads the files that `mtllib` lines name (with the line of each), from the folder of `obj`. Of materials with the
-/// same name the last counts.
+/// What the material files of an OBJ file say.
+#[derive(Default)]
+pub(super) struct Materials {
+    /// Of those with the same name the last.
+    pub by_name: HashMap<String, Material>,
+    /// What could not be read.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads the files that `mtllib` lines name (with the line of each), from the folder of `obj`: each once, wherever the
+/// name leads.
 pub(super) fn read_libraries(
     obj: &Path,
     libraries: &[(String, usize)],
-    warnings: &mut Vec<Warning>,
-) -> HashMap<String, Material> {
-    let mut materials = HashMap::new();
+    progress: &Progress,
+) -> Result<Materials, Cancelled> {
     let folder = obj.parent().unwrap_or(Path::new(""));
-    for (named, line) in libraries {
-        for (name, file) in files(folder, named) {
-            match read(&file) {
-                Ok(text) => parse(&file, &text, &mut materials, warnings),
-                Err(why) => warnings.push(Warning {
-                    file: obj.to_owned(),
-                    line: Some(*line),
-                    message: format!("the material file {} {why}", name.escape_debug()),
-                }),
-            }
+    let mut materials = Materials::default();
+    let mut unread: Vec<Unread> = Vec::new();
+    let mut known = HashSet::new();
+    let mut bytes_left = MOST_BYTES;
+    let each = libraries.iter().flat_map(|(named, line)| {
+        files(folder, named)
+            .into_iter()
+            .zip(std::iter::repeat(*line))
+    });
+    for ((name, file), line) in each.take(MOST_FILES) {
+        if !known.insert(file.canonicalize().unwrap_or_else(|_| file.clone())) {
+            continue;
+        }
+        let read = open(&file, &mut bytes_left)
+            .and_then(|input| decode(input).map_err(|error| cannot_be_read(&error)))
+            .map(|input| materials.add(&file, Lines::new(input, progress)));
+        let why = match read {
+            Ok(Ok(0)) => "has no materials in it".to_owned(),
+            // Of colours only vertices have too few.
+            Ok(Ok(_) | Err(Stop::ColoursComeLate)) => continue,
+            Ok(Err(Stop::Cancelled(cancelled))) => return Err(cancelled),
+            Ok(Err(Stop::Unreadable(error))) => cannot_be_read(&error),
+            Err(why) => why,
+        };
+        match unread.iter_mut().find(|other| other.why == why) {
+            Some(other) => other.names.push(name),
+            None => unread.push(Unread {
+                why,
+                line,
+                names: vec![name],
+            }),
         }
     }
     materials
+        .warnings
+        .extend(unread.into_iter().map(|unread| Warning {
+            file: obj.to_owned(),
+            line: Some(unread.line),
+            message: unread.message(),
+        }));
+    Ok(materials)
+}
+
+/// Material files that were not read for the same reason.
+struct Unread {
+    why: String,
+    /// The line that names the first.
+    line: usize,
+    names: Vec<String>,
+}
+
+impl Unread {
+    fn message(&self) -> String {
+        let Self { why, names, .. } = self;
+        let first = list(names.iter().take(1).map(String::as_str));
+        if names.len() == 1 {
+            return format!("the material file {first} {why}");
+        }
+        let others = list(names.iter().skip(1).map(String::as_str));
+        format!("the material file {first} {why}; the same with {others}")
+    }
 }
 
 /// An `mtllib` line names one file, which may have spaces in its name, or several.
@@ -57,7 +128,8 @@ fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
         (name.to_owned(), file)
     };
     let whole = find(named);
-    let each: Vec<_> = named.split_whitespace().map(find).collect();
+    let words = named.split_whitespace().take(MOST_ON_A_LINE);
+    let each: Vec<_> = words.map(find).collect();
     if whole.1.exists() || !each.iter().any(|(_, file)| file.exists()) {
         vec![whole]
     } else {
@@ -65,62 +137,72 @@ fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
     }
 }
 
-fn read(file: &Path) -> Result<String, String> {
+fn open(file: &Path, bytes_left: &mut u64) -> Result<BufReader<File>, String> {
     let about = fs::metadata(file).map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => "does not exist".to_owned(),
-        _ => format!("cannot be read: {error}"),
+        ErrorKind::NotFound => "does not exist".to_owned(),
+        _ => cannot_be_read(&error),
     })?;
     if !about.is_file() {
         return Err("is not a file".to_owned());
     }
-    let bytes = fs::read(file).map_err(|error| format!("cannot be read: {error}"))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let left = bytes_left.checked_sub(about.len());
+    *bytes_left = left.ok_or("is too large")?;
+    let opened = File::open(file).map_err(|error| cannot_be_read(&error))?;
+    Ok(BufReader::new(opened))
 }
 
-fn parse(
-    file: &Path,
-    text: &str,
-    materials: &mut HashMap<String, Material>,
-    warnings: &mut Vec<Warning>,
-) {
-    let mut current: Option<(String, Material)> = None;
-    let mut bad_colours = Vec::new();
-    for (number, line) in (1..).zip(text.trim_start_matches('\u{feff}').lines()) {
-        let line = line.trim();
-        let (keyword, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        let rest = rest.split_once(" #").map_or(rest, |(rest, _)| rest).trim();
-        if keyword == "newmtl" {
-            materials.extend(current.replace((rest.to_owned(), Material::default())));
-            continue;
-        }
-        let Some((_, material)) = &mut current else {
-            continue;
-        };
-        match keyword {
-            "Kd" => match colour(rest) {
-                Some(colour) => material.colour = Some(colour),
-                None => bad_colours.push(number),
-            },
-            "d" => {
-                let opacity = rest.split_whitespace().last().and_then(|d| d.parse().ok());
-                material.transparent = opacity.is_some_and(|d: f64| d < 1.0);
+fn cannot_be_read(error: &io::Error) -> String {
+    format!("cannot be read: {error}")
+}
+
+impl Materials {
+    /// Adds what a file says, and returns how many materials that is.
+    fn add(&mut self, file: &Path, mut lines: Lines) -> Result<usize, Stop> {
+        let mut current: Option<(String, Material)> = None;
+        let mut bad_colours = Vec::new();
+        let mut line = Vec::new();
+        let mut count = 0;
+        while lines.next(&mut line)? {
+            let text = String::from_utf8_lossy(&line);
+            let text = text.trim();
+            let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+            let rest = rest.split_once(" #").map_or(rest, |(rest, _)| rest).trim();
+            if keyword == "newmtl" {
+                let next = (rest.to_owned(), Material::default());
+                self.by_name.extend(current.replace(next));
+                count += 1;
+                continue;
             }
-            "bump" | "disp" | "decal" | "refl" | "norm" => texture(rest, material),
-            _ if keyword.starts_with("map_") => texture(rest, material),
-            _ => {}
+            let Some((_, material)) = &mut current else {
+                continue;
+            };
+            match keyword {
+                "Kd" => match colour(rest) {
+                    Some(colour) => material.colour = Some(colour),
+                    None => bad_colours.push(lines.number),
+                },
+                "d" => {
+                    let opacity = rest.split_whitespace().last().and_then(|d| d.parse().ok());
+                    material.transparent = opacity.is_some_and(|d: f64| d < 1.0);
+                }
+                "bump" | "disp" | "decal" | "refl" | "norm" => texture(rest, material),
+                _ if keyword.starts_with("map_") => texture(rest, material),
+                _ => {}
+            }
         }
-    }
-    materials.extend(current);
-    if let [first, more @ ..] = &*bad_colours {
-        let more = match more.len() {
-            0 => String::new(),
-            n => format!(" (nor on {n} more lines)"),
-        };
-        warnings.push(Warning {
-            file: file.to_owned(),
-            line: Some(*first),
-            message: format!("Kd is not a colour: it takes one to three numbers{more}"),
-        });
+        self.by_name.extend(current);
+        if let [first, more @ ..] = &*bad_colours {
+            let more = match more.len() {
+                0 => String::new(),
+                n => format!(" (more such lines: {n})"),
+            };
+            self.warnings.push(Warning {
+                file: file.to_owned(),
+                line: Some(*first),
+                message: format!("Kd is not a colour: it takes one to three numbers{more}"),
+            });
+        }
+        Ok(count)
     }
 }
 

@@ -1,8 +1,10 @@
 //! OBJ and MTL files: `tobj` reads the numbers, this module decides what they mean.
 //!
-//! Lines reach `tobj` washed (`source`); polygons become triangles (`polygon`); colours come from the MTL files
+//! Lines (`lines`) reach `tobj` washed (`wash`); polygons become triangles (`polygon`, `delaunay`); colours come from the MTL files
 //! (`material`); `build` puts the mesh together. The rules:
 //!
+//! - **What is valid loads.** A face that names a vertex which is not there, or one without three finite coordinates, is
+//!   left out, which a warning says with the first such line. A file is refused when no triangle is left.
 //! - **Objects.** Each `o` line begins an object, even one of the same name as the last; so does each `g` line that
 //!   changes the group. Materials never do. An object whose faces all lie in one group has the name that `o` gives,
 //!   else `object/group`; a group outside any object has its own name; what has no name at all has the file's.
@@ -12,22 +14,35 @@
 //! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown, which a warning says once.
 
 mod build;
+mod delaunay;
+mod lines;
 mod material;
 mod notes;
 mod outline;
 mod polygon;
-mod source;
+mod wash;
 
 use super::{Cancelled, Progress, Warning};
 use crate::geometry::{Mesh, MeshError};
-use source::{Source, Stop};
+use lines::{Blocks, Lines, decode, is_utf16};
+use outline::Outline;
 use std::{
-    fs::File,
-    io::{BufRead, BufReader, Read},
+    fs::{self, File},
+    io::{self, BufRead, BufReader},
+    panic::resume_unwind,
     path::{Path, PathBuf},
-    sync::Arc,
+    sync::{Arc, mpsc::sync_channel},
+    thread,
     time::Instant,
 };
+use wash::{Foresight, Washer};
+
+/// A larger file is refused: its triangles could be more than 32 bits count.
+const MOST_BYTES: u64 = 1 << 32;
+/// Files are read, and washed lines handed on, by this many bytes.
+const BLOCK: usize = 1 << 16;
+/// How many blocks of washed lines may wait for `tobj`.
+const BLOCKS: usize = 8;
 
 /// What an OBJ file holds.
 #[derive(Debug)]
@@ -80,27 +95,23 @@ pub enum ObjError {
         /// What there is, with counts.
         holds: String,
     },
-    /// A line that breaks the format.
-    #[error("{}:{line}: {problem}", file.display())]
+    /// Nothing to show, and a line that breaks the format.
+    #[error("{}:{line}: {what}", file.display())]
     BadLine {
         /// The file.
         file: PathBuf,
-        /// The line in it, from 1.
+        /// The first such line in it, from 1.
         line: usize,
         /// What is wrong with it.
-        problem: &'static str,
+        what: BadLine,
     },
-    /// A face with a corner that is not there.
-    #[error("{}:{line}: a face names vertex {vertex} of {vertices}", file.display())]
-    NoSuchVertex {
+    /// More than anybody's memory holds.
+    #[error("{}: is too large: more than {} GiB", file.display(), most >> 30)]
+    TooManyBytes {
         /// The file.
         file: PathBuf,
-        /// The line in it, from 1.
-        line: usize,
-        /// The vertex as the face names it.
-        vertex: String,
-        /// How many vertices there are; for a relative index, before the line.
-        vertices: usize,
+        /// How many bytes there may be.
+        most: u64,
     },
     /// The extent does not fit in single precision.
     #[error("{}: its coordinates lie too far apart to show ({extent:e} units)", file.display())]
@@ -120,127 +131,182 @@ pub enum ObjError {
     },
 }
 
+/// What is wrong with a line of an OBJ file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BadLine {
+    /// A vertex of less than three coordinates, or with a word among them.
+    #[error("a vertex needs three numbers")]
+    Vertex,
+    /// A vertex that is nowhere.
+    #[error("a coordinate is not a finite number")]
+    NotFinite,
+    /// A normal of less than three coordinates, or with a word among them.
+    #[error("a normal needs three numbers")]
+    Normal,
+    /// A corner of another form.
+    #[error("a corner of a face is written as 1, 1/2, 1//3 or 1/2/3")]
+    Corner,
+    /// A corner that is not there.
+    #[error("a face names vertex {vertex} of {vertices}")]
+    NoSuchVertex {
+        /// The vertex as the face names it.
+        vertex: String,
+        /// How many vertices there are; for a relative index, before the line.
+        vertices: usize,
+    },
+}
+
+/// Why the lines of a file ended early.
+enum Stop {
+    /// Somebody asked to.
+    Cancelled(Cancelled),
+    /// The system says so.
+    Unreadable(io::Error),
+    /// A vertex has a colour after others that have none.
+    ColoursComeLate,
+}
+
 /// Loads an OBJ file and the MTL files it names.
 ///
 /// # Errors
-/// When it cannot be read, breaks the format or holds nothing to show; see [`ObjError`]. Missing or broken MTL files
-/// are warnings.
+/// When it cannot be read or holds nothing to show; see [`ObjError`]. What else is wrong with it or with its MTL files
+/// is a warning.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
+    read(path, progress, || open(path))
+}
+
+/// [`load`] from the bytes of a file that is part of the program; errors name it by `path`.
+pub(super) fn from_bytes(
+    bytes: &'static [u8],
+    path: &Path,
+    progress: &Progress,
+) -> Result<ObjFile, ObjError> {
+    read(path, progress, || Ok((bytes, bytes.len() as u64)))
+}
+
+fn read<R: BufRead + Send + 'static>(
+    path: &Path,
+    progress: &Progress,
+    open: impl Fn() -> Result<(R, u64), ObjError>,
+) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
-    let mut input = open(path, progress)?;
-    let looks_like = looks_like(&mut input);
-    let mut source = Source::new(input, progress, false);
-    let mut parsed = tobj::load_obj_buf(&mut source, &tobj::LoadOptions::default(), no_materials);
-    if matches!(source.stop, Some(Stop::ColoursComeLate)) {
-        source = Source::new(open(path, progress)?, progress, true);
-        parsed = tobj::load_obj_buf(&mut source, &tobj::LoadOptions::default(), no_materials);
-    }
-    let file = || path.to_owned();
-    match source.stop {
-        Some(Stop::Cancelled(cancelled)) => return Err(cancelled.into()),
-        Some(Stop::Unreadable(source)) => {
-            let file = file();
-            return Err(ObjError::Unreadable { file, source });
+    let unreadable = |source| ObjError::Unreadable {
+        file: path.to_owned(),
+        source,
+    };
+    let mut foresight = Foresight::default();
+    let (parsed, outline, looks_like, bytes) = loop {
+        let (mut input, bytes) = open()?;
+        // Putting the mesh together takes about half as long as reading.
+        progress.expect(bytes + bytes / 2);
+        let looks_like = looks_like(&mut input);
+        let lines = Lines::new(decode(input).map_err(unreadable)?, progress);
+        let (parsed, outline, stop) = parse(Washer::new(lines, foresight));
+        match stop {
+            Some(Stop::Cancelled(cancelled)) => return Err(cancelled.into()),
+            Some(Stop::Unreadable(source)) => return Err(unreadable(source)),
+            Some(Stop::ColoursComeLate) => foresight.coloured = true,
+            None if outline.highest_vertex > outline.vertices => {
+                foresight.vertices = Some(outline.vertices);
+            }
+            None => break (parsed, outline, looks_like, bytes),
         }
-        Some(Stop::NoSuchVertex(vertex)) => {
-            return Err(ObjError::NoSuchVertex {
-                file: file(),
-                line: source.line_number,
-                vertex,
-                vertices: source.outline.vertices,
-            });
-        }
-        Some(Stop::ColoursComeLate) | None => {}
-    }
-    let outline = source.outline;
-    if let Some((vertex, line)) = outline.highest_vertex
-        && vertex > outline.vertices
-    {
-        return Err(ObjError::NoSuchVertex {
-            file: file(),
-            line,
-            vertex: vertex.to_string(),
-            vertices: outline.vertices,
-        });
-    }
-    let (models, _) = parsed.map_err(|error| ObjError::BadLine {
-        file: file(),
-        line: source.line_number,
-        problem: problem(error),
-    })?;
-    if outline.vertices == 0 && outline.faces() == 0 {
-        let file = file();
-        return Err(ObjError::NotObj { file, looks_like });
-    }
+    };
+    progress.advance(bytes / 4)?;
+    let (models, _) = parsed.map_err(|error| unreadable(io::Error::other(error)))?;
     let (read, start) = (start.elapsed(), Instant::now());
-    let built = build::build(path, models, &outline);
+    let built = build::build(path, models, &outline, progress);
+    let built = built.map_err(|error| match (error, looks_like) {
+        (
+            ObjError::NotObj { file, .. }
+            | ObjError::NoFaces { file, .. }
+            | ObjError::BadLine { file, .. },
+            Some(looks_like),
+        ) => ObjError::NotObj { file, looks_like },
+        (error, _) => error,
+    })?;
+    progress.advance(bytes.div_ceil(4))?;
     log::info!(
         "read {} in {read:.1?}, built in {:.1?}",
         path.display(),
         start.elapsed()
     );
-    built
+    Ok(built)
 }
 
-/// The file, when it is one and not empty; tells `progress` of its bytes.
-fn open(path: &Path, progress: &Progress) -> Result<BufReader<File>, ObjError> {
-    let file = path.to_owned();
-    let opened = std::fs::metadata(path).and_then(|about| Ok((File::open(path)?, about)));
-    match opened {
-        Err(source) => Err(ObjError::Unreadable { file, source }),
-        Ok((_, about)) if !about.is_file() => Err(ObjError::NotAFile { file }),
-        Ok((_, about)) if about.len() == 0 => Err(ObjError::Empty { file }),
-        Ok((opened, about)) => {
-            progress.expect(about.len());
-            Ok(BufReader::with_capacity(1 << 16, opened))
+/// The file, when it is one and not empty, and its size.
+fn open(path: &Path) -> Result<(BufReader<File>, u64), ObjError> {
+    let file = || path.to_owned();
+    let unreadable = |source| ObjError::Unreadable {
+        file: file(),
+        source,
+    };
+    let about = fs::metadata(path).map_err(unreadable)?;
+    // Not even opened: a pipe would wait for somebody to write into it.
+    if !about.is_file() {
+        return Err(ObjError::NotAFile { file: file() });
+    }
+    match about.len() {
+        0 => Err(ObjError::Empty { file: file() }),
+        bytes if bytes > MOST_BYTES => Err(ObjError::TooManyBytes {
+            file: file(),
+            most: MOST_BYTES,
+        }),
+        bytes => {
+            let opened = File::open(path).map_err(unreadable)?;
+            Ok((BufReader::with_capacity(BLOCK, opened), bytes))
         }
     }
 }
 
-/// What a file that turns out to be no OBJ seems to be, by its first bytes.
-fn looks_like(input: &mut impl BufRead) -> &'static str {
+/// Lets `tobj` read what is washed on a thread beside it. What it makes of that, what it did not see, and why the
+/// lines ended early.
+fn parse(mut washer: Washer) -> (tobj::LoadResult, Outline, Option<Stop>) {
+    let (sender, receiver) = sync_channel(BLOCKS);
+    thread::scope(|scope| {
+        let washing = scope.spawn(move || {
+            let stop = loop {
+                match washer.block() {
+                    Ok(block) => {
+                        if block.is_empty() || sender.send(Some(block)).is_err() {
+                            break None;
+                        }
+                    }
+                    Err(stop) => {
+                        // If nobody takes it, nobody needs to know.
+                        let _ = sender.send(None);
+                        break Some(stop);
+                    }
+                }
+            };
+            (washer.outline, stop)
+        });
+        let mut blocks = Blocks::new(receiver);
+        let parsed = tobj::load_obj_buf(&mut blocks, &tobj::LoadOptions::default(), no_materials);
+        drop(blocks);
+        let (outline, stop) = washing.join().unwrap_or_else(|panic| resume_unwind(panic));
+        (parsed, outline, stop)
+    })
+}
+
+/// What a file that turns out to be no OBJ is, by its first bytes.
+fn looks_like(input: &mut impl BufRead) -> Option<&'static str> {
     let start = input.fill_buf().unwrap_or_default();
     let text = start.trim_ascii_start();
     if text.starts_with(b"version https://git-lfs") {
-        "a Git LFS pointer (git lfs pull fetches the file itself)"
+        Some("a Git LFS pointer (git lfs pull fetches the file itself)")
     } else if start.starts_with(&[0x1f, 0x8b]) {
-        "gzip data"
-    } else if start.starts_with(&[0xff, 0xfe]) || start.starts_with(&[0xfe, 0xff]) {
-        "UTF-16 text"
+        Some("gzip data")
     } else if text.first() == Some(&b'<') {
-        "HTML or XML"
-    } else if start.contains(&0) {
-        "binary data"
+        Some("HTML or XML")
+    } else if start.contains(&0) && !is_utf16(start) {
+        Some("binary data")
     } else {
-        "no vertices and no faces"
+        None
     }
 }
 
 /// `tobj` never sees an `mtllib` line.
 fn no_materials(_: &Path) -> tobj::MTLLoadResult {
     Err(tobj::LoadError::GenericFailure)
-}
-
-fn problem(error: tobj::LoadError) -> &'static str {
-    match error {
-        tobj::LoadError::PositionParseError => "a vertex needs three numbers",
-        tobj::LoadError::NormalParseError => "a normal needs three numbers",
-        tobj::LoadError::FaceParseError => "a corner of a face is written as 1, 1/2, 1//3 or 1/2/3",
-        _ => "the line cannot be read",
-    }
-}
-
-/// The line of the first vertex with a coordinate that is not a finite number.
-fn line_of_endless_vertex(path: &Path) -> Option<usize> {
-    let mut bytes = Vec::new();
-    File::open(path).ok()?.read_to_end(&mut bytes).ok()?;
-    let mut lines = (1..).zip(bytes.split(|&b| b == b'\n'));
-    let endless = lines.find(|(_, line)| {
-        let mut fields = source::fields(line).map(|at| &line[at]);
-        fields.next() == Some(b"v")
-            && (fields.take(3))
-                .filter_map(source::number)
-                .any(|c| !c.is_finite())
-    });
-    Some(endless?.0)
 }

@@ -1,11 +1,67 @@
 //! What people are told of a file: what it asks for that is not shown, and what was mended.
 
-use super::{build::LeftOut, material::Material, outline::Outline};
+use super::{BadLine, ObjError, build::LeftOut, material::Material, outline::Outline};
 use crate::scene::Warning;
-use std::{collections::HashMap, path::Path};
+use std::{
+    collections::{HashMap, HashSet},
+    path::Path,
+};
 
 /// Names that one warning lists.
 const NAMES_SHOWN: usize = 5;
+
+/// Why a file is refused that has not one triangle.
+pub(super) fn nothing(path: &Path, outline: &Outline, left_out: &LeftOut) -> ObjError {
+    let file = path.to_owned();
+    if let Some(first) = outline.faults.iter().min_by_key(|fault| fault.line) {
+        return ObjError::BadLine {
+            file,
+            line: first.line,
+            what: first.what.clone(),
+        };
+    }
+    let counts = [
+        (outline.vertices, "vertices"),
+        (outline.points_and_lines, "points and lines"),
+        (outline.free_form, "free-form curves and surfaces"),
+        (left_out.without_area, "triangles without area"),
+        (
+            outline.oversized + left_out.repetitive,
+            "faces with too many corners",
+        ),
+    ];
+    let counts = counts.into_iter().filter(|(count, _)| *count > 0);
+    let counts: Vec<String> = counts
+        .map(|(count, what)| format!("{what}: {count}"))
+        .collect();
+    if counts.is_empty() {
+        let looks_like = "no vertices and no faces";
+        return ObjError::NotObj { file, looks_like };
+    }
+    ObjError::NoFaces {
+        file,
+        holds: counts.join(", "),
+    }
+}
+
+/// Lines that break the format: of each kind the first, and how many more there are.
+pub(super) fn about_lines(path: &Path, outline: &Outline) -> impl Iterator<Item = Warning> {
+    outline.faults.iter().map(|fault| {
+        let mended = match fault.what {
+            BadLine::Vertex | BadLine::NotFinite => "",
+            BadLine::Normal => "; it is computed",
+            BadLine::Corner | BadLine::NoSuchVertex { .. } => "; it is left out",
+        };
+        let more = match fault.count - 1 {
+            0 => String::new(),
+            more => format!(" (more such lines: {more})"),
+        };
+        Warning {
+            line: Some(fault.line),
+            ..about(path, format!("{}{mended}{more}", fault.what))
+        }
+    })
+}
 
 /// Faces and lines that are left out or mended.
 pub(super) fn about_geometry(
@@ -16,7 +72,11 @@ pub(super) fn about_geometry(
     let counts = [
         (left_out.without_area, "triangles without area are left out"),
         (
-            left_out.oversized,
+            left_out.nowhere,
+            "faces with a vertex that cannot be read are left out",
+        ),
+        (
+            outline.oversized + left_out.repetitive,
             "faces with too many corners are left out",
         ),
         (outline.points_and_lines, "points and lines are not shown"),
@@ -31,22 +91,6 @@ pub(super) fn about_geometry(
     ];
     let counts = counts.into_iter().filter(|(count, _)| *count > 0);
     counts.map(|(count, what)| about(path, format!("{what} ({count})")))
-}
-
-/// What a file holds that has no faces to show.
-pub(super) fn what_is_there(outline: &Outline, left_out: &LeftOut) -> String {
-    let counts = [
-        (outline.vertices, "vertices"),
-        (outline.points_and_lines, "points and lines"),
-        (outline.free_form, "free-form curves and surfaces"),
-        (left_out.without_area, "triangles without area"),
-        (left_out.oversized, "faces with too many corners"),
-    ];
-    let counts = counts.into_iter().filter(|(count, _)| *count > 0);
-    let counts: Vec<String> = counts
-        .map(|(count, what)| format!("{what}: {count}"))
-        .collect();
-    counts.join(", ")
 }
 
 fn about(path: &Path, message: String) -> Warning {
@@ -78,12 +122,12 @@ pub(super) fn about_materials(
         });
     }
     let defined = || defined.iter().map(|(name, _)| &materials[name]);
-    let mut textures: Vec<&str> = Vec::new();
-    for texture in defined().flat_map(|material| &material.textures) {
-        if !textures.contains(&&**texture) {
-            textures.push(texture);
-        }
-    }
+    let mut known = HashSet::new();
+    let textures = defined().flat_map(|material| &material.textures);
+    let textures = textures
+        .map(String::as_str)
+        .filter(|name| known.insert(*name));
+    let textures: Vec<&str> = textures.collect();
     if !textures.is_empty() {
         let (count, names) = (textures.len(), list(textures.into_iter()));
         let files = if count == 1 { "file" } else { "files" };
@@ -106,7 +150,7 @@ pub(super) fn about_materials(
 }
 
 /// The first few names, each made fit for a line, and how many more there are.
-fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
+pub(super) fn list<'a>(names: impl ExactSizeIterator<Item = &'a str>) -> String {
     let more = names.len().saturating_sub(NAMES_SHOWN);
     let shown = names.take(NAMES_SHOWN);
     let shown: Vec<String> = shown

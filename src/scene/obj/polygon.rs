@@ -1,5 +1,6 @@
 //! Polygons to triangles that cover the same shape: a fan covers a notch, too.
 
+use super::delaunay::delaunay;
 use earcut::{Earcut, deviation};
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -7,6 +8,9 @@ use std::collections::BTreeSet;
 /// How far the triangles' area may be from the polygon's, relative to it, where its outline does not cross itself:
 /// well above what rounding makes of a sum over the largest polygons, well below any triangle worth seeing.
 const CROSSES: f64 = 1e-9;
+
+/// Polygons of more corners are split by [`delaunay()`]: earcut is faster on few, but takes cubic time on some.
+const LARGE: usize = 64;
 
 /// Splits polygons, with memory that lasts from one to the next.
 #[derive(Default)]
@@ -21,8 +25,9 @@ impl Splitter {
     /// The n - 2 triangles of a simple polygon, as indices into its corners, wound as it is.
     ///
     /// Where two of them touch they share an edge: a corner on the straight line between its neighbours stays (earcut
-    /// cuts no ear past it), since the polygon next to it has it too. Triangles without area come only of corners that coincide. An outline that
-    /// crosses itself, as that of a twisted quad may, has no inside; it gets a fan.
+    /// cuts no ear past it), since the polygon next to it has it too. Triangles without area come only of corners that
+    /// coincide, which large polygons leave out. An outline that crosses itself, as that of a twisted quad may, has no
+    /// inside; it gets a fan.
     pub fn split(&mut self, corners: &[DVec3]) -> &[[u32; 3]] {
         self.triangles.clear();
         let normal = newell(corners);
@@ -42,14 +47,18 @@ impl Splitter {
         let flatten = flatten_along(normal);
         self.flat
             .extend(corners.iter().map(|&corner| flatten(corner - corners[0])));
-        self.earcut.earcut_slice(&self.flat, &[], &mut self.indices);
+        if corners.len() > LARGE {
+            self.indices = delaunay(&self.flat).unwrap_or_default();
+        } else {
+            self.earcut.earcut_slice(&self.flat, &[], &mut self.indices);
+        }
         if deviation(self.flat.iter().copied(), &[], &self.indices) > CROSSES {
             let fan = (1..).zip(2..).take(corners.len() - 2);
             self.triangles.extend(fan.map(|(b, c)| [0, b, c]));
             return &self.triangles;
         }
         self.triangles.extend(self.indices.as_chunks::<3>().0);
-        if self.triangles.len() + 2 < corners.len() {
+        if corners.len() <= LARGE && self.triangles.len() + 2 < corners.len() {
             let corners = u32::try_from(corners.len()).unwrap_or(u32::MAX);
             close_gaps(&mut self.triangles, corners);
         }

@@ -9,6 +9,9 @@ mod stability;
 mod style;
 mod wrong_picks;
 
+pub use outlines::{dashes, outlines};
+pub use stability::family;
+
 use super::run::{Report, SCENE};
 use crate::{
     camera::{CameraError, Viewport},

@@ -3,7 +3,8 @@
 use super::picture::Shape;
 
 /// A line in pieces of 7 pixels with 5 between them.
-pub(super) fn dashes(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+#[must_use]
+pub fn dashes(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
     const ON: f64 = 7.0;
     const PERIOD: f64 = 12.0;
     let mut pieces = Vec::new();
@@ -29,7 +30,8 @@ pub(super) fn dashes(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
 }
 
 /// The closed outlines of a point.
-pub(super) fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
+#[must_use]
+pub fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
     let ring = |corners: u32, from_turn: f64, radius: &dyn Fn(u32) -> f64| {
         let corner = |i: u32| {
             let turn = from_turn + f64::from(i) / f64::from(corners);

@@ -51,12 +51,40 @@ pub fn chart(report: &Report, title: &str) -> Picture {
             first.step,
             &rows,
             [left, TOP + row * PANEL_HEIGHT],
+            None,
         );
     }
     picture
 }
 
-fn panel(picture: &mut Picture, step: About, rows: &[&Row], [left, top]: [f64; 2]) {
+/// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
+/// family's; empty without any.
+#[must_use]
+pub fn family(rows: &[Row], wide: Option<(&str, Precision)>) -> Picture {
+    let rows: Vec<&Row> = rows.iter().collect();
+    let mut names: Vec<&str> = rows.iter().map(|row| row.method).collect();
+    names.sort_unstable();
+    names.dedup();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "small"
+    )]
+    let height = (28.0 + PLOT_HEIGHT + 62.0) as u32 + 16 * u32::try_from(names.len()).unwrap_or(0);
+    let mut picture = Picture::new(400, height + 6);
+    if let Some(first) = rows.first() {
+        panel(&mut picture, first.step, &rows, [0.0, 6.0], wide);
+    }
+    picture
+}
+
+fn panel(
+    picture: &mut Picture,
+    step: About,
+    rows: &[&Row],
+    [left, top]: [f64; 2],
+    wide: Option<(&str, Precision)>,
+) {
     let measure = Measure::of(step);
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
     let ys: Vec<f64> = rows.iter().map(|row| measure.at(row)).collect();
@@ -86,30 +114,29 @@ fn panel(picture: &mut Picture, step: About, rows: &[&Row], [left, top]: [f64; 2
         .copied()
         .filter(|row| row.value.to_bits() == first_value);
     let styles = styles(methods);
-    // This program's last, over all others.
-    for style in styles
-        .iter()
-        .filter(|style| !style.ours)
-        .chain(styles.iter().filter(|s| s.ours))
-    {
+    // This program's over all others, but for the one that is wide.
+    let is_wide = |style: &Style| wide == Some((style.name, style.precision));
+    let mut ordered: Vec<&Style> = styles.iter().collect();
+    ordered.sort_by_key(|style| (is_wide(style), style.ours));
+    for style in ordered {
         let own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
         let points = rows
             .iter()
             .filter(own)
             .map(|row| panel.at(row.value, measure.at(row)));
-        line(picture, style, points.collect());
+        let width = match (is_wide(style), style.ours) {
+            (true, _) => 5,
+            (false, true) => 3,
+            (false, false) => 2,
+        };
+        line(picture, style, width, points.collect());
     }
     legend(picture, styles.iter(), [left + 34.0, to[1] + 52.0], 16.0);
 }
 
-fn line(picture: &mut Picture, style: &Style, points: Vec<[f64; 2]>) {
+fn line(picture: &mut Picture, style: &Style, width: u32, points: Vec<[f64; 2]>) {
     let dashed = style.precision == Precision::F32 && !style.ours;
-    picture.line(
-        points.clone(),
-        style.colour,
-        if style.ours { 3 } else { 2 },
-        dashed,
-    );
+    picture.line(points.clone(), style.colour, width, dashed);
     for at in points {
         let filled = !dashed;
         picture.point(at, style.shape, 4.0, style.colour, filled);

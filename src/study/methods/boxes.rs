@@ -62,6 +62,19 @@ impl BoxCase {
             px,
         }
     }
+
+    /// The case of a cube and a ray in its space.
+    #[must_use]
+    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
+        let bounds = Cuboid::bounds();
+        let wide = RayBox {
+            origin: ray_object.origin.into(),
+            direction: ray_object.direction.into(),
+            min: bounds.min.into(),
+            max: bounds.max.into(),
+        };
+        Self::new(wide, px)
+    }
 }
 
 const BRANCH: &str = "textbooks and courses: slabs, with a branch where the ray runs along one";

@@ -57,19 +57,24 @@ impl ClipCase {
         let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, lens).ok()?;
         let viewport = Viewport::new(1920, 1080).ok()?;
         let ray = camera.ray(viewport, DVec2::from(px));
+        Some(Self::of_camera(&camera, ray, t))
+    }
+
+    /// A hit at `t` on a ray that a camera cast.
+    #[must_use]
+    pub fn of_camera(camera: &Camera, ray: Ray, t: f64) -> Self {
+        let lens = camera.lens();
         let wide = Clip {
             t,
             direction: ray.direction.into(),
             forward: camera.forward().into(),
-            near,
-            far,
+            near: lens.near,
+            far: lens.far,
         };
-        Some(Self::of_ray(wide, ray))
+        Self::of_ray(wide, ray)
     }
 
-    /// A hit on a ray that a camera cast.
-    #[must_use]
-    pub fn of_ray(wide: Clip<f64>, ray: Ray) -> Self {
+    fn of_ray(wide: Clip<f64>, ray: Ray) -> Self {
         Self {
             narrow: Clip {
                 t: f32::of(wide.t),

@@ -19,6 +19,8 @@ pub struct DepthCase {
     pub near: f64,
     /// The far plane's.
     pub far: f64,
+    /// Whether the picture is orthographic: depth is stored as it is, not over w.
+    pub parallel: bool,
 }
 
 const STANDARD: &str = "courses, OpenGL and Direct3D textbooks: near is 0, far is 1";
@@ -98,8 +100,10 @@ pub struct Mapping {
     pub depth: DepthMapping,
     /// 24-bit integers in place of 32-bit floating point.
     pub integer: bool,
-    /// No far plane.
+    /// No far plane; in an orthographic picture there is always one.
     pub infinite: bool,
+    /// Orthographic: there is no division by w.
+    pub parallel: bool,
 }
 
 impl Mapping {
@@ -108,23 +112,29 @@ impl Mapping {
         depth: DepthMapping::Standard,
         integer: false,
         infinite: false,
+        parallel: false,
     };
     /// Near is 1, in floating point.
     pub const REVERSED: Self = Self {
         depth: DepthMapping::Reversed,
         integer: false,
         infinite: false,
+        parallel: false,
     };
 
     /// The projection's third row, in `f64`.
     fn row(self, near: f64, far: f64) -> (f64, f64) {
         let lens = Lens {
-            projection: Projection::Perspective { fov_y: 1.0 },
+            projection: if self.parallel {
+                Projection::Orthographic { height: 1.0 }
+            } else {
+                Projection::Perspective { fov_y: 1.0 }
+            },
             near,
             far,
             depth: self.depth,
         };
-        if self.infinite {
+        if self.infinite && !self.parallel {
             (0.0, near)
         } else {
             lens.depth_row()
@@ -142,7 +152,7 @@ impl Mapping {
             reason = "matrices are f32 on the card"
         )]
         let (a, b) = (a as f32, b as f32);
-        let ndc = (a * depth + b) / depth;
+        let ndc = (a * depth + b) / if self.parallel { 1.0 } else { depth };
         if self.integer {
             (ndc * LARGEST).round() / LARGEST
         } else {
@@ -154,11 +164,20 @@ impl Mapping {
     #[must_use]
     pub fn read(self, stored: f32, near: f64, far: f64) -> f64 {
         let (a, b) = self.row(near, far);
-        b / (f64::from(stored) - a)
+        let stored = f64::from(stored);
+        if self.parallel {
+            (stored - b) / a
+        } else {
+            b / (stored - a)
+        }
     }
 
     fn there_and_back(self, case: &DepthCase) -> f64 {
-        let stored = self.stored(case.depth, case.near, case.far);
-        self.read(stored, case.near, case.far)
+        let mapping = Self {
+            parallel: case.parallel,
+            ..self
+        };
+        let stored = mapping.stored(case.depth, case.near, case.far);
+        mapping.read(stored, case.near, case.far)
     }
 }

@@ -14,7 +14,7 @@ pub mod spheres;
 pub mod triangles;
 pub mod usual;
 
-use super::step::{About, Case, Precision};
+use super::step::{About, Case, Method, Precision};
 
 /// What is known about a method without running it.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +29,20 @@ pub struct MethodInfo {
     pub source: &'static str,
     /// Whether it is what this program does.
     pub ours: bool,
+}
+
+impl MethodInfo {
+    /// What is known about a method.
+    #[must_use]
+    pub fn of<C: Case>(method: &Method<C>) -> Self {
+        Self {
+            step: C::ABOUT,
+            name: method.name,
+            precision: method.precision,
+            source: method.source,
+            ours: method.ours,
+        }
+    }
 }
 
 /// Something that is done for each step.
@@ -63,12 +77,6 @@ struct List(Vec<MethodInfo>);
 
 impl Visitor for List {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::methods().iter().map(|method| MethodInfo {
-            step: C::ABOUT,
-            name: method.name,
-            precision: method.precision,
-            source: method.source,
-            ours: method.ours,
-        }));
+        self.0.extend(C::methods().iter().map(MethodInfo::of));
     }
 }

@@ -51,7 +51,24 @@ impl PlacedCase {
             matrix3: DMat3::from_cols(x, y, z),
             translation: wide.translation.into(),
         };
-        Some(Self {
+        Some(Self::placed(wide, Placement::new(model).ok()?, px))
+    }
+
+    /// The case of a world-space ray and an object that stands there.
+    #[must_use]
+    pub fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+        let model = placement.model();
+        let wide = Placed {
+            linear: model.matrix3.into(),
+            translation: model.translation.into(),
+            origin: ray.origin.into(),
+            direction: ray.direction.into(),
+        };
+        Self::placed(wide, *placement, px)
+    }
+
+    fn placed(wide: Placed<f64>, placement: Placement, px: f64) -> Self {
+        Self {
             narrow: Placed {
                 linear: M3::of(&wide.linear),
                 translation: V3::of(wide.translation),
@@ -59,9 +76,9 @@ impl PlacedCase {
                 direction: V3::of(wide.direction),
             },
             wide,
-            placement: Placement::new(model).ok()?,
+            placement,
             px,
-        })
+        }
     }
 }
 

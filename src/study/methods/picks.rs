@@ -1,7 +1,7 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
 use super::{
-    rays::{Pixel, PixelCase, course},
+    rays::{PixelCase, Sight, course},
     triangles::{RayTriangle, SIGHTLINES, SIGHTLINES_PRECISION, areas},
     usual,
 };
@@ -19,7 +19,7 @@ use crate::{
         workloads::{picks::gpu, scene::SceneRays},
     },
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use std::{sync::Arc, time::Instant};
 
 /// A scene as it is picked from.
@@ -110,8 +110,7 @@ impl Case for PickCase {
         const {
             &[
                 Method::new("the course's", F32, COURSE, |c| {
-                    let pixel = c.pixel().narrow;
-                    c.cast_f32(&pixel, course(&pixel), |case| areas(case, 0.0))
+                    c.cast_f32(course(&c.pixel().narrow), |case| areas(case, 0.0))
                 }),
                 Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
                     let world = &c.world;
@@ -221,17 +220,11 @@ impl PickCase {
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles: meshes
     /// are brought to the world first, as a loader that knows no origins does.
-    fn cast_f32(
-        &self,
-        pixel: &Pixel<f32>,
-        direction: [f64; 3],
-        test: fn(&RayTriangle<f32>) -> Option<f64>,
-    ) -> Picked {
+    fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
         let scene = &self.world.treeless;
-        let [x, y, z] = direction;
         let world = Ray {
-            origin: DVec3::from(pixel.eye.wide()),
-            direction: DVec3::new(x, y, z),
+            origin: sight.from.into(),
+            direction: sight.along.into(),
             ..self.world.view.ray(self.px)
         };
         let mut best: Option<(f64, usize, Option<u32>)> = None;
@@ -260,8 +253,8 @@ impl PickCase {
                 let corners =
                     corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()));
                 let case = RayTriangle {
-                    origin: pixel.eye,
-                    direction: V3::of(V3::new(x, y, z)),
+                    origin: V3::of(sight.from),
+                    direction: V3::of(sight.along),
                     corners,
                 };
                 if let Some(t) = test(&case)

@@ -75,6 +75,16 @@ impl PlaneCase {
             placement: Placement::new(model).unwrap_or(Placement::IDENTITY),
         }
     }
+
+    /// The case of a square and a ray in the world, where planes lie as they like.
+    #[must_use]
+    pub fn of_object(placement: &Placement, ray: &Ray) -> Self {
+        let model = placement.model();
+        let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
+        let [origin, direction, point] =
+            [ray.origin, ray.direction, model.translation].map(V3::from);
+        Self::new(origin, direction, point, sides)
+    }
 }
 
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d";

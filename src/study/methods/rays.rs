@@ -1,5 +1,6 @@
-//! From a pixel to a ray. The answer is the ray's direction, of any length. Every method is given the camera's axes
-//! and makes the rest for each ray anew, as a click does.
+//! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
+//! what counts is the direction. Every method is given the camera's axes and makes the rest for each ray anew, as a
+//! click does.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
@@ -28,8 +29,10 @@ pub struct Pixel<T> {
     pub length: T,
     /// Unit vectors R, U and F.
     pub axes: [V3<T>; 3],
-    /// Half the picture's height at depth 1: tan(fov / 2).
+    /// Half the picture's height: at depth 1 in perspective, tan(fov / 2); in world units where rays are parallel.
     pub tan: T,
+    /// Whether all rays run along F, as in an orthographic picture.
+    pub parallel: bool,
     /// Width over height.
     pub aspect: T,
     /// The near plane's view depth.
@@ -40,6 +43,15 @@ pub struct Pixel<T> {
     pub size: [T; 2],
     /// The position in pixels from the top left corner.
     pub px: [T; 2],
+}
+
+/// A ray in the world.
+#[derive(Clone, Copy, Debug)]
+pub struct Sight {
+    /// Where it starts.
+    pub from: V3<f64>,
+    /// Where it goes; 1 long, or nearly so.
+    pub along: V3<f64>,
 }
 
 /// One pixel, as each kind of method wants it.
@@ -95,6 +107,7 @@ impl PixelCase {
             length: f32::of(wide.length),
             axes: wide.axes.map(V3::of),
             tan: f32::of(wide.tan),
+            parallel: wide.parallel,
             aspect: f32::of(wide.aspect),
             near: f32::of(wide.near),
             far: f32::of(wide.far),
@@ -110,7 +123,7 @@ impl PixelCase {
         }
     }
 
-    /// The case of a pixel of a perspective view; its axes are taken as exact.
+    /// The case of a pixel of a view; its axes are taken as exact.
     #[must_use]
     pub fn of_view(view: &View, px: DVec2) -> Self {
         let camera = view.camera;
@@ -123,6 +136,7 @@ impl PixelCase {
             length: camera.target().distance(camera.eye()),
             axes,
             tan: lens.half_extent(1.0).y,
+            parallel: lens.is_orthographic(),
             aspect: viewport.aspect(),
             near: lens.near,
             far: lens.far,
@@ -132,7 +146,7 @@ impl PixelCase {
         Self::with_camera(wide, axes, camera, viewport)
     }
 
-    /// The width of a pixel in the picture's middle, in radians.
+    /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
     #[must_use]
     pub fn px_angle(&self) -> f64 {
         2.0 * self.wide.tan / self.wide.size[1]
@@ -144,7 +158,7 @@ const BASIS: &str = "ray tracing texts: F + sx aspect tan R + sy tan U";
 const UNPROJECT: &str = "gluUnProject, three.js, many engines: through the inverse of P * V";
 
 impl Case for PixelCase {
-    type Answer = [f64; 3];
+    type Answer = Sight;
     type Truth = exact::Exact3;
     const ABOUT: About = About {
         name: "Ray from pixel",
@@ -169,15 +183,15 @@ impl Case for PixelCase {
                 }),
                 Method::new("inverse(P V), far - near", F64, UNPROJECT, |c| {
                     let [near, far] = unproject_f64(&c.wide);
-                    (far - near).normalize().array()
+                    c.wide.between(near, far)
                 }),
                 Method::new("inverse(P V), near - eye", F32, UNPROJECT, |c| {
                     let [near, _] = unproject_f32(&c.narrow);
-                    (near - c.narrow.eye).normalize().wide().array()
+                    c.narrow.towards(near)
                 }),
                 Method::new("inverse(P V), near - eye", F64, UNPROJECT, |c| {
                     let [near, _] = unproject_f64(&c.wide);
-                    (near - c.wide.eye).normalize().array()
+                    c.wide.towards(near)
                 }),
                 Method::ours(
                     "Sightline's",
@@ -201,8 +215,13 @@ impl Case for PixelCase {
         truth::truth(self)
     }
 
-    fn judge(&self, truth: &exact::Exact3, answer: &[f64; 3]) -> Verdict {
-        Verdict::Right(exact::angle(truth, *answer) / self.px_angle())
+    fn judge(&self, truth: &exact::Exact3, answer: &Sight) -> Verdict {
+        let error = if self.wide.parallel {
+            truth::aside(self, truth, answer)
+        } else {
+            exact::angle(truth, answer.along.array())
+        };
+        Verdict::Right(error / self.px_angle())
     }
 
     fn bound(&self, _: &exact::Exact3) -> Bound {
@@ -211,9 +230,37 @@ impl Case for PixelCase {
 }
 
 /// The ray that picks cast.
-fn sightlines(case: &PixelCase) -> [f64; 3] {
+fn sightlines(case: &PixelCase) -> Sight {
     let ray = case.camera.ray(case.viewport, DVec2::from(case.wide.px));
-    ray.direction.to_array()
+    Sight {
+        from: ray.origin.into(),
+        along: ray.direction.into(),
+    }
+}
+
+impl<T: Real> Pixel<T> {
+    /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
+    fn towards(&self, point: V3<T>) -> Sight {
+        if self.parallel {
+            return Sight {
+                from: point.wide(),
+                along: self.axes[2].wide(),
+            };
+        }
+        Sight {
+            from: self.eye.wide(),
+            along: (point - self.eye).normalize().wide(),
+        }
+    }
+
+    /// The ray along two points of it, which in perspective starts at the eye.
+    fn between(&self, near: V3<T>, far: V3<T>) -> Sight {
+        let from = if self.parallel { near } else { self.eye };
+        Sight {
+            from: from.wide(),
+            along: (far - near).normalize().wide(),
+        }
+    }
 }
 
 fn ndc<T: Real>(pixel: &Pixel<T>) -> [T; 2] {
@@ -225,28 +272,42 @@ fn ndc<T: Real>(pixel: &Pixel<T>) -> [T; 2] {
 }
 
 /// Over a point in the world, from which the eye is then taken off again.
-pub fn course<T: Real>(pixel: &Pixel<T>) -> [f64; 3] {
+pub fn course<T: Real>(pixel: &Pixel<T>) -> Sight {
     let [sx, sy] = ndc(pixel);
     let [right, up, _] = pixel.axes;
-    let across = right * (pixel.length * pixel.aspect * pixel.tan);
-    let along = up * (pixel.length * pixel.tan);
+    let size = if pixel.parallel {
+        T::one()
+    } else {
+        pixel.length
+    };
+    let across = right * (size * pixel.aspect * pixel.tan);
+    let along = up * (size * pixel.tan);
     let point = pixel.target + across * sx + along * sy;
-    (point - pixel.eye).normalize().wide().array()
+    if pixel.parallel {
+        return pixel.towards(point - pixel.axes[2] * pixel.length);
+    }
+    pixel.towards(point)
 }
 
 /// With directions only.
-pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> [f64; 3] {
+pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     let [sx, sy] = ndc(pixel);
     let [right, up, forward] = pixel.axes;
     let aside = right * (sx * pixel.aspect * pixel.tan) + up * (sy * pixel.tan);
-    (forward + aside).normalize().wide().array()
+    if pixel.parallel {
+        return pixel.towards(pixel.eye + aside);
+    }
+    Sight {
+        from: pixel.eye.wide(),
+        along: (forward + aside).normalize().wide(),
+    }
 }
 
 /// From the pixel's point on the near plane to that on the far plane.
 #[must_use]
-pub fn unprojected_f32(pixel: &Pixel<f32>) -> [f64; 3] {
+pub fn unprojected_f32(pixel: &Pixel<f32>) -> Sight {
     let [near, far] = unproject_f32(pixel);
-    (far - near).normalize().wide().array()
+    pixel.between(near, far)
 }
 
 /// The pixel's points on the near and the far plane, through the inverse of P * V in one precision.
@@ -259,12 +320,13 @@ macro_rules! unproject {
             let last = <$vector>::new(0.0, 0.0, 0.0, 1.0);
             let view = <$matrix>::from_cols(row(r), row(u), row(f), last).transpose();
             let (near, far) = (pixel.near, pixel.far);
-            let depth = far / (far - near);
+            let depth = if pixel.parallel { 1.0 } else { far } / (far - near);
+            let w_from_z = if pixel.parallel { 0.0 } else { 1.0 };
             let projection = <$matrix>::from_cols(
                 <$vector>::new(1.0 / (pixel.tan * pixel.aspect), 0.0, 0.0, 0.0),
                 <$vector>::new(0.0, 1.0 / pixel.tan, 0.0, 0.0),
-                <$vector>::new(0.0, 0.0, depth, 1.0),
-                <$vector>::new(0.0, 0.0, -depth * near, 0.0),
+                <$vector>::new(0.0, 0.0, depth, w_from_z),
+                <$vector>::new(0.0, 0.0, -depth * near, 1.0 - w_from_z),
             );
             let product = projection * view;
             // glam's inverse asserts; the answer to such a matrix is no number.

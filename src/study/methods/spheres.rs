@@ -61,6 +61,18 @@ impl SphereCase {
             px,
         }
     }
+
+    /// The case of an object and a ray in its space.
+    #[must_use]
+    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
+        let wide = RaySphere {
+            origin: ray_object.origin.into(),
+            direction: ray_object.direction.into(),
+            center: V3::new(0.0, 0.0, 0.0),
+            radius: Sphere::RADIUS,
+        };
+        Self::new(wide, px)
+    }
 }
 
 const PLAIN: &str = "textbooks and courses: a t^2 + b t + c = 0";

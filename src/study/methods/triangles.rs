@@ -1,7 +1,7 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
 use crate::{
-    geometry::{Ray, TriangleTest, VertexRay, guarded_volume},
+    geometry::{Mesh, Ray, TriangleTest, VertexRay, guarded_volume},
     study::{
         real::{Real, V3},
         step::{
@@ -72,6 +72,20 @@ impl TriangleCase {
             ),
             px,
         }
+    }
+
+    /// The case of a mesh's triangle and a ray in the object's space: in the vertices' own space, where triangles are
+    /// tested.
+    #[must_use]
+    pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
+        let data = mesh.data();
+        let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
+        let wide = RayTriangle {
+            origin: (ray_object.origin - data.origin).into(),
+            direction: ray_object.direction.into(),
+            corners: data.triangles[triangle as usize].map(corner),
+        };
+        Self::new(wide, px)
     }
 }
 

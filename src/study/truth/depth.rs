@@ -12,6 +12,13 @@ const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 /// `z = b / (stored - a)`: relative to z that is the error over b / z.
 #[must_use]
 pub fn bound(case: &DepthCase) -> Bound {
+    if case.parallel {
+        // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
+        // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+        let depth = f64::from(case.depth);
+        let error = 4.0 * UNIT_F32 * (depth.abs() + case.far.abs()) / depth.abs();
+        return Bound { error, wrong: 0.0 };
+    }
     let slope = case.near / (case.far - case.near);
     let at = case.far * slope / f64::from(case.depth);
     let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);

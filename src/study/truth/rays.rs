@@ -3,11 +3,13 @@
 use super::UNIT;
 use crate::study::{
     exact::{Exact, Exact3},
-    methods::rays::PixelCase,
+    methods::rays::{PixelCase, Sight},
+    real::V3,
     step::Bound,
 };
 
-/// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided.
+/// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel, how far
+/// aside they run: the same without F.
 #[must_use]
 pub fn truth(case: &PixelCase) -> Exact3 {
     let pixel = &case.wide;
@@ -18,11 +20,37 @@ pub fn truth(case: &PixelCase) -> Exact3 {
     let tan = Exact::new(pixel.tan);
     let across = &(&(&two * &x) - &width) * &(&height * &(&Exact::new(pixel.aspect) * &tan));
     let along = &(&height - &(&two * &y)) * &(&width * &tan);
-    let straight = forward.times(&(&width * &height));
-    &straight + &(&right.times(&across) + &up.times(&along))
+    let straight = if pixel.parallel {
+        Exact::int(0)
+    } else {
+        &width * &height
+    };
+    &forward.times(&straight) + &(&right.times(&across) + &up.times(&along))
+}
+
+/// How far a parallel ray runs beside the true one where the camera's target is, in world units.
+#[must_use]
+pub fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
+    let pixel = &case.wide;
+    let numbers = [answer.from, answer.along].map(V3::array);
+    if !numbers.as_flattened().iter().all(|c| c.is_finite()) {
+        return f64::INFINITY;
+    }
+    let forward = Exact3::new(case.exact_axes[2]);
+    let start = &Exact3::new(answer.from) - &Exact3::new(pixel.eye);
+    let there = &start + &Exact3::new(answer.along).times(&Exact::new(pixel.length));
+    let scale = &Exact::new(pixel.size[0]) * &Exact::new(pixel.size[1]);
+    let off = &there.times(&scale) - truth;
+    // Along F it may be wherever it likes.
+    let deep = &off.dot(&forward) / &forward.dot(&forward);
+    let off = &off - &forward.times(&deep);
+    (&off.length() / &scale).to_f64()
 }
 
 /// Bound of the eye basis in `f64`.
+///
+/// Parallel rays: the shares of R and U as below, in world units; the sum with the eye rounds by u of what it is in
+/// each coordinate; and F, within 24u of its direction, runs aside by that much of the way to the target.
 ///
 /// With u = 2^-53: axes that are given within 2u and set up anew err by at most 24u (both scaled to length 1, two
 /// vector products, a projection, two more normalisations); a position in the picture by 2u in NDC, half extents by
@@ -32,6 +60,16 @@ pub fn truth(case: &PixelCase) -> Exact3 {
 #[must_use]
 pub fn bound(case: &PixelCase) -> Bound {
     let pixel = &case.wide;
+    if pixel.parallel {
+        let [x, y, z] = pixel.eye.abs().array();
+        let half = pixel.tan * (1.0 + pixel.aspect);
+        let place = x + y + z + 3.0 * half;
+        let error = 3.0_f64.sqrt() * UNIT * (40.0 * half + place + 24.0 * pixel.length);
+        return Bound {
+            error: error / case.px_angle(),
+            wrong: 0.0,
+        };
+    }
     let lens = UNIT * (2.0 * (1.0 + pixel.tan * pixel.tan) + 2.0 * pixel.tan);
     let half = [pixel.aspect * pixel.tan, pixel.tan];
     let sx = 2.0 * pixel.px[0] / pixel.size[0] - 1.0;

@@ -28,7 +28,12 @@ fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
         if depth < 0.99 * far {
             #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
             let depth = depth as f32;
-            return DepthCase { depth, near, far };
+            return DepthCase {
+                depth,
+                near,
+                far,
+                parallel: false,
+            };
         }
     }
 }

@@ -116,6 +116,7 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
             length: camera.length,
             axes,
             tan: narrow(camera.tan),
+            parallel: false,
             // The camera computes it from the size: both have to mean the same.
             aspect: width / height,
             near: narrow(camera.near),

@@ -2,28 +2,27 @@
 
 use crate::{
     camera::{Projection, View},
-    geometry::{MeshData, Ray},
+    geometry::Ray,
     pick::{self, SceneHit},
     render,
     scene::{Object, Scene, Shape},
     study::{
         methods::{
-            boxes::{BoxCase, RayBox},
-            clipping::{Clip, ClipCase},
+            boxes::BoxCase,
+            clipping::ClipCase,
             depth::DepthCase,
             normals::NormalCase,
-            object_space::{Placed, PlacedCase},
+            object_space::PlacedCase,
             picks::{PickCase, PickWorld},
             planes::PlaneCase,
             rays::PixelCase,
-            spheres::{RaySphere, SphereCase},
-            triangles::{RayTriangle, TriangleCase},
+            spheres::SphereCase,
+            triangles::TriangleCase,
         },
         random::Random,
-        real::{M3, V3},
     },
 };
-use glam::{DMat3, DVec2, DVec3};
+use glam::DVec2;
 use std::sync::Arc;
 
 /// Rays through random pixels of a scene's view, and what they hit.
@@ -97,26 +96,15 @@ impl SceneRays {
     }
 
     pub(in crate::study) fn pixels(&self) -> Vec<PixelCase> {
-        // Parallel rays all run along F.
-        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
-            return Vec::new();
-        }
         let case = |px: &DVec2| PixelCase::of_view(&self.world.view, *px);
         self.at.iter().map(case).collect()
     }
 
     pub(in crate::study) fn placed(&self) -> Vec<PlacedCase> {
-        let cases = self.objects().filter_map(|(ray, object, hit)| {
-            let model = object.placement.model();
-            let wide = Placed {
-                linear: columns(model.matrix3),
-                translation: model.translation.into(),
-                origin: ray.origin.into(),
-                direction: ray.direction.into(),
-            };
-            PlacedCase::new(wide, self.px(hit.hit.t))
-        });
-        cases.collect()
+        let case = |(ray, object, hit): (&Ray, &Object, &SceneHit)| {
+            PlacedCase::of_object(&object.placement, ray, self.px(hit.hit.t))
+        };
+        self.objects().map(case).collect()
     }
 
     /// The triangle that is hit, those beside it in the file, and any other.
@@ -137,89 +125,41 @@ impl SceneRays {
                 hit_triangle.checked_sub(1).unwrap_or(count - 1),
                 random.below(count),
             ];
-            for triangle in others.into_iter().filter_map(|i| u32::try_from(i).ok()) {
-                // In the vertices' own space, where triangles are tested.
-                let MeshData {
-                    origin,
-                    positions,
-                    triangles,
-                    ..
-                } = mesh.data();
-                let corner = |i: u32| V3::<f32>::from(positions[i as usize]).wide();
-                let wide = RayTriangle {
-                    origin: (local.origin - *origin).into(),
-                    direction: local.direction.into(),
-                    corners: triangles[triangle as usize].map(corner),
-                };
-                cases.push(TriangleCase::new(wide, self.px(hit.hit.t)));
-            }
+            let others = others.into_iter().filter_map(|i| u32::try_from(i).ok());
+            let px = self.px(hit.hit.t);
+            cases.extend(others.map(|other| TriangleCase::of_mesh(mesh, other, &local, px)));
         }
         cases
     }
 
     pub(in crate::study) fn spheres(&self) -> Vec<SphereCase> {
-        let rays = self
-            .local(|shape| matches!(shape, Shape::Sphere))
-            .into_iter();
-        let case = |(ray, px): (Ray, f64)| {
-            let wide = RaySphere {
-                origin: ray.origin.into(),
-                direction: ray.direction.into(),
-                center: V3::new(0.0, 0.0, 0.0),
-                radius: 0.5,
-            };
-            SphereCase::new(wide, px)
-        };
-        rays.map(case).collect()
+        let rays = self.local(|shape| matches!(shape, Shape::Sphere));
+        let cases = rays.iter().map(|(ray, px)| SphereCase::of_object(ray, *px));
+        cases.collect()
     }
 
     pub(in crate::study) fn boxes(&self) -> Vec<BoxCase> {
-        let rays = self.local(|shape| matches!(shape, Shape::Cube)).into_iter();
-        let case = |(ray, px): (Ray, f64)| {
-            let wide = RayBox {
-                origin: ray.origin.into(),
-                direction: ray.direction.into(),
-                min: V3::new(-0.5, -0.5, -0.5),
-                max: V3::new(0.5, 0.5, 0.5),
-            };
-            BoxCase::new(wide, px)
-        };
-        rays.map(case).collect()
+        let rays = self.local(|shape| matches!(shape, Shape::Cube));
+        let cases = rays.iter().map(|(ray, px)| BoxCase::of_object(ray, *px));
+        cases.collect()
     }
 
-    /// In the world, where planes lie as they like.
     pub(in crate::study) fn planes(&self) -> Vec<PlaneCase> {
-        let squares = self
-            .objects()
-            .filter(|(_, object, _)| matches!(object.shape, Shape::Square));
-        let case = |(ray, object, _): (&Ray, &Object, &SceneHit)| {
-            let model = object.placement.model();
-            let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
-            let point = model.translation.into();
-            PlaneCase::new(ray.origin.into(), ray.direction.into(), point, sides)
-        };
-        squares.map(case).collect()
+        let hits = self.objects();
+        let squares = hits.filter(|(_, object, _)| matches!(object.shape, Shape::Square));
+        let cases = squares.map(|(ray, object, _)| PlaneCase::of_object(&object.placement, ray));
+        cases.collect()
     }
 
     pub(in crate::study) fn clips(&self) -> Vec<ClipCase> {
-        let lens = self.world.view.camera.lens();
-        let forward = self.world.view.camera.forward();
-        let case = |(ray, hit): &(Ray, SceneHit)| {
-            let wide = Clip {
-                t: hit.hit.t,
-                direction: ray.direction.into(),
-                forward: forward.into(),
-                near: lens.near,
-                far: lens.far,
-            };
-            ClipCase::of_ray(wide, *ray)
-        };
+        let camera = &self.world.view.camera;
+        let case = |(ray, hit): &(Ray, SceneHit)| ClipCase::of_camera(camera, *ray, hit.hit.t);
         self.hits.iter().map(case).collect()
     }
 
     pub(in crate::study) fn normals(&self) -> Vec<NormalCase> {
         let cases = self.objects().filter_map(|(_, object, hit)| {
-            let linear = columns(object.placement.model().matrix3);
+            let linear = object.placement.model().matrix3.into();
             NormalCase::new(linear, hit.hit.normal.into())
         });
         cases.collect()
@@ -228,9 +168,6 @@ impl SceneRays {
     pub(in crate::study) fn depths(&self) -> Vec<DepthCase> {
         let camera = &self.world.view.camera;
         let lens = camera.lens();
-        let Projection::Perspective { .. } = lens.projection else {
-            return Vec::new();
-        };
         let case = |(ray, hit): &(Ray, SceneHit)| {
             #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
             let depth = (hit.hit.t * ray.direction.dot(camera.forward())) as f32;
@@ -238,6 +175,7 @@ impl SceneRays {
                 depth,
                 near: lens.near,
                 far: lens.far,
+                parallel: lens.is_orthographic(),
             }
         };
         self.hits.iter().map(case).collect()
@@ -246,17 +184,10 @@ impl SceneRays {
     pub(in crate::study) fn picks(&self) -> Vec<PickCase> {
         // The methods without a tree are slow, and so is truth.
         const MOST: usize = 256;
-        if let Projection::Orthographic { .. } = self.world.view.camera.lens().projection {
-            return Vec::new();
-        }
         let case = |px: &DVec2| PickCase {
             world: Arc::clone(&self.world),
             px: *px,
         };
         self.at.iter().take(MOST).map(case).collect()
     }
-}
-
-fn columns(m: DMat3) -> M3<f64> {
-    M3([m.x_axis, m.y_axis, m.z_axis].map(|axis: DVec3| axis.into()))
 }

@@ -16,7 +16,16 @@ use egui::{Grid, Slider, Ui};
 const NUMBER: f32 = 74.0;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.heading("Camera");
+    ui.horizontal(|ui| {
+        ui.heading("Camera");
+        let copy = ui.small_button("copy");
+        if copy
+            .on_hover_text("as a scene file writes it (Shift+C); Ctrl+V takes over a copied one")
+            .clicked()
+        {
+            commands.push(Command::CopyCamera);
+        }
+    });
     let controls = state.controls();
     let mut next = controls;
     Grid::new("lens").num_columns(3).show(ui, |ui| {

@@ -1,6 +1,9 @@
 //! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
 
-use super::super::{check::Checking, input::SceneRect};
+use super::super::{
+    check::{Check, Checking},
+    input::SceneRect,
+};
 use crate::{
     colour::Srgb,
     verify::{COLOURS, Report},
@@ -25,13 +28,13 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, checking: &Checking) {
                 None => {
                     ui.label("comparing every pixel with its pick \u{2026}");
                 }
-                Some(found) => table(ui, &found.report),
+                Some(found) => table(ui, check, &found.report),
             });
         });
 }
 
-fn table(ui: &mut Ui, report: &Report) {
-    ui.label(RichText::new("Drawn against picked").strong());
+fn table(ui: &mut Ui, check: &Check, report: &Report) {
+    ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong());
     Grid::new("classes").num_columns(3).show(ui, |ui| {
         let swatch = |ui: &mut Ui, colour| {
             let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
@@ -48,7 +51,9 @@ fn table(ui: &mut Ui, report: &Report) {
             ui.end_row();
         }
     });
-    let share = 100.0 * report.share_of_outline();
-    ui.weak(format!("{share:.2} % of {} outline pixels", report.outline));
-    ui.weak("V or Esc closes this");
+    if check.by().is_empty() {
+        let share = 100.0 * report.share_of_outline();
+        ui.weak(format!("{share:.2} % of {} outline pixels", report.outline));
+    }
+    ui.weak("V closes this");
 }

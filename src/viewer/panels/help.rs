@@ -1,6 +1,6 @@
 //! Keys and mouse, from the very table that works them.
 
-use super::super::{Command, input};
+use super::super::{Command, keys};
 use egui::{Align2, Context, Grid, Window};
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
@@ -11,24 +11,26 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ctx, |ui| {
-            Grid::new("help")
-                .num_columns(2)
-                .striped(true)
-                .show(ui, |ui| {
-                    let keys = input::BINDINGS
-                        .iter()
-                        .map(|binding| (binding.keys, binding.does));
-                    for (input, does) in input::MOUSE
-                        .iter()
-                        .copied()
-                        .chain(keys)
-                        .filter(|(_, does)| !does.is_empty())
-                    {
-                        ui.monospace(input);
-                        ui.label(does);
-                        ui.end_row();
-                    }
-                });
+            let bindings = keys::BINDINGS
+                .iter()
+                .map(|binding| (binding.keys, binding.does));
+            let all = keys::MOUSE.iter().copied().chain(bindings);
+            let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
+            // Side by side: one above the other they do not fit a small screen.
+            ui.horizontal_top(|ui| {
+                for (column, rows) in rows.chunks(rows.len().div_ceil(2)).enumerate() {
+                    Grid::new(column)
+                        .num_columns(2)
+                        .striped(true)
+                        .show(ui, |ui| {
+                            for (input, does) in rows {
+                                ui.monospace(*input);
+                                ui.label(*does);
+                                ui.end_row();
+                            }
+                        });
+                }
+            });
         });
     if !open {
         commands.push(Command::ToggleHelp);

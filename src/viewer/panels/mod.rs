@@ -1,14 +1,22 @@
 //! The window's panels. They show the state and return what the user asks for; they change nothing themselves.
 
+mod banner;
 mod camera;
+mod chart;
 mod check;
 mod field;
+mod gallery;
 mod help;
+mod inspect;
+mod marks;
+mod object;
 mod objects;
 mod overlays;
 mod pick;
 mod pipeline;
 mod status;
+#[cfg(test)]
+mod tests;
 mod toolbar;
 
 pub(super) use objects::Filter;
@@ -17,10 +25,15 @@ pub(super) use status::Statistics;
 use super::{
     Command, Notices,
     check::Checking,
+    exhibit::Chart,
     input::{self, Drag, SceneRect},
+    keys,
     state::State,
 };
 use egui::{CentralPanel, Panel, Ui};
+
+/// Width of the panel with camera and pick, in points.
+const VIEW_WIDTH: f32 = 330.0;
 
 /// Windows over the scene that are there when asked for.
 #[derive(Clone, Copy, Default)]
@@ -41,6 +54,8 @@ pub(super) struct Shown<'a> {
     pub loading: Option<f32>,
     /// Which windows are open over the scene.
     pub floating: Floating,
+    /// The study's chart of what breaks, in the gallery.
+    pub chart: Option<&'a Chart>,
     /// The comparison of drawn and picked.
     pub checking: &'a Checking,
     /// Frame time, adapter and the like.
@@ -60,20 +75,9 @@ pub(super) fn show(
     let mut commands = Vec::new();
     Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown.state, &mut commands));
     Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
-    Panel::left("objects")
-        .default_size(210.0)
-        .size_range(120.0..=420.0)
-        .show(ui, |ui| {
-            objects::show(
-                ui,
-                shown.state,
-                shown.filter,
-                shown.reveal_selection,
-                &mut commands,
-            );
-        });
+    left(ui, shown, &mut commands);
     Panel::right("view")
-        .exact_size(330.0)
+        .exact_size(VIEW_WIDTH)
         .resizable(false)
         .show(ui, |ui| {
             egui::ScrollArea::vertical()
@@ -90,7 +94,9 @@ pub(super) fn show(
         let actions = input::scene(ui, rect, place, drag);
         commands.extend(actions.into_iter().map(Command::Act));
         check::show(ui, rect, place, shown.checking);
+        marks::show(ui, rect, place, shown.state);
         overlays::axes(ui, rect, shown.state);
+        banner::show(ui, rect, place, shown.state, &mut commands);
         overlays::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
@@ -100,10 +106,33 @@ pub(super) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(input::keys(
-        ui.ctx(),
-        shown.state.view(),
-        shown.state.controls(),
-    ));
+    commands.extend(keys::pressed(ui.ctx(), shown.state));
     (place.inner, commands)
+}
+
+/// The list of objects, or in the gallery what the scene is about.
+fn left(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) {
+    if let Some(showing) = shown.state.showing() {
+        let width = gallery::width(ui.ctx(), VIEW_WIDTH);
+        let panel = Panel::left("gallery").exact_size(width).resizable(false);
+        panel.show(ui, |ui| {
+            let area = egui::ScrollArea::vertical().auto_shrink(false);
+            area.show(ui, |ui| {
+                gallery::show(ui, shown.state, showing, shown.chart, commands);
+            });
+        });
+        return;
+    }
+    Panel::left("objects")
+        .default_size(210.0)
+        .size_range(120.0..=420.0)
+        .show(ui, |ui| {
+            objects::show(
+                ui,
+                shown.state,
+                shown.filter,
+                shown.reveal_selection,
+                commands,
+            );
+        });
 }

@@ -1,11 +1,11 @@
 //! What lies over the picture: the axes' directions, messages, progress.
 
 use super::{
-    super::{Command, stage::AXES, state::State},
-    Shown,
+    super::{Command, Notices, stage::AXES, state::State},
+    Shown, banner,
 };
 use egui::{
-    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, Stroke, Ui, Vec2, pos2, vec2,
+    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -40,28 +40,12 @@ pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
 /// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
 pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
+    let below = shown.state.method().map_or(0.0, |_| banner::HEIGHT);
     Area::new(Id::unique("notices"))
-        .fixed_pos(rect.left_top() + Vec2::splat(10.0))
+        .fixed_pos(rect.left_top() + vec2(10.0, 10.0 + below))
         .show(&ctx, |ui| {
             ui.set_max_width((rect.width() - 20.0).max(100.0));
-            shown.notices.retain(|notice| {
-                let mut keep = true;
-                Frame::popup(ui.style()).show(ui, |ui| {
-                    ui.horizontal(|ui| {
-                        let colour = if notice.is_error {
-                            ui.visuals().error_fg_color
-                        } else {
-                            ui.visuals().warn_fg_color
-                        };
-                        keep = !ui.button("\u{d7}").on_hover_text("dismiss").clicked();
-                        ui.add(
-                            egui::Label::new(egui::RichText::new(&notice.text).color(colour))
-                                .wrap(),
-                        );
-                    });
-                });
-                keep
-            });
+            notices(ui, shown.notices);
         });
     if let Some(fraction) = shown.loading {
         let at = rect.center_bottom() - vec2(0.0, 40.0);
@@ -90,6 +74,37 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
             FontId::proportional(16.0),
             ui.visuals().weak_text_color(),
         );
+    }
+}
+
+/// The newest messages, each until it is dismissed.
+fn notices(ui: &mut Ui, notices: &mut Notices) {
+    const SHOWN: usize = 5;
+    let earlier = notices.len().saturating_sub(SHOWN);
+    if earlier > 0 {
+        let text = format!("dismiss all ({earlier} earlier)");
+        if ui.button(text).clicked() {
+            return notices.clear();
+        }
+    }
+    let mut dismissed = None;
+    for (index, notice) in notices.iter().enumerate().skip(earlier) {
+        Frame::popup(ui.style()).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                let colour = if notice.is_error {
+                    ui.visuals().error_fg_color
+                } else {
+                    ui.visuals().warn_fg_color
+                };
+                if ui.button("\u{d7}").on_hover_text("dismiss").clicked() {
+                    dismissed = Some(index);
+                }
+                ui.add(egui::Label::new(RichText::new(&notice.text).color(colour)).wrap());
+            });
+        });
+    }
+    if let Some(index) = dismissed {
+        notices.remove(index);
     }
 }
 

@@ -1,6 +1,9 @@
 //! All that is known about the pick.
 
-use super::super::{Command, state::State};
+use super::{
+    super::{Command, state::State},
+    inspect, object,
+};
 use crate::pick::Pick;
 use egui::{Grid, RichText, Ui};
 use glam::DVec3;
@@ -10,28 +13,35 @@ const VALUE_SIZE: f32 = 11.0;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.heading("Pick");
+    if state.method().is_some() {
+        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.");
+        return;
+    }
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.");
         return;
     };
     let object = &state.scene().objects()[selection.object];
     ui.strong(format!("{} {}", selection.object + 1, object.name));
+    // First, so that it stays where it is while what it does changes the rest.
+    object::show(ui, state, selection.object, commands);
     let places = state.scene().bounds().decimal_places();
     let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
             rows(
                 ui,
+                "bounds",
                 &[
                     ("from", vector(bounds.min, places)),
                     ("to", vector(bounds.max, places)),
                 ],
             );
         }
-        ui.weak("Chosen from the list; click its surface for a point.");
+        ui.weak("No point of it is picked: click its surface.");
         return;
     };
-    rows(ui, &record(hit, places));
+    rows(ui, "record", &record(hit, places));
     ui.horizontal(|ui| {
         if ui
             .button("copy JSON")
@@ -48,10 +58,14 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::CopyCommandLine);
         }
     });
+    ui.collapsing("In object space and NDC", |ui| {
+        rows(ui, "spaces", &spaces(hit, places));
+    });
+    inspect::show(ui, state, hit, places, commands);
 }
 
 /// Decimal places of what has no unit, and of pixels.
-const PLACES: usize = 6;
+pub(super) const PLACES: usize = 6;
 
 fn record(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
     let length = |value: f64| format!("{value:.places$}");
@@ -62,17 +76,20 @@ fn record(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
     rows.push(("side", if hit.front { "front" } else { "back" }.into()));
     rows.push(("world", vector(hit.point_world, places)));
     rows.push(("  normal", vector(hit.normal_world, PLACES)));
-    rows.push(("object", vector(hit.point_object, places)));
-    rows.push(("  normal", vector(hit.normal_object, PLACES)));
-    if let Some(barycentric) = hit.barycentric {
-        rows.push(("barycentric", vector(barycentric.into(), PLACES)));
-    }
-    rows.push(("t", length(hit.t)));
     rows.push(("distance", length(hit.distance)));
     rows.push(("depth", length(hit.depth)));
-    rows.push(("ndc", vector(hit.ndc, PLACES)));
     rows.extend(certainty(hit, places));
     rows
+}
+
+/// What is of use to those who compute.
+fn spaces(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
+    vec![
+        ("object", vector(hit.point_object, places)),
+        ("  normal", vector(hit.normal_object, PLACES)),
+        ("ndc", vector(hit.ndc, PLACES)),
+        ("t", format!("{:.places$}", hit.t)),
+    ]
 }
 
 /// How sure the pick is.
@@ -99,21 +116,18 @@ fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
     ]
 }
 
-fn vector(v: DVec3, places: usize) -> String {
+pub(super) fn vector(v: DVec3, places: usize) -> String {
     v.to_array()
         .map(|component| format!("{component:.places$}"))
         .join("  ")
 }
 
-fn rows(ui: &mut Ui, rows: &[(&str, String)]) {
-    Grid::new("record")
-        .num_columns(2)
-        .striped(true)
-        .show(ui, |ui| {
-            for (name, value) in rows {
-                ui.weak(*name);
-                ui.add(egui::Label::new(RichText::new(value).monospace().size(VALUE_SIZE)).wrap());
-                ui.end_row();
-            }
-        });
+pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String)]) {
+    Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {
+        for (name, value) in rows {
+            ui.weak(*name);
+            ui.add(egui::Label::new(RichText::new(value).monospace().size(VALUE_SIZE)).wrap());
+            ui.end_row();
+        }
+    });
 }

@@ -10,12 +10,9 @@ use super::{
     },
     field::short,
 };
-use crate::{
-    camera::{DepthMapping, Projection},
-    scene::Object,
-};
+use crate::camera::{DepthMapping, Projection, View};
 use egui::{Context, Grid, RichText, Ui, Window};
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 
 pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
     let mut open = true;
@@ -27,18 +24,20 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
         .show(ctx, |ui| {
             let (scene, view) = state.world();
             stages(ui, state, commands);
-            let object = state
-                .selection()
-                .map(|selection| &scene.objects()[selection.object]);
+            let point = followed_point(state);
+            let selected = state.selection().map(|selection| selection.object);
+            let object = point.map(|(object, _)| object).or(selected);
+            let object = object.map(|object| &scene.objects()[object]);
             let matrices = Matrices::of(view, object);
             ui.horizontal_top(|ui| {
                 matrix(ui, "P", "projection: view to clip", &matrices.projection);
                 matrix(ui, "V", "view: world to view", &matrices.view);
             });
             ui.horizontal_top(|ui| {
-                let hint =
-                    object.map_or("model: nothing is selected", |_| "model: object to world");
-                matrix(ui, "M", hint, &matrices.model);
+                let hint = object.map_or("model: no object, so the identity".into(), |object| {
+                    format!("model: object to world, of {}", object.name)
+                });
+                matrix(ui, "M", &hint, &matrices.model);
                 matrix(
                     ui,
                     "P V M",
@@ -48,14 +47,29 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
             });
             ui.weak(mapping(state));
             ui.separator();
-            match (object, picked_point(state)) {
-                (Some(object), Some(point)) => followed(ui, state, object, point),
-                _ => {
-                    ui.weak(
-                        "Click a surface: its point is followed from object to pixel and back.",
-                    );
+            let (title, values) = match (object, point, cursor(state)) {
+                (Some(object), Some((_, point)), _) => {
+                    let title = if is_picked(state) {
+                        "The pick"
+                    } else {
+                        "Under the cursor"
+                    };
+                    match Steps::follow(state.view(), object, point) {
+                        Some(steps) => (title, followed(&steps)),
+                        None => (
+                            "The picked point lies behind the eye now",
+                            Values::default(),
+                        ),
+                    }
                 }
-            }
+                (_, _, Some(px)) => ("Under the cursor", background(view, px)),
+                _ => (
+                    "Point at a surface, or click it: its point is followed",
+                    Values::default(),
+                ),
+            };
+            ui.strong(title);
+            table(ui, &values);
         });
     if !open {
         commands.push(Command::TogglePipeline);
@@ -74,10 +88,29 @@ fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// The object-space point of the pick.
-fn picked_point(state: &State) -> Option<DVec3> {
-    let pick = state.selection()?.pick.as_ref()?;
-    Some(pick.hit.as_ref()?.point_object)
+/// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
+fn followed_point(state: &State) -> Option<(usize, DVec3)> {
+    let picked = || {
+        let selection = state.selection()?;
+        let hit = selection.pick.as_ref()?.hit.as_ref()?;
+        Some((selection.object, hit.point_object))
+    };
+    let under_cursor = || state.cursor().filter(|_| in_world(state))?.hit;
+    picked().or_else(under_cursor)
+}
+
+fn is_picked(state: &State) -> bool {
+    (state.selection()).is_some_and(|selection| selection.pick.is_some())
+}
+
+/// The cursor's pixel, where it is one of the picture that the matrices make.
+fn cursor(state: &State) -> Option<DVec2> {
+    let cursor = state.cursor().filter(|_| in_world(state))?;
+    Some(cursor.px)
+}
+
+fn in_world(state: &State) -> bool {
+    state.stage() == Stage::World
 }
 
 /// What the third row of P does to depth.
@@ -128,42 +161,64 @@ fn numbers(ui: &mut Ui, values: &[f64]) {
     }
 }
 
-fn followed(ui: &mut Ui, state: &State, object: &Object, point_object: DVec3) {
-    let Some(steps) = Steps::follow(state.view(), object, point_object) else {
-        ui.weak("The picked point lies behind the eye now.");
-        return;
-    };
-    let ray = &steps.ray;
-    let rows: [(&str, &str, Vec<f64>); 8] = [
-        (
-            "object",
-            "where the shape has it",
-            steps.object.to_array().to_vec(),
-        ),
-        ("world", "M * object", steps.world.to_array().to_vec()),
-        ("view", "V * world", steps.view.to_array().to_vec()),
-        ("clip", "P * view", steps.clip.to_array().to_vec()),
-        ("NDC", "clip / w", steps.ndc.to_array().to_vec()),
-        (
-            "pixel",
-            "from the top left corner",
-            steps.px.to_array().to_vec(),
-        ),
-        ("ray from", "back again", ray.origin.to_array().to_vec()),
-        (
-            "ray along",
-            "a unit vector",
-            ray.direction.to_array().to_vec(),
-        ),
-    ];
+/// What is followed on its way: name, and how it comes from the row before.
+const ROWS: [(&str, &str); 8] = [
+    ("object", "where the shape has it"),
+    ("world", "M * object"),
+    ("view", "V * world"),
+    ("clip", "P * view"),
+    ("NDC", "clip / w"),
+    ("pixel", "from the top left corner"),
+    ("ray from", "back again"),
+    ("ray along", "a unit vector"),
+];
+
+/// The numbers of [`ROWS`]; none where there is nothing to follow.
+type Values = [Vec<f64>; ROWS.len()];
+
+fn followed(steps: &Steps) -> Values {
+    [
+        steps.object.to_array().to_vec(),
+        steps.world.to_array().to_vec(),
+        steps.view.to_array().to_vec(),
+        steps.clip.to_array().to_vec(),
+        steps.ndc.to_array().to_vec(),
+        steps.px.to_array().to_vec(),
+        steps.ray.origin.to_array().to_vec(),
+        steps.ray.direction.to_array().to_vec(),
+    ]
+}
+
+/// A pixel in which nothing shows: the way back alone.
+fn background(view: &View, px: DVec2) -> Values {
+    let ray = view.ray(px);
+    let ndc = view.viewport.px_to_ndc(px);
+    let [object, world, seen, clip] = Default::default();
+    [
+        object,
+        world,
+        seen,
+        clip,
+        ndc.to_array().to_vec(),
+        px.to_array().to_vec(),
+        ray.origin.to_array().to_vec(),
+        ray.direction.to_array().to_vec(),
+    ]
+}
+
+/// As large with numbers as without: else the window would come and go under the cursor that it follows.
+fn table(ui: &mut Ui, values: &Values) {
     Grid::new("steps")
         .num_columns(6)
         .striped(true)
         .show(ui, |ui| {
-            for (name, how, values) in rows {
+            for ((name, how), values) in ROWS.into_iter().zip(values) {
                 ui.label(name);
                 ui.weak(how);
-                numbers(ui, &values);
+                numbers(ui, values);
+                for _ in values.len()..4 {
+                    ui.label(RichText::new(format!("{:>10}", "")).monospace().size(11.0));
+                }
                 ui.end_row();
             }
         });

@@ -1,6 +1,7 @@
 //! The line at the bottom: how fast, on what, and what is under the cursor.
 
-use super::super::{input, stages::Stage, state::State};
+use super::super::{stages::Stage, state::State};
+use crate::camera::{Projection, View};
 use egui::{RichText, Ui};
 use std::time::Duration;
 
@@ -36,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         let lens = state.view().camera.lens();
         ui.weak(format!(
             "{}, {} depth",
-            input::projection_name(state.view()),
+            projection_name(state.view()),
             lens.depth
         ));
         let stage = Stage::ALL
@@ -52,4 +53,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
             ui.label(&state.scene().objects()[object].name);
         }
     });
+}
+
+/// The word for a projection.
+fn projection_name(view: &View) -> &'static str {
+    match view.camera.lens().projection {
+        Projection::Perspective { .. } => "perspective",
+        Projection::Orthographic { .. } => "orthographic",
+    }
 }

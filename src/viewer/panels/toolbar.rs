@@ -1,6 +1,9 @@
 //! The row of buttons at the top.
 
-use super::super::{Command, action::Action, state::State};
+use super::{
+    super::{Command, action::Action, overlay::Overlay, state::State},
+    gallery,
+};
 use egui::Ui;
 use glam::DVec3;
 
@@ -72,6 +75,14 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         {
             commands.push(Command::TogglePipeline);
         }
+        let menu = ui.menu_button("Overlays", |ui| {
+            for (which, ..) in Overlay::ALL {
+                overlay(ui, state, which, commands);
+            }
+            tree_level(ui, state, commands);
+        });
+        menu.response.on_hover_text("lines over the scene");
+        gallery::menu(ui, state, commands);
         if ui
             .button("Help")
             .on_hover_text("keys and mouse (H)")
@@ -80,4 +91,30 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::ToggleHelp);
         }
     });
+}
+
+/// Which level of the trees over meshes shows.
+fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let level = state.overlays().tree_level;
+        let shown = level.map_or("off".to_owned(), |level| level.to_string());
+        let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
+        ui.label(format!("tree level: {shown}")).on_hover_text(hint);
+        for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
+            if ui.small_button(name).on_hover_text(hint).clicked() {
+                commands.push(Command::Act(Action::TreeLevel { deeper }));
+            }
+        }
+    });
+}
+
+/// A box that shows an overlay.
+pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
+    for (_, name, key, hint) in Overlay::ALL.iter().filter(|(other, ..)| *other == which) {
+        let mut shows = state.overlays().shows(which);
+        let hint = format!("{hint} ({key})");
+        if ui.checkbox(&mut shows, *name).on_hover_text(hint).changed() {
+            commands.push(Command::Act(Action::Toggle(which)));
+        }
+    }
 }

@@ -1,0 +1,70 @@
+//! A model matrix in parts that people edit.
+
+use super::sin_cos_quarters;
+use glam::{DAffine3, DMat3, DVec3};
+
+/// Scale comes first, then rotation, then translation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trs {
+    /// Where the object's origin lands, in world units.
+    pub translation: DVec3,
+    /// Degrees about the world's x axis, then its y axis, then its z axis: `Rz * Ry * Rx`.
+    pub rotation_deg: DVec3,
+    /// Along the object's own axes; negative mirrors.
+    pub scale: DVec3,
+}
+
+impl Trs {
+    /// The matrix.
+    #[must_use]
+    pub fn to_model(&self) -> DAffine3 {
+        DAffine3 {
+            matrix3: rotation(self.rotation_deg) * DMat3::from_diagonal(self.scale),
+            translation: self.translation,
+        }
+    }
+
+    /// The parts of a matrix; `None` where it shears, or flattens an axis, and so is not made of them. A matrix that
+    /// mirrors has its x scale negative. Where the y rotation is a quarter turn, those about x and z do the same, and
+    /// all of it counts as x.
+    #[must_use]
+    pub fn of(model: DAffine3) -> Option<Self> {
+        let m = model.matrix3;
+        let mut scale = DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length());
+        if m.determinant() < 0.0 {
+            scale.x = -scale.x;
+        }
+        let r = DMat3::from_cols(m.x_axis / scale.x, m.y_axis / scale.y, m.z_axis / scale.z);
+        let leaning = [
+            r.x_axis.dot(r.y_axis),
+            r.y_axis.dot(r.z_axis),
+            r.z_axis.dot(r.x_axis),
+        ];
+        // Of unit vectors, so their products are known to a few roundings.
+        let is_rotation = leaning.iter().all(|dot| dot.abs() <= 64.0 * f64::EPSILON);
+        if !is_rotation {
+            return None;
+        }
+        // Each angle after the one before is undone, so that all of them together make the matrix even where single
+        // ones are undetermined.
+        let z = r.x_axis.y.atan2(r.x_axis.x);
+        let (sin, cos) = z.sin_cos();
+        let y = (-r.x_axis.z).atan2(cos * r.x_axis.x + sin * r.x_axis.y);
+        let x = (sin * r.z_axis.x - cos * r.z_axis.y).atan2(cos * r.y_axis.y - sin * r.y_axis.x);
+        Some(Self {
+            translation: model.translation,
+            // Minus zero would be shown.
+            rotation_deg: DVec3::new(x, y, z).map(f64::to_degrees) + 0.0,
+            scale,
+        })
+    }
+}
+
+fn rotation(degrees: DVec3) -> DMat3 {
+    let [(sx, cx), (sy, cy), (sz, cz)] = (degrees / 90.0).to_array().map(sin_cos_quarters);
+    DMat3::from_cols(
+        DVec3::new(cz * cy, sz * cy, -sy),
+        DVec3::new(cz * sy * sx - sz * cx, sz * sy * sx + cz * cx, cy * sx),
+        DVec3::new(cz * sy * cx + sz * sx, sz * sy * cx - cz * sx, cy * cx),
+    )
+}

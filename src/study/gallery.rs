@@ -1,0 +1,136 @@
+//! What breaks on which scene of the gallery: the one list that tests, study and window read.
+
+use super::{
+    methods::{
+        boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
+        object_space::PlacedCase, planes::PlaneCase, rays::PixelCase, spheres::SphereCase,
+        triangles::TriangleCase,
+    },
+    step::Precision::{self, F32, F64},
+    swap::{AnyStep, Step, Swap},
+};
+
+/// A method that breaks on a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Break {
+    /// The scene's name in the gallery.
+    pub exhibit: &'static str,
+    /// The step.
+    pub step: AnyStep,
+    /// The method.
+    pub method: &'static str,
+    /// Its precision.
+    pub precision: Precision,
+    /// The step's family that makes worse what breaks it here.
+    pub family: &'static str,
+    /// The least that goes wrong over the scene's own rays: in per cent of decisions for steps that make them, the worst
+    /// error in the step's unit for those that give values.
+    pub least: f64,
+}
+
+impl Break {
+    const fn of<C: Step>(
+        exhibit: &'static str,
+        method: &'static str,
+        precision: Precision,
+        family: &'static str,
+        least: f64,
+    ) -> Self {
+        Self {
+            exhibit,
+            step: AnyStep::of::<C>(),
+            method,
+            precision,
+            family,
+            least,
+        }
+    }
+
+    /// The method, to pick by; `None` where the registry has no such method.
+    #[must_use]
+    pub fn swap(&self) -> Option<Swap> {
+        let is_it = |known: &super::methods::MethodInfo| {
+            (known.name, known.precision) == (self.method, self.precision)
+        };
+        let method = self.step.methods().iter().position(is_it)?;
+        Some(Swap {
+            step: self.step,
+            method,
+        })
+    }
+}
+
+/// What breaks where.
+pub static BREAKS: [Break; 12] = [
+    Break::of::<PixelCase>(
+        "far_from_the_origin",
+        "target + sx H + sy V - eye",
+        F32,
+        "eye far from the origin",
+        1.0,
+    ),
+    Break::of::<PixelCase>(
+        "far_from_the_origin",
+        "inverse(P V), near - eye",
+        F32,
+        "eye far from the origin",
+        10.0,
+    ),
+    Break::of::<PlacedCase>(
+        "far_from_the_origin",
+        "inverse(M)",
+        F32,
+        "far from the origin",
+        1.0,
+    ),
+    Break::of::<PixelCase>(
+        "far_over_near",
+        "inverse(P V), far - near",
+        F32,
+        "far plane",
+        f64::INFINITY,
+    ),
+    Break::of::<DepthCase>(
+        "far_over_near",
+        "standard, 32-bit float",
+        F32,
+        "far plane",
+        1e-4,
+    ),
+    Break::of::<SphereCase>("small_and_far", "plain quadratic", F32, "far away", 0.2),
+    Break::of::<NormalCase>("stretched", "M n", F64, "stretched", 60.0),
+    Break::of::<NormalCase>("mirrored", "cofactors", F64, "mirrored", 179.0),
+    Break::of::<ClipCase>("wide_lens", "by distance", F64, "field of view", 50.0),
+    Break::of::<BoxCase>(
+        "along_a_face",
+        "slabs by min and max",
+        F64,
+        "starts on a slab",
+        0.1,
+    ),
+    Break::of::<PlaneCase>("edge_on", "N . (S - o)", F32, "grazing", 1e-4),
+    Break::of::<TriangleCase>("needles", "areas, sum == 1", F32, "slivers", 5.0),
+];
+
+/// What breaks on a scene of the gallery.
+pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
+    BREAKS.iter().filter(move |known| known.exhibit == exhibit)
+}
+
+/// Every method that a scene of the gallery can be picked by: those that break on it, then the others of their steps.
+#[must_use]
+pub fn swaps(exhibit: &str) -> Vec<Swap> {
+    let mut swaps: Vec<Swap> = breaks_on(exhibit).filter_map(Break::swap).collect();
+    for known in breaks_on(exhibit) {
+        let all = (0..known.step.methods().len()).map(|method| Swap {
+            step: known.step,
+            method,
+        });
+        for swap in all.filter(|swap| !swap.info().ours) {
+            if !swaps.contains(&swap) {
+                swaps.push(swap);
+            }
+        }
+    }
+    swaps
+}

@@ -1,0 +1,353 @@
+//! A whole pick in which one step is done by a method of the registry and every other as this program does it: what a
+//! method's mistakes look like on a scene.
+
+use super::{
+    methods::{
+        MethodInfo,
+        boxes::BoxCase,
+        clipping::ClipCase,
+        depth::DepthCase,
+        normals::NormalCase,
+        object_space::PlacedCase,
+        planes::PlaneCase,
+        rays::{PixelCase, Sight},
+        spheres::SphereCase,
+        triangles::TriangleCase,
+    },
+    real::V3,
+    run::{self, Effort, Row},
+    step::{About, Case},
+};
+use crate::{
+    camera::View,
+    geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square},
+    pick::{self, SceneHit},
+    scene::{Object, Scene, Shape},
+};
+use glam::{DVec2, DVec3};
+
+/// What a pick by other means found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// On which object and triangle. Its `t` is that of the ray that was cast.
+    pub hit: SceneHit,
+    /// The point in the world.
+    pub point_world: DVec3,
+    /// The outward unit normal in the world.
+    pub normal_world: DVec3,
+}
+
+/// A step that a pick can do by any of its methods.
+pub trait Step: Case {
+    /// The pick at a pixel position with this step done by `run`. `None` where it hits nothing.
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Self::Answer)
+    -> Option<Found>;
+}
+
+/// A [`Step`] as a value.
+#[derive(Clone, Copy, Debug)]
+pub struct AnyStep {
+    /// Names and units.
+    pub about: About,
+    methods: fn() -> Vec<MethodInfo>,
+    pick: fn(usize, &Scene, &View, DVec2) -> Option<Found>,
+    rows: fn(&str, Effort) -> Vec<Row>,
+}
+
+impl AnyStep {
+    /// The step that a case belongs to.
+    #[must_use]
+    pub const fn of<C: Step>() -> Self {
+        Self {
+            about: C::ABOUT,
+            methods: || C::methods().iter().map(MethodInfo::of).collect(),
+            pick: |method, scene, view, px| C::pick(scene, view, px, C::methods()[method].run),
+            rows: run::family::<C>,
+        }
+    }
+
+    /// Its methods, as the registry has them.
+    #[must_use]
+    pub fn methods(self) -> Vec<MethodInfo> {
+        (self.methods)()
+    }
+
+    /// What all of its methods do in one of its families.
+    #[must_use]
+    pub fn rows(self, family: &str, effort: Effort) -> Vec<Row> {
+        (self.rows)(family, effort)
+    }
+}
+
+impl PartialEq for AnyStep {
+    fn eq(&self, other: &Self) -> bool {
+        self.about.key == other.about.key
+    }
+}
+
+/// A step together with the method that does it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Swap {
+    /// The step.
+    pub step: AnyStep,
+    /// Index among its methods; less than there are.
+    pub method: usize,
+}
+
+impl Swap {
+    /// What is known about the method.
+    #[must_use]
+    pub fn info(&self) -> MethodInfo {
+        self.step.methods()[self.method]
+    }
+
+    /// The pick at a pixel position with this method in it.
+    #[must_use]
+    pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
+        (self.step.pick)(self.method, scene, view, px)
+    }
+}
+
+impl Found {
+    /// A hit as this program reports it.
+    #[must_use]
+    pub fn of(scene: &Scene, ray: &Ray, hit: SceneHit) -> Self {
+        let placement = &scene.objects()[hit.object].placement;
+        Self {
+            hit,
+            point_world: ray.at(hit.hit.t),
+            normal_world: placement.normal_to_world(hit.hit.normal),
+        }
+    }
+
+    /// What this program picks there.
+    #[must_use]
+    pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
+        let ray = view.ray(px);
+        let hit = pick::closest(scene, &ray, view.sides)?;
+        Some(Self::of(scene, &ray, hit))
+    }
+}
+
+/// The nearest hit on a ray: of objects that `meet` is about by what it says of them and the ray in their space, of
+/// all others by this program's own.
+fn nearest(
+    scene: &Scene,
+    view: &View,
+    ray: &Ray,
+    is_about: impl Fn(&Shape) -> bool,
+    meet: impl Fn(&Object, &Ray) -> Option<Hit>,
+) -> Option<Found> {
+    let objects = scene.objects();
+    let others = pick::all(scene, ray, view.sides).into_iter();
+    let others = others.filter(|hit| !is_about(&objects[hit.object].shape));
+    let met = (0..)
+        .zip(objects)
+        .filter(|(_, o)| o.visible && is_about(&o.shape));
+    let met = met.filter_map(|(object, about)| {
+        let local = about.placement.ray_to_object(ray);
+        let hit = meet(about, &local)?;
+        let shown = view.sides.shows(local.direction, hit.normal);
+        (shown && ray.contains(hit.t)).then_some(SceneHit { object, hit })
+    });
+    let all = others.chain(met);
+    let hit = all.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)))?;
+    Some(Found::of(scene, ray, hit))
+}
+
+impl Step for PixelCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Sight) -> Option<Found> {
+        let sight = run(&Self::of_view(view, px));
+        let [origin, direction] = [sight.from, sight.along].map(DVec3::from);
+        let along = direction.dot(view.camera.forward());
+        if !(origin.is_finite() && direction.is_finite() && along > 0.0) {
+            return None;
+        }
+        let lens = view.camera.lens();
+        // In perspective rays start at the eye, whatever that is in the method's precision.
+        let (origin, start) = if lens.is_orthographic() {
+            (origin, view.camera.to_view(origin).z)
+        } else {
+            (view.camera.eye(), 0.0)
+        };
+        let ray = Ray {
+            origin,
+            direction,
+            t_min: (lens.near - start) / along,
+            t_max: (lens.far - start) / along,
+        };
+        let hit = pick::closest(scene, &ray, view.sides)?;
+        Some(Found::of(scene, &ray, hit))
+    }
+}
+
+impl Step for PlacedCase {
+    fn pick(
+        scene: &Scene,
+        view: &View,
+        px: DVec2,
+        run: fn(&Self) -> [V3<f64>; 2],
+    ) -> Option<Found> {
+        let ray = view.ray(px);
+        nearest(
+            scene,
+            view,
+            &ray,
+            |_| true,
+            |object, own| {
+                let case = Self::of_object(&object.placement, &ray, 1.0);
+                let [origin, direction] = run(&case).map(DVec3::from);
+                // What is normalised has another parameter than the world's ray.
+                let stretch = own.direction.length() / direction.length();
+                let local = Ray {
+                    origin,
+                    direction,
+                    t_min: ray.t_min * stretch,
+                    t_max: ray.t_max * stretch,
+                };
+                if !(origin.is_finite() && direction.is_finite()) {
+                    return None;
+                }
+                let hit = match &object.shape {
+                    Shape::Sphere => Sphere::hits(&local).into_iter().flatten().next(),
+                    Shape::Cube => Cuboid::hits(&local).into_iter().flatten().next(),
+                    Shape::Square => Square::hit(&local),
+                    Shape::Mesh { mesh, part } => {
+                        mesh.closest(&local, view.sides, |other| other == *part)
+                    }
+                }?;
+                let t = hit.t / stretch;
+                Some(Hit { t, ..hit })
+            },
+        )
+    }
+}
+
+impl Step for TriangleCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+        let is_mesh = |shape: &Shape| matches!(shape, Shape::Mesh { .. });
+        nearest(scene, view, &view.ray(px), is_mesh, |object, local| {
+            let Shape::Mesh { mesh, part } = &object.shape else {
+                return None;
+            };
+            let triangles = mesh.data().parts[*part].triangles.clone();
+            let hits = triangles.filter_map(|triangle| {
+                let t = run(&Self::of_mesh(mesh, triangle, local, 1.0))?;
+                local.contains(t).then_some((t, triangle))
+            });
+            let (t, triangle) = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            Some(on_triangle(mesh, triangle, local, t))
+        })
+    }
+}
+
+/// The hit at `t` on a triangle that a method says is hit there.
+fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
+    let [a, b, c] = mesh.corners(triangle);
+    let normal = (b - a).cross(c - a);
+    let point = local.at(t);
+    let weight =
+        |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();
+    Hit {
+        t,
+        normal,
+        on_triangle: Some(OnTriangle {
+            triangle,
+            barycentric: [weight(b, c), weight(c, a), weight(a, b)],
+            front: local.direction.dot(normal) < 0.0,
+            t_error: 0.0,
+        }),
+    }
+}
+
+impl Step for SphereCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+        let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
+        nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
+            let t = run(&Self::of_object(local, 1.0))?;
+            Some(analytic(t, local.at(t)))
+        })
+    }
+}
+
+impl Step for BoxCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+        let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
+        nearest(scene, view, &view.ray(px), is_cube, |_, local| {
+            let t = run(&Self::of_object(local, 1.0))?;
+            let point = local.at(t);
+            let face = DVec3::AXES.into_iter().max_by(|a, b| {
+                let depth = |axis: &DVec3| point.dot(*axis).abs();
+                depth(a).total_cmp(&depth(b))
+            })?;
+            Some(analytic(t, face * point.dot(face).signum()))
+        })
+    }
+}
+
+impl Step for PlaneCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
+        let ray = view.ray(px);
+        let is_square = |shape: &Shape| matches!(shape, Shape::Square);
+        nearest(scene, view, &ray, is_square, |object, local| {
+            let t = run(&Self::of_object(&object.placement, &ray));
+            let beside = local.at(t).truncate().abs().max_element();
+            (beside <= Square::HALF_SIDE).then(|| analytic(t, DVec3::Z))
+        })
+    }
+}
+
+fn analytic(t: f64, normal: DVec3) -> Hit {
+    Hit {
+        t,
+        normal,
+        on_triangle: None,
+    }
+}
+
+impl Step for ClipCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> bool) -> Option<Found> {
+        let ray = view.ray(px);
+        let endless = Ray {
+            t_min: 0.0,
+            t_max: f64::INFINITY,
+            ..ray
+        };
+        let hits = pick::all(scene, &endless, view.sides);
+        let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, ray, hit.hit.t));
+        let hit = hits.into_iter().find(shown)?;
+        Some(Found::of(scene, &ray, hit))
+    }
+}
+
+impl Step for NormalCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> [f64; 3]) -> Option<Found> {
+        let own = Found::sightlines(scene, view, px)?;
+        let model = scene.objects()[own.hit.object].placement.model();
+        let case = Self::new(model.matrix3.into(), own.hit.hit.normal.into())?;
+        Some(Found {
+            normal_world: DVec3::from(run(&case)).normalize(),
+            ..own
+        })
+    }
+}
+
+impl Step for DepthCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
+        let own = Found::sightlines(scene, view, px)?;
+        let (ray, lens) = (view.ray(px), view.camera.lens());
+        let along = ray.direction.dot(view.camera.forward());
+        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
+        let depth = (own.hit.hit.t * along) as f32;
+        let read = run(&Self {
+            depth,
+            near: lens.near,
+            far: lens.far,
+            parallel: lens.is_orthographic(),
+        });
+        Some(Found {
+            point_world: ray.at(read / along),
+            ..own
+        })
+    }
+}

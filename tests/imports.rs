@@ -1,0 +1,129 @@
+//! Imports point one way, and only those who must know graphics and windows know them.
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// The modules in the order in which they build on each other: each may name only those before it.
+const ORDER: [&str; 13] = [
+    "colour", "geometry", "camera", "image", "look", "scene", "pick", "render", "verify", "study",
+    "viewer", "cli", "main",
+];
+
+/// Crates that only some modules may name.
+const KEPT: [(&str, &[&str]); 5] = [
+    ("wgpu", &["render", "viewer"]),
+    ("winit", &["viewer"]),
+    ("egui", &["viewer"]),
+    ("tobj", &["scene"]),
+    ("clap", &["cli"]),
+];
+
+/// Each source file and the module that it belongs to.
+fn sources() -> Vec<(String, PathBuf)> {
+    fn walk(folder: &Path, files: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                walk(&path, files);
+            } else {
+                files.push(path);
+            }
+        }
+    }
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    walk(&src, &mut files);
+    let module = |path: &Path| {
+        let first = path.strip_prefix(&src).ok()?.components().next()?;
+        let name = Path::new(&first).file_stem()?.to_str()?;
+        Some(name.to_owned())
+    };
+    let named = files
+        .into_iter()
+        .map(|path| (module(&path).expect("a name"), path));
+    named.filter(|(module, _)| module != "lib").collect()
+}
+
+/// The file without its comments.
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).expect("a source file");
+    let lines = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The words that follow `prefix` in paths: one, or the first of each path within braces.
+fn named_after<'a>(code: &'a str, prefix: &str) -> BTreeSet<&'a str> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let first_word = |text: &'a str| text.trim_start().split(|c| !is_word(c)).next();
+    let mut words = BTreeSet::new();
+    for (at, _) in code.match_indices(prefix) {
+        let rest = &code[at + prefix.len()..];
+        let Some(inner) = rest.strip_prefix('{') else {
+            words.extend(first_word(rest));
+            continue;
+        };
+        let mut depth = 0;
+        let mut start = 0;
+        for (i, c) in inner.char_indices() {
+            match c {
+                '{' => depth += 1,
+                ',' | '}' if depth == 0 => {
+                    words.extend(first_word(&inner[start..i]));
+                    start = i + 1;
+                    if c == '}' {
+                        break;
+                    }
+                }
+                '}' => depth -= 1,
+                _ => {}
+            }
+        }
+    }
+    words.remove("");
+    words
+}
+
+#[test]
+fn modules_name_only_those_before_them() {
+    let place = |module: &str| ORDER.iter().position(|name| *name == module);
+    let mut seen = 0;
+    for (module, path) in sources() {
+        let own = place(&module).unwrap_or_else(|| panic!("{module} has no place in the order"));
+        let prefix = if module == "main" {
+            "sightline::"
+        } else {
+            "crate::"
+        };
+        for name in named_after(&code(&path), prefix) {
+            let other =
+                place(name).unwrap_or_else(|| panic!("{}: what is {name}?", path.display()));
+            assert!(other <= own, "{} names {name}", path.display());
+            seen += usize::from(other < own);
+        }
+    }
+    assert!(seen > 200, "{seen}: the search finds imports");
+}
+
+#[test]
+fn graphics_and_windows_are_known_to_those_who_draw_and_show() {
+    for (name, modules) in KEPT {
+        let mut seen = BTreeSet::new();
+        for (module, path) in sources() {
+            let code = code(&path);
+            if code.contains(&format!("{name}::")) || code.contains(&format!("use {name}")) {
+                assert!(
+                    modules.contains(&module.as_str()),
+                    "{} names {name}",
+                    path.display()
+                );
+                seen.insert(module);
+            }
+        }
+        assert_eq!(seen.len(), modules.len(), "{name}: {seen:?}");
+    }
+}

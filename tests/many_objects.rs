@@ -1,0 +1,267 @@
+//! A scene of many objects answers as each of them alone would, and asks few of them.
+
+mod common;
+
+use common::Random;
+use glam::{DAffine3, DMat3, DVec3};
+use sightline::{
+    geometry::{Placement, Ray, Sides},
+    pick::{self, SceneHit},
+    scene::{Object, Scene, Shape},
+};
+
+/// Spheres, cubes, squares and meshes scattered over a cube of this half side about `center`, under model matrices
+/// that turn, shear and mirror, and stretch by up to `stretch` either way.
+fn scattered(count: usize, center: DVec3, half_side: f64, stretch: f64) -> Scene {
+    let mut random = Random::new(7);
+    let corners = vec![[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, 0.5, 0.0]];
+    let mesh = common::mesh(corners, vec![[0, 1, 2]], DVec3::ZERO);
+    let objects = (0..count).map(|i| {
+        let shape = match i % 4 {
+            0 => Shape::Sphere,
+            1 => Shape::Cube,
+            2 => Shape::Square,
+            _ => Shape::Mesh {
+                mesh: mesh.clone(),
+                part: 0,
+            },
+        };
+        let turn = |random: &mut Random| {
+            DMat3::from_axis_angle(random.direction(), random.within(0.0, 6.0))
+        };
+        let mut scale = DVec3::from(random.point(1.0).to_array().map(|s| stretch.powf(s)));
+        if i % 3 == 0 {
+            scale.x = -scale.x;
+        }
+        let model = DAffine3 {
+            matrix3: turn(&mut random) * DMat3::from_diagonal(scale) * turn(&mut random),
+            translation: center + random.point(half_side),
+        };
+        Object::new(
+            i.to_string(),
+            shape,
+            Placement::new(model).expect("invertible"),
+        )
+    });
+    Scene::new(objects.collect())
+}
+
+/// Each object as a scene of its own.
+fn alone(scene: &Scene) -> Vec<Scene> {
+    let objects = scene.objects().iter();
+    objects
+        .map(|object| Scene::new(vec![object.clone()]))
+        .collect()
+}
+
+/// All hits, each object asked by itself.
+fn one_by_one(alone: &[Scene], ray: &Ray) -> Vec<SceneHit> {
+    let each = alone.iter().enumerate().flat_map(|(object, scene)| {
+        let hits = pick::all(scene, ray, Sides::Both).into_iter();
+        hits.map(move |hit| SceneHit { object, ..hit })
+    });
+    let mut hits: Vec<SceneHit> = each.collect();
+    hits.sort_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)));
+    hits
+}
+
+/// A point where rounding could decide: a corner, an edge or the rim of an object, in its space.
+fn critical(random: &mut Random, shape: &Shape) -> DVec3 {
+    let [x, y, z] = std::array::from_fn(|_| match random.within(0.0, 3.0) {
+        0.0..1.0 => -0.5,
+        1.0..2.0 => 0.5,
+        _ => random.within(-0.5, 0.5),
+    });
+    match shape {
+        Shape::Sphere => 0.5 * random.direction(),
+        Shape::Cube => DVec3::new(x, y, z),
+        Shape::Square | Shape::Mesh { .. } => DVec3::new(x, y, 0.0),
+    }
+}
+
+/// Rays at critical points of the objects: past the surface, along an axis, from a surface.
+fn rays(scene: &Scene, count: usize, distance: f64) -> Vec<Ray> {
+    let mut random = Random::new(11);
+    let objects = scene.objects();
+    (0..count)
+        .map(|i| {
+            let object = &objects[i % objects.len()];
+            let on_object = critical(&mut random, &object.shape);
+            let to = object.placement.point_to_world(on_object);
+            let direction = match i % 3 {
+                // Just past a sphere: across its normal there.
+                0 => {
+                    let normal = object.placement.normal_to_world(on_object);
+                    random.direction().cross(normal).normalize_or(DVec3::X)
+                }
+                1 => DVec3::AXES[i % 7 % 3] * if i % 2 == 0 { 1.0 } else { -1.0 },
+                _ => random.direction(),
+            };
+            // From a surface, or so far away that the way there rounds.
+            let back = if i % 5 == 0 {
+                0.0
+            } else {
+                distance * random.unit()
+            };
+            let (origin, direction) = (to - back * direction, -0.0 + direction);
+            Ray {
+                origin,
+                direction,
+                t_min: 0.0,
+                t_max: f64::INFINITY,
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn many_objects_answer_as_each_alone() {
+    let mut hits = 0;
+    for (center, half_side, stretch, distance) in [
+        (DVec3::ZERO, 12.0, 2.0, 30.0),
+        (DVec3::ZERO, 6.0, 1000.0, 1e4),
+        (DVec3::new(447_000.0, 5_350_000.0, 300.0), 12.0, 2.0, 1e3),
+        (DVec3::ZERO, 12.0, 2.0, 1e9),
+        (DVec3::new(1e9, -1e9, 1e9), 1e6, 300.0, 1e10),
+    ] {
+        let scene = scattered(200, center, half_side, stretch);
+        let alone = alone(&scene);
+        for ray in rays(&scene, 3000, distance) {
+            let expected = one_by_one(&alone, &ray);
+            assert_eq!(pick::all(&scene, &ray, Sides::Both), expected, "{ray:?}");
+            let closest = pick::closest(&scene, &ray, Sides::Both);
+            assert_eq!(closest.as_ref(), expected.first(), "{ray:?}");
+            hits += expected.len();
+        }
+    }
+    assert!(hits > 15_000, "{hits}");
+}
+
+#[test]
+fn hidden_objects_and_interval_ends_count() {
+    let mut scene = scattered(100, DVec3::ZERO, 5.0, 2.0);
+    let mut seen = 0;
+    for index in 0..100 {
+        scene.set_visible(index, index % 2 == 0);
+    }
+    let alone = alone(&scene);
+    for (i, ray) in rays(&scene, 2000, 20.0).into_iter().enumerate() {
+        let whole = one_by_one(&alone, &ray);
+        // Ends that lie exactly on hits.
+        let Some(hit) = whole.get(i % 3) else {
+            continue;
+        };
+        for ray in [
+            Ray {
+                t_min: hit.hit.t,
+                ..ray
+            },
+            Ray {
+                t_max: hit.hit.t,
+                ..ray
+            },
+        ] {
+            let expected = one_by_one(&alone, &ray);
+            assert_eq!(pick::all(&scene, &ray, Sides::Both), expected, "{ray:?}");
+            assert!(expected.iter().all(|hit| hit.object % 2 == 0));
+            seen += expected.len();
+        }
+    }
+    assert!(seen > 500, "{seen}");
+}
+
+#[test]
+fn of_thousands_few_are_asked() {
+    // A city: 3,000 houses on a plain.
+    let mut random = Random::new(3);
+    let house = |_| {
+        let height = random.within(5.0, 40.0);
+        let model = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::new(8.0, height, 8.0)),
+            translation: DVec3::new(
+                random.within(-600.0, 600.0),
+                0.5 * height,
+                random.within(-600.0, 600.0),
+            ),
+        };
+        Object::new(
+            "house",
+            Shape::Cube,
+            Placement::new(model).expect("invertible"),
+        )
+    };
+    let scene = Scene::new((0..3000).map(house).collect());
+    let rays = rays(&scene, 3000, 2000.0);
+    let (mut asked, mut hit) = (0, 0);
+    for ray in &rays {
+        let closest = pick::closest(&scene, ray, Sides::Both);
+        hit += usize::from(closest.is_some());
+        let end = closest.map_or(f64::INFINITY, |hit| hit.hit.t);
+        scene.visit_batches(ray, |_| {
+            asked += 1;
+            end
+        });
+    }
+    assert!(hit > 1500, "{hit}");
+    assert!(asked < 20 * rays.len(), "{asked} for {} rays", rays.len());
+}
+
+#[test]
+fn degenerate_scenes_are_searched_too() {
+    // All at one place, flat, and far apart by twelve orders of magnitude.
+    let at = |x: f64, size: f64| {
+        let model = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(size)),
+            translation: DVec3::X * x,
+        };
+        Object::new(
+            "",
+            Shape::Square,
+            Placement::new(model).expect("invertible"),
+        )
+    };
+    let ray = |x: f64| Ray {
+        origin: DVec3::new(x, 0.0, 1.0),
+        direction: DVec3::new(-0.0, 0.0, -1.0),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    };
+    let same = Scene::new((0..64).map(|_| at(0.0, 1.0)).collect());
+    let hits = pick::all(&same, &ray(0.0), Sides::Both);
+    assert_eq!(hits.len(), 64);
+    assert!(hits.is_sorted_by_key(|hit| hit.object));
+    assert_eq!(
+        pick::closest(&same, &ray(0.0), Sides::Both).map(|hit| hit.object),
+        Some(0)
+    );
+    let apart = Scene::new(
+        (-30..30)
+            .map(|i| at(10_f64.powi(i / 3), 10_f64.powi(i / 3)))
+            .collect(),
+    );
+    let alone = alone(&apart);
+    for i in -30..30 {
+        let ray = ray(1.2 * 10_f64.powi(i / 3));
+        let expected = one_by_one(&alone, &ray);
+        assert!(!expected.is_empty());
+        assert_eq!(pick::all(&apart, &ray, Sides::Both), expected);
+    }
+}
+
+#[test]
+fn what_was_moved_is_found_where_it_is() {
+    let mut scene = scattered(50, DVec3::ZERO, 5.0, 2.0);
+    let far = DVec3::new(100.0, 0.0, 0.0);
+    scene.place(
+        0,
+        Placement::new(DAffine3::from_translation(far)).expect("invertible"),
+    );
+    let ray = Ray {
+        origin: far + DVec3::Z,
+        direction: DVec3::NEG_Z,
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    };
+    let hit = pick::closest(&scene, &ray, Sides::Both).expect("the sphere");
+    assert_eq!((hit.object, hit.hit.t), (0, 0.5));
+}

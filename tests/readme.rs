@@ -1,0 +1,132 @@
+//! What README says is what the program does.
+
+use clap::CommandFactory;
+use serde_json::Value;
+use sightline::cli::Cli;
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output},
+};
+
+fn readme() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    fs::read_to_string(path).expect("README.md")
+}
+
+/// The fenced blocks of a language.
+fn blocks(language: &str) -> Vec<String> {
+    let text = readme();
+    let fence = format!("```{language}\n");
+    text.split(&fence)
+        .skip(1)
+        .map(|block| block.split("```").next().unwrap_or_default().to_owned())
+        .collect()
+}
+
+/// Runs a line of README, `sightline` being this build's.
+fn run(line: &str) -> Output {
+    let program = env!("CARGO_BIN_EXE_sightline");
+    let line = line.replacen("sightline", program, 1);
+    Command::new("sh")
+        .args(["-c", &line])
+        .output()
+        .expect("a shell")
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)))
+}
+
+#[test]
+fn the_pick_that_is_shown_is_the_pick() {
+    let blocks = blocks("sh");
+    let block = blocks
+        .iter()
+        .find_map(|block| block.strip_prefix("$ "))
+        .expect("an example");
+    let (command, shown) = block.split_once('\n').expect("its output");
+    assert!(command.starts_with("sightline pick "), "{command}");
+    let shown: Value = serde_json::from_str(shown).expect("JSON");
+    assert_eq!(json(&run(command)), shown);
+}
+
+#[test]
+fn the_scene_file_that_is_shown_loads() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = blocks("toml").concat();
+    fs::write(folder.path().join("scene.toml"), text).expect("a writable folder");
+    fs::write(
+        folder.path().join("model.obj"),
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    )
+    .expect("a writable folder");
+    let output = run(&format!(
+        "sightline list --json {}",
+        folder.path().join("scene.toml").display()
+    ));
+    let lines = String::from_utf8(output.stdout).expect("UTF-8");
+    assert_eq!(
+        lines.lines().count(),
+        2,
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
+
+#[test]
+fn every_command_and_camera_flag_is_named() {
+    let text = readme();
+    let cli = Cli::command();
+    for command in cli.get_subcommands() {
+        let name = command.get_name();
+        assert!(
+            text.contains(&format!("| `sightline {name} [SCENE...]")),
+            "{name}"
+        );
+    }
+    let flags = cli
+        .get_arguments()
+        .filter_map(|argument| argument.get_long());
+    for flag in flags.filter(|flag| !["help", "version", "verbose"].contains(flag)) {
+        assert!(text.contains(&format!("--{flag}")), "--{flag}");
+    }
+}
+
+/// The two commands of the chapter on verify, and the counts that its table gives for them.
+#[test]
+fn the_pictures_of_verify_are_of_what_it_finds() {
+    let text = readme();
+    let view = text
+        .lines()
+        .find_map(|line| line.strip_prefix("view=\"")?.strip_suffix('"'));
+    let view = view.expect("the view");
+    let head = text
+        .lines()
+        .find(|line| line.starts_with("| Sightline: "))
+        .expect("the table's head");
+    let numbers: Vec<i64> = head
+        .split(|c: char| !c.is_ascii_digit())
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    let &[ours, usual, usual_unexplained] = numbers.as_slice() else {
+        panic!("{head}");
+    };
+    let check = |picker: &str, said: [i64; 2]| {
+        let report = json(&run(&format!("sightline verify {view} {picker} --json")));
+        let count = |name: &str| report[name].as_i64().unwrap_or_else(|| panic!("{report}"));
+        let seen = [count("pixels") - count("same"), count("unexplained")];
+        for (seen, said) in seen.into_iter().zip(said) {
+            // Another driver rounds outlines elsewhere.
+            assert!(
+                (seen - said).abs() <= 4 + said / 20,
+                "{picker}: {seen}, not {said}"
+            );
+        }
+        seen
+    };
+    let [_, unexplained] = check("", [ours, 0]);
+    assert_eq!(unexplained, 0);
+    check("--picker usual", [usual, usual_unexplained]);
+}

@@ -1,0 +1,242 @@
+//! What the mouse, the keys and dropped files do.
+
+use super::{MIDDLE, button, click, drag, open, picked_px, press_key, px, row, selected};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, pos2, vec2};
+use glam::DVec2;
+use sightline::{camera::Viewport, pick};
+
+#[test]
+fn a_click_picks_the_pixel_under_it_at_every_scale() {
+    for scale in [1.0, 1.5, 2.0] {
+        let (mut window, _folder) = row(scale);
+        click(&mut window, MIDDLE);
+        assert_eq!(selected(&window), Some("front"));
+        let state = window.state();
+        let at = picked_px(&window).expect("a pick");
+        let size = state.view().viewport;
+        let middle = DVec2::new(f64::from(size.width()), f64::from(size.height())) / 2.0;
+        assert!(
+            (at - middle).abs().max_element() < 4.0 * f64::from(scale),
+            "{at}"
+        );
+        assert_eq!(
+            state
+                .selection()
+                .and_then(|selection| selection.pick.clone()?.hit),
+            pick::pick(state.scene(), state.view(), at)
+        );
+    }
+}
+
+#[test]
+fn a_drag_turns_and_picks_nothing() {
+    let (mut window, _folder) = row(1.0);
+    let before = *window.state().view();
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        MIDDLE,
+        MIDDLE + vec2(60.0, 25.0),
+    );
+    let turned = *window.state().view();
+    assert_eq!(selected(&window), None);
+    let angle = before
+        .camera
+        .forward()
+        .angle_between(turned.camera.forward());
+    // 0.008 radians a pixel, all of the way from the press.
+    let (yaw, pitch) = (60.0 * 0.008_f64, 25.0 * 0.008_f64);
+    let expected = (yaw.cos() * pitch.cos()).acos();
+    assert!((angle - expected).abs() < 1e-6, "{angle}");
+    // The point under the cursor was the pivot: the front of the cube, 7.5 away.
+    let pivot = glam::DVec3::new(0.0, 0.0, 2.5);
+    let distance = |view: &sightline::camera::View| view.camera.eye().distance(pivot);
+    assert!((distance(&before) - distance(&turned)).abs() < 0.05);
+}
+
+#[test]
+fn a_press_on_a_panel_never_moves_the_camera() {
+    let (mut window, _folder) = row(1.0);
+    let before = *window.state().view();
+    for panel in [pos2(100.0, 500.0), pos2(1100.0, 650.0), pos2(700.0, 8.0)] {
+        drag(&mut window, PointerButton::Primary, panel, MIDDLE);
+        drag(&mut window, PointerButton::Secondary, panel, MIDDLE);
+        window.send([
+            Event::PointerMoved(panel),
+            wheel(vec2(0.0, 40.0), Modifiers::NONE),
+        ]);
+    }
+    assert_eq!(*window.state().view(), before);
+    assert_eq!(selected(&window), None);
+    // The same drag from the scene does, so the test could fail.
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        MIDDLE,
+        MIDDLE + vec2(50.0, 0.0),
+    );
+    assert_ne!(*window.state().view(), before);
+}
+
+#[test]
+fn a_click_again_goes_behind_and_a_fast_one_recentres() {
+    let (mut window, _folder) = row(1.0);
+    let mut seen = Vec::new();
+    for _ in 0..4 {
+        click(&mut window, MIDDLE);
+        seen.extend(selected(&window).map(str::to_owned));
+        window.wait_s(1.0);
+    }
+    assert_eq!(seen, ["front", "front", "middle", "middle"]);
+    let before = *window.state().view();
+    let up_and_down = [true, false, true, false];
+    let off_centre = MIDDLE + vec2(30.0, 0.0);
+    window.send([Event::PointerMoved(off_centre)]);
+    window.send(up_and_down.map(|pressed| button(off_centre, PointerButton::Primary, pressed)));
+    assert_ne!(window.state().view().camera.eye(), before.camera.eye());
+}
+
+/// As winit's events give it where Ctrl is the key for commands.
+const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
+
+fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
+    Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        source: egui::MouseWheelSource::Unknown,
+        delta: by,
+        phase: egui::TouchPhase::Move,
+        modifiers,
+    }
+}
+
+/// Distance from the eye to the front of the cube.
+fn eye_to_front(window: &sightline::viewer::offscreen::Offscreen) -> f64 {
+    window.state().view().camera.eye().z - 2.5
+}
+
+#[test]
+fn a_trackpad_zooms_with_two_fingers_and_by_pinching_and_pans_with_shift() {
+    let (mut window, _folder) = row(1.0);
+    assert!((eye_to_front(&window) - 7.5).abs() < 1e-12);
+    // As trackpads send it: many small steps, which add up to one line of a wheel.
+    window.send([Event::PointerMoved(MIDDLE)]);
+    window.send((0..25).map(|_| wheel(vec2(0.0, 2.0), Modifiers::NONE)));
+    let near = eye_to_front(&window);
+    assert!((near - 7.5 / 1.15).abs() < 1e-3, "{near}");
+    window.send([Event::Zoom(1.5)]);
+    assert!((eye_to_front(&window) - near / 1.5).abs() < 1e-3);
+    // With Shift the surface follows the fingers, pixel for pixel.
+    let state = window.state();
+    let point = glam::DVec3::new(0.0, 0.0, 2.5);
+    let before = state.view().project(point).expect("in front").px;
+    window.send((0..10).map(|_| wheel(vec2(3.0, -2.0), Modifiers::SHIFT)));
+    let after = window.state().view().project(point).expect("in front").px;
+    assert!(
+        (after - before - DVec2::new(30.0, -20.0)).length() < 0.1,
+        "{before} to {after}"
+    );
+}
+
+#[test]
+fn tiny_windows_and_back() {
+    let (mut window, _folder) = row(1.0);
+    let before = *window.state().view();
+    click(&mut window, MIDDLE);
+    for tiny in [[1, 1], [40, 30], [560, 80], [3, 700]] {
+        window.resize(Viewport::new(tiny[0], tiny[1]).expect("a viewport"));
+        click(&mut window, pos2(1.0, 1.0));
+        window.draw().expect("a frame");
+    }
+    window.resize(px(super::SIZE, 1.0));
+    assert_eq!(window.state().view().camera, before.camera);
+}
+
+#[test]
+fn a_bad_file_leaves_the_scene_and_a_message_that_stays() {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    let bad = folder.path().join("bad.obj");
+    std::fs::write(&bad, "v 1 2 3\nf 1 2 9\n").expect("a writable folder");
+    let before = *window.state().view();
+    window.drop_file(bad.clone());
+    window.drop_file(bad);
+    window.wait_s(600.0);
+    let messages: Vec<_> = window.messages().collect();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(messages[0].contains("bad.obj"), "{messages:?}");
+    assert_eq!(window.state().name(), "row.toml");
+    assert_eq!(window.state().scene().objects().len(), 3);
+    assert_eq!(*window.state().view(), before);
+    assert_eq!(selected(&window), Some("front"));
+}
+
+#[test]
+fn messages_go_one_by_one_or_all_at_once() {
+    let (mut window, folder) = row(1.0);
+    for i in 0..8 {
+        window.drop_file(folder.path().join(format!("absent {i}.obj")));
+    }
+    assert_eq!(window.messages().count(), 8);
+    // The cross of the first that is shown, under the button for all: the earliest three are not shown.
+    click(&mut window, pos2(236.0, 72.0));
+    let left: Vec<_> = window.messages().map(str::to_owned).collect();
+    assert_eq!(left.len(), 7);
+    assert!(
+        !left.iter().any(|text| text.contains("absent 3")),
+        "{left:?}"
+    );
+    click(&mut window, pos2(240.0, 45.0));
+    assert_eq!(window.messages().count(), 0);
+    assert_eq!(selected(&window), None, "the clicks were not the scene's");
+}
+
+#[test]
+fn keys_act_and_typing_does_not() {
+    let (mut window, _folder) = row(1.0);
+    let none = Modifiers::NONE;
+    press_key(&mut window, none, Key::C);
+    let command = window.copied().expect("a command").to_owned();
+    assert!(command.starts_with("sightline pick "), "{command}");
+    assert!(command.contains("--eye 0,0,10"), "{command}");
+    press_key(&mut window, none, Key::Num3);
+    assert!(window.state().view().camera.forward().x < -0.999);
+    press_key(&mut window, CTRL, Key::Num3);
+    assert!(window.state().view().camera.forward().x > 0.999);
+    press_key(&mut window, none, Key::T);
+    assert!(window.state().frozen().is_some());
+    // Into the search field of the list.
+    let view = *window.state().view();
+    click(&mut window, super::SEARCH);
+    press_key(&mut window, none, Key::Num7);
+    window.send([Event::Text("7".into())]);
+    assert_eq!(*window.state().view(), view);
+    press_key(&mut window, CTRL, Key::Q);
+    assert!(!window.has_quit(), "somebody is typing");
+    click(&mut window, MIDDLE);
+    press_key(&mut window, CTRL, Key::Q);
+    assert!(window.has_quit());
+}
+
+/// The window with the matrices grows over no cursor that it follows.
+#[test]
+fn the_pipeline_follows_the_cursor_and_stays_still() {
+    let mut window = open(Vec::new(), 1.0);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let mut seen = 0;
+    for y in (100..690_u16).step_by(10) {
+        window.send([Event::PointerMoved(pos2(640.0, f32::from(y)))]);
+        assert!(window.is_at_rest(), "at {y}");
+        seen += usize::from(window.state().cursor().is_some());
+    }
+    assert!(
+        seen > 5 && seen < 50,
+        "{seen}: some are beside the window, some under it"
+    );
+}
+
+#[test]
+fn without_files_it_is_the_demo() {
+    let window = open(Vec::new(), 1.0);
+    assert!(window.state().scene().objects().len() > 3);
+    assert_eq!(window.messages().count(), 0);
+}

@@ -1,0 +1,104 @@
+//! Inspecting by keys and clipboard.
+
+use super::*;
+use sightline::viewer::overlay::Overlay;
+
+/// What F12 wrote, oldest first.
+fn screenshots(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "png"))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn f12_saves_what_is_on_screen_and_never_over_a_file() {
+    let (mut window, folder) = row(1.0);
+    window.save_screenshots_in(folder.path().to_owned());
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    let shown = window.picture().expect("a picture");
+    let files = screenshots(folder.path());
+    assert_eq!(files, [folder.path().join("sightline-1.png")]);
+    let saved = pictures::read(&files[0]);
+    assert_eq!(saved.size(), shown.size());
+    // The message that it was saved is all that is new.
+    let differ = (saved.pixels().iter().zip(shown.pixels()))
+        .filter(|(a, b)| a != b)
+        .count();
+    assert!(differ < 30_000, "{differ}");
+    assert!(
+        window
+            .messages()
+            .any(|text| text.contains("sightline-1.png"))
+    );
+    let before = std::fs::read(&files[0]).expect("a file");
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    window.picture().expect("a picture");
+    assert_eq!(screenshots(folder.path()).len(), 2);
+    assert_eq!(std::fs::read(&files[0]).expect("a file"), before);
+
+    window.save_screenshots_in(folder.path().join("not there"));
+    press_key(&mut window, Modifiers::NONE, Key::F12);
+    window.picture().expect("a picture");
+    assert!(window.messages().any(|text| text.contains("not there")));
+}
+
+#[test]
+fn a_camera_is_copied_and_pasted_by_keys() {
+    let (mut window, _folder) = row(1.0);
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        MIDDLE,
+        MIDDLE + egui::vec2(90.0, -40.0),
+    );
+    let turned = *window.state().view();
+    press_key(&mut window, Modifiers::SHIFT, Key::C);
+    let text = window.copied().expect("a camera").to_owned();
+    assert!(text.starts_with("[camera]"), "{text}");
+    press_key(&mut window, Modifiers::NONE, Key::Num1);
+    assert_ne!(*window.state().view(), turned);
+    window.send([Event::Paste(text.clone())]);
+    assert_eq!(*window.state().view(), turned, "to the bit");
+    assert_eq!(window.messages().count(), 0);
+
+    for (bad, word) in [
+        ("not a camera", "holds no camera"),
+        ("[camera]\nfov = 200", "field of view"),
+        ("[camera]\nfav = 20", "holds no camera"),
+    ] {
+        window.send([Event::Paste(bad.to_owned())]);
+        assert!(window.messages().any(|text| text.contains(word)), "{bad}");
+        assert_eq!(*window.state().view(), turned, "{bad}");
+    }
+    // While somebody types, a text is for the field.
+    click(&mut window, SEARCH);
+    press_key(&mut window, Modifiers::NONE, Key::Num1);
+    let before = *window.state().view();
+    window.send([Event::Paste(text)]);
+    assert_eq!(*window.state().view(), before);
+}
+
+#[test]
+fn keys_step_through_the_ray() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    let mut seen = Vec::new();
+    for _ in 0..4 {
+        press_key(&mut window, Modifiers::NONE, Key::N);
+        seen.push(selected(&window).expect("picked").to_owned());
+    }
+    press_key(&mut window, Modifiers::SHIFT, Key::N);
+    seen.push(selected(&window).expect("picked").to_owned());
+    assert_eq!(seen, ["front", "middle", "middle", "back", "middle"]);
+    for (overlay, _, key, _) in Overlay::ALL {
+        let shows = window.state().overlays().shows(overlay);
+        let key = Key::from_name(key).expect("a key");
+        press_key(&mut window, Modifiers::NONE, key);
+        assert_ne!(window.state().overlays().shows(overlay), shows, "{key:?}");
+    }
+}

@@ -1,0 +1,129 @@
+//! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod device;
+mod events;
+mod gallery;
+mod inspect;
+mod overlays;
+mod pictures;
+
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
+use glam::DVec2;
+use sightline::{
+    camera::{CameraChoice, Viewport},
+    geometry::Sides,
+    viewer::{Options, offscreen::Offscreen},
+};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// The window's size in points.
+const SIZE: [u32; 2] = [1280, 720];
+/// A point of the scene's rectangle that shows its middle, whatever the scale.
+const MIDDLE: Pos2 = pos2(580.0, 362.0);
+/// In the search field of the list of objects.
+const SEARCH: Pos2 = pos2(60.0, 107.0);
+
+/// Three things in a row along z, the camera before them, as a scene file.
+const ROW: &str = "
+[camera]
+eye = [0, 0, 10]
+target = [0, 0, 0]
+
+[[object]]
+name = \"front\"
+shape = \"cube\"
+position = [0, 0, 2]
+
+[[object]]
+name = \"middle\"
+shape = \"sphere\"
+colour = \"#d1495b\"
+
+[[object]]
+name = \"back\"
+shape = \"square\"
+scale = [3, 3, 1]
+position = [0, 0, -2]
+";
+
+/// A window that shows [`ROW`], and the folder of its file.
+fn row(scale: f32) -> (Offscreen, TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("row.toml");
+    std::fs::write(&path, ROW).expect("a writable folder");
+    (open(vec![path], scale), folder)
+}
+
+fn open(paths: Vec<PathBuf>, scale: f32) -> Offscreen {
+    let options = Options {
+        paths,
+        camera: CameraChoice::default(),
+        sides: Sides::Both,
+        hidden: Vec::new(),
+        size: None,
+        print_picks: false,
+    };
+    Offscreen::open(options, px(SIZE, scale), scale).expect("a camera")
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "small and positive"
+)]
+fn px(points: [u32; 2], scale: f32) -> Viewport {
+    let [width, height] = points.map(|side| (side as f32 * scale).round() as u32);
+    Viewport::new(width, height).expect("a viewport")
+}
+
+fn button(at: Pos2, button: PointerButton, pressed: bool) -> Event {
+    Event::PointerButton {
+        pos: at,
+        button,
+        pressed,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+fn click(window: &mut Offscreen, at: Pos2) {
+    drag(window, PointerButton::Primary, at, at);
+}
+
+/// Presses at one point, moves in ten steps and releases at another.
+fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
+    let moves = (0..=10_u8).map(|i| Event::PointerMoved(from.lerp(to, f32::from(i) / 10.0)));
+    let press = [Event::PointerMoved(from), button(from, with, true)];
+    window.send(press.into_iter().chain(moves));
+    window.send([button(to, with, false)]);
+}
+
+fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {
+    let event = |pressed| Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers,
+    };
+    window.send([event(true), event(false)]);
+}
+
+fn selected(window: &Offscreen) -> Option<&str> {
+    let selection = window.state().selection()?;
+    Some(&window.state().scene().objects()[selection.object].name)
+}
+
+/// Where the selection was picked.
+fn picked_px(window: &Offscreen) -> Option<DVec2> {
+    Some(window.state().selection()?.pick.as_ref()?.px)
+}
+
+fn here(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/whole_window")
+        .join(path)
+}

@@ -1,0 +1,73 @@
+//! Lines over the scene are where they should be, in the picture and nowhere else.
+
+use super::*;
+use glam::DVec3;
+use sightline::image::{Image, Rgb};
+
+/// The colours about a world-space point of a picture of the window.
+fn about(window: &Offscreen, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rgb> {
+    let view = window.state().view();
+    let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
+    let origin = DVec2::new(MIDDLE.x.into(), MIDDLE.y.into()) - 0.5 * size;
+    let at = (view.project(point_world).expect("before the eye").px + origin).floor();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "pixels"
+    )]
+    let [x, y] = [at.x as u32, at.y as u32];
+    let near = |c: u32| c - 1..=c + 1;
+    near(y)
+        .flat_map(|y| near(x).map(move |x| picture.at(x, y)))
+        .collect()
+}
+
+fn has(colours: &[Rgb], wanted: Rgb) -> bool {
+    let apart = |colour: &Rgb| colour.iter().zip(wanted).all(|(a, b)| a.abs_diff(b) <= 6);
+    colours.iter().any(apart)
+}
+
+#[test]
+fn each_overlay_is_where_it_belongs_and_gone_again() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let bare = window.picture().expect("a picture");
+    // The sphere's box sticks out of it, and so does the normal at its top; the cube's edge is on it.
+    let above = DVec3::new(0.0, 0.5 + 0.1 * 0.75_f64.sqrt(), 0.0);
+    for (key, point, colour) in [
+        (Key::X, DVec3::new(0.5, 0.5, -0.5), [240, 180, 80]),
+        (Key::L, above, [110, 190, 255]),
+        (Key::W, DVec3::new(0.0, 0.5, 2.5), [11, 11, 18]),
+    ] {
+        assert!(
+            !has(&about(&window, &bare, point), colour),
+            "{key:?} before"
+        );
+        press_key(&mut window, Modifiers::NONE, key);
+        let picture = window.picture().expect("a picture");
+        let seen = about(&window, &picture, point);
+        assert!(has(&seen, colour), "{key:?}: {seen:?}");
+        press_key(&mut window, Modifiers::NONE, key);
+        assert!(
+            window.picture().expect("a picture") == bare,
+            "{key:?} after"
+        );
+    }
+}
+
+/// Of the selection alone, where there is one.
+#[test]
+fn overlays_are_about_the_selection() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    assert_eq!(selected(&window), Some("front"));
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    press_key(&mut window, Modifiers::NONE, Key::X);
+    let corner = DVec3::new(0.5, 0.5, -0.5);
+    let of_selection = window.picture().expect("a picture");
+    assert!(!has(&about(&window, &of_selection, corner), [240, 180, 80]));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    let of_all = window.picture().expect("a picture");
+    assert!(has(&about(&window, &of_all, corner), [240, 180, 80]));
+}

@@ -1,0 +1,139 @@
+//! Panels as they were when somebody last looked at them (`goldens/*.png`), and README's pictures. After a wanted change,
+//! run with `SIGHTLINE_GOLDENS=write` and look at each.
+
+use super::{MIDDLE, click, drag, here, open, press_key, px, row};
+use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
+use sightline::{
+    image::{Image, Rgb},
+    viewer::offscreen::Offscreen,
+};
+use std::path::Path;
+
+/// The window in the state that is pictured, and where: left, top, width, height in points.
+fn shown(name: &str) -> (Offscreen, [u32; 4]) {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    // Off the picture, so that nothing is hovered.
+    window.send([Event::PointerGone]);
+    match name {
+        "panels" => (window, [940, 0, 340, 720]),
+        "gallery" => {
+            let mut window = open(vec!["gallery:stretched".into()], 1.0);
+            press_key(&mut window, Modifiers::NONE, Key::M);
+            click(&mut window, pos2(735.0, 330.0));
+            window.send([Event::PointerGone]);
+            (window, [0, 0, 950, 690])
+        }
+        "pipeline" => {
+            press_key(&mut window, Modifiers::NONE, Key::P);
+            (window, [215, 50, 620, 560])
+        }
+        _ => {
+            press_key(&mut window, Modifiers::NONE, Key::H);
+            (window, [150, 0, 980, 720])
+        }
+    }
+}
+
+fn crop(picture: &Image<Rgb>, [left, top, width, height]: [u32; 4]) -> Image<Rgb> {
+    let pixels = (0..width * height).map(|i| picture.at(left + i % width, top + i / width));
+    Image::new(px([width, height], 1.0), pixels.collect())
+}
+
+pub fn read(path: &Path) -> Image<Rgb> {
+    let file = std::fs::File::open(path).unwrap_or_else(|error| {
+        panic!(
+            "{}: {error}; SIGHTLINE_GOLDENS=write makes it",
+            path.display()
+        )
+    });
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file))
+        .read_info()
+        .expect("a PNG");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
+    let info = reader.next_frame(&mut bytes).expect("pixels");
+    let pixels = bytes.as_chunks().0.to_vec();
+    Image::new(px([info.width, info.height], 1.0), pixels)
+}
+
+/// Fails unless a picture is what the file at `path` holds, but for `most` pixels. Drivers blend a level apart; another
+/// digit is dozens.
+fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
+    if std::env::var_os("SIGHTLINE_GOLDENS").is_some_and(|what| what == "write") {
+        return picture.write_png(path).expect("a writable folder");
+    }
+    let golden = read(path);
+    assert_eq!(picture.size(), golden.size(), "{}", path.display());
+    let apart = |(a, b): (&Rgb, &Rgb)| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 8);
+    let pairs = picture.pixels().iter().zip(golden.pixels());
+    let differ = pairs.filter(|&pair| apart(pair)).count();
+    if differ > most {
+        let seen = std::env::temp_dir().join(path.file_name().expect("a name"));
+        picture.write_png(&seen).expect("a writable folder");
+        panic!(
+            "{}: {differ} pixels are not as they were; now: {}",
+            path.display(),
+            seen.display()
+        );
+    }
+}
+
+#[test]
+fn panels_look_as_they_did() {
+    for name in ["panels", "pipeline", "help", "gallery"] {
+        let (mut window, at) = shown(name);
+        let picture = crop(&window.picture().expect("a picture"), at);
+        compare(
+            &picture,
+            &here("goldens").join(name).with_extension("png"),
+            0,
+        );
+    }
+}
+
+/// Compares a picture of README's with the window that it is of: on the driver that it was made with to the pixel;
+/// others may draw edges and lines otherwise.
+fn compare_asset(name: &str, mut window: Offscreen) {
+    window.send([Event::PointerGone]);
+    let picture = window.picture().expect("a picture");
+    let most = if window.adapter_name().contains("llvmpipe") {
+        0
+    } else {
+        picture.pixels().len() / 20
+    };
+    let path = here("../../assets").join(name).with_extension("png");
+    compare(&picture, &path, most);
+}
+
+/// The demo with the cube behind the ring picked: its outline shows through what hides it.
+#[test]
+fn readme_shows_this_window() {
+    let mut window = open(Vec::new(), 1.0);
+    click(&mut window, pos2(440.0, 235.0));
+    compare_asset("window", window);
+}
+
+/// That camera frozen, seen from the side.
+#[test]
+fn readme_shows_this_frozen_camera() {
+    let mut window = open(Vec::new(), 1.0);
+    click(&mut window, pos2(590.0, 390.0));
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    let from = pos2(500.0, 600.0);
+    let to = from + vec2(-130.0, 25.0);
+    press_key(&mut window, Modifiers::NONE, Key::A);
+    drag(&mut window, PointerButton::Primary, from, to);
+    press_key(&mut window, Modifiers::NONE, Key::A);
+    let zoom = [Event::PointerMoved(pos2(450.0, 345.0)), Event::Zoom(1.12)];
+    window.send(zoom);
+    compare_asset("freeze", window);
+}
+
+/// A scene on which a method breaks, picked by that method.
+#[test]
+fn readme_shows_this_gallery() {
+    let mut window = open(vec!["gallery:small_and_far".into()], 1.0);
+    press_key(&mut window, Modifiers::NONE, Key::M);
+    click(&mut window, pos2(430.0, 500.0));
+    compare_asset("gallery", window);
+}

@@ -1,0 +1,175 @@
+//! The gallery: picks by methods that break, beside Sightline's own.
+
+use super::*;
+use sightline::{
+    scene::gallery::{Exhibit, GALLERY},
+    study::gallery::{BREAKS, Break},
+    viewer::exhibit::{Compared, Fault, Showing},
+};
+use std::path::Path;
+
+fn opened(name: &str) -> State {
+    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
+        .expect("a scene of the gallery")
+        .expect("not a file")
+        .path();
+    let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
+    // An odd width, as the window sees to: one column of pixels looks straight along a face.
+    let viewport = Viewport::new(801, 600).expect("a viewport");
+    State::new(loaded, CameraChoice::default(), viewport, Sides::Both).expect("a camera")
+}
+
+fn the_break(exhibit: &str, method: &str) -> &'static Break {
+    let known = BREAKS
+        .iter()
+        .find(|known| (known.exhibit, known.method) == (exhibit, method));
+    known.expect("a break")
+}
+
+/// Picks by the method at a pixel, as a user does.
+fn compare(state: &mut State, broken: &Break, px: DVec2) -> Compared {
+    state.apply(Action::PickBy(broken.swap()));
+    let printed = state.apply(Action::Click(px, 0.0));
+    assert_eq!(printed, None, "what others pick is not printed");
+    let compared = state.showing().and_then(|showing| showing.compared);
+    compared.expect("the click was compared")
+}
+
+#[test]
+fn each_break_is_seen_in_the_window() {
+    for broken in &BREAKS {
+        let mut state = opened(broken.exhibit);
+        let own = |state: &State, px| pick::pick(state.scene(), state.view(), px);
+        let mut worst = None;
+        let grid = (0..40).flat_map(|y| (0..=40).map(move |x| (f64::from(x), f64::from(y))));
+        for (x, y) in grid {
+            let px = DVec2::new(20.0 * x + 0.5, 15.0 * y + 7.5);
+            let compared = compare(&mut state, broken, px);
+            let ours = compared.ours.map(|found| found.hit.object + 1);
+            assert_eq!(ours, own(&state, px).map(|pick| pick.id), "{broken:?} {px}");
+            let fault = compared.fault(state.view());
+            if worst.is_none() && fault.is_some_and(|fault| fault.is_wrong()) {
+                worst = Some(px);
+            }
+        }
+        let px = worst.unwrap_or_else(|| panic!("nobody sees {broken:?}"));
+        // The same click by the default is what the command line says.
+        state.apply(Action::PickBy(None));
+        let line = state
+            .apply(Action::Click(px + DVec2::X, 9.0))
+            .expect("a pick");
+        assert_eq!(line.hit, own(&state, px + DVec2::X));
+    }
+}
+
+#[test]
+fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
+    // Unprojecting the far plane in f32 divides by zero: it picks nothing anywhere.
+    let mut state = opened("far_over_near");
+    let broken = the_break("far_over_near", "inverse(P V), far - near");
+    let compared = compare(&mut state, broken, MIDDLE);
+    assert_eq!((compared.theirs, selected(&state)), (None, None));
+    assert_eq!(compared.fault(state.view()), Some(Fault::Missed));
+    assert_eq!(compared.ours.expect("the cube is there").hit.object, 0);
+    assert_eq!(compared.px, MIDDLE + 0.5);
+    // The plain quadratic in f32 hits a far ball beside its outline.
+    let mut state = opened("small_and_far");
+    let broken = the_break("small_and_far", "plain quadratic");
+    let beside = DVec2::new(30.0, 300.0);
+    let compared = compare(&mut state, broken, beside);
+    assert_eq!(compared.fault(state.view()), Some(Fault::Phantom));
+    assert_eq!(selected(&state), Some("Ball"), "the wrong pick is shown");
+}
+
+#[test]
+fn wrong_normals_and_places_are_told_in_numbers() {
+    let far = |exhibit, method, px| {
+        let mut state = opened(exhibit);
+        let compared = compare(&mut state, the_break(exhibit, method), px);
+        match compared.fault(state.view()) {
+            Some(Fault::Off(by)) => by,
+            other => panic!("{exhibit}: {other:?}"),
+        }
+    };
+    let by = far("mirrored", "cofactors", MIDDLE);
+    assert!((by.normal_deg - 180.0).abs() < 1e-6, "{by:?}");
+    assert!(by.world == 0.0 && by.shows());
+    let by = far("stretched", "M n", MIDDLE + DVec2::new(60.0, -10.0));
+    assert!(by.normal_deg > 20.0 && by.px == 0.0, "{by:?}");
+    let by = far("far_over_near", "standard, 32-bit float", MIDDLE);
+    assert!(by.relative > 1e-4 && by.px < 1e-6, "{by:?}");
+}
+
+#[test]
+fn switching_back_leaving_or_opening_a_file_restores_the_default() {
+    let broken = the_break("far_over_near", "inverse(P V), far - near");
+    let mut state = opened("far_over_near");
+    state.apply(Action::Click(MIDDLE, 0.0));
+    assert_eq!((selected(&state), state.method()), (Some("Near"), None));
+    // The click that is there is picked again by each method that is set.
+    state.apply(Action::PickBy(broken.swap()));
+    assert_eq!((selected(&state), state.method()), (None, broken.swap()));
+    state.apply(Action::PickBy(None));
+    assert_eq!((selected(&state), state.method()), (Some("Near"), None));
+    let pick = state
+        .selection()
+        .and_then(|selection| selection.pick.clone());
+    assert_eq!(pick.expect("a pick").px, MIDDLE + 0.5);
+
+    state.apply(Action::PickBy(broken.swap()));
+    state.apply(Action::Stage(Stage::Ndc));
+    assert_eq!(state.method(), None, "other stages know no other method");
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(state.method(), broken.swap());
+    state.open(row()).expect("a scene");
+    assert_eq!((state.showing(), state.method()), (None, None));
+    state.apply(Action::PickBy(broken.swap()));
+    assert_eq!(state.method(), None, "outside the gallery there is none");
+    let camera = CameraChoice::default();
+    let mut state = opened("far_over_near");
+    state.apply(Action::PickBy(broken.swap()));
+    let same = opened("far_over_near");
+    state
+        .open(Loaded {
+            scene: same.scene().clone(),
+            exhibit: same.showing().map(|showing| showing.exhibit),
+            camera,
+            ..Loaded::default()
+        })
+        .expect("a scene");
+    assert_eq!(state.method(), None, "opened anew");
+}
+
+#[test]
+fn the_next_method_goes_round_through_every_method_once() {
+    let mut state = opened("needles");
+    let mut seen = Vec::new();
+    loop {
+        state.apply(Action::NextMethod { forward: true });
+        let Some(method) = state.method() else { break };
+        assert!(!seen.contains(&method), "{method:?} twice");
+        seen.push(method);
+    }
+    let all = sightline::study::methods::registry();
+    let others = all
+        .iter()
+        .filter(|method| method.step.key == "triangle" && !method.ours);
+    assert_eq!(seen.len(), others.count());
+    assert_eq!(
+        seen[0].info().name,
+        "areas, sum == 1",
+        "what breaks comes first"
+    );
+    state.apply(Action::NextMethod { forward: false });
+    assert_eq!(state.method(), seen.last().copied());
+}
+
+#[test]
+fn every_scene_of_the_gallery_says_what_it_is_about() {
+    for exhibit in &GALLERY {
+        assert!(exhibit.about().ends_with('.'), "{}", exhibit.about());
+        let state = opened(exhibit.name);
+        assert_eq!(state.showing().map(|s| s.exhibit.name), Some(exhibit.name));
+        assert!(state.showing().and_then(Showing::subject).is_some());
+    }
+}

@@ -1,0 +1,568 @@
+//! Inspecting: surfaces behind each other, distances, triangles, depth steps, model matrices that are edited.
+
+use super::*;
+use glam::{DMat3, DQuat};
+use sightline::{
+    camera::Lens,
+    geometry::{ColourRun, Mesh, MeshData, Part, Trs},
+    pick::Pick,
+    viewer::inspect::triangle,
+};
+use std::sync::Arc;
+
+fn picked(state: &State) -> Option<&Pick> {
+    state.selection()?.pick.as_ref()?.hit.as_ref()
+}
+
+fn place(state: &mut State, object: usize, trs: Trs) {
+    state.apply(Action::Place(object, trs.to_model()));
+}
+
+const STILL: Trs = Trs {
+    translation: DVec3::new(0.0, 0.0, 2.0),
+    rotation_deg: DVec3::ZERO,
+    scale: DVec3::ONE,
+};
+
+#[test]
+fn every_surface_on_the_ray_is_listed_and_stepped_through() {
+    let mut state = front_view();
+    state.apply(Action::Step { forward: true });
+    assert_eq!(state.hits(), None, "nothing was clicked");
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let hits = state.hits().expect("a click").clone();
+    let distances: Vec<f64> = hits.picks.iter().map(|pick| pick.distance).collect();
+    for (distance, expected) in distances.iter().zip([7.5, 8.5, 9.5, 10.5, 12.0]) {
+        assert!((distance - expected).abs() < 2e-4, "{distances:?}");
+    }
+    assert_eq!(hits.picks.len(), 5);
+    for at in [1, 2, 3, 4, 0] {
+        state.apply(Action::Step { forward: true });
+        assert_eq!(picked(&state), Some(&hits.picks[at]));
+        assert_eq!(state.hits().map(|hits| hits.at), Some(at));
+    }
+    for at in [4, 3] {
+        state.apply(Action::Step { forward: false });
+        assert_eq!(picked(&state), Some(&hits.picks[at]));
+    }
+    state.apply(Action::StepTo(2));
+    assert_eq!(
+        (selected(&state), picked(&state)),
+        (Some("middle"), Some(&hits.picks[2]))
+    );
+    state.apply(Action::StepTo(5));
+    assert_eq!(picked(&state), Some(&hits.picks[2]), "there is no sixth");
+    // A click goes on from there.
+    state.apply(Action::Click(MIDDLE, 10.0));
+    assert_eq!(picked(&state), Some(&hits.picks[3]));
+    // What is hidden is on no ray.
+    state.apply(Action::HideSelection);
+    let left: Vec<_> = state
+        .hits()
+        .expect("the ray")
+        .picks
+        .iter()
+        .map(|pick| &pick.object)
+        .collect();
+    assert_eq!(left, ["front", "front", "back"]);
+    state.apply(Action::Select(Some(0)));
+    assert_eq!(state.hits(), None, "chosen from the list, not by a ray");
+}
+
+#[test]
+fn the_last_two_picks_are_so_far_apart() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    assert_eq!(state.landmarks().len(), 1);
+    state.apply(Action::Click(MIDDLE, 0.1));
+    assert_eq!(state.landmarks().len(), 1, "the same point twice is one");
+    state.apply(Action::Step { forward: true });
+    let by = |state: &State| {
+        let [from, to] = state.landmarks() else {
+            panic!("two")
+        };
+        to.point_world - from.point_world
+    };
+    assert!(
+        (by(&state).z + 1.0).abs() < 1e-12,
+        "through the cube: {}",
+        by(&state)
+    );
+    assert!((by(&state).length() - 1.0).abs() < 1e-5);
+    state.apply(Action::StepTo(4));
+    assert!(
+        (by(&state).z + 3.5).abs() < 1e-12,
+        "from its back to the square"
+    );
+    let names: Vec<_> = state
+        .landmarks()
+        .iter()
+        .map(|mark| mark.object.as_str())
+        .collect();
+    assert_eq!(names, ["front", "back"]);
+    state.apply(Action::Click(DVec2::new(3.0, 3.0), 9.0));
+    assert!(
+        (by(&state).z + 3.5).abs() < 1e-12,
+        "nothing was picked beside them"
+    );
+    state.open(row()).expect("a scene");
+    assert!(state.landmarks().is_empty());
+}
+
+#[test]
+fn the_triangle_s_corners_weigh_up_to_the_point() {
+    let mesh = Mesh::new(MeshData {
+        origin: DVec3::new(100.0, 0.0, 0.0),
+        positions: vec![
+            [9.0, 9.0, 9.0],
+            [-1.0, -1.0, 0.0],
+            [1.0, -1.0, 0.0],
+            [0.0, 2.0, 0.5],
+        ],
+        triangles: vec![[0, 1, 2], [1, 2, 3]],
+        parts: vec![
+            Part {
+                name: "beside".into(),
+                triangles: 0..1,
+            },
+            Part {
+                name: "leaf".into(),
+                triangles: 1..2,
+            },
+        ],
+        colours: vec![ColourRun {
+            triangles: 0..2,
+            colour: None,
+        }],
+        ..MeshData::default()
+    })
+    .expect("a mesh");
+    let trs = Trs {
+        translation: DVec3::new(-150.0, 0.0, 0.0),
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        scale: DVec3::new(1.5, 1.5, -1.5),
+    };
+    let shape = Shape::Mesh {
+        mesh: Arc::new(mesh),
+        part: 1,
+    };
+    let placement = Placement::new(trs.to_model()).expect("invertible");
+    let mut state = open(
+        Loaded {
+            scene: Scene::new(vec![Object::new("leaf", shape, placement)]),
+            ..Loaded::default()
+        },
+        CameraChoice::default(),
+    );
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let pick = picked(&state).expect("framed");
+    assert_eq!(pick.triangle, Some(0));
+    let corners = triangle(state.scene(), pick).expect("a mesh");
+    let weights = pick.barycentric.expect("a mesh");
+    let sum: DVec3 = corners
+        .into_iter()
+        .zip(weights)
+        .map(|(corner, weight)| weight * corner)
+        .sum();
+    assert!(
+        sum.distance(pick.point_world) < 1e-12,
+        "{sum} and {}",
+        pick.point_world
+    );
+    let expected = trs.to_model().transform_point3(DVec3::new(99.0, -1.0, 0.0));
+    assert!(corners[0].distance(expected) < 1e-12);
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let pick = picked(&state).expect("a cube");
+    assert_eq!(triangle(state.scene(), pick), None, "a cube has none");
+}
+
+#[test]
+fn surfaces_closer_than_a_depth_step_are_known() {
+    let camera = CameraChoice {
+        eye: Some(DVec3::ZERO),
+        target: Some(DVec3::NEG_Z),
+        near: Some(0.01),
+        far: Some(1e5),
+        ..CameraChoice::default()
+    };
+    // A wall at 100 with a poster a millimetre before it.
+    let wall = |z| Trs {
+        translation: DVec3::new(0.0, 0.0, z),
+        scale: DVec3::splat(50.0),
+        ..STILL
+    };
+    let square = |name, z| {
+        Object::new(
+            name,
+            Shape::Square,
+            Placement::new(wall(z).to_model()).expect("invertible"),
+        )
+    };
+    let scene = Scene::new(vec![square("wall", -100.0), square("poster", -99.999)]);
+    let mut state = open(
+        Loaded {
+            scene,
+            ..Loaded::default()
+        },
+        camera,
+    );
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let pick = picked(&state).expect("the poster");
+    assert_eq!(pick.object, "poster");
+    let steps = state.depth_steps().expect("a pick");
+    // It stays the clicked picture's, wherever the camera goes.
+    state.apply(Action::Zoom(MIDDLE, 0.001));
+    assert_eq!(state.depth_steps(), Some(steps));
+    let [(reversed, fine), (standard, coarse)] = steps.steps;
+    assert_eq!(
+        (reversed, standard),
+        (DepthMapping::Reversed, DepthMapping::Standard)
+    );
+    // Half an ulp of 1 is 2^-24; a step of NDC is z^2 / near in depth.
+    let expected = 100.0 * 100.0 / 0.01 * 2.0_f64.powi(-24);
+    assert!(
+        (coarse / expected - 1.0).abs() < 1e-3,
+        "{coarse} and {expected}"
+    );
+    assert!(
+        fine < 1.3e-5 && fine > 3e-6,
+        "{fine}: about a ten-millionth of the depth"
+    );
+    let next = steps.next_surface.expect("the wall");
+    assert!((next - 1e-3).abs() < 1e-9, "{next}");
+    assert!(steps.confuses(DepthMapping::Standard) && !steps.confuses(DepthMapping::Reversed));
+    assert_eq!(steps.in_use, DepthMapping::Reversed);
+}
+
+/// Through every lens: what lies a step further is stored as another number, what lies well within one as none but two.
+#[test]
+fn a_depth_step_is_what_the_buffer_tells_apart() {
+    let projections = [
+        Projection::Perspective { fov_y: 0.8 },
+        Projection::Orthographic { height: 3.0 },
+    ];
+    for projection in projections {
+        for depth in [DepthMapping::Reversed, DepthMapping::Standard] {
+            let lens = Lens {
+                projection,
+                near: 0.1,
+                far: 1000.0,
+                depth,
+            };
+            for z in [0.2, 1.0, 37.0, 900.0] {
+                let step = lens.depth_step(z);
+                #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]
+                let stored = |z| (lens.ndc_depth(z) as f32).to_bits();
+                let apart = |steps: f64| stored(z).abs_diff(stored(z + steps * step));
+                assert!(
+                    step > 0.0 && (1..=2).contains(&apart(1.01)),
+                    "{lens:?} {z}: {step}"
+                );
+                assert!(apart(0.3) <= 1, "{lens:?} {z}: {step}");
+                assert!(
+                    apart(10.0).abs_diff(10) <= 1,
+                    "{lens:?} {z}: {}",
+                    apart(10.0)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_moved_object_s_pick_follows() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let before = picked(&state).expect("a cube").clone();
+    let revision = state.visibility_revision();
+    let aside = Trs {
+        translation: DVec3::new(0.2, 0.0, 2.0),
+        ..STILL
+    };
+    place(&mut state, 0, aside);
+    let after = picked(&state).expect("still under the pixel");
+    assert!((after.point_object.x - (before.point_object.x - 0.2)).abs() < 1e-12);
+    assert!(after.point_world.distance(before.point_world) < 1e-12);
+    assert_ne!(state.visibility_revision(), revision, "it is drawn anew");
+    assert_eq!(
+        Some(after),
+        pick::pick(state.scene(), state.view(), MIDDLE + 0.5).as_ref()
+    );
+    assert!(state.edited());
+
+    place(
+        &mut state,
+        0,
+        Trs {
+            scale: DVec3::splat(2.0),
+            ..STILL
+        },
+    );
+    let grown = picked(&state).expect("twice as large");
+    assert!((grown.distance - 7.0).abs() < 1e-4, "{}", grown.distance);
+    place(
+        &mut state,
+        0,
+        Trs {
+            rotation_deg: DVec3::new(0.0, 45.0, 0.0),
+            ..STILL
+        },
+    );
+    let turned = picked(&state).expect("its edge").distance;
+    // Half a pixel beside the edge.
+    assert!((turned - (8.0 - 0.5_f64.sqrt())).abs() < 1e-2, "{turned}");
+
+    // Away from under the pixel it stays selected, without a point; back again, it has one.
+    place(
+        &mut state,
+        0,
+        Trs {
+            translation: DVec3::new(3.0, 0.0, 2.0),
+            ..STILL
+        },
+    );
+    assert_eq!((selected(&state), picked(&state)), (Some("front"), None));
+    place(&mut state, 0, STILL);
+    assert_eq!(picked(&state), Some(&before));
+    assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
+}
+
+/// Its pick is of its own surface, whatever lies before it.
+#[test]
+fn an_object_behind_another_keeps_its_own_pick() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::StepTo(3));
+    assert_eq!(selected(&state), Some("middle"));
+    place(
+        &mut state,
+        1,
+        Trs {
+            translation: DVec3::new(0.1, 0.0, 0.0),
+            ..STILL
+        },
+    );
+    let pick = picked(&state).expect("its back, still");
+    assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
+    assert_eq!(state.hits().map(|hits| hits.at), Some(3));
+}
+
+#[test]
+fn a_singular_matrix_is_refused_with_the_reason() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let (before, revision) = (picked(&state).cloned(), state.visibility_revision());
+    let flat = Action::Place(
+        0,
+        Trs {
+            scale: DVec3::new(1.0, 0.0, 1.0),
+            ..STILL
+        }
+        .to_model(),
+    );
+    let reason = state.check(&flat).expect_err("no inverse").to_string();
+    assert_eq!(reason, "the model matrix has no inverse (is a scale zero?)");
+    let endless = Action::Place(
+        0,
+        Trs {
+            scale: DVec3::splat(f64::INFINITY),
+            ..STILL
+        }
+        .to_model(),
+    );
+    state.check(&endless).expect_err("not finite");
+    for action in [flat, endless] {
+        state.apply(action);
+        assert_eq!(picked(&state).cloned(), before);
+        assert_eq!(
+            (state.visibility_revision(), state.edited()),
+            (revision, false)
+        );
+    }
+}
+
+#[test]
+fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
+    let mut state = front_view();
+    let trs = Trs {
+        translation: DVec3::new(0.1, 0.2, 0.3),
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        scale: DVec3::new(1.0, -2.0, 3.0),
+    };
+    place(&mut state, 0, trs);
+    let text = description::to_toml(state.scene(), &state.camera_choice(), &[]).expect("saved");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("edited.toml");
+    std::fs::write(&path, text).expect("written");
+    let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
+    let model = loaded.scene.objects()[0].placement.model();
+    assert_eq!(model, trs.to_model(), "to the bit");
+    // What words say to the bit is said in words.
+    let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
+    assert!(!plain.contains("matrix"), "{plain}");
+    state.reload(row());
+    assert!(!state.edited());
+    assert_eq!(
+        state.scene().objects()[0].placement.model(),
+        STILL.to_model()
+    );
+}
+
+#[test]
+fn a_matrix_in_parts_is_the_matrix() {
+    let angles = [
+        -180.0,
+        -90.0,
+        -37.5,
+        0.0,
+        1e-7,
+        45.0,
+        89.999_999_9,
+        90.0,
+        171.0,
+    ];
+    let scales = [
+        DVec3::ONE,
+        DVec3::new(-1.0, 2.0, 0.5),
+        DVec3::new(3.0, -1e-6, 1e4),
+    ];
+    for (x, y) in angles.into_iter().flat_map(|x| angles.map(|y| (x, y))) {
+        for (z, scale) in angles
+            .into_iter()
+            .flat_map(|z| scales.map(|scale| (z, scale)))
+        {
+            let rotation_deg = DVec3::new(x, y, z);
+            let given = Trs {
+                translation: DVec3::new(7.0, -8.0, 9.0),
+                rotation_deg,
+                scale,
+            };
+            let parts = Trs::of(given.to_model()).expect("no shear");
+            let (a, b) = (given.to_model().matrix3, parts.to_model().matrix3);
+            // Column by column, each as long as its scale.
+            for axis in 0..3 {
+                let apart = a.col(axis).distance(b.col(axis)) / a.col(axis).length();
+                assert!(apart < 1e-14, "{given:?} and {parts:?}: {apart}");
+            }
+            assert_eq!(parts.translation, given.translation);
+        }
+    }
+    // In the order that the documentation says, by another library's word for it.
+    let given = Trs {
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        ..STILL
+    };
+    let [x, y, z] = given.rotation_deg.to_array().map(f64::to_radians);
+    let turned = DMat3::from_quat(
+        DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x),
+    );
+    assert!((given.to_model().matrix3 - turned).abs_diff_eq(DMat3::ZERO, 1e-15));
+    let parts = Trs::of(given.to_model()).expect("no shear");
+    assert!(parts.rotation_deg.distance(given.rotation_deg) < 1e-12);
+    // Shear is none of them.
+    let mut leaning = DAffine3::IDENTITY;
+    leaning.matrix3.x_axis.y = 1e-6;
+    assert_eq!(Trs::of(leaning), None);
+}
+
+#[test]
+fn a_copied_camera_is_the_camera_to_the_bit() {
+    for orthographic in [false, true] {
+        let mut state = front_view();
+        state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+        state.apply(Action::Zoom(MIDDLE, 1.3));
+        let controls = LensControls {
+            fov_deg: 37.3,
+            orthographic,
+            far: Some(123.4),
+            ..state.controls()
+        };
+        state.apply(Action::Lens(controls));
+        let mut other = front_view();
+        assert_ne!(other.view(), state.view());
+        other.apply(Action::Camera(state.camera_choice()));
+        assert_eq!(other.view(), state.view());
+        if !orthographic {
+            assert_eq!(other.controls(), state.controls());
+        }
+    }
+    let mut state = front_view();
+    let before = *state.view();
+    let none = CameraChoice {
+        fov: Some(-1.0),
+        ..CameraChoice::default()
+    };
+    state.check(&Action::Camera(none)).expect_err("no camera");
+    state.apply(Action::Camera(none));
+    assert_eq!(*state.view(), before);
+}
+
+#[test]
+fn levels_of_trees_are_stepped_through_and_hold_every_triangle() {
+    let mut state = front_view();
+    assert_eq!(state.overlays().tree_level, None);
+    let mut seen = Vec::new();
+    loop {
+        state.apply(Action::TreeLevel { deeper: true });
+        let Some(level) = state.overlays().tree_level else {
+            break;
+        };
+        seen.push(level);
+    }
+    assert_eq!(seen, (0..=24).collect::<Vec<_>>());
+    state.apply(Action::TreeLevel { deeper: false });
+    assert_eq!(state.overlays().tree_level, Some(24));
+    state.apply(Action::TreeLevel { deeper: false });
+    assert_eq!(state.overlays().tree_level, Some(23));
+
+    // A sheet of triangles: each level's boxes hold all of it, and are never fewer.
+    let side = 40_u32;
+    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| [x, y]));
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    let positions: Vec<[f32; 3]> = positions.map(|[x, y]| [x as f32, y as f32, 0.0]).collect();
+    let quads = (0..side).flat_map(|y| (0..side).map(move |x| y * (side + 1) + x));
+    let triangles: Vec<[u32; 3]> = quads
+        .flat_map(|a| {
+            [
+                [a, a + 1, a + side + 1],
+                [a + 1, a + side + 2, a + side + 1],
+            ]
+        })
+        .collect();
+    let count = u32::try_from(triangles.len()).expect("few");
+    let mesh = Mesh::new(MeshData {
+        origin: DVec3::new(1000.0, 0.0, 0.0),
+        positions,
+        triangles,
+        parts: vec![Part {
+            name: "sheet".into(),
+            triangles: 0..count,
+        }],
+        colours: vec![ColourRun {
+            triangles: 0..count,
+            colour: None,
+        }],
+        ..MeshData::default()
+    })
+    .expect("a mesh");
+    assert!(mesh.tree_boxes(0, 9).is_empty(), "no tree yet");
+    mesh.build_tree();
+    let mut boxes_before = 0;
+    for level in 0..6 {
+        let boxes = mesh.tree_boxes(level, 1000);
+        assert!(boxes.len() >= boxes_before, "{level}");
+        boxes_before = boxes.len();
+        for triangle in 0..count {
+            let corners = mesh.corners(triangle);
+            let holds = |bounds: &Aabb| {
+                let inside = |c: &DVec3| c.cmpge(bounds.min).all() && c.cmple(bounds.max).all();
+                corners.iter().all(inside)
+            };
+            assert!(boxes.iter().any(holds), "{triangle} at {level}");
+        }
+    }
+    assert_eq!(mesh.tree_boxes(0, 9)[0], mesh.part_bounds(0));
+    assert!(boxes_before > 8, "{boxes_before}");
+    assert_eq!(mesh.tree_boxes(5, 7).len(), 7, "no more than asked for");
+}
