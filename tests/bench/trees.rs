@@ -1,7 +1,7 @@
 //! How fast the nearest hit is found, against other libraries: the same rays, pass after pass in turn, every answer
 //! checked. Prints ratios of the fastest passes, which hold on a busy machine where times do not.
 //!
-//! `cargo bench --features rivals [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
+//! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
 //! measured where its library is installed (Debian, Ubuntu: `libembree3-3`).
 //!
 //! Last of each mesh comes what a hover costs: single rays, one pixel after the other, each timed by itself.
