@@ -4,7 +4,7 @@ mod common;
 
 use common::Random;
 use glam::{DVec3, dvec3};
-use sightline::geometry::{Bvh, Ray, Simd, VertexRay, guarded_volume};
+use sightline::geometry::{Bvh, Ray, Simd, TriangleHit, VertexRay, guarded_volume};
 use std::sync::atomic::AtomicBool;
 
 /// Triangles with what they are made to break.
@@ -176,34 +176,40 @@ fn rays(case: &Case) -> Vec<Ray> {
     rays
 }
 
-/// A hit as bits.
-type Found = (u64, u32, [u64; 3], bool);
-
-fn test(ray: &VertexRay, triangle: u32, corners: [DVec3; 3]) -> Option<Found> {
-    let hit = guarded_volume(ray, corners)?;
-    let barycentric = hit.barycentric.map(f64::to_bits);
-    Some((hit.t.to_bits(), triangle, barycentric, hit.front))
+/// What `f64` and exact arithmetic say of every triangle.
+fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
+    let local = VertexRay::new(ray, DVec3::ZERO);
+    let corners = (0..case.triangles.len()).map(|triangle| case.corners(triangle));
+    corners
+        .map(|corners| guarded_volume(&local, corners))
+        .collect()
 }
 
-/// All hits on the triangles that a tree leaves over.
-fn all(tree: &Bvh, simd: Simd, ray: &Ray) -> Vec<Found> {
-    let local = VertexRay::new(ray, DVec3::ZERO);
+/// The triangles that are hit, of those that a tree leaves over.
+fn all(
+    case: &Case,
+    tree: &Bvh,
+    simd: Simd,
+    ray: &Ray,
+    truth: &[Option<TriangleHit>],
+) -> Vec<usize> {
     let mut found = Vec::new();
     tree.visit_by(simd, ray, &DVec3::ZERO, &mut |candidate| {
-        found.extend(test(&local, candidate.triangle(), candidate.corners()));
+        let triangle = candidate.triangle() as usize;
+        assert_eq!(candidate.corners(), case.corners(triangle));
+        found.extend(truth[triangle].is_some().then_some(triangle));
         ray.t_max
     });
-    found.sort_by_key(|&(_, triangle, ..)| triangle);
+    found.sort_unstable();
     found
 }
 
 /// The nearest `t`, by a search that ends ever earlier.
-fn nearest(tree: &Bvh, simd: Simd, ray: &Ray) -> Option<f64> {
-    let local = VertexRay::new(ray, DVec3::ZERO);
+fn nearest(tree: &Bvh, simd: Simd, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
     let mut end = ray.t_max;
     let mut best: Option<f64> = None;
     tree.visit_by(simd, ray, &DVec3::ZERO, &mut |candidate| {
-        if let Some(hit) = guarded_volume(&local, candidate.corners()) {
+        if let Some(hit) = truth[candidate.triangle() as usize] {
             best = Some(best.map_or(hit.t, |best| best.min(hit.t)));
             end = end.min(hit.t + hit.t_error);
         }
@@ -221,45 +227,39 @@ fn every_path_finds_what_brute_force_finds() {
         assert!(paths.contains(&Simd::Sse2));
     }
     for case in cases() {
+        let name = case.name;
         let stop = AtomicBool::new(false);
         let tree = Bvh::build(&case.positions, &case.triangles, &stop).expect("a tree");
         assert_eq!(
             tree.validate(&case.positions, &case.triangles),
             Ok(()),
-            "{}",
-            case.name
+            "{name}"
         );
         let (mut hits, mut misses) = (0, 0);
         for ray in rays(&case) {
-            let local = VertexRay::new(&ray, DVec3::ZERO);
-            let triangles = (0..).zip(0..case.triangles.len());
-            let expected: Vec<_> = triangles
-                .filter_map(|(i, index)| test(&local, i, case.corners(index)))
-                .collect();
-            let ts = expected.iter().map(|&(t, ..)| f64::from_bits(t));
-            let first = ts.min_by(f64::total_cmp);
+            let truth = truth(&case, &ray);
+            let expected: Vec<_> = (0..truth.len()).filter(|&i| truth[i].is_some()).collect();
+            let first = truth
+                .iter()
+                .flatten()
+                .map(|hit| hit.t)
+                .min_by(f64::total_cmp);
             for &simd in &paths {
+                let found = all(&case, &tree, simd, &ray, &truth);
+                assert_eq!(found, expected, "{name} {simd:?} {ray:?}");
                 assert_eq!(
-                    all(&tree, simd, &ray),
-                    expected,
-                    "{} {simd:?} {ray:?}",
-                    case.name
-                );
-                assert_eq!(
-                    nearest(&tree, simd, &ray),
+                    nearest(&tree, simd, &ray, &truth),
                     first,
-                    "{} {simd:?} {ray:?}",
-                    case.name
+                    "{name} {simd:?} {ray:?}"
                 );
             }
             hits += usize::from(first.is_some());
             misses += usize::from(first.is_none());
         }
-        println!("{:<20} {hits} rays hit, {misses} miss", case.name);
+        println!("{name:<20} {hits} rays hit, {misses} miss");
         assert!(
-            misses > 50 && (hits > 60 || case.name == "all on a line"),
-            "{}",
-            case.name
+            misses > 50 && (hits > 60 || name == "all on a line"),
+            "{name}"
         );
     }
 }

@@ -2,6 +2,10 @@
 //! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
 //! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
+//!
+//! A library's builder was tried in its place: under the same nodes, the trees of obvhs 0.4 (PLOC, medium quality) took a
+//! ray 2 to 35 % longer on the benchmark's meshes and 1.2 to 2.5 times as long to build, with twice the memory; its
+//! faster presets were worse on rays. That is what these lines buy.
 
 use super::{node::WIDTH, simd::StackRoom};
 use glam::{BVec4A, Vec4};
