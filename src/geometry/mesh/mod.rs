@@ -1,0 +1,223 @@
+//! Triangle meshes: what one file holds.
+
+mod rays;
+
+use super::{Aabb, Bvh, CornerNormals, OnTriangle};
+use crate::colour::Srgb;
+use glam::DVec3;
+use std::{ops::Range, sync::OnceLock};
+
+/// What a mesh is made of. Vertices are `f32` about one `f64` origin, so that parts which share a wall keep
+/// sharing it to the bit wherever in the world they stand; object space is `origin + position`.
+#[derive(Clone, Debug, Default)]
+pub struct MeshData {
+    /// Where the positions' (0, 0, 0) lies in object space.
+    pub origin: DVec3,
+    /// Vertices relative to `origin`.
+    pub positions: Vec<[f32; 3]>,
+    /// Corners as indices into `positions`, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// The objects of the file, in order; together they hold each triangle once.
+    pub parts: Vec<Part>,
+    /// Colours by runs of triangles, in order; together they hold each triangle once.
+    pub colours: Vec<ColourRun>,
+    /// A colour for each vertex, or none at all. Multiplies the triangle's colour.
+    pub vertex_colours: Vec<Srgb>,
+    /// Normals for shading, or none at all.
+    pub normals: CornerNormals,
+}
+
+/// One object of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// As the file calls it.
+    pub name: String,
+    /// Its triangles.
+    pub triangles: Range<u32>,
+}
+
+/// Triangles of one colour.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ColourRun {
+    /// Which triangles.
+    pub triangles: Range<u32>,
+    /// Their colour; `None` where the file gives none.
+    pub colour: Option<Srgb>,
+}
+
+/// Why data is no mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// A coordinate is NaN or infinite.
+    #[error("vertex {0} has a coordinate that is not a finite number")]
+    NotFinite(usize),
+    /// A triangle names a vertex that is not there.
+    #[error("triangle {0} uses a vertex that does not exist")]
+    NoSuchVertex(usize),
+    /// Ranges overlap, leave a gap or run past the end; or a per-vertex or per-corner list has another length.
+    #[error("the mesh's {0} do not cover its triangles")]
+    Uncovered(&'static str),
+}
+
+/// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
+pub struct Mesh {
+    data: MeshData,
+    bounds: Vec<Aabb>,
+    tree: OnceLock<Bvh>,
+}
+
+impl Mesh {
+    /// Checks `data` and takes it.
+    ///
+    /// # Errors
+    /// When it is not a mesh; see [`MeshError`].
+    pub fn new(data: MeshData) -> Result<Self, MeshError> {
+        check(&data)?;
+        let bounds = data
+            .parts
+            .iter()
+            .map(|part| {
+                let triangles =
+                    &data.triangles[part.triangles.start as usize..part.triangles.end as usize];
+                let used = triangles.as_flattened().iter();
+                Aabb::around(used.map(|&i| data.origin + wide(data.positions[i as usize])))
+            })
+            .collect();
+        Ok(Self {
+            data,
+            bounds,
+            tree: OnceLock::new(),
+        })
+    }
+
+    /// What it is made of.
+    #[must_use]
+    pub fn data(&self) -> &MeshData {
+        &self.data
+    }
+
+    /// The box about the triangles of a part, in object space; empty for a part without triangles.
+    #[must_use]
+    pub fn part_bounds(&self, part: usize) -> Aabb {
+        self.bounds[part]
+    }
+
+    /// The part that holds a triangle.
+    #[inline]
+    #[must_use]
+    pub fn part_of(&self, triangle: u32) -> usize {
+        self.data
+            .parts
+            .partition_point(|part| part.triangles.end <= triangle)
+    }
+
+    /// The corners of a triangle, in object space.
+    #[must_use]
+    pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.vertex_corners(triangle)
+            .map(|corner| self.data.origin + corner)
+    }
+
+    /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
+    /// the mesh has none or they cancel.
+    #[must_use]
+    pub fn shading_normal(&self, at: &OnTriangle) -> Option<DVec3> {
+        let CornerNormals { normals, corners } = &self.data.normals;
+        let corners = corners
+            .get(at.triangle as usize)?
+            .iter()
+            .zip(at.barycentric);
+        let normal: DVec3 = corners.map(|(&i, s)| s * wide(normals[i as usize])).sum();
+        (normal != DVec3::ZERO).then_some(normal)
+    }
+
+    /// The colour of a triangle, as the file gives it.
+    #[must_use]
+    pub fn triangle_colour(&self, triangle: u32) -> Option<Srgb> {
+        let runs = &self.data.colours;
+        runs[runs.partition_point(|run| run.triangles.end <= triangle)].colour
+    }
+
+    /// The linear colour at a point of a triangle: its own (neutral where the file gives none, white where
+    /// vertices bring theirs) times its vertices'.
+    #[must_use]
+    pub fn albedo(&self, at: &OnTriangle) -> [f32; 3] {
+        let colours = &self.data.vertex_colours;
+        let own = self.triangle_colour(at.triangle);
+        if colours.is_empty() {
+            return own.unwrap_or(Srgb::NEUTRAL).to_linear();
+        }
+        let mut sum = [0.0_f32; 3];
+        for (&vertex, s) in self.data.triangles[at.triangle as usize]
+            .iter()
+            .zip(at.barycentric)
+        {
+            let corner = colours[vertex as usize].to_linear();
+            #[expect(clippy::cast_possible_truncation, reason = "a colour")]
+            let s = s as f32;
+            sum = std::array::from_fn(|i| sum[i] + s * corner[i]);
+        }
+        let own = own.unwrap_or(Srgb::WHITE).to_linear();
+        std::array::from_fn(|i| own[i] * sum[i])
+    }
+
+    fn vertex_corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.data.triangles[triangle as usize].map(|i| wide(self.data.positions[i as usize]))
+    }
+}
+
+impl std::fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Mesh({} triangles)", self.data.triangles.len())
+    }
+}
+
+fn wide(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
+fn check(data: &MeshData) -> Result<(), MeshError> {
+    if !data.origin.is_finite() {
+        return Err(MeshError::NotFinite(0));
+    }
+    if let Some(bad) = data
+        .positions
+        .iter()
+        .position(|p| !p.iter().all(|c| c.is_finite()))
+    {
+        return Err(MeshError::NotFinite(bad));
+    }
+    let vertices = data.positions.len();
+    let in_range = |corners: &[u32; 3], limit: usize| corners.iter().all(|&i| (i as usize) < limit);
+    if let Some(bad) = data
+        .triangles
+        .iter()
+        .position(|corners| !in_range(corners, vertices))
+    {
+        return Err(MeshError::NoSuchVertex(bad));
+    }
+    let triangles = data.triangles.len();
+    if !covers(data.parts.iter().map(|part| &part.triangles), triangles) {
+        return Err(MeshError::Uncovered("objects"));
+    }
+    if !covers(data.colours.iter().map(|run| &run.triangles), triangles) {
+        return Err(MeshError::Uncovered("colours"));
+    }
+    if !(data.vertex_colours.is_empty() || data.vertex_colours.len() == vertices) {
+        return Err(MeshError::Uncovered("vertex colours"));
+    }
+    let CornerNormals { normals, corners } = &data.normals;
+    let usable = corners.iter().all(|c| in_range(c, normals.len()))
+        && normals.iter().flatten().all(|c| c.is_finite());
+    if !(usable && (corners.is_empty() || corners.len() == triangles)) {
+        return Err(MeshError::Uncovered("normals"));
+    }
+    Ok(())
+}
+
+/// Whether the ranges follow each other without a gap from 0 to `end`.
+fn covers<'a>(mut ranges: impl Iterator<Item = &'a Range<u32>>, end: usize) -> bool {
+    ranges.try_fold(0, |at, range| {
+        (range.start == at && range.end >= at).then_some(range.end)
+    }) == u32::try_from(end).ok()
+}
