@@ -4,7 +4,7 @@ use super::{CliError, SceneArgs, load};
 use crate::{geometry::Aabb, scene::Scene};
 use glam::DVec3;
 use serde::Serialize;
-use std::io::Write;
+use std::io::{self, BufWriter, Write};
 
 /// Arguments of `sightline list`.
 #[derive(Debug, clap::Args)]
@@ -40,19 +40,16 @@ struct Bounds {
 /// Prints the list.
 pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
     let loaded = load(&args.scene)?;
-    let lines: Vec<Line> = lines(&loaded.scene).collect();
-    let text = if args.json {
-        lines
-            .iter()
-            .map(|line| serde_json::to_string(line).map(|line| line + "\n"))
-            .collect::<Result<String, _>>()
-            .map_err(|error| CliError::stdout(error.into()))?
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let written = if args.json {
+        lines(&loaded.scene).try_for_each(|line| {
+            serde_json::to_writer(&mut out, &line)?;
+            writeln!(out)
+        })
     } else {
-        table(&lines, loaded.scene.bounds().decimal_places())
+        write_table(&mut out, &loaded.scene)
     };
-    std::io::stdout()
-        .write_all(text.as_bytes())
-        .map_err(CliError::stdout)
+    written.and_then(|()| out.flush()).map_err(CliError::stdout)
 }
 
 fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
@@ -69,37 +66,43 @@ fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// Columns as wide as their widest cell; numbers to the right, coordinates with so many decimal places.
-fn table(lines: &[Line], places: usize) -> String {
-    let mut rows = vec![["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned)];
-    rows.extend(lines.iter().map(|line| {
-        let corner = |pick: fn(&Bounds) -> DVec3| {
-            line.bounds
-                .as_ref()
-                .map_or("-".to_owned(), |bounds| short(pick(bounds), places))
-        };
-        [
-            line.id.to_string(),
-            line.name.escape_debug().to_string() + if line.visible { "" } else { " (hidden)" },
-            line.shape.to_owned(),
-            line.triangles
-                .map_or("-".to_owned(), |count| count.to_string()),
-            corner(|bounds| bounds.min),
-            corner(|bounds| bounds.max),
-        ]
-    }));
-    let width = |column: usize| {
-        rows.iter()
-            .map(|row| row[column].chars().count())
-            .max()
-            .unwrap_or(0)
-    };
-    let widths: [usize; 6] = std::array::from_fn(width);
+/// Columns as wide as their widest cell; numbers to the right, coordinates with the digits that vertices carry. Cells
+/// are made twice: those of a large scene would not all fit into memory.
+fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
+    let places = scene.bounds().decimal_places();
+    let head = ["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned);
+    let rows =
+        || std::iter::once(head.clone()).chain(lines(scene).map(|line| cells(&line, places)));
+    let mut widths = [0; 6];
+    for row in rows() {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
     let [w0, w1, w2, w3, w4, _] = widths;
-    let line = |[id, name, shape, triangles, min, max]: &[String; 6]| {
-        format!("{id:>w0$}  {name:<w1$}  {shape:<w2$}  {triangles:>w3$}  {min:<w4$}  {max}\n")
+    for [id, name, shape, triangles, min, max] in rows() {
+        writeln!(
+            out,
+            "{id:>w0$}  {name:<w1$}  {shape:<w2$}  {triangles:>w3$}  {min:<w4$}  {max}"
+        )?;
+    }
+    Ok(())
+}
+
+fn cells(line: &Line, places: usize) -> [String; 6] {
+    let corner = |pick: fn(&Bounds) -> DVec3| {
+        let bounds = line.bounds.as_ref();
+        bounds.map_or("-".to_owned(), |bounds| short(pick(bounds), places))
     };
-    rows.iter().map(line).collect()
+    [
+        line.id.to_string(),
+        line.name.escape_debug().to_string() + if line.visible { "" } else { " (hidden)" },
+        line.shape.to_owned(),
+        line.triangles
+            .map_or("-".to_owned(), |count| count.to_string()),
+        corner(|bounds| bounds.min),
+        corner(|bounds| bounds.max),
+    ]
 }
 
 /// A point with so many decimal places, less trailing zeros.
