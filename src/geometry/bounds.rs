@@ -102,26 +102,38 @@ impl Aabb {
         if !ray.is_bounded() {
             return true;
         }
-        let mut enter = ray.ray.t_min;
-        let mut leave = ray.ray.t_max;
-        let (to_min, to_max) = (ray.to(self.min) * inverse, ray.to(self.max) * inverse);
-        for axis in 0..3 {
-            let (a, b) = (to_min[axis], to_max[axis]);
-            let (near, far) = if inverse[axis].is_sign_negative() {
-                (b, a)
-            } else {
-                (a, b)
-            };
-            let near = near * if near > 0.0 { 1.0 - WIDEN } else { 1.0 + WIDEN };
-            let far = far * if far > 0.0 { 1.0 + WIDEN } else { 1.0 - WIDEN };
-            if near > enter {
-                enter = near;
-            }
-            if far < leave {
-                leave = far;
-            }
-        }
-        // Beside a slab that it runs along, it enters at infinity.
-        enter <= leave && enter < f64::INFINITY
+        let ways = [ray.to(self.min), ray.to(self.max)];
+        entry(ways, inverse, [ray.ray.t_min, ray.ray.t_max], WIDEN).is_some()
     }
+}
+
+/// Where a ray enters a box before its interval ends, both ends of each slab widened by `widen` of themselves; `None`
+/// where it passes it. `ways` lead from the ray's start to the box's least and greatest corner, `inverse` is
+/// `1 / direction`.
+pub(crate) fn entry(
+    ways: [DVec3; 2],
+    inverse: DVec3,
+    [mut enter, mut leave]: [f64; 2],
+    widen: f64,
+) -> Option<f64> {
+    let [to_min, to_max] = ways.map(|way| way * inverse);
+    for axis in 0..3 {
+        let (a, b) = (to_min[axis], to_max[axis]);
+        let (near, far) = if inverse[axis].is_sign_negative() {
+            (b, a)
+        } else {
+            (a, b)
+        };
+        let near = near * if near > 0.0 { 1.0 - widen } else { 1.0 + widen };
+        let far = far * if far > 0.0 { 1.0 + widen } else { 1.0 - widen };
+        // Written so that NaN, from a ray along a plane of the box, changes nothing.
+        if near > enter {
+            enter = near;
+        }
+        if far < leave {
+            leave = far;
+        }
+    }
+    // Beside a slab that it runs along, it enters at infinity.
+    (enter <= leave && enter < f64::INFINITY).then_some(enter)
 }

@@ -26,6 +26,7 @@ mod triangle;
 mod trs;
 
 pub use bounds::Aabb;
+pub(crate) use bounds::entry;
 pub use bvh::{Bvh, Candidate, Simd};
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};

@@ -13,7 +13,7 @@
 //! times that, and where it matters still nothing.
 
 use super::{Object, Scene};
-use crate::geometry::{Aabb, Ray};
+use crate::geometry::{Aabb, Ray, entry};
 use glam::{DMat3, DVec3};
 
 /// Fewer batches are asked one after the other.
@@ -144,26 +144,9 @@ impl Node {
     /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
     fn enter(&self, ray: &Ray, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
         let room = self.room * away;
-        let to_min = (self.bounds.min - room - ray.origin) * inverse;
-        let to_max = (self.bounds.max + room - ray.origin) * inverse;
-        let (mut begin, mut end) = (ray.t_min, end);
-        for axis in 0..3 {
-            let (a, b) = (to_min[axis], to_max[axis]);
-            let (near, far) = if inverse[axis].is_sign_negative() {
-                (b, a)
-            } else {
-                (a, b)
-            };
-            // Written so that NaN, from a ray along a plane of the box, changes nothing.
-            if near > begin {
-                begin = near;
-            }
-            if far < end {
-                end = far;
-            }
-        }
-        // Beside a slab that it runs along, it enters at infinity.
-        (begin <= end && begin < f64::INFINITY).then_some(begin)
+        let ways =
+            [self.bounds.min - room, self.bounds.max + room].map(|corner| corner - ray.origin);
+        entry(ways, inverse, [ray.t_min, end], 0.0)
     }
 }
 

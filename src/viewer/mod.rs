@@ -53,7 +53,7 @@ use std::{
 use winit::event_loop::{ControlFlow, EventLoop};
 
 /// What the window opens with.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Files that make the first scene; none for the demo.
     pub paths: Vec<PathBuf>,

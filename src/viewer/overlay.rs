@@ -200,9 +200,10 @@ fn normals(object: &Object) -> Box<dyn Iterator<Item = Line> + '_> {
             Box::new(outward.map(move |normal| line(0.5 * normal, normal, 0.2 * size)))
         }
         Shape::Cube => {
-            let outward = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
-            let half = Cuboid::bounds().max.x;
-            Box::new(outward.map(move |normal| line(half * normal, normal, 0.2 * size)))
+            let outward = Cuboid::NORMALS.into_iter();
+            Box::new(
+                outward.map(move |normal| line(Cuboid::HALF_SIDE * normal, normal, 0.2 * size)),
+            )
         }
         Shape::Square => Box::new(std::iter::once(line(DVec3::ZERO, DVec3::Z, 0.2 * size))),
         Shape::Mesh { mesh, .. } => {

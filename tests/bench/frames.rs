@@ -3,8 +3,7 @@
 
 use egui::{Event, PointerButton, pos2};
 use sightline::{
-    camera::{CameraChoice, Viewport},
-    geometry::Sides,
+    camera::Viewport,
     viewer::{Options, offscreen::Offscreen},
 };
 use std::{
@@ -33,11 +32,7 @@ fn main() {
     }
     let options = Options {
         paths,
-        camera: CameraChoice::default(),
-        sides: Sides::Both,
-        hidden: Vec::new(),
-        size: None,
-        print_picks: false,
+        ..Options::default()
     };
     let size = Viewport::new(1280, 720).expect("a viewport");
     let mut window = Offscreen::open(options, size, 1.0).expect("a camera");

@@ -4,7 +4,7 @@ use glam::DVec2;
 use sightline::{
     camera::{View, Viewport},
     geometry::Sides,
-    scene::{self, Progress, gallery::GALLERY},
+    scene::{self, Loaded, Progress, gallery::GALLERY},
     study::{
         self, Effort, Report, Row, SCENE, SceneRays,
         gallery::{BREAKS, breaks_on},
@@ -19,19 +19,24 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/gallery")
 }
 
-fn study_of(scene: &str) -> Report {
-    let path = format!("gallery:{scene}").into();
-    let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-    let viewport = Viewport::new(321, 180).expect("a picture");
+/// A scene as its own camera sees it.
+fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
+    let viewport = Viewport::new(width, height).expect("a picture");
     let camera = loaded
         .camera
         .resolve(&loaded.scene.visible_bounds(), viewport)
         .expect("a camera");
-    let view = View {
+    View {
         camera,
         viewport,
         sides: Sides::Both,
-    };
+    }
+}
+
+fn study_of(scene: &str) -> Report {
+    let path = format!("gallery:{scene}").into();
+    let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
+    let view = view_of(&loaded, 321, 180);
     let rays = SceneRays::new(&loaded.scene, view, 1500, 1);
     study::run(
         Effort {
@@ -181,16 +186,7 @@ fn a_good_method_swapped_in_changes_nothing() {
     let steps = BREAKS.map(|broken| broken.step);
     for exhibit in &GALLERY {
         let loaded = scene::load(&[exhibit.path()], &Progress::default()).expect("a scene");
-        let viewport = Viewport::new(161, 91).expect("a picture");
-        let camera = loaded
-            .camera
-            .resolve(&loaded.scene.visible_bounds(), viewport)
-            .expect("a camera");
-        let view = View {
-            camera,
-            viewport,
-            sides: Sides::Both,
-        };
+        let view = view_of(&loaded, 161, 91);
         for step in steps {
             let good = |info: &MethodInfo| {
                 info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)

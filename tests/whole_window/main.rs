@@ -12,8 +12,7 @@ mod pictures;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::DVec2;
 use sightline::{
-    camera::{CameraChoice, Viewport},
-    geometry::Sides,
+    camera::Viewport,
     viewer::{Options, offscreen::Offscreen},
 };
 use std::path::{Path, PathBuf};
@@ -60,11 +59,7 @@ fn row(scale: f32) -> (Offscreen, TempDir) {
 fn open(paths: Vec<PathBuf>, scale: f32) -> Offscreen {
     let options = Options {
         paths,
-        camera: CameraChoice::default(),
-        sides: Sides::Both,
-        hidden: Vec::new(),
-        size: None,
-        print_picks: false,
+        ..Options::default()
     };
     Offscreen::open(options, px(SIZE, scale), scale).expect("a camera")
 }

@@ -12,10 +12,20 @@ pub mod rays;
 pub mod spheres;
 pub mod triangles;
 
-use super::step::Verdict;
+use super::{real::V3, step::Verdict};
 
 /// Half an ulp of 1 in `f64`: what one rounding errs at most, relatively.
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
+
+/// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
+fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
+    let (p, q) = (p.abs(), q.abs());
+    V3::new(
+        p.y * q.z + p.z * q.y,
+        p.z * q.x + p.x * q.z,
+        p.x * q.y + p.y * q.x,
+    )
+}
 
 /// Relative error of `answer`, infinite where it is no number.
 #[must_use]

@@ -1,10 +1,10 @@
 //! Which way normals point.
 
-use super::UNIT;
+use super::{UNIT, cross_sizes};
 use crate::study::{
     exact::{Exact, Exact3},
     methods::normals::Tilted,
-    real::{M3, V3},
+    real::M3,
     step::Bound,
 };
 use std::cmp::Ordering;
@@ -29,16 +29,8 @@ pub fn truth(case: &Tilted<f64>) -> Exact3 {
 #[must_use]
 pub fn bound(case: &Tilted<f64>) -> Bound {
     let M3([a, b, c]) = case.linear;
-    let sizes = |p: V3<f64>, q: V3<f64>| {
-        let (p, q) = (p.abs(), q.abs());
-        V3::new(
-            p.y * q.z + p.z * q.y,
-            p.z * q.x + p.x * q.z,
-            p.x * q.y + p.y * q.x,
-        )
-    };
     let n = case.normal.abs();
-    let magnitudes = sizes(b, c) * n.x + sizes(c, a) * n.y + sizes(a, b) * n.z;
+    let magnitudes = cross_sizes(b, c) * n.x + cross_sizes(c, a) * n.y + cross_sizes(a, b) * n.z;
     let length = case.linear.cofactors().apply(case.normal).length();
     Bound {
         error: (16.0 * UNIT * magnitudes.length() / length).to_degrees(),

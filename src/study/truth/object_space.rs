@@ -1,6 +1,6 @@
 //! Where a ray in object space lies in the world.
 
-use super::UNIT;
+use super::{UNIT, cross_sizes};
 use crate::study::{
     exact::Exact3,
     methods::object_space::Placed,
@@ -51,15 +51,7 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
 #[must_use]
 pub fn bound(case: &Placed<f64>, px: f64) -> Bound {
     let M3([a, b, c]) = case.linear;
-    let sizes = |p: V3<f64>, q: V3<f64>| {
-        let (p, q) = (p.abs(), q.abs());
-        V3::new(
-            p.y * q.z + p.z * q.y,
-            p.z * q.x + p.x * q.z,
-            p.x * q.y + p.y * q.x,
-        )
-    };
-    let rows = [sizes(b, c), sizes(c, a), sizes(a, b)];
+    let rows = [cross_sizes(b, c), cross_sizes(c, a), cross_sizes(a, b)];
     let det = case.linear.determinant().abs();
     let spread = rows[0].dot(a.abs()) / det;
     let back = |v: V3<f64>| {

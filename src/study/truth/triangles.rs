@@ -1,6 +1,6 @@
 //! Which rays hit a triangle, where, and how far from its edges they pass.
 
-use super::{UNIT, decide, relative};
+use super::{UNIT, cross_sizes, decide, relative};
 use crate::study::{
     exact::{Exact, Exact3},
     methods::triangles::RayTriangle,
@@ -94,19 +94,11 @@ pub fn bound(case: &RayTriangle<f64>, truth: &Truth, px: f64) -> Bound {
         case.corners[2] - case.corners[0],
     );
     let d = case.direction;
-    let sizes = |p: V3<f64>, q: V3<f64>| {
-        let (p, q) = (p.abs(), q.abs());
-        V3::new(
-            p.y * q.z + p.z * q.y,
-            p.z * q.x + p.x * q.z,
-            p.x * q.y + p.y * q.x,
-        )
-    };
     let wrong = [(b, c), (c, a), (a, b)].map(|(p, q)| {
-        9.0 * UNIT * sizes(p, q).dot(d.abs()) / (p.cross(q).length() * d.length() * px)
+        9.0 * UNIT * cross_sizes(p, q).dot(d.abs()) / (p.cross(q).length() * d.length() * px)
     });
     let normal = e1.cross(e2);
-    let share = |v: V3<f64>| 10.0 * UNIT * sizes(e1, e2).dot(v.abs()) / normal.dot(v).abs();
+    let share = |v: V3<f64>| 10.0 * UNIT * cross_sizes(e1, e2).dot(v.abs()) / normal.dot(v).abs();
     let (above, below) = (share(a), share(d));
     let error = if truth.t.is_none() {
         0.0
