@@ -194,9 +194,9 @@ fn all(
     truth: &[Option<TriangleHit>],
 ) -> Vec<usize> {
     let mut found = Vec::new();
-    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |candidate| {
-        let triangle = candidate.triangle() as usize;
-        assert_eq!(candidate.corners(), case.corners(triangle));
+    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |triangle: u32, corners| {
+        let triangle = triangle as usize;
+        assert_eq!(corners, case.corners(triangle));
         found.extend(truth[triangle].is_some().then_some(triangle));
         ray.t_max
     });
@@ -208,8 +208,8 @@ fn all(
 fn nearest(tree: &Bvh, simd: Simd, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
     let mut end = ray.t_max;
     let mut best: Option<f64> = None;
-    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |candidate| {
-        if let Some(hit) = truth[candidate.triangle() as usize] {
+    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |triangle: u32, _| {
+        if let Some(hit) = truth[triangle as usize] {
             best = Some(best.map_or(hit.t, |best| best.min(hit.t)));
             end = end.min(hit.t + hit.t_error);
         }

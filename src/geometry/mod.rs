@@ -27,7 +27,7 @@ mod trs;
 
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
-pub use bvh::{Bvh, Candidate, Simd};
+pub use bvh::{Bvh, Simd, Visit};
 pub use cuboid::Cuboid;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};

@@ -27,8 +27,8 @@ pub struct VertexRay {
     pub tail: DVec3,
     /// The length whose rounding would be as large as `tail`.
     tail_as_length: f64,
-    /// The sum of the direction's components without their signs; infinite where products could overflow or vanish,
-    /// and the bounds on rounding therefore do not hold.
+    /// The sum of the direction's components without their signs; infinite where products could overflow, and the bounds
+    /// on rounding therefore do not hold.
     taxicab: f64,
 }
 
@@ -41,25 +41,24 @@ impl VertexRay {
         // Knuth's two-difference: the error of a difference is an f64 (Shewchuk 1997, theorem 7).
         let from_ray = ray.origin - origin;
         let tail = (ray.origin - (origin + from_ray)) + (from_ray - vertex_origin);
-        let direction = ray.direction.abs();
-        let in_range = in_range(origin) & in_range(tail) & in_range(direction);
+        let taxicab = ray.direction.abs().element_sum();
+        // Written so that NaN is false.
+        let is_moderate = origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
         Self {
             ray: Ray { origin, ..*ray },
             tail,
             tail_as_length: tail.abs().max_element() / U,
-            taxicab: if in_range {
-                direction.element_sum()
-            } else {
-                f64::INFINITY
-            },
+            taxicab: if is_moderate { taxicab } else { f64::INFINITY },
         }
     }
 
-    /// Whether bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then a
-    /// difference to an `f32` is 0 or above `2^-306`, and no product of three lengths and a direction leaves the
-    /// range of `f64`.
+    /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then
+    /// a difference to an `f32` is 0 or above `2^-306`, and neither products nor quotients of it leave the range of
+    /// `f64`.
     pub(super) fn is_bounded(&self) -> bool {
-        self.taxicab.is_finite()
+        let numbers = [self.ray.origin, self.tail, self.ray.direction].map(|v| v.abs().to_array());
+        let is_bounded = |&size: &f64| size == 0.0 || (1.0 / LARGE..=LARGE).contains(&size);
+        numbers.as_flattened().iter().all(is_bounded)
     }
 
     /// From the ray's start to a vertex (of `f32` components), each component to within `2 U` of itself.
@@ -72,20 +71,12 @@ impl VertexRay {
     }
 }
 
-/// Whether each component is 0 or between `2^-200` and `2^200` in size.
-#[expect(
-    clippy::needless_bitwise_bool,
-    reason = "without a branch: each ray that may hit anything pays for it"
-)]
-#[inline]
-fn in_range(v: DVec3) -> bool {
-    const LEAST: f64 = f64::from_bits((1023 - 200) << 52);
-    const GREATEST: f64 = 1.0 / LEAST;
-    let sizes = v.abs().to_array();
-    sizes.into_iter().fold(true, |all, size| {
-        all & ((size == 0.0) | (size >= LEAST)) & (size <= GREATEST)
-    })
-}
+/// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
+const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+/// `2^-600`: more than is lost where a product is too small for `f64`, which is `2^-1075` times at most two lengths, below
+/// `2^402`. Of what matters it takes nothing: two edges of triangles that `f32` can hold, and a direction of `2^-200`,
+/// make more.
+const LOST: f64 = f64::from_bits((1023 - 600) << 52);
 
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,7 +157,7 @@ struct InDoubt;
 fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let m = largest(seen) + ray.tail_as_length;
-    let bound = 16.0 * U * ray.taxicab * (m * m);
+    let bound = 16.0 * U * ray.taxicab * (m * m) + LOST;
     let volumes = volumes(ray.ray.direction, seen);
     // Written so that NaN is in doubt.
     least(volumes) < -bound && greatest(volumes) > bound
@@ -179,7 +170,7 @@ fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
 fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let m = largest(seen);
-    let bound = 20.0 * U * ray.taxicab * (m * m);
+    let bound = 20.0 * U * ray.taxicab * (m * m) + LOST;
     let volumes = volumes(ray.ray.direction, seen);
     let (least, greatest) = (least(volumes), greatest(volumes));
     if least < -bound && greatest > bound {
@@ -220,8 +211,11 @@ const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
 /// With `s` the largest component of the two edges, which round by at most `U s`, a component of `N` errs by
 /// `8 U s^2` as above and is at most `2 s^2`. `N . d` then errs by `14 U s^2 |d|_1`, and `N . a`, with `a` to within
 /// `2 U`, by `18 U s^2 |a|_1`. The quotient of two numbers that err by `e_n` and `e_d` errs by
-/// `(e_n + |t| e_d) / (|N . d| - e_d)`. Twelve more roundings of `t` leave room for those of the quotient, of the
-/// bound, and of `t` plus or minus it.
+/// `(e_n + |t| e_d) / (|N . d| - e_d)`; where `e_d` is no more than [`HALF_OF_THE_DIGITS`] of `N . d`, and else it is no
+/// use, that is the quotient by `N . d`, to within those digits. The tenths by which 20 exceeds 18, and 16 exceeds 14,
+/// have room for them. Twelve more roundings of `t` leave room for those of the quotient, of the bound, and of `t` plus or
+/// minus it. Nothing here is too small for `f64`: edges are of `f32`, `N . d` is the sum of three volumes that are each
+/// above [`LOST`], and `a` is no smaller than `U` times the largest corner, or the volumes had been in doubt.
 #[inline(always)]
 fn parameter(ray: &VertexRay, corners: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let edges = [corners[1] - corners[0], corners[2] - corners[0]];
@@ -231,10 +225,10 @@ fn parameter(ray: &VertexRay, corners: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let s = largest(edges);
     let numerator_error = 20.0 * U * a.abs().element_sum() * (s * s);
     let denominator_error = 16.0 * U * ray.taxicab * (s * s);
-    let margin = denominator.abs() - denominator_error;
-    // Written so that NaN, from an overflow, is no bound.
-    let t_error = if margin > 0.0 {
-        (numerator_error + t.abs() * denominator_error) / margin + 12.0 * U * t.abs()
+    // By a quotient that does not wait for `t`. Written so that NaN, from an overflow, is no bound.
+    let inverse = 1.0 / denominator.abs();
+    let t_error = if denominator_error <= HALF_OF_THE_DIGITS * denominator.abs() {
+        (numerator_error + t.abs() * denominator_error) * inverse + 12.0 * U * t.abs()
     } else {
         f64::INFINITY
     };
@@ -333,6 +327,67 @@ fn max(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
+    #[test]
+    fn products_that_vanish_or_overflow_decide_nothing() {
+        let mut state = 3_u64;
+        // A small integer (Knuth's multiplier), so that points coincide.
+        let mut random = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            f64::from((state >> 61) as u8) - 3.0
+        };
+        let times_power = |v: DVec3, exponent: i32| {
+            let half = exponent / 2;
+            v * 2_f64.powi(half) * 2_f64.powi(exponent - half)
+        };
+        let mut point = |exponent| times_power(DVec3::new(random(), random(), random()), exponent);
+        let mut hits = [0; 2];
+        for (vertex, away) in [-149, -100, 0, 125]
+            .into_iter()
+            .flat_map(|vertex| [-1074, -900, -600, -149, 0, 130, 700].map(|away| (vertex, away)))
+        {
+            for direction in [-1074, -1060, -900, -760, -500, -200, 0, 196, 765, 1000] {
+                for i in 0..500 {
+                    let mut corners = [point(vertex), point(vertex), point(vertex)];
+                    let mut near = point(vertex);
+                    if i % 2 == 0 {
+                        (corners[0], near) = (DVec3::ZERO, DVec3::ZERO);
+                    }
+                    let origin = near + point(away);
+                    // Anywhere, or past a point of an edge as nearly as can be.
+                    let way = if i % 5 == 0 {
+                        point(0)
+                    } else {
+                        let on_edge = corners[1].midpoint(corners[2]);
+                        (on_edge - origin).normalize_or(DVec3::X) / 3.0
+                    };
+                    let ray = Ray {
+                        origin,
+                        direction: times_power(way, direction),
+                        t_min: if i % 7 < 3 { 0.0 } else { f64::MIN },
+                        t_max: f64::MAX,
+                    };
+                    let ray = VertexRay::new(&ray, DVec3::ZERO);
+                    let exact = exact::hit(&ray, corners);
+                    for hit in [guarded_volume(&ray, corners), settled_volume(&ray, corners)] {
+                        let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
+                        assert_eq!(exact.is_some(), hit.is_some(), "{case}");
+                        if let (Some(exact), Some(hit)) = (exact, hit) {
+                            assert_eq!(exact.front, hit.front, "{case}");
+                            let error = (exact.t - hit.t).abs();
+                            assert!(error <= exact.t_error + hit.t_error, "{case}");
+                            hits[usize::from(ray.is_bounded())] += 1;
+                        }
+                    }
+                }
+            }
+        }
+        println!("hits of rays beyond relative bounds, and within: {hits:?}");
+        assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
+    }
 
     /// The derivation of [`is_passed_by`]'s bound, held against exact volumes.
     #[test]

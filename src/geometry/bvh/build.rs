@@ -5,7 +5,7 @@
 
 use super::{
     Bvh,
-    node::{Child, Line, Node, Packet, Place, Plane, WIDTH},
+    node::{Child, Line, Node, Packet, Place, WIDTH},
     ray::Frame,
     simd::with_large_pages,
     split::{Leaf, Range},
@@ -77,6 +77,7 @@ pub(super) fn build(
             },
             most: min.abs().max(max.abs()).max_element(),
             scale: vertices.scale.into(),
+            unscale: 1.0 / f64::from(vertices.scale),
         },
     })
 }
@@ -255,9 +256,9 @@ impl<'a> Site<'a> {
 fn node_of(parts: &[Range]) -> Node {
     let mut node = Node::EMPTY;
     for (lane, part) in parts.iter().enumerate() {
-        for (side, corner) in [Plane::MIN, Plane::MAX].into_iter().zip(part.bounds()) {
-            for (plane, x) in side.into_iter().zip(corner.to_array()) {
-                node.planes[plane as usize][lane] = x;
+        for (axes, corner) in node.corners.iter_mut().zip(part.bounds()) {
+            for (lanes, x) in axes.iter_mut().zip(corner.to_array()) {
+                lanes[lane] = x;
             }
         }
     }

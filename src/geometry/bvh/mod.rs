@@ -18,7 +18,6 @@ mod split;
 mod validate;
 mod walk;
 
-pub use node::Candidate;
 pub use simd::Simd;
 
 use super::{Aabb, Ray};
@@ -27,6 +26,20 @@ use node::{Line, Node, Packet, Place};
 use ray::Frame;
 use std::sync::atomic::AtomicBool;
 use walk::Walk;
+
+/// Who is handed the triangles that a ray may hit. A closure will do; what is to be compiled for a walk's instructions
+/// must be `#[inline(always)]`, which closures cannot be.
+pub trait Visit {
+    /// Takes a triangle of the mesh and its corners, to the bit; returns the new end of the ray's interval.
+    fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64;
+}
+
+impl<F: FnMut(u32, [DVec3; 3]) -> f64> Visit for F {
+    #[inline]
+    fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64 {
+        self(triangle, corners)
+    }
+}
 
 /// A tree over triangles, in the vertices' own space.
 #[derive(Debug)]
@@ -57,7 +70,7 @@ impl Bvh {
     ///
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
-    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
+    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
         simd::run_fastest(Walk::<_, true> {
             tree: self,
             ray,
@@ -68,13 +81,7 @@ impl Bvh {
 
     /// [`Bvh::visit`] by chosen instructions.
     #[inline]
-    pub fn visit_by(
-        &self,
-        simd: Simd,
-        ray: &Ray,
-        center: &DVec3,
-        visit: &mut impl FnMut(Candidate) -> f64,
-    ) {
+    pub fn visit_by(&self, simd: Simd, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
         simd.run(Walk::<_, true> {
             tree: self,
             ray,
@@ -86,7 +93,7 @@ impl Bvh {
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
-    pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl FnMut(Candidate) -> f64) {
+    pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
         simd::run_fastest(Walk::<_, false> {
             tree: self,
             ray,
@@ -98,7 +105,9 @@ impl Bvh {
     /// The boxes so many steps below the root, and packets' that are nearer to it: at most `most` of them.
     #[must_use]
     pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
-        let Frame { bounds, scale, .. } = self.frame;
+        let Frame {
+            bounds, unscale, ..
+        } = self.frame;
         let mut boxes = vec![(Place::ROOT, bounds)];
         for _ in 0..level {
             let below = boxes.iter().flat_map(|&(place, bounds)| {
@@ -116,8 +125,8 @@ impl Bvh {
             boxes = below.take(most).collect();
         }
         let unscaled = boxes.into_iter().map(|(_, Aabb { min, max })| Aabb {
-            min: min / scale,
-            max: max / scale,
+            min: min * unscale,
+            max: max * unscale,
         });
         unscaled.collect()
     }

@@ -1,7 +1,6 @@
 //! What a tree is made of: nodes of eight boxes and packets of eight triangles, each number beside its seven likes.
 
 use bytemuck::{Pod, Zeroable};
-use glam::DVec3;
 
 /// Children of a node, and triangles of a packet.
 pub(super) const WIDTH: usize = 8;
@@ -15,38 +14,13 @@ pub(super) struct Line([u32; 16]);
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// By [`Plane`]: smallest x, y, z, then greatest x, y, z of each child. A child that is not there has them the
-    /// wrong way round, and infinite, so that no ray enters it.
-    pub planes: [[f32; WIDTH]; 6],
+    /// The least and the greatest corner of each box, by axis. A child that is not there has them the wrong way round,
+    /// and infinite, so that no ray enters it.
+    pub corners: [[[f32; WIDTH]; 3]; 2],
     /// What is in each box.
     pub children: [Child; WIDTH],
     /// The rest of the cache line.
     unused: [u32; WIDTH],
-}
-
-/// One of the six sides of a box.
-#[derive(Clone, Copy, Debug)]
-#[repr(usize)]
-pub(super) enum Plane {
-    MinX,
-    MinY,
-    MinZ,
-    MaxX,
-    MaxY,
-    MaxZ,
-}
-
-impl Plane {
-    /// The sides with the smallest and the greatest x.
-    pub const X: [Self; 2] = [Self::MinX, Self::MaxX];
-    /// The sides with the smallest and the greatest y.
-    pub const Y: [Self; 2] = [Self::MinY, Self::MaxY];
-    /// The sides with the smallest and the greatest z.
-    pub const Z: [Self; 2] = [Self::MinZ, Self::MaxZ];
-    /// The sides with the smallest coordinates, by axis.
-    pub const MIN: [Self; 3] = [Self::MinX, Self::MinY, Self::MinZ];
-    /// The sides with the greatest coordinates, by axis.
-    pub const MAX: [Self; 3] = [Self::MaxX, Self::MaxY, Self::MaxZ];
 }
 
 /// Where a node or a packet is in the tree's lines.
@@ -117,14 +91,7 @@ fn narrow(index: usize) -> u32 {
 impl Node {
     /// No child at all.
     pub const EMPTY: Self = Self {
-        planes: [
-            [f32::INFINITY; WIDTH],
-            [f32::INFINITY; WIDTH],
-            [f32::INFINITY; WIDTH],
-            [f32::NEG_INFINITY; WIDTH],
-            [f32::NEG_INFINITY; WIDTH],
-            [f32::NEG_INFINITY; WIDTH],
-        ],
+        corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
         children: [Child::NONE; WIDTH],
         unused: [0; WIDTH],
     };
@@ -155,9 +122,9 @@ impl Node {
         children.filter(|&(_, child)| child != Child::NONE)
     }
 
-    /// The corners of a child's box.
+    /// The least and the greatest corner of a child's box.
     pub fn bounds(&self, child: usize) -> [[f32; 3]; 2] {
-        [Plane::MIN, Plane::MAX].map(|side| side.map(|plane| self.planes[plane as usize][child]))
+        self.corners.map(|corner| corner.map(|lanes| lanes[child]))
     }
 }
 
@@ -203,43 +170,5 @@ impl Packet {
     /// Those that hold a triangle.
     pub fn lanes(&self) -> impl Iterator<Item = usize> {
         (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan())
-    }
-}
-
-/// A triangle that a ray may hit.
-///
-/// Its corners are read by whoever needs them, where they are needed: on their way through memory they would cost as much
-/// as a node.
-#[derive(Clone, Copy)]
-pub struct Candidate<'a> {
-    packet: &'a Packet,
-    lane: usize,
-    unscale: f64,
-}
-
-impl<'a> Candidate<'a> {
-    /// `unscale` brings the tree's lengths to the vertices', and is a power of two.
-    #[inline(always)]
-    pub(super) fn new(packet: &'a Packet, lane: usize, unscale: f64) -> Self {
-        Self {
-            packet,
-            lane: lane % WIDTH,
-            unscale,
-        }
-    }
-
-    /// Which triangle of the mesh.
-    #[inline(always)]
-    #[must_use]
-    pub fn triangle(&self) -> u32 {
-        self.packet.triangles[self.lane]
-    }
-
-    /// Its corners, to the bit.
-    #[inline(always)]
-    #[must_use]
-    pub fn corners(&self) -> [DVec3; 3] {
-        let wide = |[x, y, z]: [f32; 3]| self.unscale * DVec3::new(x.into(), y.into(), z.into());
-        self.packet.corners_of(self.lane).map(wide)
     }
 }

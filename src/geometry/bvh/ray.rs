@@ -34,7 +34,6 @@
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
 
-use super::node::Plane;
 use crate::geometry::{Aabb, Ray};
 use glam::{DVec3, Vec3A};
 
@@ -67,15 +66,15 @@ pub(super) struct Frame {
     pub most: f32,
     /// A power of two: the tree's lengths are the caller's times this.
     pub scale: f64,
+    /// The other way.
+    pub unscale: f64,
 }
 
 /// A ray as boxes see it.
 #[derive(Debug)]
 pub(super) struct TreeRay {
-    /// Through which side of a box it enters, by axis.
-    pub entry: [Plane; 3],
-    /// Through which side of a box it leaves, by axis.
-    pub exit: [Plane; 3],
+    /// By axis: 1 where it runs backwards, and enters boxes through the side of their greatest corner; else 0.
+    pub backwards: [usize; 3],
     /// 1 / direction.
     pub inverse: Vec3A,
     /// - origin / direction, earlier by the padding.
@@ -84,6 +83,12 @@ pub(super) struct TreeRay {
     pub exit_offset: Vec3A,
     /// The start of the interval.
     pub start: f32,
+    placed: Placed,
+}
+
+/// A ray in the tree's lengths.
+#[derive(Debug)]
+struct Placed {
     origin: Vec3A,
     direction: Vec3A,
     /// `D`.
@@ -93,102 +98,70 @@ pub(super) struct TreeRay {
     t_start: f64,
 }
 
-/// What a tree can do for a ray.
-pub(super) enum Prepared {
+/// Why a ray is not walked through a tree.
+#[derive(Debug)]
+pub(super) enum Unplaced {
     /// It passes the tree's box.
-    Miss,
-    /// Nothing: `f32` cannot hold it. Every triangle may be hit.
-    Everything,
-    /// This.
-    Ray(TreeRay),
+    Misses,
+    /// `f32` cannot hold it: it may hit every triangle.
+    BeyondF32,
 }
 
 impl TreeRay {
     /// `ray`, of the caller's lengths, as the tree sees it about `center`.
     #[inline(always)]
-    pub fn prepare(ray: &Ray, center: DVec3, frame: &Frame) -> Prepared {
-        let origin = ((ray.origin - center) * frame.scale).as_vec3a();
+    pub fn prepare(ray: &Ray, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+        let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
-        if away <= NEAR * frame.most && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
-            let t = [frame.scale, 0.0];
-            Prepared::Ray(Self::new(ray, origin, direction, away + frame.most, t))
+        let is_near = away <= NEAR * frame.most;
+        let placed = if is_near && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
+            Placed {
+                origin,
+                direction,
+                distance: away + frame.most,
+                t_scale: frame.scale,
+                t_start: 0.0,
+            }
         } else {
-            Self::prepare_far(ray, center, frame)
-        }
-    }
-
-    /// [`TreeRay::prepare`] when the eye is to be moved or the direction to be scaled.
-    #[cold]
-    fn prepare_far(ray: &Ray, center: DVec3, frame: &Frame) -> Prepared {
-        let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
-        let mut origin = (ray.origin - center) * frame.scale;
-        let mut direction = ray.direction;
-        let (mut t_scale, mut t_start) = (frame.scale, 0.0);
-        let mut size = direction.abs().max_element();
-        if !(least..=1.0 / least).contains(&size) {
-            let by = like(size);
-            (direction, size) = (direction / by, size / by);
-            t_scale *= by;
-        }
-        let away = origin.abs().max_element();
-        let far = 8.0 * U64 * (away + most);
-        // Written so that NaN is false.
-        if !(far < most && size <= 1.0 / least && t_scale.is_normal()) {
-            return Prepared::Everything;
-        }
-        let mut distance = away + most;
-        if away > f64::from(NEAR) * most {
-            let start = ray.t_min * t_scale;
-            let Some(enter) = entry(origin, direction, start, &frame.bounds, 2.0 * far) else {
-                return Prepared::Miss;
-            };
-            t_start = greater(enter, start);
-            origin += t_start * direction;
-            distance = 2.0 * most;
-        }
-        let (origin, direction) = (origin.as_vec3a(), direction.as_vec3a());
-        let distance = narrow(distance + far / f64::from(U32));
-        Prepared::Ray(Self::new(
-            ray,
-            origin,
-            direction,
-            distance,
-            [t_scale, t_start],
-        ))
+            // One by one: as a whole it would come through memory, for near rays as well, and cost them a quarter.
+            let far = Placed::far(ray, center, frame)?;
+            Placed {
+                origin: far.origin,
+                direction: far.direction,
+                distance: far.distance,
+                t_scale: far.t_scale,
+                t_start: far.t_start,
+            }
+        };
+        Ok(Self::new(ray, placed))
     }
 
     #[inline(always)]
-    fn new(
-        ray: &Ray,
-        origin: Vec3A,
-        direction: Vec3A,
-        distance: f32,
-        [t_scale, t_start]: [f64; 2],
-    ) -> Self {
-        let safe = direction.abs().max(Vec3A::splat(LEAST_COMPONENT));
-        let inverse = safe.copysign(direction).recip();
-        let offset = -origin * inverse;
-        let padding = inverse.abs() * (PAD * U32 * distance);
-        let negative = direction.is_negative_bitmask() as usize;
-        let side = |axis: usize| negative >> axis & 1;
-        let [x, y, z] = [side(0), side(1), side(2)];
-        let start = ray.t_min * t_scale - t_start;
-        Self {
-            entry: [Plane::X[x], Plane::Y[y], Plane::Z[z]],
-            exit: [Plane::X[1 - x], Plane::Y[1 - y], Plane::Z[1 - z]],
-            inverse,
-            entry_offset: offset - padding,
-            exit_offset: offset + padding,
-            // As `end`, but never too late.
-            start: narrow(start - 4.0 * f64::from(U32) * start.abs()),
+    fn new(ray: &Ray, placed: Placed) -> Self {
+        let Placed {
             origin,
             direction,
             distance,
             t_scale,
             t_start,
+        } = placed;
+        let safe = direction.abs().max(Vec3A::splat(LEAST_COMPONENT));
+        let inverse = safe.copysign(direction).recip();
+        let offset = -origin * inverse;
+        let padding = inverse.abs() * (PAD * U32 * distance);
+        let negative = direction.is_negative_bitmask() as usize;
+        let start = ray.t_min * t_scale - t_start;
+        Self {
+            backwards: [0, 1, 2].map(|axis| negative >> axis & 1),
+            inverse,
+            entry_offset: offset - padding,
+            exit_offset: offset + padding,
+            // As `end`, but never too late.
+            start: narrow(start - 4.0 * f64::from(U32) * start.abs()),
+            placed,
         }
     }
 
@@ -196,14 +169,21 @@ impl TreeRay {
     #[inline(always)]
     pub fn end(&self, t_max: f64) -> f32 {
         // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
-        let end = (t_max * self.t_scale - self.t_start) * (1.0 + 4.0 * f64::from(U32));
+        let end = t_max * self.placed.t_scale - self.placed.t_start;
+        let end = end * (1.0 + 4.0 * f64::from(U32));
         narrow(greater(end, 0.0))
     }
 
     /// As triangles see it.
     #[inline(always)]
     pub fn sheared(&self) -> ShearedRay {
-        let size = self.direction.abs();
+        let Placed {
+            origin,
+            direction,
+            distance,
+            ..
+        } = self.placed;
+        let size = direction.abs();
         let (axis, largest) = if size.y > size.x {
             (1, size.y)
         } else {
@@ -211,8 +191,7 @@ impl TreeRay {
         };
         let along = if size.z > largest { 2 } else { axis };
         let axes = [[1, 2, 0], [2, 0, 1], [0, 1, 2]][along];
-        let [origin, direction, inverse] =
-            [self.origin, self.direction, self.inverse].map(|v| v.to_array());
+        let [origin, direction, inverse] = [origin, direction, self.inverse].map(|v| v.to_array());
         let [first, second, _] = axes;
         let sign = 1.0_f32.copysign(direction[along]);
         let per_size = inverse[along].abs();
@@ -225,8 +204,46 @@ impl TreeRay {
                 sign,
             ],
             size: direction[along].abs(),
-            reach: REACH * U32 * self.distance,
+            reach: REACH * U32 * distance,
         }
+    }
+}
+
+impl Placed {
+    /// A ray whose eye is to be moved, or its direction to be scaled.
+    #[cold]
+    fn far(ray: &Ray, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+        let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
+        let mut origin = (ray.origin - *center) * frame.scale;
+        let mut direction = ray.direction;
+        let (mut t_scale, mut t_start) = (frame.scale, 0.0);
+        let mut size = direction.abs().max_element();
+        if !(least..=1.0 / least).contains(&size) {
+            let by = like(size);
+            (direction, size) = (direction / by, size / by);
+            t_scale *= by;
+        }
+        let away = origin.abs().max_element();
+        let far = 8.0 * U64 * (away + most);
+        // Written so that NaN is false.
+        if !(far < most && size <= 1.0 / least && t_scale.is_normal()) {
+            return Err(Unplaced::BeyondF32);
+        }
+        let mut distance = away + most;
+        if away > f64::from(NEAR) * most {
+            let start = ray.t_min * t_scale;
+            let enter = entry(origin, direction, start, &frame.bounds, 2.0 * far);
+            t_start = greater(enter.ok_or(Unplaced::Misses)?, start);
+            origin += t_start * direction;
+            distance = 2.0 * most;
+        }
+        Ok(Self {
+            origin: origin.as_vec3a(),
+            direction: direction.as_vec3a(),
+            distance: narrow(distance + far / f64::from(U32)),
+            t_scale,
+            t_start,
+        })
     }
 }
 
@@ -311,6 +328,7 @@ mod tests {
                 bounds,
                 most: narrow(most),
                 scale: 1.0,
+                unscale: 1.0,
             };
             // Near the box, as far as an eye may stay, and beyond.
             let away = [0.3, 1.0, 6.99, 1e3, 1e9][i as usize % 5];
@@ -323,7 +341,7 @@ mod tests {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let Prepared::Ray(prepared) = TreeRay::prepare(&ray, DVec3::ZERO, &frame) else {
+            let Ok(prepared) = TreeRay::prepare(&ray, &DVec3::ZERO, &frame) else {
                 continue;
             };
             for axis in 0..3 {
@@ -332,7 +350,7 @@ mod tests {
                 if !(ray.at(exact).abs().max_element() <= most) {
                     continue;
                 }
-                let exact = exact * prepared.t_scale - prepared.t_start;
+                let exact = exact * prepared.placed.t_scale - prepared.placed.t_start;
                 let [inverse, early, late] = [
                     prepared.inverse,
                     prepared.entry_offset,
@@ -341,7 +359,7 @@ mod tests {
                 .map(|v| v[axis]);
                 let (enter, leave) = (plane * inverse + early, plane * inverse + late);
                 let fused = [early, late].map(|offset| plane.mul_add(inverse, offset));
-                let unit = f64::from(U32 * prepared.distance * inverse.abs());
+                let unit = f64::from(U32 * prepared.placed.distance * inverse.abs());
                 for (enter, leave) in [(enter, leave), (fused[0], fused[1])] {
                     let spare = (exact - f64::from(enter)).min(f64::from(leave) - exact) / unit;
                     assert!(spare >= 0.0, "{spare} {ray:?} {plane}");

@@ -95,7 +95,7 @@ pub(super) trait Lanes: Copy {
     type F: Copy;
     fn splat(self, x: f32) -> Self::F;
     fn load(self, from: &[f32; 8]) -> Self::F;
-    fn store(self, from: Self::F) -> [f32; 8];
+    fn store(self, from: Self::F) -> Eight;
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
     fn sub(self, a: Self::F, b: Self::F) -> Self::F;
     fn mul(self, a: Self::F, b: Self::F) -> Self::F;
@@ -110,9 +110,16 @@ pub(super) trait Lanes: Copy {
     fn abs(self, a: Self::F) -> Self::F;
     /// Where `a <= b`.
     fn le(self, a: Self::F, b: Self::F) -> u32;
-    /// Asks for the cache line of `item`, which is going to be read.
-    fn prefetch<T>(self, item: &T);
+    /// Asks for the cache line of an item that is going to be read; any index will do.
+    fn prefetch<T>(self, items: &[T], index: usize);
+    /// Does `work` by the same instructions, but out of line: for what is done rarely and would crowd a loop.
+    fn apart<W: Work>(self, work: W) -> W::Output;
 }
+
+/// Eight numbers in memory, never across the border of two pages: a walk whose stack happens to lie so takes a third longer.
+#[derive(Clone, Copy)]
+#[repr(align(32))]
+pub(super) struct Eight(pub [f32; 8]);
 
 /// [`Lanes`] in plain Rust.
 #[derive(Clone, Copy)]
@@ -129,7 +136,7 @@ impl Lanes for Portable {
     type F = [f32; 8];
     #[inline(always)] fn splat(self, x: f32) -> Self::F { [x; 8] }
     #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { *from }
-    #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { from }
+    #[inline(always)] fn store(self, from: Self::F) -> Eight { Eight(from) }
     #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] + b[i]) }
     #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] - b[i]) }
     #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { each(|i| a[i] * b[i]) }
@@ -139,7 +146,8 @@ impl Lanes for Portable {
     #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] > b[i] { a[i] } else { b[i] }) }
     #[inline(always)] fn abs(self, a: Self::F) -> Self::F { each(|i| a[i].abs()) }
     #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { (0..8).fold(0, |mask, i| mask | u32::from(a[i] <= b[i]) << i) }
-    #[inline(always)] fn prefetch<T>(self, _: &T) {}
+    #[inline(always)] fn prefetch<T>(self, _: &[T], _: usize) {}
+    #[inline(never)] fn apart<W: Work>(self, work: W) -> W::Output { work.run(self) }
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -162,7 +170,7 @@ mod nowhere {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Lanes, Work};
+    use super::{Eight, Lanes, Work};
     use std::arch::x86_64::*;
 
     /// Proof that the processor has AVX2 and FMA.
@@ -220,7 +228,7 @@ mod x86 {
         type F = __m256;
         #[inline(always)] fn splat(self, x: f32) -> __m256 { unsafe { _mm256_set1_ps(x) } }
         #[inline(always)] fn load(self, from: &[f32; 8]) -> __m256 { unsafe { _mm256_loadu_ps(from.as_ptr()) } }
-        #[inline(always)] fn store(self, from: __m256) -> [f32; 8] { let mut to = [0.0; 8]; unsafe { _mm256_storeu_ps(to.as_mut_ptr(), from) }; to }
+        #[inline(always)] fn store(self, from: __m256) -> Eight { let mut to = Eight([0.0; 8]); unsafe { _mm256_storeu_ps(to.0.as_mut_ptr(), from) }; to }
         #[inline(always)] fn add(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_add_ps(a, b) } }
         #[inline(always)] fn sub(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_sub_ps(a, b) } }
         #[inline(always)] fn mul(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_mul_ps(a, b) } }
@@ -230,7 +238,14 @@ mod x86 {
         #[inline(always)] fn max(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_max_ps(a, b) } }
         #[inline(always)] fn abs(self, a: __m256) -> __m256 { unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) } }
         #[inline(always)] fn le(self, a: __m256, b: __m256) -> u32 { unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)).cast_unsigned() } }
-        #[inline(always)] fn prefetch<T>(self, item: &T) { unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(item).cast()) } }
+        #[inline(always)] fn prefetch<T>(self, items: &[T], index: usize) { unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().wrapping_add(index).cast()) } }
+        #[inline(always)] fn apart<W: Work>(self, work: W) -> W::Output { unsafe { apart_by_avx2(self, work) } }
+    }
+
+    #[inline(never)]
+    #[target_feature(enable = "avx2,fma")]
+    fn apart_by_avx2<W: Work>(lanes: Avx2, work: W) -> W::Output {
+        work.run(lanes)
     }
 
     /// [`Lanes`] as two halves, by what every x86-64 has.
@@ -244,7 +259,7 @@ mod x86 {
         type F = [__m128; 2];
         #[inline(always)] fn splat(self, x: f32) -> Self::F { unsafe { [_mm_set1_ps(x); 2] } }
         #[inline(always)] fn load(self, from: &[f32; 8]) -> Self::F { unsafe { [_mm_loadu_ps(from.as_ptr()), _mm_loadu_ps(from[4..].as_ptr())] } }
-        #[inline(always)] fn store(self, from: Self::F) -> [f32; 8] { let mut to = [0.0; 8]; unsafe { _mm_storeu_ps(to.as_mut_ptr(), from[0]); _mm_storeu_ps(to[4..].as_mut_ptr(), from[1]) }; to }
+        #[inline(always)] fn store(self, from: Self::F) -> Eight { let mut to = Eight([0.0; 8]); unsafe { _mm_storeu_ps(to.0.as_mut_ptr(), from[0]); _mm_storeu_ps(to.0[4..].as_mut_ptr(), from[1]) }; to }
         #[inline(always)] fn add(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_add_ps(a[0], b[0]), _mm_add_ps(a[1], b[1])] } }
         #[inline(always)] fn sub(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_sub_ps(a[0], b[0]), _mm_sub_ps(a[1], b[1])] } }
         #[inline(always)] fn mul(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_mul_ps(a[0], b[0]), _mm_mul_ps(a[1], b[1])] } }
@@ -254,7 +269,8 @@ mod x86 {
         #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_max_ps(a[0], b[0]), _mm_max_ps(a[1], b[1])] } }
         #[inline(always)] fn abs(self, a: Self::F) -> Self::F { unsafe { [_mm_andnot_ps(_mm_set1_ps(-0.0), a[0]), _mm_andnot_ps(_mm_set1_ps(-0.0), a[1])] } }
         #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { let [low, high] = unsafe { [_mm_movemask_ps(_mm_cmple_ps(a[0], b[0])), _mm_movemask_ps(_mm_cmple_ps(a[1], b[1]))] }; (low | high << 4).cast_unsigned() }
-        #[inline(always)] fn prefetch<T>(self, item: &T) { unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(item).cast()) } }
+        #[inline(always)] fn prefetch<T>(self, items: &[T], index: usize) { unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().wrapping_add(index).cast()) } }
+        #[inline(never)] fn apart<W: Work>(self, work: W) -> W::Output { work.run(self) }
     }
 }
 

@@ -1,10 +1,10 @@
 //! A ray's way through a tree.
 
 use super::{
-    Bvh,
-    node::{Candidate, Line, Node, Packet, Place, Plane, WIDTH},
-    ray::{Prepared, ShearedRay, TreeRay},
-    simd::{Lanes, Stack, StackRoom, Work},
+    Bvh, Visit,
+    node::{Line, Node, Packet, Place, WIDTH},
+    ray::{ShearedRay, TreeRay, Unplaced},
+    simd::{Eight, Lanes, Stack, StackRoom, Work},
 };
 use crate::geometry::Ray;
 use glam::DVec3;
@@ -13,15 +13,15 @@ use glam::DVec3;
 /// interval.
 ///
 /// Where `SIFT` is false, triangles are judged by their boxes alone.
-pub(super) struct Walk<'a, F, const SIFT: bool> {
+pub(super) struct Walk<'a, V, const SIFT: bool> {
     pub tree: &'a Bvh,
     pub ray: &'a Ray,
     /// Where the vertices' (0, 0, 0) lies for the ray.
     pub center: &'a DVec3,
-    pub visit: &'a mut F,
+    pub visit: &'a mut V,
 }
 
-impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
+impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
     type Output = ();
 
     #[inline(always)]
@@ -32,19 +32,11 @@ impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
             center,
             visit,
         } = self;
-        let unscale = 1.0 / tree.frame.scale;
         let t_max = ray.t_max;
-        let ray = match TreeRay::prepare(ray, *center, &tree.frame) {
-            Prepared::Miss => return,
-            Prepared::Everything => {
-                for (_, packet) in tree.packets() {
-                    for lane in packet.lanes() {
-                        visit(Candidate::new(packet, lane, unscale));
-                    }
-                }
-                return;
-            }
-            Prepared::Ray(ray) => ray,
+        let ray = match TreeRay::prepare(ray, center, &tree.frame) {
+            Ok(ray) => ray,
+            Err(Unplaced::Misses) => return,
+            Err(Unplaced::BeyondF32) => return visit_all(lanes, tree, visit),
         };
         let mut end = ray.end(t_max);
         let lines = &*tree.lines;
@@ -69,7 +61,13 @@ impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
                 while hit != 0 {
                     let lane = hit.trailing_zeros() as usize % WIDTH;
                     hit &= hit - 1;
-                    end = ray.end(visit(Candidate::new(packet, lane, unscale)));
+                    let found = Found {
+                        tree,
+                        packet,
+                        lane,
+                        visit,
+                    };
+                    end = ray.end(lanes.apart(found));
                 }
             } else {
                 let node = Node::at(lines, place);
@@ -87,11 +85,47 @@ impl<F: FnMut(Candidate) -> f64, const SIFT: bool> Work for Walk<'_, F, SIFT> {
             }
             loop {
                 let Some(item) = stack.pop() else { return };
-                if begins(item) <= end {
+                if item.cast_signed() <= last(end) {
                     place = place_of(item);
                     break;
                 }
             }
+        }
+    }
+}
+
+/// A triangle that the ray may hit, on its way to who asks for such.
+struct Found<'a, V> {
+    tree: &'a Bvh,
+    packet: &'a Packet,
+    lane: usize,
+    visit: &'a mut V,
+}
+
+impl<V: Visit> Work for Found<'_, V> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> f64 {
+        let lane = self.lane % WIDTH;
+        let unscale = self.tree.frame.unscale;
+        let wide = |[x, y, z]: [f32; 3]| unscale * DVec3::new(x.into(), y.into(), z.into());
+        let corners = self.packet.corners_of(lane).map(wide);
+        self.visit.visit(self.packet.triangles[lane], corners)
+    }
+}
+
+/// Hands over every triangle.
+#[cold]
+fn visit_all(lanes: impl Lanes, tree: &Bvh, visit: &mut impl Visit) {
+    for (_, packet) in tree.packets() {
+        for lane in packet.lanes() {
+            lanes.apart(Found {
+                tree,
+                packet,
+                lane,
+                visit,
+            });
         }
     }
 }
@@ -101,7 +135,7 @@ struct Open<'a> {
     node: &'a Node,
     place: Place,
     /// Where the ray enters each.
-    enter: [f32; WIDTH],
+    enter: Eight,
     /// Those that are not yet taken.
     hit: u32,
 }
@@ -148,18 +182,16 @@ impl Open<'_> {
     fn next(&mut self) -> u64 {
         let lane = self.hit.trailing_zeros() as usize % WIDTH;
         self.hit &= self.hit - 1;
-        item(self.enter[lane], self.place.of(self.node.children[lane]))
+        item(self.enter.0[lane], self.place.of(self.node.children[lane]))
     }
 }
 
-/// What will be read of a node, and most of a packet.
+/// What will be read of a packet, and all of a node.
 #[inline(always)]
 fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
     let line = place_of(item).line();
-    if let Some(lines) = lines[line..].first_chunk::<{ Node::LINES }>() {
-        for line in lines {
-            lanes.prefetch(line);
-        }
+    for line in line..line + Packet::LINES {
+        lanes.prefetch(lines, line);
     }
 }
 
@@ -176,9 +208,11 @@ fn place_of(item: u64) -> Place {
     Place::from_bits(item as u32)
 }
 
+/// The last item whose box begins no later than `end`, which is not negative: of items as signed numbers, so that those
+/// that begin before 0 are less.
 #[inline(always)]
-fn begins(item: u64) -> f32 {
-    f32::from_bits((item >> 32) as u32)
+fn last(end: f32) -> i64 {
+    (u64::from(end.to_bits()) << 32 | u64::from(u32::MAX)).cast_signed()
 }
 
 /// Which lanes hold a triangle.
@@ -190,8 +224,7 @@ fn present<L: Lanes>(lanes: L, packet: &Packet) -> u32 {
 
 /// A ray against the eight boxes of a node.
 struct Boxes<L: Lanes> {
-    entry: [Plane; 3],
-    exit: [Plane; 3],
+    backwards: [usize; 3],
     inverse: [L::F; 3],
     entry_offset: [L::F; 3],
     exit_offset: [L::F; 3],
@@ -202,8 +235,7 @@ impl<L: Lanes> Boxes<L> {
     #[inline(always)]
     fn new(lanes: L, ray: &TreeRay) -> Self {
         Self {
-            entry: ray.entry,
-            exit: ray.exit,
+            backwards: ray.backwards,
             inverse: splat3(lanes, ray.inverse.to_array()),
             entry_offset: splat3(lanes, ray.entry_offset.to_array()),
             exit_offset: splat3(lanes, ray.exit_offset.to_array()),
@@ -227,13 +259,13 @@ impl<L: Lanes> Boxes<L> {
 
     #[inline(always)]
     fn enter(&self, lanes: L, node: &Node, axis: usize) -> L::F {
-        let plane = lanes.load(&node.planes[self.entry[axis] as usize]);
+        let plane = lanes.load(&node.corners[self.backwards[axis]][axis]);
         lanes.mul_add(plane, self.inverse[axis], self.entry_offset[axis])
     }
 
     #[inline(always)]
     fn leave(&self, lanes: L, node: &Node, axis: usize) -> L::F {
-        let plane = lanes.load(&node.planes[self.exit[axis] as usize]);
+        let plane = lanes.load(&node.corners[1 - self.backwards[axis]][axis]);
         lanes.mul_add(plane, self.inverse[axis], self.exit_offset[axis])
     }
 }

@@ -1,8 +1,12 @@
 //! A mesh against rays: through its tree, or every triangle in turn.
+#![allow(
+    clippy::inline_always,
+    reason = "what is not inlined into a walk is not compiled for its instructions"
+)]
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Candidate, Hit, Ray, Sides, TriangleHit, TriangleTest, VertexRay, guarded_volume,
+    Aabb, Bvh, Hit, Ray, Sides, TriangleHit, TriangleTest, VertexRay, Visit, guarded_volume,
     triangle::{compare_t, is_in_doubt, settled_volume},
 };
 use glam::DVec3;
@@ -59,20 +63,15 @@ impl Mesh {
     /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
     #[must_use]
     pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
-        // What the tree has sifted need not be filtered again.
-        #[expect(
-            clippy::redundant_closure,
-            reason = "a closure is inlined into the walk, its function is not"
-        )]
-        if self.tree.get().is_some() {
-            self.nearest::<true>(
-                ray,
-                sides,
-                |ray, corners| settled_volume(ray, corners),
-                accept,
-            )
-        } else {
-            self.nearest::<true>(ray, sides, guarded_volume, accept)
+        let center = &self.data.origin;
+        match self.tree.get() {
+            // What the tree has sifted need not be filtered again.
+            Some(tree) => Nearest::of(self, ray, sides, Settled, accept, |nearest| {
+                tree.visit(ray, center, nearest);
+            }),
+            None => Nearest::of(self, ray, sides, guarded_volume, accept, |nearest| {
+                self.every_triangle(nearest);
+            }),
         }
     }
 
@@ -85,40 +84,9 @@ impl Mesh {
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        self.nearest::<false>(ray, sides, test, accept)
-    }
-
-    #[inline]
-    fn nearest<const SIFT: bool>(
-        &self,
-        ray: &Ray,
-        sides: Sides,
-        test: impl Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>,
-        accept: impl Fn(usize) -> bool,
-    ) -> Option<Hit> {
-        // Most rays meet nothing and need none.
-        let mut local = None;
-        let mut best: Option<Hit> = None;
-        let mut end = ray.t_max;
-        self.visit::<SIFT>(ray, |triangle, corners| {
-            let local = &*local.get_or_insert_with(|| VertexRay::new(ray, self.data.origin));
-            if let Some(hit) = test(local, corners)
-                && (sides == Sides::Both || hit.front)
-                && accept(self.part_of(triangle))
-            {
-                let is_first = best.is_none_or(|best| {
-                    let hit = hit.on(triangle, corners);
-                    self.order(&hit, &best, local).is_lt()
-                });
-                if is_first {
-                    // The exact parameter may be this much further, and nearer or equal ones may lie before it.
-                    end = hit.t + hit.t_error;
-                    best = Some(hit.on(triangle, corners));
-                }
-            }
-            end
-        });
-        best
+        Nearest::of(self, ray, sides, test, accept, |nearest| {
+            self.visit::<false>(ray, nearest);
+        })
     }
 
     /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
@@ -126,7 +94,7 @@ impl Mesh {
     pub fn all(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Vec<Hit> {
         let local = VertexRay::new(ray, self.data.origin);
         let mut all = Vec::new();
-        self.visit::<true>(ray, |triangle, corners| {
+        self.visit::<true>(ray, &mut |triangle, corners| {
             if let Some(hit) = guarded_volume(&local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
@@ -145,7 +113,7 @@ impl Mesh {
         let local = VertexRay::new(ray, self.data.origin);
         let inverse = ray.direction.recip();
         let mut found = false;
-        let mut visit = |triangle, corners| {
+        let mut visit = |triangle, corners: [DVec3; 3]| {
             found = found
                 || is_in_doubt(&local, corners)
                     && Aabb::around(corners).may_hit(&local, inverse)
@@ -154,7 +122,7 @@ impl Mesh {
             if found { f64::NEG_INFINITY } else { ray.t_max }
         };
         if local.is_bounded() {
-            self.visit::<false>(ray, visit);
+            self.visit::<false>(ray, &mut visit);
         } else {
             self.every_triangle(&mut visit);
         }
@@ -175,22 +143,103 @@ impl Mesh {
     /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
     /// false, a tree leaves out none whose box the ray may meet.
     #[inline]
-    fn visit<const SIFT: bool>(&self, ray: &Ray, mut visit: impl FnMut(u32, [DVec3; 3]) -> f64) {
-        let Some(tree) = self.tree.get() else {
-            return self.every_triangle(&mut visit);
-        };
+    fn visit<const SIFT: bool>(&self, ray: &Ray, visit: &mut impl Visit) {
         let center = &self.data.origin;
-        let mut visit = |found: Candidate| visit(found.triangle(), found.corners());
-        if SIFT {
-            tree.visit(ray, center, &mut visit);
-        } else {
-            tree.visit_boxes(ray, center, &mut visit);
+        match self.tree.get() {
+            Some(tree) if SIFT => tree.visit(ray, center, visit),
+            Some(tree) => tree.visit_boxes(ray, center, visit),
+            None => self.every_triangle(visit),
         }
     }
 
-    fn every_triangle(&self, visit: &mut impl FnMut(u32, [DVec3; 3]) -> f64) {
+    fn every_triangle(&self, visit: &mut impl Visit) {
         for triangle in (0..).take(self.data.triangles.len()) {
-            visit(triangle, self.vertex_corners(triangle));
+            visit.visit(triangle, self.vertex_corners(triangle));
         }
+    }
+}
+
+/// [`TriangleTest`]s and closures like them, and what can be inlined for certain.
+trait Test {
+    fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit>;
+}
+
+impl<F: Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>> Test for F {
+    #[inline]
+    fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+        self(ray, corners)
+    }
+}
+
+/// [`settled_volume`].
+struct Settled;
+
+impl Test for Settled {
+    #[inline(always)]
+    fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+        settled_volume(ray, corners)
+    }
+}
+
+/// The nearest hit among the triangles seen so far.
+struct Nearest<'a, T, A> {
+    mesh: &'a Mesh,
+    ray: &'a Ray,
+    sides: Sides,
+    test: T,
+    accept: A,
+    /// Most rays meet nothing and need none.
+    local: Option<VertexRay>,
+    end: f64,
+    best: Option<Hit>,
+}
+
+impl<'a, T: Test, A: Fn(usize) -> bool> Nearest<'a, T, A> {
+    /// The nearest hit among those that `visit` shows it.
+    #[inline]
+    fn of(
+        mesh: &'a Mesh,
+        ray: &'a Ray,
+        sides: Sides,
+        test: T,
+        accept: A,
+        visit: impl FnOnce(&mut Self),
+    ) -> Option<Hit> {
+        let mut nearest = Self {
+            mesh,
+            ray,
+            sides,
+            test,
+            accept,
+            local: None,
+            end: ray.t_max,
+            best: None,
+        };
+        visit(&mut nearest);
+        nearest.best
+    }
+}
+
+impl<T: Test, A: Fn(usize) -> bool> Visit for Nearest<'_, T, A> {
+    #[inline(always)]
+    fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64 {
+        let local = self
+            .local
+            .get_or_insert_with(|| VertexRay::new(self.ray, self.mesh.data.origin));
+        if let Some(hit) = self.test.test(local, corners)
+            && (self.sides == Sides::Both || hit.front)
+            && (self.accept)(self.mesh.part_of(triangle))
+        {
+            let is_first = self.best.is_none_or(|best| {
+                let hit = hit.on(triangle, corners);
+                self.mesh.order(&hit, &best, local).is_lt()
+            });
+            if is_first {
+                // The exact parameter may be this much further, and nearer or equal ones may lie before it.
+                self.end = hit.t + hit.t_error;
+                self.best = Some(hit.on(triangle, corners));
+            }
+        }
+        self.end
     }
 }
