@@ -60,6 +60,12 @@ fn cases() -> Vec<Case> {
         let size = 0.5_f64.powi(i % 100);
         one.map(|p| size * (p + DVec3::ONE))
     });
+    // The same along six arms that end in one point, so that no cut takes off much: as deep as trees become.
+    let arms = (0..1050).map(|i| {
+        let arm = [DVec3::X, DVec3::Y, DVec3::Z][i as usize % 3] * [1.0, -1.0][i as usize / 3 % 2];
+        let size = 2_f64.powi(29 - i / 6);
+        one.map(|p| size * (arm + 0.1 * p))
+    });
     // A fan of needles that all meet, and whose boxes all overlap.
     let needles = (0..300_i32).map(|i| {
         let angle = f64::from(i) * 0.011;
@@ -82,6 +88,7 @@ fn cases() -> Vec<Case> {
         ),
         Case::new("equal centres", nested),
         Case::new("halving", halving),
+        Case::new("six arms", arms),
         Case::new("needles", needles),
         Case::new("tiny beside large", mixed),
         Case::new("tiny", soup(7, 300, 1e-30)),

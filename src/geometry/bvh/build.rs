@@ -11,7 +11,7 @@ use super::{
     split::{Leaf, Range},
 };
 use crate::geometry::Aabb;
-use glam::Vec4;
+use glam::Vec3A;
 use std::{
     num::NonZero,
     sync::{
@@ -48,7 +48,7 @@ pub(super) fn build(
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
     let all = Range::new(&mut leaves);
-    let [min, max] = all.bounds().map(Vec4::truncate);
+    let [min, max] = all.bounds();
     let site = Site {
         vertices,
         small: triangles.len() / (threads * JOBS_PER_THREAD),
@@ -280,9 +280,7 @@ impl Vertices<'_> {
     }
 
     fn leaf(&self, triangle: u32) -> Leaf {
-        let [a, b, c] = self
-            .corners(triangle)
-            .map(|[x, y, z]| Vec4::new(x, y, z, 0.0));
+        let [a, b, c] = self.corners(triangle).map(Vec3A::from_array);
         Leaf::new(triangle, a.min(b).min(c), a.max(b).max(c))
     }
 

@@ -54,7 +54,7 @@ impl Bvh {
     /// finite.
     ///
     /// `None` when `stop` was set meanwhile, and for meshes that a tree cannot hold: without triangles, with more than
-    /// `2^30` of them, or with coordinates that differ by so many orders of magnitude that scaling would change them.
+    /// `2^27` of them, or with coordinates that differ by so many orders of magnitude that scaling would change them.
     #[must_use]
     pub fn build(
         positions: &[[f32; 3]],
@@ -131,20 +131,14 @@ impl Bvh {
         unscaled.collect()
     }
 
-    /// Bytes that it takes.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        size_of_val(&*self.lines)
-    }
-
-    /// All packets with their places.
-    fn packets(&self) -> impl Iterator<Item = (Place, &Packet)> {
+    /// All packets.
+    fn packets(&self) -> impl Iterator<Item = &Packet> {
         let mut open = vec![Place::ROOT];
         std::iter::from_fn(move || {
             loop {
                 let place = open.pop()?;
                 if place.is_packet() {
-                    return Some((place, Packet::at(&self.lines, place)));
+                    return Some(Packet::at(&self.lines, place));
                 }
                 let node = Node::at(&self.lines, place);
                 open.extend(node.children().map(|(_, child)| place.of(child)));

@@ -110,6 +110,8 @@ pub(super) trait Lanes: Copy {
     fn abs(self, a: Self::F) -> Self::F;
     /// Where `a <= b`.
     fn le(self, a: Self::F, b: Self::F) -> u32;
+    /// The last four first.
+    fn halves_swapped(self, a: Self::F) -> Self::F;
     /// Asks for the cache line of an item that is going to be read; any index will do.
     fn prefetch<T>(self, items: &[T], index: usize);
     /// Does `work` by the same instructions, but out of line: for what is done rarely and would crowd a loop.
@@ -146,6 +148,7 @@ impl Lanes for Portable {
     #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { each(|i| if a[i] > b[i] { a[i] } else { b[i] }) }
     #[inline(always)] fn abs(self, a: Self::F) -> Self::F { each(|i| a[i].abs()) }
     #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { (0..8).fold(0, |mask, i| mask | u32::from(a[i] <= b[i]) << i) }
+    #[inline(always)] fn halves_swapped(self, a: Self::F) -> Self::F { each(|i| a[i ^ 4]) }
     #[inline(always)] fn prefetch<T>(self, _: &[T], _: usize) {}
     #[inline(never)] fn apart<W: Work>(self, work: W) -> W::Output { work.run(self) }
 }
@@ -238,6 +241,7 @@ mod x86 {
         #[inline(always)] fn max(self, a: __m256, b: __m256) -> __m256 { unsafe { _mm256_max_ps(a, b) } }
         #[inline(always)] fn abs(self, a: __m256) -> __m256 { unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) } }
         #[inline(always)] fn le(self, a: __m256, b: __m256) -> u32 { unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)).cast_unsigned() } }
+        #[inline(always)] fn halves_swapped(self, a: __m256) -> __m256 { unsafe { _mm256_permute2f128_ps::<1>(a, a) } }
         #[inline(always)] fn prefetch<T>(self, items: &[T], index: usize) { unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().wrapping_add(index).cast()) } }
         #[inline(always)] fn apart<W: Work>(self, work: W) -> W::Output { unsafe { apart_by_avx2(self, work) } }
     }
@@ -269,6 +273,7 @@ mod x86 {
         #[inline(always)] fn max(self, a: Self::F, b: Self::F) -> Self::F { unsafe { [_mm_max_ps(a[0], b[0]), _mm_max_ps(a[1], b[1])] } }
         #[inline(always)] fn abs(self, a: Self::F) -> Self::F { unsafe { [_mm_andnot_ps(_mm_set1_ps(-0.0), a[0]), _mm_andnot_ps(_mm_set1_ps(-0.0), a[1])] } }
         #[inline(always)] fn le(self, a: Self::F, b: Self::F) -> u32 { let [low, high] = unsafe { [_mm_movemask_ps(_mm_cmple_ps(a[0], b[0])), _mm_movemask_ps(_mm_cmple_ps(a[1], b[1]))] }; (low | high << 4).cast_unsigned() }
+        #[inline(always)] fn halves_swapped(self, [low, high]: Self::F) -> Self::F { [high, low] }
         #[inline(always)] fn prefetch<T>(self, items: &[T], index: usize) { unsafe { _mm_prefetch::<_MM_HINT_T0>(items.as_ptr().wrapping_add(index).cast()) } }
         #[inline(never)] fn apart<W: Work>(self, work: W) -> W::Output { work.run(self) }
     }
@@ -279,7 +284,7 @@ pub(super) struct StackRoom([MaybeUninit<u64>; Self::CAPACITY]);
 
 impl StackRoom {
     /// Items that fit.
-    pub const CAPACITY: usize = 256;
+    pub const CAPACITY: usize = 160;
 
     #[inline(always)]
     pub fn new() -> Self {

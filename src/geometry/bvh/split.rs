@@ -7,80 +7,90 @@
 //! ray 2 to 35 % longer on the benchmark's meshes and 1.2 to 2.5 times as long to build, with twice the memory; its
 //! faster presets were worse on rays. That is what these lines buy.
 
-use super::{node::WIDTH, simd::StackRoom};
-use glam::{BVec4A, Vec4};
+use super::{
+    node::WIDTH,
+    simd::{Eight, Lanes, StackRoom, Work, run_fastest},
+};
+use glam::Vec3A;
 
 /// Triangles from which on a range is sorted into 16 bins along each axis; fewer are into 8: more bins would cost more
 /// than they tell.
 const WORTH_16_BINS: usize = 64;
-/// Below this depth ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
-/// deeper than [`DEEPEST`].
-const HALVED_BELOW: usize = 22;
-/// Nodes on the longest way down: what lies below `HALVED_BELOW` holds 8^11 triangles.
-const DEEPEST: usize = HALVED_BELOW + 10;
+/// Below this depth, which real meshes do not reach (theirs is 5 to 8), ranges are halved by count, whatever that does to
+/// their boxes, so that no input makes the tree deeper than [`DEEPEST`].
+const HALVED_BELOW: usize = 13;
+/// Nodes above a packet, at most: each node below `HALVED_BELOW` has an eighth of its triangles in each child, and there
+/// are no more than 2^27.
+pub(super) const DEEPEST: usize = HALVED_BELOW + 8;
 // Of each node on the way down, all children but one may wait.
 const _: () = assert!(DEEPEST * (WIDTH - 1) < StackRoom::CAPACITY);
 
-/// A triangle's box; the last component of `min` carries its index as bits.
+/// A triangle's box, as [`Extent`] has it; number 3 carries the triangle's index as bits.
 #[derive(Clone, Copy)]
-pub(super) struct Leaf {
-    min: Vec4,
-    max: Vec4,
-}
+pub(super) struct Leaf(Eight);
 
 impl Leaf {
-    pub fn new(triangle: u32, min: Vec4, max: Vec4) -> Self {
-        let min = min.with_w(f32::from_bits(triangle));
-        Self { min, max }
+    pub fn new(triangle: u32, min: Vec3A, max: Vec3A) -> Self {
+        let Extent(Eight(mut numbers)) = Extent::new(min, max);
+        numbers[3] = f32::from_bits(triangle);
+        Self(Eight(numbers))
     }
 
     pub fn triangle(&self) -> u32 {
-        self.min.w.to_bits()
+        self.0.0[3].to_bits()
     }
 
-    /// Twice the middle of its box.
+    /// Twice the middle of its box, along an axis.
     #[inline(always)]
-    fn center(&self) -> Vec4 {
-        self.min + self.max
+    fn center(&self, axis: usize) -> f32 {
+        let Eight(numbers) = &self.0;
+        numbers[axis] - numbers[4 + axis]
     }
 }
 
-/// A box, of which the last components mean nothing.
+/// A box: least x, y, z, something, then greatest x, y, z with their signs turned, and something. So one minimum of eight
+/// numbers widens it.
 #[derive(Clone, Copy)]
-struct Extent {
-    min: Vec4,
-    max: Vec4,
-}
+struct Extent(Eight);
 
 impl Extent {
-    const EMPTY: Self = Self {
-        min: Vec4::INFINITY,
-        max: Vec4::NEG_INFINITY,
-    };
+    const EMPTY: Self = Self(Eight([f32::INFINITY; 8]));
 
-    #[inline(always)]
-    fn union(self, min: Vec4, max: Vec4) -> Self {
-        Self {
-            min: self.min.min(min),
-            max: self.max.max(max),
-        }
+    fn new(min: Vec3A, max: Vec3A) -> Self {
+        let ([a, b, c], [d, e, f]) = (min.to_array(), (-max).to_array());
+        Self(Eight([a, b, c, 0.0, d, e, f, 0.0]))
     }
 
-    /// [`Extent::union`] with a point, or with nothing.
     #[inline(always)]
-    fn union_where(self, wanted: bool, point: Vec4) -> Self {
-        let wanted = BVec4A::splat(wanted);
-        self.union(
-            Vec4::select(wanted, point, Self::EMPTY.min),
-            Vec4::select(wanted, point, Self::EMPTY.max),
-        )
+    fn union<L: Lanes>(&self, lanes: L, other: &Eight) -> Self {
+        let both = lanes.min(lanes.load(&self.0.0), lanes.load(&other.0));
+        Self(lanes.store(both))
+    }
+
+    #[inline(always)]
+    fn min(&self) -> Vec3A {
+        let [x, y, z, ..] = self.0.0;
+        Vec3A::new(x, y, z)
+    }
+
+    #[inline(always)]
+    fn max(&self) -> Vec3A {
+        let [_, _, _, _, x, y, z, _] = self.0.0;
+        -Vec3A::new(x, y, z)
     }
 
     /// Half the surface.
+    #[inline(always)]
     fn area(&self) -> f32 {
-        let size = (self.max - self.min).truncate();
+        let size = self.max() - self.min();
         size.x * size.y + size.y * size.z + size.z * size.x
     }
+}
+
+/// The middle of a leaf's box, doubled, as an [`Extent`].
+#[inline(always)]
+fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
+    lanes.sub(leaf, lanes.halves_swapped(leaf))
 }
 
 /// Triangles that become one child, with the box about them and that about their centres (doubled).
@@ -92,14 +102,22 @@ pub(super) struct Range<'a> {
 
 impl<'a> Range<'a> {
     pub fn new(leaves: &'a mut [Leaf]) -> Self {
-        let empty = (Extent::EMPTY, Extent::EMPTY);
-        let (bounds, centers) = leaves.iter().fold(empty, |(bounds, centers), leaf| {
-            let center = leaf.center();
-            (
-                bounds.union(leaf.min, leaf.max),
-                centers.union(center, center),
-            )
-        });
+        struct About<'a>(&'a [Leaf]);
+        impl Work for About<'_> {
+            type Output = [Extent; 2];
+            #[inline(always)]
+            fn run<L: Lanes>(self, lanes: L) -> [Extent; 2] {
+                let empty = lanes.splat(f32::INFINITY);
+                let (mut bounds, mut centers) = (empty, empty);
+                for leaf in self.0 {
+                    let leaf = lanes.load(&leaf.0.0);
+                    bounds = lanes.min(bounds, leaf);
+                    centers = lanes.min(centers, center_of(lanes, leaf));
+                }
+                [bounds, centers].map(|extent| Extent(lanes.store(extent)))
+            }
+        }
+        let [bounds, centers] = run_fastest(About(leaves));
         Self {
             leaves,
             bounds,
@@ -115,9 +133,9 @@ impl<'a> Range<'a> {
         self.leaves.len()
     }
 
-    /// The corners of the box about the triangles; the last components mean nothing.
-    pub fn bounds(&self) -> [Vec4; 2] {
-        [self.bounds.min, self.bounds.max]
+    /// The corners of the box about the triangles.
+    pub fn bounds(&self) -> [Vec3A; 2] {
+        [self.bounds.min(), self.bounds.max()]
     }
 
     /// Into up to eight, none empty, for a node at this depth.
@@ -136,56 +154,81 @@ impl<'a> Range<'a> {
             let splittable = (parts.iter().enumerate()).filter(|(_, p)| p.leaves.len() > WIDTH);
             let largest = splittable.max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)));
             let Some((largest, _)) = largest else { break };
-            let (a, b) = parts.swap_remove(largest).split(depth < HALVED_BELOW);
+            let part = parts.swap_remove(largest);
+            let (a, b) = if depth < HALVED_BELOW {
+                run_fastest(Split(part))
+            } else {
+                part.halved()
+            };
             parts.extend([a, b]);
         }
         parts
     }
 
-    /// In two, neither empty.
-    fn split(self, by_area: bool) -> (Self, Self) {
-        let cut = match self.leaves.len() {
-            _ if !by_area => None,
-            count if count < WORTH_16_BINS => Binning::<8>::new(&self).best(),
-            _ => Binning::<16>::new(&self).best(),
-        };
-        if let Some(cut) = cut {
-            return self.split_at(&cut);
-        }
+    /// In two by count, neither empty.
+    fn halved(self) -> (Self, Self) {
         let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
         (Self::new(a), Self::new(b))
     }
 
     /// Without a branch, of which a processor would foresee every other one only.
-    fn split_at(self, cut: &Cut) -> (Self, Self) {
+    #[inline(always)]
+    fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> (Self, Self) {
+        // No number is above it, or every one: by whether a centre counts.
+        const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
         let Self { leaves, .. } = self;
-        let [mut below, mut above] = [Extent::EMPTY; 2];
+        let mut below = lanes.splat(f32::INFINITY);
+        let mut above = below;
         let mut count = 0;
         for i in 0..leaves.len() {
             // Read before it moves: what was just written is slow to read.
-            let leaf = leaves[i];
-            let is_below = cut.is_below(&leaf);
-            leaves.swap(i, count);
-            below = below.union_where(is_below, leaf.center());
-            above = above.union_where(!is_below, leaf.center());
+            let is_below = cut.is_below(&leaves[i]);
+            let leaf = lanes.load(&leaves[i].0.0);
+            leaves[i] = leaves[count];
+            leaves[count] = Leaf(lanes.store(leaf));
+            let center = center_of(lanes, leaf);
+            let gate = |wanted: bool| lanes.splat(GATE[usize::from(wanted)]);
+            below = lanes.min(below, lanes.max(center, gate(is_below)));
+            above = lanes.min(above, lanes.max(center, gate(!is_below)));
             count += usize::from(is_below);
         }
         let (a, b) = leaves.split_at_mut(count);
         let part = |leaves, bounds, centers| Self {
             leaves,
             bounds,
-            centers,
+            centers: Extent(lanes.store(centers)),
         };
         let [bounds_a, bounds_b] = cut.bounds;
         (part(a, bounds_a, below), part(b, bounds_b, above))
     }
 }
 
+/// In two, neither empty.
+struct Split<'a>(Range<'a>);
+
+impl<'a> Work for Split<'a> {
+    type Output = (Range<'a>, Range<'a>);
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output {
+        let Self(range) = self;
+        let cut = if range.leaves.len() < WORTH_16_BINS {
+            Binning::<8>::new(lanes, &range).best(lanes)
+        } else {
+            Binning::<16>::new(lanes, &range).best(lanes)
+        };
+        match cut {
+            Some(cut) => range.split_at(lanes, &cut),
+            None => range.halved(),
+        }
+    }
+}
+
 /// From centres to bins.
 #[derive(Clone, Copy)]
 struct Bins {
-    origin: Vec4,
-    scale: Vec4,
+    origin: Vec3A,
+    scale: Vec3A,
     /// Numbers less than their count, which is a power of two.
     mask: u32,
 }
@@ -195,12 +238,13 @@ impl Bins {
     const INTEGER: f32 = 8_388_608.0;
 
     #[expect(clippy::cast_precision_loss, reason = "a small number")]
+    #[inline(always)]
     fn new(centers: &Extent, mask: u32) -> Self {
-        let size = centers.max - centers.min;
-        let scale = Vec4::splat(mask as f32) / size;
+        let size = centers.max() - centers.min();
+        let scale = Vec3A::splat(mask as f32) / size;
         Self {
-            origin: centers.min,
-            scale: Vec4::select(size.cmpgt(Vec4::ZERO), scale, Vec4::ZERO),
+            origin: centers.min(),
+            scale: Vec3A::select(size.cmpgt(Vec3A::ZERO), scale, Vec3A::ZERO),
             mask,
         }
     }
@@ -208,10 +252,9 @@ impl Bins {
     /// The bin of a centre along each axis. Of a float between 2^23 and 2^24 the last bits are an integer; taking no more
     /// than them gives some bin, always the same, even for what overflows.
     #[inline(always)]
-    fn of(&self, center: Vec4) -> [u32; 3] {
-        let at = (center - self.origin) * self.scale + Vec4::splat(Self::INTEGER);
-        let [x, y, z, _] = at.to_array();
-        [x, y, z].map(|x| x.to_bits() & self.mask)
+    fn of(&self, center: Vec3A) -> [u32; 3] {
+        let at = (center - self.origin) * self.scale + Vec3A::splat(Self::INTEGER);
+        at.to_array().map(|x| x.to_bits() & self.mask)
     }
 
     /// The same along one axis.
@@ -234,8 +277,7 @@ struct Cut {
 impl Cut {
     #[inline(always)]
     fn is_below(&self, leaf: &Leaf) -> bool {
-        let center = leaf.min[self.axis] + leaf.max[self.axis];
-        self.bins.along(self.axis, center) < self.first_above
+        self.bins.along(self.axis, leaf.center(self.axis)) < self.first_above
     }
 }
 
@@ -247,15 +289,18 @@ struct Binning<const BINS: usize> {
 }
 
 impl<const BINS: usize> Binning<BINS> {
-    fn new(range: &Range) -> Self {
+    #[inline(always)]
+    fn new<L: Lanes>(lanes: L, range: &Range) -> Self {
         let bins = Bins::new(&range.centers, narrow(BINS - 1));
         let mut extents = [[Extent::EMPTY; BINS]; 3];
         let mut counts = [[0; BINS]; 3];
         for leaf in &*range.leaves {
-            for (axis, bin) in bins.of(leaf.center()).into_iter().enumerate() {
+            let numbers = lanes.load(&leaf.0.0);
+            let center = Vec3A::new(leaf.center(0), leaf.center(1), leaf.center(2));
+            for (axis, bin) in bins.of(center).into_iter().enumerate() {
                 let bin = bin as usize % BINS;
-                let extent = &mut extents[axis][bin];
-                *extent = extent.union(leaf.min, leaf.max);
+                let extent = &mut extents[axis][bin].0;
+                *extent = lanes.store(lanes.min(lanes.load(&extent.0), numbers));
                 counts[axis][bin] += 1;
             }
         }
@@ -267,20 +312,21 @@ impl<const BINS: usize> Binning<BINS> {
     }
 
     /// The cut with the least expected cost; `None` when all are in one bin.
-    fn best(&self) -> Option<Cut> {
+    #[inline(always)]
+    fn best<L: Lanes>(&self, lanes: L) -> Option<Cut> {
         let mut best: Option<(f32, usize, usize)> = None;
         for axis in 0..3 {
             let (extents, counts) = (&self.extents[axis], &self.counts[axis]);
             let mut costs_above = [f32::INFINITY; BINS];
             let (mut extent, mut count) = (Extent::EMPTY, 0);
             for bin in (1..BINS).rev() {
-                extent = extent.union(extents[bin].min, extents[bin].max);
+                extent = extent.union(lanes, &extents[bin].0);
                 count += counts[bin];
                 costs_above[bin] = cost(&extent, count);
             }
             let (mut extent, mut count) = (Extent::EMPTY, 0);
             for bin in 1..BINS {
-                extent = extent.union(extents[bin - 1].min, extents[bin - 1].max);
+                extent = extent.union(lanes, &extents[bin - 1].0);
                 count += counts[bin - 1];
                 let cost = cost(&extent, count) + costs_above[bin];
                 if best.is_none_or(|(least, ..)| cost < least) && cost < f32::INFINITY {
@@ -289,11 +335,11 @@ impl<const BINS: usize> Binning<BINS> {
             }
         }
         let (_, axis, first_above) = best?;
-        let (below, above) = self.extents[axis].split_at(first_above);
-        let bounds = [below, above].map(|side| {
-            side.iter()
-                .fold(Extent::EMPTY, |all, bin| all.union(bin.min, bin.max))
-        });
+        let mut bounds = [Extent::EMPTY; 2];
+        for (bin, extent) in self.extents[axis].iter().enumerate() {
+            let side = &mut bounds[usize::from(bin >= first_above)];
+            *side = side.union(lanes, &extent.0);
+        }
         Some(Cut {
             bins: self.bins,
             axis,
@@ -305,6 +351,7 @@ impl<const BINS: usize> Binning<BINS> {
 
 /// Surface times packets: what a ray is expected to pay; infinite for nothing at all.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+#[inline(always)]
 fn cost(extent: &Extent, count: usize) -> f32 {
     if count == 0 {
         return f32::INFINITY;

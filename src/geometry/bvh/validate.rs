@@ -4,11 +4,12 @@ use super::{
     Bvh,
     node::{Child, Node, Packet, Place, WIDTH},
     ray::Frame,
+    split::DEEPEST,
 };
 
 impl Bvh {
     /// Checks that the tree holds each of `triangles` once, with its corners to the bit, that every box covers what is
-    /// below it, and that each node and packet is reached once.
+    /// below it, that each node and packet is reached once, and none of them too deep for a walk's stack.
     ///
     /// # Errors
     /// What is wrong, for whoever repairs the builder.
@@ -17,9 +18,12 @@ impl Bvh {
         let mut lines = 0;
         let Frame { bounds, scale, .. } = self.frame;
         let everywhere = [bounds.min, bounds.max].map(|v| v.as_vec3().to_array());
-        // Each with the box that it must lie in.
-        let mut open = vec![(Place::ROOT, everywhere)];
-        while let Some((place, bounds)) = open.pop() {
+        // Each with the box that it must lie in, and the nodes above it.
+        let mut open = vec![(Place::ROOT, everywhere, 0)];
+        while let Some((place, bounds, depth)) = open.pop() {
+            if depth > DEEPEST {
+                return Err(format!("{place:?} is {depth} nodes deep"));
+            }
             if place.is_packet() {
                 lines += Packet::LINES;
                 let packet = Packet::at(&self.lines, place);
@@ -57,7 +61,7 @@ impl Bvh {
                 if !inner.iter().all(|&corner| holds(bounds, corner)) {
                     return Err(format!("a box of {place:?} is outside of the node's own"));
                 }
-                open.push((place.of(child), inner));
+                open.push((place.of(child), inner, depth + 1));
             }
         }
         if lines != self.lines.len() {

@@ -118,7 +118,7 @@ impl<V: Visit> Work for Found<'_, V> {
 /// Hands over every triangle.
 #[cold]
 fn visit_all(lanes: impl Lanes, tree: &Bvh, visit: &mut impl Visit) {
-    for (_, packet) in tree.packets() {
+    for packet in tree.packets() {
         for lane in packet.lanes() {
             lanes.apart(Found {
                 tree,
@@ -186,7 +186,7 @@ impl Open<'_> {
     }
 }
 
-/// What will be read of a packet, and all of a node.
+/// All of a packet, which is one line more than a node has.
 #[inline(always)]
 fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
     let line = place_of(item).line();
