@@ -61,10 +61,10 @@ fn cases() -> Vec<Case> {
         one.map(|p| size * (p + DVec3::ONE))
     });
     // The same along six arms that end in one point, so that no cut takes off much: as deep as trees become.
-    let arms = (0..1050).map(|i| {
-        let arm = [DVec3::X, DVec3::Y, DVec3::Z][i as usize % 3] * [1.0, -1.0][i as usize / 3 % 2];
-        let size = 2_f64.powi(29 - i / 6);
-        one.map(|p| size * (arm + 0.1 * p))
+    let arms = (0..175).flat_map(|i| {
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+        let arms = axes.into_iter().flat_map(|axis| [axis, -axis]);
+        arms.map(move |arm| one.map(|p| 2_f64.powi(29 - i) * (arm + 0.1 * p)))
     });
     // A fan of needles that all meet, and whose boxes all overlap.
     let needles = (0..300_i32).map(|i| {
