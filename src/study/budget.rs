@@ -2,7 +2,7 @@
 
 use super::{
     estimates::{Sizes, Term, UNIT_F32},
-    methods::triangles::{SIGHTLINES_PRECISION, TriangleCase},
+    methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
     step::Precision,
     table::{number, short},
@@ -97,10 +97,10 @@ fn dominant(terms: &[Term]) -> String {
 
 /// The derived bound of what this program does, beside what was measured.
 fn ours(text: &mut String, row: &Row) {
-    let (Some(bound), unit) = (row.bound, row.step) else {
+    let Some(bound) = row.bound else {
         return;
     };
-    let exact = row.step.key == "triangle" && SIGHTLINES_PRECISION == Precision::Exact;
+    let step = row.step;
     let mut say = |bound: f64, found: f64, unit: &str, what: &str| {
         let _ = writeln!(
             text,
@@ -111,20 +111,19 @@ fn ours(text: &mut String, row: &Row) {
             number(found)
         );
     };
-    if !unit.error_unit.is_empty() {
+    if !step.error_unit.is_empty() {
         say(
             bound.error,
             row.worst_error,
-            unit.error_unit,
+            step.error_unit,
             "largest error of a value",
         );
     }
-    if !unit.wrong_unit.is_empty() {
-        let most = if exact { 0.0 } else { bound.wrong };
+    if !step.wrong_unit.is_empty() {
         say(
-            most,
+            bound.wrong,
             row.worst_wrong,
-            unit.wrong_unit,
+            step.wrong_unit,
             "largest distance of a wrong decision",
         );
     }

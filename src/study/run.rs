@@ -344,6 +344,8 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
         .collect()
 }
 
+/// Infinite where both are: that is no bound.
 fn share(found: f64, bound: f64) -> f64 {
-    if found == 0.0 { 0.0 } else { found / bound }
+    let share = if found == 0.0 { 0.0 } else { found / bound };
+    if share.is_nan() { f64::INFINITY } else { share }
 }

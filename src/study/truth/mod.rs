@@ -1,5 +1,5 @@
 //! What is so: the answer to each case by exact arithmetic, and how far off another answer is. No method's code is
-//! used here, nor this program's geometry.
+//! used here, nor this program's geometry but for the boxes of objects, which leave out what a ray is far from.
 
 pub mod boxes;
 pub mod clipping;
