@@ -1,7 +1,8 @@
 //! What the methods are put to: seeded families of cases, each with one parameter from harmless to absurd.
 //!
 //! All numbers come from additions, products, quotients and square roots, which every machine rounds alike, and are
-//! then rounded to `f32`: the same seed is the same workload everywhere, and methods of both precisions get it.
+//! then rounded to `f32`, but for a camera's axes and what they make: the same seed is the same workload everywhere, and
+//! methods of both precisions get it.
 
 pub mod boxes;
 pub mod clipping;
