@@ -1,11 +1,12 @@
 //! No more than a scene needs: which precision each step needs to stay within so many pixels.
 
 use super::{
-    estimates::{Sizes, Term, UNIT_F32},
+    estimates::{Sizes, Term},
     methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
     step::Precision,
     table::{number, short},
+    truth::UNIT_F32,
 };
 use crate::{camera::View, scene::Scene};
 use std::fmt::Write;
@@ -131,13 +132,7 @@ fn ours(text: &mut String, row: &Row) {
 
 /// What other methods got wrong on the scene's own rays, and what they would save.
 fn lesser(text: &mut String, report: &Report, rows: &[&Row]) {
-    let ns = |row: &Row| {
-        let mut times = report.times.iter();
-        let time = times.find(|time| {
-            (time.step, time.method, time.precision) == (row.step, row.method, row.precision)
-        });
-        time.map(|time| time.ns)
-    };
+    let ns = |row: &Row| report.time_of(row).map(|time| time.ns);
     let own = rows.iter().find(|row| row.ours).and_then(|row| ns(row));
     for row in rows
         .iter()
@@ -178,8 +173,7 @@ fn measured_need(rows: &[&Row], sizes: &Sizes, budget_px: f64) -> String {
             "px" => row.worst_error <= 0.25 * budget_px,
             _ => row.worst_error / UNIT_F32 * sizes.q <= 0.25 * budget_px,
         };
-        let wrong = row.missed + row.phantoms + row.others;
-        row.precision == Precision::F32 && wrong == 0 && within
+        row.precision == Precision::F32 && row.wrong_percent() == 0.0 && within
     };
     match rows.iter().find(right) {
         Some(row) => format!("f32 did everything right here, by {}", row.method),

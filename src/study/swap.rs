@@ -350,18 +350,10 @@ impl Step for NormalCase {
 impl Step for DepthCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
         let own = Found::sightlines(scene, view, px)?;
-        let (ray, lens) = (view.ray(px), view.camera.lens());
-        let along = ray.direction.dot(view.camera.forward());
-        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-        let depth = (own.hit.hit.t * along) as f32;
-        let read = run(&Self {
-            depth,
-            near: lens.near,
-            far: lens.far,
-            parallel: lens.is_orthographic(),
-        });
+        let ray = view.ray(px);
+        let read = run(&Self::of_hit(&view.camera, &ray, own.hit.hit.t));
         Some(Found {
-            point_world: ray.at(read / along),
+            point_world: ray.at(read / ray.direction.dot(view.camera.forward())),
             ..own
         })
     }

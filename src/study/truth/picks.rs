@@ -82,10 +82,7 @@ fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
         triangles,
         ..
     } = mesh.data();
-    triangles[triangle as usize].map(|i| {
-        let [x, y, z] = positions[i as usize].map(f64::from);
-        V3::new(x, y, z)
-    })
+    triangles[triangle as usize].map(|i| V3::from(positions[i as usize].map(f64::from)))
 }
 
 /// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.

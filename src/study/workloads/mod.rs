@@ -16,6 +16,20 @@ pub mod scene;
 pub mod spheres;
 pub mod triangles;
 
+use crate::camera::{Projection, View};
+
+/// The width of a pixel in a view's middle, in radians seen from the eye at a distance, which in perspective does not
+/// matter.
+#[must_use]
+pub fn px_angle(view: &View, distance: f64) -> f64 {
+    let lens = view.camera.lens();
+    let height = 2.0 * lens.half_extent(1.0).y / f64::from(view.viewport.height());
+    match lens.projection {
+        Projection::Perspective { .. } => height,
+        Projection::Orthographic { .. } => height / distance,
+    }
+}
+
 /// The width of a pixel in radians where nothing else is said: 60 degrees over 1080 rows, `2 tan(30 deg) / 1080`.
 pub const PX: f64 = 2.0 * TAN_30 / 1080.0;
 /// tan(30 degrees).
