@@ -53,9 +53,9 @@
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
-//! **An overlay.** Add a variant and a row to [`viewer::overlay::Overlay`], a key to the table in `viewer/keys.rs` and to
-//! README's, and the lines in world space that it stands for to `viewer/overlay.rs`. Lines are hidden by what lies before
-//! them.
+//! **An overlay.** Add a variant to [`viewer::overlay::Overlay`] and to its list of all, a key to the table in
+//! `viewer/keys.rs` and to README's, and the lines in world space that it stands for to `viewer/overlay.rs`. Lines are
+//! hidden by what lies before them.
 //!
 //! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an

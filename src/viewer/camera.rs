@@ -2,6 +2,7 @@
 
 use super::{
     action::{Action, LensControls},
+    stages::Stage,
     state::State,
 };
 use crate::{
@@ -89,12 +90,15 @@ impl State {
     }
 
     pub(super) fn reset_view(&mut self) {
+        if self.stage != Stage::World {
+            return self.frame_stage();
+        }
         // The choices made a camera before; bounds and viewport cannot make them none.
         if let Ok(camera) = self
             .opened_with
             .resolve(&self.scene.visible_bounds(), self.view.viewport)
         {
-            self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
             self.pivot_world = self.orbit.target();
             self.moved();
         }

@@ -28,7 +28,7 @@ pub(super) struct Canvas {
     panels: EguiRenderer,
     /// Of the texture that was drawn onto last.
     size: Viewport,
-    scene: Option<Scene>,
+    scene: Option<Uploaded>,
     /// What the targets hold.
     drawn: Option<Drawn>,
     targets: Option<Targets>,
@@ -37,7 +37,7 @@ pub(super) struct Canvas {
 }
 
 /// The scene on the GPU and which one it is.
-struct Scene {
+struct Uploaded {
     buffers: SceneBuffers,
     revision: u64,
     visibility: u64,
@@ -286,7 +286,7 @@ impl Canvas {
             }
             _ => {
                 let buffers = SceneBuffers::upload(&self.gpu, state.scene())?;
-                self.scene = Some(Scene {
+                self.scene = Some(Uploaded {
                     buffers,
                     revision,
                     visibility,

@@ -74,12 +74,20 @@ pub struct Options {
 pub enum ViewerError {
     /// No screen to open it on.
     #[error(
-        "no display to open a window on ({0}); without one, draw with: sightline render SCENE -o picture.png"
+        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
     )]
-    NoDisplay(String),
+    NoDisplay,
     /// No graphics for it.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+}
+
+impl ViewerError {
+    /// What the system says of it is for the log: it speaks of its own sources.
+    fn no_display(reason: &dyn std::fmt::Display) -> Self {
+        log::info!("{reason}");
+        Self::NoDisplay
+    }
 }
 
 /// Something the user asks for through keys, buttons or menus.
@@ -114,7 +122,8 @@ enum Command {
     },
     /// Open again what was open before the gallery.
     LeaveGallery,
-    /// Stop loading, pick by Sightline's own method again, or close the help or the comparison, or select nothing.
+    /// Stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
+    /// nothing.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
@@ -150,10 +159,9 @@ type Notices = Vec<Notice>;
 /// # Errors
 /// When there is no display or no adapter.
 pub fn run(options: Options) -> Result<(), ViewerError> {
-    let no_display = |error: &dyn std::fmt::Display| ViewerError::NoDisplay(error.to_string());
     let event_loop = EventLoop::with_user_event()
         .build()
-        .map_err(|error| no_display(&error))?;
+        .map_err(|error| ViewerError::no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
     // The loop is gone when the window is: then nobody is to be woken.
@@ -170,6 +178,6 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     };
     event_loop
         .run_app(&mut host)
-        .map_err(|error| no_display(&error))?;
+        .map_err(|error| ViewerError::no_display(&error))?;
     host.failed.map_or(Ok(()), Err)
 }

@@ -219,12 +219,17 @@ impl State {
         } else {
             self.scene = staged(&scene, &through, stage);
             self.world = Some((scene, through));
-            if matches!(stage, Stage::View | Stage::Ndc) {
-                // From the eye's side, a little to the right and above.
-                self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
-            }
-            self.frame(self.shown_bounds());
+            self.frame_stage();
         }
+    }
+
+    /// The view that another stage than the world's opens with.
+    pub(super) fn frame_stage(&mut self) {
+        if matches!(self.stage, Stage::View | Stage::Ndc) {
+            // From the eye's side, a little to the right and above.
+            self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+        }
+        self.frame(self.shown_bounds());
     }
 
     fn toggle_freeze(&mut self) {

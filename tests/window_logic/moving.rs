@@ -164,6 +164,22 @@ fn assert_near_vectors(a: DVec3, b: DVec3) {
 }
 
 #[test]
+fn the_opening_view_of_a_stage_is_the_stage_s_own() {
+    for stage in [Stage::Object, Stage::View, Stage::Ndc] {
+        let mut state = front_view();
+        state.apply(Action::Stage(stage));
+        for change in [Action::ResetView, Action::UpAxis(UpAxis::Z)] {
+            state.apply(Action::Turn(DVec2::new(300.0, 0.0)));
+            state.apply(change);
+            for corner in state.scene().visible_bounds().corners() {
+                let seen = state.view().project(corner).expect("in front").px;
+                assert!(state.view().viewport.contains(seen), "{stage:?}: {seen}");
+            }
+        }
+    }
+}
+
+#[test]
 fn another_stage_freezes_no_camera() {
     let mut state = front_view();
     state.apply(Action::Stage(Stage::View));

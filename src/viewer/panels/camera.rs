@@ -12,9 +12,6 @@ use crate::{
 };
 use egui::{Grid, Slider, Ui};
 
-/// Width of a typed number, in points.
-const NUMBER: f32 = 74.0;
-
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -91,7 +88,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls) {
             {
                 next.fov_deg = slid;
             }
-            if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, NUMBER, typed) {
+            if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, field::WIDTH, typed) {
                 next.fov_deg = number;
             }
         });
@@ -137,7 +134,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls) {
             if ui.add(slider).changed() && typed(slid).is_ok() {
                 *which(next) = Some(slid);
             }
-            if let (_, Some(number)) = field::number(ui, name, value, NUMBER, typed) {
+            if let (_, Some(number)) = field::number(ui, name, value, field::WIDTH, typed) {
                 *which(next) = Some(number);
             }
         });
@@ -188,7 +185,8 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                         .map_err(|error| error.to_string())
                 };
                 let salt = format!("{name}{axis}");
-                if let (_, Some(number)) = field::number(ui, &salt, pose[row][axis], NUMBER, check)
+                if let (_, Some(number)) =
+                    field::number(ui, &salt, pose[row][axis], field::WIDTH, check)
                 {
                     commands.push(Command::Act(with(number)));
                 }

@@ -8,7 +8,7 @@ use super::{
         state::State,
     },
     chart,
-    field::short,
+    field::{short, value_text},
 };
 use crate::{
     scene::gallery::GALLERY,
@@ -188,7 +188,7 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
                     let text = found
                         .as_ref()
                         .map_or("nothing".to_owned(), |found| column(state, found));
-                    ui.label(RichText::new(text).monospace().size(11.0));
+                    ui.label(value_text(text));
                 }
                 ui.end_row();
             }
@@ -238,7 +238,7 @@ fn vector(v: DVec3) -> String {
     v.to_array().map(short).join("\n")
 }
 
-/// The method that picks now, for the banner.
+/// A method by its step, name and precision.
 pub(super) fn step_and_name(swap: &Swap) -> String {
     let info = swap.info();
     format!("{}: {}", info.step.name, name(&info))

@@ -30,7 +30,13 @@ use super::{
     keys,
     state::State,
 };
-use egui::{CentralPanel, Panel, Ui};
+use crate::colour::Srgb;
+use egui::{CentralPanel, Color32, Panel, Ui};
+
+/// A colour as egui has it.
+pub(super) fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
 
 /// Width of the panel with camera and pick, in points.
 const VIEW_WIDTH: f32 = 330.0;

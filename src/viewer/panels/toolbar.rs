@@ -77,7 +77,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::TogglePipeline);
         }
         let menu = ui.menu_button("Overlays", |ui| {
-            for (which, ..) in Overlay::ALL {
+            for which in Overlay::ALL {
                 overlay(ui, state, which, commands);
             }
             tree_level(ui, state, commands);
@@ -111,11 +111,10 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 
 /// A box that shows an overlay.
 pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
-    for (_, name, key, hint) in Overlay::ALL.iter().filter(|(other, ..)| *other == which) {
-        let mut shows = state.overlays().shows(which);
-        let hint = format!("{hint} ({key})");
-        if ui.checkbox(&mut shows, *name).on_hover_text(hint).changed() {
-            commands.push(Command::Act(Action::Toggle(which)));
-        }
+    let [name, key, hint] = which.about();
+    let mut shows = state.overlays().shows(which);
+    let hint = format!("{hint} ({key})");
+    if ui.checkbox(&mut shows, name).on_hover_text(hint).changed() {
+        commands.push(Command::Act(Action::Toggle(which)));
     }
 }
