@@ -4,14 +4,15 @@ use super::{
     Command, Notice, Notices, Options, Wake, Waker,
     action::Action,
     check::Checking,
-    command,
-    exhibit::Chart,
+    command_line,
+    dialogs::{self, Answer},
+    files::Reload,
+    gallery::Chart,
     input::Drag,
-    loading::{self, Answer, Loading, TreeBuild},
+    loading::{Loading, TreeBuild},
     panels::{Filter, Floating, Statistics},
     pass,
     screenshot::Screenshots,
-    stages::Stage,
     state::State,
     textures::Textures,
 };
@@ -19,7 +20,7 @@ use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Mesh,
     pick::PickLine,
-    scene::{self, Loaded, Scene, Warning, description},
+    scene::{Loaded, Scene, Warning, description},
 };
 use glam::DVec2;
 use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
@@ -35,13 +36,13 @@ pub(super) struct App {
     /// What the scene was made from, for the command that makes it again.
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
-    meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// The load under way, of which files, and whether they are those on screen.
     pub loading: Option<(Loading, Vec<PathBuf>, Reload)>,
     /// What is being built for the scene on screen.
-    trees: Option<TreeBuild>,
+    pub trees: Option<TreeBuild>,
     /// Nothing was shown yet: the first scene takes the command line's camera.
-    first: bool,
+    pub first: bool,
     pub notices: Notices,
     pub floating: Floating,
     pub filter: Filter,
@@ -49,7 +50,7 @@ pub(super) struct App {
     pub chart: Option<Chart>,
     pub screenshots: Screenshots,
     /// What was open before the gallery.
-    outside: Vec<PathBuf>,
+    pub outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -60,10 +61,6 @@ pub(super) struct App {
     /// The user is done.
     pub quit: bool,
 }
-
-/// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
-#[derive(Clone, Copy)]
-pub(super) struct Reload(bool);
 
 /// What is of use of a text on the clipboard; the rest may be objects.
 #[derive(serde::Deserialize)]
@@ -109,94 +106,6 @@ impl App {
         app
     }
 
-    /// Loads files in place of what is shown, once they are whole.
-    pub fn open(&mut self, paths: Vec<PathBuf>) {
-        self.load(paths, Reload(false));
-    }
-
-    fn load(&mut self, paths: Vec<PathBuf>, reload: Reload) {
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        self.loading = Some((Loading::start(paths.clone(), wake), paths, reload));
-    }
-
-    /// Takes what a load brought: the scene on screen stays until its successor is whole.
-    pub fn take_loaded(&mut self) {
-        let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
-            return;
-        };
-        let Some((_, paths, reload)) = self.loading.take() else {
-            return;
-        };
-        let shown = result
-            .map_err(|error| error.to_string())
-            .and_then(|loaded| self.show_scene(loaded, reload));
-        match shown {
-            Ok(()) => {
-                self.set_paths(paths);
-                self.build_trees();
-            }
-            Err(text) => self.complain(text),
-        }
-    }
-
-    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), String> {
-        let meshes = std::mem::take(&mut loaded.meshes);
-        let warnings = std::mem::take(&mut loaded.warnings);
-        let mut unused = Vec::new();
-        if reload.0 {
-            self.state.reload(loaded);
-        } else {
-            if self.first {
-                unused = self.apply_flags(&mut loaded);
-            }
-            let file = loaded.camera_file.take();
-            self.state.open(loaded).map_err(|error| match file {
-                Some(file) => format!("{}: {error}", file.display()),
-                None => error.to_string(),
-            })?;
-            self.first = false;
-        }
-        self.meshes = meshes;
-        self.notices.clear();
-        for text in unused {
-            self.complain(text);
-        }
-        self.warn(&warnings);
-        Ok(())
-    }
-
-    /// Does what the command line says about the first scene; returns what of it cannot be, and is left out.
-    fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
-        let hidden = loaded.scene.hide(&self.options.hidden);
-        let hidden = hidden.map_err(|error| format!("--hide: {error}"));
-        let camera = self.options.camera.or(loaded.camera);
-        let viewport = self.state.view().viewport;
-        let valid = camera.resolve(&loaded.scene.visible_bounds(), viewport);
-        let valid = valid.map(|_| loaded.camera = camera);
-        let valid = valid.map_err(|error| format!("the camera flags are not used: {error}"));
-        [hidden, valid]
-            .into_iter()
-            .filter_map(Result::err)
-            .collect()
-    }
-
-    /// The scene on screen is from these files.
-    fn set_paths(&mut self, paths: Vec<PathBuf>) {
-        if self.state.showing().is_none() {
-            self.outside.clone_from(&paths);
-        }
-        self.paths = paths;
-    }
-
-    /// Begins to build the trees of what is shown.
-    fn build_trees(&mut self) {
-        let wake = self.wake.clone();
-        self.trees = Some(TreeBuild::start(self.state.scene(), move || {
-            wake(Wake::Look);
-        }));
-    }
-
     /// Whether something is under way that will change what is shown.
     pub fn is_busy(&self) -> bool {
         let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
@@ -215,34 +124,6 @@ impl App {
             Answer::NoDialog => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
             ),
-        }
-    }
-
-    /// Writes what is shown as a scene file, which from then on is what is shown.
-    fn save(&mut self, path: PathBuf) {
-        let path = match scene_file(path) {
-            Ok(path) => path,
-            Err(text) => return self.complain(text),
-        };
-        self.act(Action::Stage(Stage::World));
-        let text = description::to_toml(
-            self.state.scene(),
-            &self.state.camera_choice(),
-            &self.meshes,
-        );
-        let written = text.map_err(|error| error.to_string()).and_then(|text| {
-            let failed = |error| format!("cannot write {}: {error}", path.display());
-            std::fs::write(&path, text).map_err(failed)
-        });
-        match written {
-            Ok(()) => {
-                log::info!("saved {}", path.display());
-                let paths = vec![path];
-                self.state.name = scene::title(&paths);
-                self.state.edited = false;
-                self.set_paths(paths);
-            }
-            Err(text) => self.complain(text),
         }
     }
 
@@ -282,7 +163,8 @@ impl App {
         self.context.request_repaint();
     }
 
-    fn warn(&mut self, warnings: &[Warning]) {
+    /// Says what was left out of files or mended: the first few to whoever looks at the window.
+    pub fn warn(&mut self, warnings: &[Warning]) {
         const SHOWN: usize = 4;
         for warning in warnings {
             log::warn!("{warning}");
@@ -306,17 +188,14 @@ impl App {
             Command::Act(action) => self.act(action),
             Command::OpenDialog => {
                 let wake = self.wake.clone();
-                loading::open_dialog(move |answer| wake(Wake::Answered(answer)));
+                dialogs::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::SaveDialog => {
                 let wake = self.wake.clone();
-                loading::save_dialog(move |answer| wake(Wake::Answered(answer)));
+                dialogs::save_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::Open(paths) => self.open(paths),
-            Command::Reload if self.loading.is_none() => {
-                self.load(self.paths.clone(), Reload(!self.first));
-            }
-            Command::Reload => {}
+            Command::Reload => self.reload(),
             Command::CopyCommandLine => {
                 self.copied = Some(self.view_command());
                 if self.state.edited() {
@@ -381,7 +260,7 @@ impl App {
             self.reveal_selection = true;
         }
         if let Some(line) = picked {
-            let command = command::pick_command(&self.state, &self.paths, line.px);
+            let command = command_line::pick_command(&self.state, &self.paths, line.px);
             log::info!("{command}");
             if self.options.print_picks {
                 print(&line);
@@ -396,7 +275,7 @@ impl App {
         let viewport = self.state.world().1.viewport;
         let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
-        command::pick_command(&self.state, &self.paths, at_px)
+        command_line::pick_command(&self.state, &self.paths, at_px)
     }
 
     /// Says once that a scene is on the screen.
@@ -411,22 +290,6 @@ impl App {
             );
         }
     }
-}
-
-/// The file to write a scene to: by its ending it will be known as one. To add that is no consent to write over what has
-/// the name already.
-fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
-    if scene::is_scene_file(&path) {
-        return Ok(path);
-    }
-    path.add_extension("toml");
-    if path.exists() {
-        return Err(format!(
-            "{} is there already: save as that, or under another name",
-            path.display()
-        ));
-    }
-    Ok(path)
 }
 
 /// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.

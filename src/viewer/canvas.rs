@@ -5,8 +5,8 @@ use super::{
     frozen,
     input::SceneRect,
     overlay::{self, Overlay, Overlays},
-    stage,
     state::{Frozen, State},
+    surroundings,
 };
 use crate::{
     camera::{UpAxis, View, Viewport},
@@ -250,11 +250,11 @@ impl Canvas {
             let scene_now = state.scene();
             let floor = wanted
                 .grid
-                .map(|up_axis| stage::floor(&scene_now.visible_bounds(), up_axis));
+                .map(|up_axis| surroundings::floor(&scene_now.visible_bounds(), up_axis));
             let frozen = wanted
                 .frozen
                 .map(|frozen| frozen::lines(&frozen, scene_now));
-            let stage = stage::of(state.stage());
+            let stage = surroundings::of(state.stage());
             let lines: Vec<_> = floor
                 .into_iter()
                 .chain(frozen)

@@ -16,9 +16,13 @@ pub mod camera;
 mod canvas;
 mod check;
 mod command;
+mod command_line;
+mod dialogs;
 mod events;
 pub mod exhibit;
+mod files;
 mod frozen;
+mod gallery;
 mod input;
 pub mod inspect;
 mod keys;
@@ -30,10 +34,10 @@ mod pass;
 pub mod pipeline;
 mod screenshot;
 mod shell;
-mod stage;
 pub mod stages;
 pub mod state;
 mod surface;
+mod surroundings;
 mod textures;
 mod update;
 
@@ -42,8 +46,9 @@ use crate::{
     geometry::Sides,
     render::GpuError,
 };
-use action::Action;
 use app::App;
+use command::Command;
+use dialogs::Answer;
 use events::Host;
 use std::{
     path::PathBuf,
@@ -90,55 +95,12 @@ impl ViewerError {
     }
 }
 
-/// Something the user asks for through keys, buttons or menus.
-#[derive(Clone, Debug, PartialEq)]
-enum Command {
-    /// A change of what is shown.
-    Act(Action),
-    /// Ask for files.
-    OpenDialog,
-    /// Ask for a file and write the scene to it.
-    SaveDialog,
-    /// Load these.
-    Open(Vec<PathBuf>),
-    /// Load the files on screen again.
-    Reload,
-    /// Put the view as a command line on the clipboard.
-    CopyCommandLine,
-    /// Put the camera on the clipboard, as a scene file writes it.
-    CopyCamera,
-    /// Take over the camera in this text from the clipboard.
-    Paste(String),
-    /// Write what is on screen into a PNG file.
-    Screenshot,
-    /// Put the pick as JSON on the clipboard.
-    CopyPick,
-    /// Compare the picture with its picks, or close the comparison.
-    ToggleCheck,
-    /// Open the gallery's scene after the present one, or before it.
-    NextExhibit {
-        /// After it.
-        forward: bool,
-    },
-    /// Open again what was open before the gallery.
-    LeaveGallery,
-    /// Stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
-    /// nothing.
-    Escape,
-    /// Show or hide the help.
-    ToggleHelp,
-    /// Show or hide the matrices.
-    TogglePipeline,
-    /// Close the window.
-    Quit,
-}
-
 /// What wakes the window from outside.
 enum Wake {
     /// A load is done, or a tree.
     Look,
     /// The dialog was answered.
-    Answered(loading::Answer),
+    Answered(Answer),
     /// egui wants a frame then.
     RepaintAt(Instant),
 }

@@ -2,7 +2,7 @@
 //! window's own; what is missing is winit.
 
 use super::{
-    Notice, Options, Wake, app::App, canvas::Canvas, loading::Answer, pass::Pass, state::State,
+    Notice, Options, Wake, app::App, canvas::Canvas, dialogs::Answer, pass::Pass, state::State,
 };
 use crate::{
     camera::Viewport,

@@ -4,7 +4,8 @@ use super::{
     super::{
         Command,
         action::Action,
-        exhibit::{Chart, Compared, Fault, Showing},
+        exhibit::{Compared, Fault, Showing},
+        gallery::Chart,
         state::State,
     },
     chart,

@@ -4,6 +4,7 @@ mod banner;
 mod camera;
 mod chart;
 mod check;
+mod corners;
 mod field;
 mod gallery;
 mod help;
@@ -11,7 +12,6 @@ mod inspect;
 mod marks;
 mod object;
 mod objects;
-mod overlays;
 mod pick;
 mod pipeline;
 mod status;
@@ -25,7 +25,7 @@ pub(super) use status::Statistics;
 use super::{
     Command, Notices,
     check::Checking,
-    exhibit::Chart,
+    gallery::Chart,
     input::{self, Drag, SceneRect},
     keys,
     state::State,
@@ -101,9 +101,9 @@ pub(super) fn show(
         commands.extend(actions.into_iter().map(Command::Act));
         check::show(ui, rect, place, shown.checking);
         marks::show(ui, rect, place, shown.state);
-        overlays::axes(ui, rect, shown.state);
+        corners::axes(ui, rect, shown.state);
         banner::show(ui, rect, place, shown.state, &mut commands);
-        overlays::messages(ui, rect, shown, &mut commands);
+        corners::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
     if shown.floating.pipeline {

@@ -1,7 +1,7 @@
 //! What lies over the picture: the axes' directions, messages, progress.
 
 use super::{
-    super::{Command, Notices, stage::AXES, state::State},
+    super::{Command, Notices, state::State, surroundings::AXES},
     Shown, banner, color32,
 };
 use egui::{
