@@ -124,7 +124,6 @@ impl From<ViewerError> for CliError {
                 Self::NoDisplay
             }
             ViewerError::Gpu(error) => Self::Gpu(error),
-            ViewerError::Camera(error) => Self::View(error),
         }
     }
 }

@@ -87,10 +87,7 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
             objects.extend(scene.objects);
             camera = camera.or(scene.camera.map(|camera| (camera, file)));
-        } else if path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
-        {
+        } else if is_scene_file(path) {
             let text = std::fs::read_to_string(path).map_err(|source| LoadError::Read {
                 file: path.clone(),
                 source,
@@ -116,6 +113,12 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
             _ => None,
         },
     })
+}
+
+/// Whether a path names a scene file.
+pub(crate) fn is_scene_file(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 /// Mesh files by their absolute paths, each loaded once however often it is named.
@@ -165,7 +168,8 @@ fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     })
 }
 
-fn title(paths: &[PathBuf]) -> String {
+/// What the scene of these files is called.
+pub(crate) fn title(paths: &[PathBuf]) -> String {
     let name = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str());
         name.to_string_lossy().into_owned()

@@ -12,6 +12,7 @@ mod tree;
 mod warning;
 
 pub use load::{LoadError, Loaded, MeshFiles, load};
+pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};

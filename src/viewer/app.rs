@@ -16,10 +16,10 @@ use super::{
     textures::Textures,
 };
 use crate::{
-    camera::{CameraChoice, CameraError, Viewport},
+    camera::{CameraChoice, Viewport},
     geometry::Mesh,
     pick::PickLine,
-    scene::{Loaded, Scene, Warning, description},
+    scene::{self, Loaded, Scene, Warning, description},
 };
 use glam::DVec2;
 use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
@@ -40,7 +40,7 @@ pub(super) struct App {
     pub loading: Option<(Loading, Vec<PathBuf>, Reload)>,
     /// What is being built for the scene on screen.
     trees: Option<TreeBuild>,
-    /// The first scene takes the command line's camera.
+    /// Nothing was shown yet: the first scene takes the command line's camera.
     first: bool,
     pub notices: Notices,
     pub floating: Floating,
@@ -73,15 +73,15 @@ struct Clipping {
 
 impl App {
     /// Begins to load what the options name.
-    pub fn new(options: Options, wake: Waker) -> Result<Self, CameraError> {
+    pub fn new(options: Options, wake: Waker) -> Self {
         let state = State::new(
             Loaded::default(),
             CameraChoice::default(),
             Viewport::DEFAULT,
             options.sides,
-        )?;
+        );
         let mut app = Self {
-            paths: Vec::new(),
+            paths: options.paths.clone(),
             meshes: Vec::new(),
             loading: None,
             trees: None,
@@ -101,12 +101,12 @@ impl App {
             quit: false,
             context: pass::context(),
             textures: Textures::default(),
-            state,
+            state: state.expect("nothing is framed by default"),
             wake,
             options,
         };
-        app.open(app.options.paths.clone());
-        Ok(app)
+        app.open(app.paths.clone());
+        app
     }
 
     /// Loads files in place of what is shown, once they are whole.
@@ -130,42 +130,71 @@ impl App {
         };
         let shown = result
             .map_err(|error| error.to_string())
-            .and_then(|loaded| {
-                let warnings = loaded.warnings.clone();
-                self.show_scene(loaded, reload)
-                    .map_err(|error| error.to_string())?;
-                Ok(warnings)
-            });
+            .and_then(|loaded| self.show_scene(loaded, reload));
         match shown {
-            Ok(warnings) => {
-                if self.state.showing().is_none() {
-                    self.outside.clone_from(&paths);
-                }
-                self.paths = paths;
-                self.notices.clear();
-                self.warn(&warnings);
-                self.trees = Some(TreeBuild::start(self.state.scene()));
+            Ok(()) => {
+                self.set_paths(paths);
+                self.build_trees();
             }
             Err(text) => self.complain(text),
         }
     }
 
-    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), CameraError> {
+    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), String> {
         let meshes = std::mem::take(&mut loaded.meshes);
+        let warnings = std::mem::take(&mut loaded.warnings);
+        let mut unused = Vec::new();
         if reload.0 {
             self.state.reload(loaded);
-        } else if self.first {
-            if let Err(error) = loaded.scene.hide(&self.options.hidden) {
-                self.complain(format!("--hide: {error}"));
-            }
-            loaded.camera = self.options.camera.or(loaded.camera);
-            self.state.open(loaded)?;
-            self.first = false;
         } else {
-            self.state.open(loaded)?;
+            if self.first {
+                unused = self.apply_flags(&mut loaded);
+            }
+            let file = loaded.camera_file.take();
+            self.state.open(loaded).map_err(|error| match file {
+                Some(file) => format!("{}: {error}", file.display()),
+                None => error.to_string(),
+            })?;
+            self.first = false;
         }
         self.meshes = meshes;
+        self.notices.clear();
+        for text in unused {
+            self.complain(text);
+        }
+        self.warn(&warnings);
         Ok(())
+    }
+
+    /// Does what the command line says about the first scene; returns what of it cannot be, and is left out.
+    fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
+        let hidden = loaded.scene.hide(&self.options.hidden);
+        let hidden = hidden.map_err(|error| format!("--hide: {error}"));
+        let camera = self.options.camera.or(loaded.camera);
+        let viewport = self.state.view().viewport;
+        let valid = camera.resolve(&loaded.scene.visible_bounds(), viewport);
+        let valid = valid.map(|_| loaded.camera = camera);
+        let valid = valid.map_err(|error| format!("the camera flags are not used: {error}"));
+        [hidden, valid]
+            .into_iter()
+            .filter_map(Result::err)
+            .collect()
+    }
+
+    /// The scene on screen is from these files.
+    fn set_paths(&mut self, paths: Vec<PathBuf>) {
+        if self.state.showing().is_none() {
+            self.outside.clone_from(&paths);
+        }
+        self.paths = paths;
+    }
+
+    /// Begins to build the trees of what is shown.
+    fn build_trees(&mut self) {
+        let wake = self.wake.clone();
+        self.trees = Some(TreeBuild::start(self.state.scene(), move || {
+            wake(Wake::Look);
+        }));
     }
 
     /// Whether something is under way that will change what is shown.
@@ -175,7 +204,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        self.loading.is_some() || checks || studies || !self.state.world().0.trees_are_built()
+        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
     }
 
     /// Takes what the user answered.
@@ -191,6 +220,10 @@ impl App {
 
     /// Writes what is shown as a scene file, which from then on is what is shown.
     fn save(&mut self, path: PathBuf) {
+        let path = match scene_file(path) {
+            Ok(path) => path,
+            Err(text) => return self.complain(text),
+        };
         self.act(Action::Stage(Stage::World));
         let text = description::to_toml(
             self.state.scene(),
@@ -204,8 +237,10 @@ impl App {
         match written {
             Ok(()) => {
                 log::info!("saved {}", path.display());
-                self.paths = vec![path];
+                let paths = vec![path];
+                self.state.name = scene::title(&paths);
                 self.state.edited = false;
+                self.set_paths(paths);
             }
             Err(text) => self.complain(text),
         }
@@ -279,7 +314,7 @@ impl App {
             }
             Command::Open(paths) => self.open(paths),
             Command::Reload if self.loading.is_none() => {
-                self.load(self.paths.clone(), Reload(true));
+                self.load(self.paths.clone(), Reload(!self.first));
             }
             Command::Reload => {}
             Command::CopyCommandLine => {
@@ -330,8 +365,11 @@ impl App {
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
-        let method = self.state.method();
+        let (method, stage) = (self.state.method(), self.state.stage());
         let picked = self.state.apply(action);
+        if self.state.stage() != stage {
+            self.build_trees();
+        }
         if self.state.method() != method {
             self.checking = match self.state.method() {
                 Some(_) => Checking::Wanted,
@@ -355,7 +393,7 @@ impl App {
     fn view_command(&self) -> String {
         let selection = self.state.selection();
         let pick = selection.and_then(|selection| selection.pick.as_ref());
-        let viewport = self.state.view().viewport;
+        let viewport = self.state.world().1.viewport;
         let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
         command::pick_command(&self.state, &self.paths, at_px)
@@ -373,6 +411,22 @@ impl App {
             );
         }
     }
+}
+
+/// The file to write a scene to: by its ending it will be known as one. To add that is no consent to write over what has
+/// the name already.
+fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
+    if scene::is_scene_file(&path) {
+        return Ok(path);
+    }
+    path.add_extension("toml");
+    if path.exists() {
+        return Err(format!(
+            "{} is there already: save as that, or under another name",
+            path.display()
+        ));
+    }
+    Ok(path)
 }
 
 /// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.

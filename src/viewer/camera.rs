@@ -94,7 +94,7 @@ impl State {
             .opened_with
             .resolve(&self.scene.visible_bounds(), self.view.viewport)
         {
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
             self.pivot_world = self.orbit.target();
             self.moved();
         }
@@ -112,7 +112,7 @@ impl State {
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
-        self.orbit = Orbit::of_camera(&camera, self.up_axis);
+        self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
         self.height_per_distance = choice
             .ortho
             .map_or(perspective_height(self.controls.fov_deg), |height| {

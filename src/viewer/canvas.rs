@@ -237,7 +237,7 @@ impl Canvas {
             },
             revision: state.scene_revision(),
             visibility: state.visibility_revision(),
-            grid: state.grid().then_some(state.up_axis()),
+            grid: state.grid().then_some(state.shown_up_axis()),
             frozen: state.frozen().copied(),
             selection,
         };

@@ -2,7 +2,7 @@
 
 use super::state::State;
 use crate::{
-    camera::{DepthMapping, UpAxis},
+    camera::{DepthMapping, Projection, UpAxis},
     geometry::Sides,
 };
 use glam::{DVec2, DVec3};
@@ -28,7 +28,6 @@ fn line(state: &State, paths: &[PathBuf], command: &str) -> String {
     let (scene, view) = state.world();
     let camera = &view.camera;
     let lens = camera.lens();
-    let controls = state.controls();
     let mut line = format!("sightline {command}");
     for path in paths {
         let _ = write!(line, " {}", quoted(&path.display().to_string()));
@@ -43,13 +42,19 @@ fn line(state: &State, paths: &[PathBuf], command: &str) -> String {
     flag("eye", triple(camera.eye()));
     flag("target", triple(camera.target()));
     flag("up", triple(camera.up_hint()));
+    let set_deg = state.controls().fov_deg;
+    let set = Projection::Perspective {
+        fov_y: set_deg.to_radians(),
+    };
     match lens.projection {
-        crate::camera::Projection::Perspective { .. } => flag("fov", controls.fov_deg.to_string()),
-        crate::camera::Projection::Orthographic { height } => flag("ortho", height.to_string()),
+        // The panel's own number, unless it is about the stage on screen by now.
+        projection if projection == set => flag("fov", set_deg.to_string()),
+        Projection::Perspective { fov_y } => flag("fov", fov_y.to_degrees().to_string()),
+        Projection::Orthographic { height } => flag("ortho", height.to_string()),
     }
     flag("near", lens.near.to_string());
     flag("far", lens.far.to_string());
-    if state.up_axis() == UpAxis::Z {
+    if state.up_axis == UpAxis::Z {
         flag("up-axis", "z".into());
     }
     if lens.depth == DepthMapping::Standard {

@@ -37,6 +37,8 @@ pub struct Showing {
 /// One click by a method and by this program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
+    /// The view that the click was in.
+    pub view: View,
     /// Where: the centre of a pixel.
     pub px: DVec2,
     /// What the method picks.
@@ -129,6 +131,7 @@ impl Compared {
     #[must_use]
     pub fn at(scene: &Scene, view: &View, method: &Swap, px: DVec2) -> Self {
         Self {
+            view: *view,
             px,
             theirs: method.pick(scene, view, px),
             ours: Found::sightlines(scene, view, px),
@@ -137,7 +140,7 @@ impl Compared {
 
     /// What is wrong with the method's pick; `None` where both hit nothing.
     #[must_use]
-    pub fn fault(&self, view: &View) -> Option<Fault> {
+    pub fn fault(&self) -> Option<Fault> {
         let what = |found: &Found| {
             let triangle = found.hit.hit.on_triangle.map(|at| at.triangle);
             (found.hit.object, triangle)
@@ -147,7 +150,7 @@ impl Compared {
             (None, Some(_)) => Fault::Missed,
             (Some(_), None) => Fault::Phantom,
             (Some(theirs), Some(ours)) if what(theirs) != what(ours) => Fault::Other,
-            (Some(theirs), Some(ours)) => Fault::Off(distance(view, theirs, ours)),
+            (Some(theirs), Some(ours)) => Fault::Off(distance(&self.view, theirs, ours)),
         })
     }
 }
@@ -189,7 +192,7 @@ impl State {
             None => {}
         }
         // The next click there is the first.
-        self.last_click = None;
+        self.clicked_s = None;
     }
 
     /// A click by the method that is set: what it says is selected, right or wrong, but is no pick of this program's.
@@ -198,6 +201,7 @@ impl State {
         let compared = Compared::at(&self.scene, &self.view, &method, px);
         let object = compared.theirs.map(|found| found.hit.object);
         self.selection = object.map(|object| Selection { object, pick: None });
+        self.hits = None;
         if let Some(showing) = &mut self.showing {
             showing.compared = Some(compared);
         }

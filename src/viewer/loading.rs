@@ -60,11 +60,14 @@ pub(super) struct TreeBuild {
 }
 
 impl TreeBuild {
-    /// Begins.
-    pub fn start(scene: &Scene) -> Self {
+    /// Begins; calls `wake` when done.
+    pub fn start(scene: &Scene, wake: impl FnOnce() + Send + 'static) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let (scene, stopped) = (scene.clone(), Arc::clone(&stop));
-        thread::spawn(move || scene.build_trees_unless(&stopped));
+        thread::spawn(move || {
+            scene.build_trees_unless(&stopped);
+            wake();
+        });
         Self { stop }
     }
 }

@@ -38,7 +38,7 @@ mod textures;
 mod update;
 
 use crate::{
-    camera::{CameraChoice, CameraError, Viewport},
+    camera::{CameraChoice, Viewport},
     geometry::Sides,
     render::GpuError,
 };
@@ -80,9 +80,6 @@ pub enum ViewerError {
     /// No graphics for it.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// The flags make no camera.
-    #[error(transparent)]
-    Camera(#[from] CameraError),
 }
 
 /// Something the user asks for through keys, buttons or menus.
@@ -151,7 +148,7 @@ type Notices = Vec<Notice>;
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// When there is no display, no adapter, or the flags make no camera.
+/// When there is no display or no adapter.
 pub fn run(options: Options) -> Result<(), ViewerError> {
     let no_display = |error: &dyn std::fmt::Display| ViewerError::NoDisplay(error.to_string());
     let event_loop = EventLoop::with_user_event()
@@ -161,7 +158,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     let proxy = event_loop.create_proxy();
     // The loop is gone when the window is: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
-    let app = App::new(options, Arc::clone(&wake))?;
+    let app = App::new(options, Arc::clone(&wake));
     app.context.set_request_repaint_callback(move |info| {
         let delay = info.delay.min(Duration::from_hours(1));
         wake(Wake::RepaintAt(Instant::now() + delay));

@@ -43,7 +43,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("up axis");
         for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
-            if ui.selectable_label(state.up_axis() == axis, name).clicked() {
+            if ui.selectable_label(state.up_axis == axis, name).clicked() {
                 commands.push(Command::Act(Action::UpAxis(axis)));
             }
         }
@@ -54,8 +54,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             .on_hover_text("what is not drawn is not picked")
             .changed()
         {
-            let sides = if culls { Sides::Front } else { Sides::Both };
-            commands.push(Command::Act(Action::Sides(sides)));
+            commands.push(Command::Act(Action::ToggleSides));
         }
     });
 }

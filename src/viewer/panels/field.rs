@@ -78,6 +78,9 @@ pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
+    if !value.is_finite() {
+        return value.to_string();
+    }
     let exponent = value.abs().log10().floor();
     if !(-4.0..9.0).contains(&exponent) {
         let text = format!("{value:.5e}");

@@ -203,7 +203,7 @@ fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
             .map_or("nothing".to_owned(), |found| object(state, found))
     };
     let (theirs, ours) = (name(&compared.theirs), name(&compared.ours));
-    match compared.fault(state.view()) {
+    match compared.fault() {
         None => ("Nothing is there, and nothing is picked.".to_owned(), RIGHT),
         Some(Fault::Missed) => (format!("Wrong: it misses {ours}, which is there."), WRONG),
         Some(Fault::Phantom) => (format!("Wrong: it picks {theirs} where nothing is."), WRONG),

@@ -112,11 +112,12 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
             .show(ui, |ui| {
                 for (mapping, step) in steps.steps {
                     ui.weak(format!("{mapping} step"));
-                    ui.label(
-                        RichText::new(format!("{} units", short(step)))
-                            .monospace()
-                            .size(11.0),
-                    );
+                    let text = if step.is_finite() {
+                        format!("{} units", short(step))
+                    } else {
+                        "none before far".to_owned()
+                    };
+                    ui.label(RichText::new(text).monospace().size(11.0));
                     ui.weak(if mapping == steps.in_use {
                         "in use"
                     } else {

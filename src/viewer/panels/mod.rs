@@ -106,7 +106,7 @@ pub(super) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(keys::pressed(ui.ctx(), shown.state));
+    commands.extend(keys::pressed(ui.ctx()));
     (place.inner, commands)
 }
 

@@ -1,10 +1,10 @@
 //! The row of buttons at the top.
 
 use super::{
-    super::{Command, action::Action, overlay::Overlay, state::State},
+    super::{Command, action::Action, overlay::Overlay, stages::Stage, state::State},
     gallery,
 };
-use egui::Ui;
+use egui::{Checkbox, Ui};
 use glam::DVec3;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -61,8 +61,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::Act(Action::ToggleGrid));
         }
         let mut frozen = state.frozen().is_some();
+        let in_world = state.stage() == Stage::World;
         if ui
-            .checkbox(&mut frozen, "Freeze")
+            .add_enabled(in_world, Checkbox::new(&mut frozen, "Freeze"))
             .on_hover_text("leave this camera standing, with the pick's ray, and look at it from elsewhere (T)")
             .changed()
         {
