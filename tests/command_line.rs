@@ -1,7 +1,5 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
-mod common;
-
 use serde_json::Value;
 use std::{
     io::Write,

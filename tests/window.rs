@@ -1,8 +1,6 @@
 //! The real window under Xvfb, with real pointer events: what it prints for a click is what `sightline pick` prints
 //! for the same view.
 
-mod common;
-
 use std::{
     io::{BufRead, BufReader, Read},
     path::{Path, PathBuf},

@@ -1,7 +1,5 @@
 //! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod device;
 mod events;
 mod gallery;

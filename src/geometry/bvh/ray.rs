@@ -294,22 +294,7 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Uniform in [-1, 1) with all digits (Knuth's multiplier).
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> f64 {
-            self.0 = (self.0)
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            f64::from_bits(0x4000_0000_0000_0000 | self.0 >> 12) - 3.0
-        }
-
-        fn point(&mut self) -> DVec3 {
-            DVec3::new(self.next(), self.next(), self.next())
-        }
-    }
+    use crate::geometry::random::Random;
 
     /// The derivation of the padding, held against planes met in `f64`, fused and not: no box is entered late or left early,
     /// and it takes most of the padding to say so.
