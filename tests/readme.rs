@@ -43,6 +43,20 @@ fn json(output: &Output) -> Value {
 }
 
 #[test]
+fn the_picture_that_is_promised_first_is_drawn() {
+    let block = blocks("sh").remove(0);
+    let line = block.lines().find(|line| line.contains(" render "));
+    let line = line.expect("a picture");
+    let arguments = line.strip_prefix("cargo run --release -- ").expect(line);
+    let folder = tempfile::tempdir().expect("a folder");
+    let cd = format!("cd {} && sightline {arguments}", folder.path().display());
+    let output = run(&cd);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(folder.path().join("picture.png").exists(), "{said}");
+}
+
+#[test]
 fn the_pick_that_is_shown_is_the_pick() {
     let blocks = blocks("sh");
     let block = blocks

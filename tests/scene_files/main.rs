@@ -293,6 +293,29 @@ fn files_make_one_scene_in_their_order() {
     assert!(load(&[broken]).unwrap_err().contains("broken.toml:1"));
 }
 
+#[cfg(unix)]
+#[test]
+fn what_is_no_scene_file_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let made = std::process::Command::new("mkfifo")
+        .arg(path("pipe.toml"))
+        .status();
+    assert!(made.expect("mkfifo").success());
+    // Without a byte on the disk.
+    let large = std::fs::File::create(path("large.toml")).unwrap();
+    large.set_len((1 << 30) + 1).unwrap();
+    for (name, why) in [
+        ("pipe.toml", "is not a file"),
+        ("large.toml", "is too large: more than 1 GiB"),
+        ("missing.toml", "cannot be read: "),
+    ] {
+        let error = load(&[path(name)]).unwrap_err();
+        let expected = format!("{}: {why}", path(name).display());
+        assert!(error.starts_with(&expected), "{error}");
+    }
+}
+
 #[test]
 fn the_demo_shows_every_shape_and_kind_of_transform() {
     let demo = load(&[]).unwrap();
