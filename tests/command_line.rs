@@ -1,7 +1,5 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
-mod common;
-
 use serde_json::Value;
 use std::{
     io::Write,
@@ -268,9 +266,10 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 1280,5", "outside"),
         ("pick scene.toml --at 5,720", "outside"),
         ("pick scene.toml --at=-0.5,5", "outside"),
-        ("pick scene.toml --at -1,5", "-1"),
+        ("pick scene.toml --at -1,5", "not negative"),
         ("pick scene.toml --at 5,5 --size 5", "WxH"),
         ("pick scene.toml --at 5,5 --size 0x5", "WxH"),
+        ("pick scene.toml --at 5,5 --size -5x5", "WxH"),
         ("pick scene.toml --at 5,5 --size 99999x99999", "WxH"),
         ("pick scene.toml --at 5,5 --eye 1,2", "x,y,z"),
         ("pick scene.toml --at 5,5 --eye --cull", "x,y,z"),
@@ -294,7 +293,20 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 5,5 --up-axis x", "up-axis"),
         ("pick scene.toml --at 5,5 --hide 4", "1 to 3"),
         ("pick scene.toml --at 5,5 --hide 0", "1 to 3"),
+        ("pick scene.toml --at 5,5 --hide Front", "3,5"),
+        ("pick scene.toml --at 5,5 --hide -1", "3,5"),
+        ("pick scene.toml --at 5,5 --look 0,0,0", "zero"),
+        ("study --budget -1", "above 0"),
+        ("study --budget 1 --out a", "cannot be used with"),
+        ("study --budget 1 --quick", "cannot be used with"),
+        ("study --seed -1", "whole number"),
+        ("study --fov 30", "SCENE"),
         ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
+        ("pick scene.toml --at 5,5 --sise 5x5", "'--size'"),
+        ("render scene.toml -o a.jpg", "PNG"),
+        ("render scene.toml -o a.png --ids a.tif", "PNG"),
+        ("render scene.toml -o a.png --ids ./a.png", "one file"),
+        ("verify scene.toml --image a.jpg", "PNG"),
         ("render scene.toml", "--output"),
         ("render scene.toml -o a.png --by magic", "raycast"),
         (
@@ -320,6 +332,9 @@ fn a_bad_file_is_exit_code_3_and_named() {
     .unwrap();
     for (args, word) in [
         ("pick missing.toml --at 1,1", "missing.toml"),
+        ("missing.obj", "missing.obj"),
+        ("rendr scene.toml", "commands are render, pick, "),
+        ("--size 10x10 list", "come before flags"),
         ("list scene.toml bad.toml", "bad.toml:2"),
         ("pick camera.toml --at 1,1", "camera.toml"),
         ("list odd.toml", "odd.toml:2"),
@@ -485,6 +500,21 @@ fn help_and_version_go_to_standard_output() {
         );
         assert!(!output.stdout.is_empty(), "{args}");
     }
+    for command in ["render", "pick", "list", "study", "verify"] {
+        let help = folder.run(&format!("{command} --help")).stdout;
+        let help = String::from_utf8(help).unwrap();
+        assert!(help.contains("Exit codes: 0 done"), "{command}");
+        assert_eq!(help.contains("default: the demo"), command != "study");
+    }
+    // What a pick's line has is what its help explains.
+    let help = String::from_utf8(folder.run("pick --help").stdout).unwrap();
+    let line = folder
+        .json("pick scene.toml --size 200x100 --at 100,50")
+        .remove(0);
+    for field in line["hit"].as_object().unwrap().keys() {
+        let words = help.split(|c: char| c != '_' && !c.is_alphanumeric());
+        assert!(words.into_iter().any(|word| word == field), "{field}");
+    }
     let version = String::from_utf8(folder.run("--version").stdout).unwrap();
     assert_eq!(
         version.trim(),
@@ -497,6 +527,8 @@ fn verbose_says_on_standard_error_what_is_done() {
     let output = Folder::new().run("pick scene.toml --at 1,1 -v");
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert!(stderr.contains("loaded scene.toml: 3 objects"), "{stderr}");
+    let camera = "camera: --eye 0,0,10 --target 0,0,0 --up 0,1,0 --fov 40 --near ";
+    assert!(stderr.contains(camera), "{stderr}");
     assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
 }
 

@@ -4,9 +4,9 @@ mod common;
 #[path = "common/oracle.rs"]
 mod oracle;
 
-use common::{Random, mesh};
+use common::{Random, icosphere, mesh};
 use glam::{DVec3, dvec3};
-use sightline::geometry::{Mesh, Ray, Sides, TriangleTest, guarded_volume, signed_volume};
+use sightline::geometry::{Mesh, Ray, Sides, signed_volume};
 use std::{collections::HashMap, sync::Arc, thread};
 
 const RAYS_FROM_INSIDE: u32 = 1_000_000;
@@ -20,46 +20,13 @@ struct Solid {
     triangles: Vec<[u32; 3]>,
 }
 
-/// An icosahedron, each triangle parted in four `times` times, with corners on the unit sphere.
-fn icosphere(times: u32) -> Solid {
-    let phi = f64::midpoint(1.0, 5_f64.sqrt());
-    let mut positions = Vec::new();
-    for (a, b) in [(1.0, phi), (-1.0, phi), (1.0, -phi), (-1.0, -phi)] {
-        positions.extend([dvec3(0.0, a, b), dvec3(a, b, 0.0), dvec3(b, 0.0, a)]);
-    }
-    // Faces are the triples of corners that are all 2 apart.
-    let near = |i: usize, j: usize, positions: &[DVec3]| {
-        (positions[i].distance(positions[j]) - 2.0).abs() < 0.1
-    };
-    let mut triangles = Vec::new();
-    for (i, j, k) in
-        (0..12).flat_map(|i| (i..12).flat_map(move |j| (j..12).map(move |k| (i, j, k))))
-    {
-        if near(i, j, &positions) && near(j, k, &positions) && near(k, i, &positions) {
-            triangles.push([i, j, k].map(|i| u32::try_from(i).unwrap()));
-        }
-    }
-    for _ in 0..times {
-        let mut middles = HashMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                positions.push(0.5 * (positions[a as usize] + positions[b as usize]));
-                u32::try_from(positions.len() - 1).unwrap()
-            })
-        };
-        triangles = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-                [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
-            })
-            .collect();
-    }
-    // A little over 1, so that faces lie beyond 1.
-    let radius = 1.3;
+/// A ball of triangles.
+fn ball(levels: u32) -> Solid {
+    let (points, triangles) = icosphere(levels);
     Solid {
         name: format!("icosphere of {}", triangles.len()),
-        positions: positions.iter().map(|p| radius * p.normalize()).collect(),
+        // A little beyond 1, so that faces lie beyond it as well.
+        positions: points.into_iter().map(|p| 1.3 * p).collect(),
         triangles,
     }
 }
@@ -94,10 +61,10 @@ fn cube(parts: i32) -> Solid {
 
 fn solids() -> Vec<Solid> {
     vec![
-        icosphere(0),
-        icosphere(1),
-        icosphere(2),
-        icosphere(3),
+        ball(0),
+        ball(1),
+        ball(2),
+        ball(3),
         cube(1),
         cube(4),
         cube(10),
@@ -146,8 +113,7 @@ impl Standing {
     /// A ray from about `distance` of its units towards a corner or an edge.
     fn ray(&self, random: &mut Random, distance: f64) -> Ray {
         let eye = self.center + self.scale * distance * random.direction();
-        let triangles = self.brute.data().triangles.len();
-        let [a, b, _] = self.brute.corners(index(random, triangles));
+        let [a, b, _] = any_triangle(&self.brute, random);
         let target = if random.unit() < 0.3 {
             a
         } else {
@@ -162,18 +128,14 @@ impl Standing {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
-    reason = "small counts"
-)]
-fn index(random: &mut Random, count: usize) -> u32 {
-    (random.unit() * count as f64) as u32
+/// The corners of some triangle.
+fn any_triangle(mesh: &Mesh, random: &mut Random) -> [DVec3; 3] {
+    let triangle = random.below(mesh.data().triangles.len());
+    mesh.corners(u32::try_from(triangle).unwrap())
 }
 
-fn hit_by(mesh: &Mesh, ray: &Ray, test: TriangleTest) -> Option<u32> {
-    let hit = mesh.closest_by(ray, Sides::Both, test, |_| true)?;
+fn hit(mesh: &Mesh, ray: &Ray) -> Option<u32> {
+    let hit = mesh.closest(ray, Sides::Both, |_| true)?;
     Some(hit.on_triangle?.triangle)
 }
 
@@ -187,11 +149,11 @@ fn no_ray_leaves_a_closed_mesh() {
         for i in 0..rays {
             let distance = 0.9 * random.unit();
             let ray = solid.ray(&mut random, distance);
-            let hit = hit_by(&solid.with_tree, &ray, guarded_volume);
+            let hit = hit(&solid.with_tree, &ray);
             leaks += u32::from(hit.is_none());
             // The tree's answers are brute force's; some suffice here.
             if i % 16 == 0 {
-                assert_eq!(hit, hit_by(&solid.brute, &ray, guarded_volume), "{ray:?}");
+                assert_eq!(hit, self::hit(&solid.brute, &ray), "{ray:?}");
             }
         }
         println!("{:<45} {rays} rays from inside, {leaks} leaks", solid.name);
@@ -230,8 +192,7 @@ fn from_outside_the_nearest_triangle_is_the_oracles() {
                 .map(|&corners| oracle::hit(&ray, origin, corners));
             let truth = oracle::nearest(truth).map(|(triangle, _)| triangle);
             for mesh in [&solid.brute, &solid.with_tree] {
-                let found = hit_by(mesh, &ray, guarded_volume);
-                assert_eq!(found, truth, "{}: {ray:?}", solid.name);
+                assert_eq!(hit(mesh, &ray), truth, "{}: {ray:?}", solid.name);
             }
             hits += u32::from(truth.is_some());
             misses += u32::from(truth.is_none());
@@ -249,15 +210,16 @@ fn rays_exactly_through_corners_and_edges_do_not_leave_either() {
     // Whole coordinates of 22 bits: exact, but their products are not.
     let mut random = Random::new(43);
     let mut leaks = [0, 0];
-    let ball = icosphere(1);
+    let ball = ball(1);
     for _ in 0..200 {
         let size = random.within(1e6, 1.5e6);
         let positions = ball.positions.iter();
         let positions = positions.map(|&p| (size * p).round().as_vec3().to_array());
         let solid = mesh(positions.collect(), ball.triangles.clone(), DVec3::ZERO);
+        solid.build_tree();
         for _ in 0..100 {
             let eye = random.point(0.5 * size).round();
-            let [a, b, _] = solid.corners(index(&mut random, ball.triangles.len()));
+            let [a, b, _] = any_triangle(&solid, &mut random);
             let target = if random.unit() < 0.5 {
                 a
             } else {
@@ -269,10 +231,9 @@ fn rays_exactly_through_corners_and_edges_do_not_leave_either() {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let tests = [guarded_volume as TriangleTest, signed_volume];
-            for (leaks, test) in leaks.iter_mut().zip(tests) {
-                *leaks += u32::from(hit_by(&solid, &ray, test).is_none());
-            }
+            let unguarded = solid.closest_by(&ray, Sides::Both, signed_volume, |_| true);
+            leaks[0] += u32::from(hit(&solid, &ray).is_none());
+            leaks[1] += u32::from(unguarded.is_none());
         }
     }
     println!("20000 rays: {} leaks, {} unguarded", leaks[0], leaks[1]);

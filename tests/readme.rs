@@ -2,16 +2,19 @@
 
 use clap::CommandFactory;
 use serde_json::Value;
-use sightline::cli::Cli;
+use sightline::{cli::Cli, render::Gpu};
 use std::{
     fs,
-    path::Path,
+    path::{Path, PathBuf},
     process::{Command, Output},
 };
 
+fn here(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
+
 fn readme() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
-    fs::read_to_string(path).expect("README.md")
+    fs::read_to_string(here("README.md")).expect("README.md")
 }
 
 /// The fenced blocks of a language.
@@ -37,6 +40,20 @@ fn run(line: &str) -> Output {
 fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout)
         .unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&output.stderr)))
+}
+
+#[test]
+fn the_picture_that_is_promised_first_is_drawn() {
+    let block = blocks("sh").remove(0);
+    let line = block.lines().find(|line| line.contains(" render "));
+    let line = line.expect("a picture");
+    let arguments = line.strip_prefix("cargo run --release -- ").expect(line);
+    let folder = tempfile::tempdir().expect("a folder");
+    let cd = format!("cd {} && sightline {arguments}", folder.path().display());
+    let output = run(&cd);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(folder.path().join("picture.png").exists(), "{said}");
 }
 
 #[test]
@@ -113,12 +130,23 @@ fn the_pictures_of_verify_are_of_what_it_finds() {
     let &[ours, usual, usual_unexplained] = numbers.as_slice() else {
         panic!("{head}");
     };
-    let check = |picker: &str, said: [i64; 2]| {
-        let report = json(&run(&format!("sightline verify {view} {picker} --json")));
+    // Another driver rounds outlines elsewhere.
+    let gpu = Gpu::headless().expect("a driver");
+    let is_the_pictures_driver = gpu.adapter_name().contains("llvmpipe");
+    let folder = tempfile::tempdir().expect("a folder");
+    let check = |picker: &str, said: [i64; 2], asset: &str| {
+        let picture = folder.path().join(asset);
+        let line = format!("sightline verify {view} {picker} --json --image");
+        let report = json(&run(&format!("{line} {}", picture.display())));
         let count = |name: &str| report[name].as_i64().unwrap_or_else(|| panic!("{report}"));
         let seen = [count("pixels") - count("same"), count("unexplained")];
+        if is_the_pictures_driver {
+            assert_eq!(seen, said, "{picker}");
+            let [seen, shown] =
+                [picture, here("assets").join(asset)].map(|path| fs::read(path).unwrap());
+            assert!(seen == shown, "assets/{asset} is of another time");
+        }
         for (seen, said) in seen.into_iter().zip(said) {
-            // Another driver rounds outlines elsewhere.
             assert!(
                 (seen - said).abs() <= 4 + said / 20,
                 "{picker}: {seen}, not {said}"
@@ -126,7 +154,11 @@ fn the_pictures_of_verify_are_of_what_it_finds() {
         }
         seen
     };
-    let [_, unexplained] = check("", [ours, 0]);
+    let [_, unexplained] = check("", [ours, 0], "verify.png");
     assert_eq!(unexplained, 0);
-    check("--picker usual", [usual, usual_unexplained]);
+    check(
+        "--picker usual",
+        [usual, usual_unexplained],
+        "verify-usual.png",
+    );
 }

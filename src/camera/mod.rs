@@ -42,7 +42,9 @@ pub enum CameraError {
     #[error("the camera's {0} is not a finite vector")]
     NotFinite(&'static str),
     /// There is no direction to look along.
-    #[error("the camera's eye and target are the same point")]
+    #[error(
+        "the camera looks nowhere: its eye and target are the same point, or its direction is zero"
+    )]
     NoDirection,
     /// Right cannot be told.
     #[error("the camera's up vector is zero or points along the line of sight")]

@@ -1,10 +1,11 @@
 //! What can go wrong in a command, and the exit code that says so.
 
-use super::terminal::say;
+use super::{Cli, terminal::say};
 use crate::{
     camera::CameraError, image::ImageError, render::GpuError, scene::LoadError,
     study::chart::ChartError, viewer::ViewerError,
 };
+use clap::CommandFactory;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -30,6 +31,9 @@ pub enum CliError {
     /// The scene could not be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
+    /// A word that is no file, and no command either.
+    #[error("{0}; commands are {commands}, and come before flags", commands = commands())]
+    NoSuchCommand(LoadError),
     /// The picture could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -63,11 +67,9 @@ pub enum CliError {
         "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
     Unexplained(usize),
-    /// Nowhere to open a window.
-    #[error(
-        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
-    )]
-    NoDisplay,
+    /// There is no window.
+    #[error(transparent)]
+    Window(#[from] ViewerError),
 }
 
 impl CliError {
@@ -79,12 +81,13 @@ impl CliError {
             Self::Usage(_) | Self::View(_) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)
+            | Self::NoSuchCommand(_)
             | Self::Image(_)
             | Self::Stream { .. }
             | Self::Write { .. }
             | Self::Chart(_) => 3,
-            Self::Gpu(_) | Self::NothingDrawn(_) => 4,
-            Self::NoDisplay => 5,
+            Self::Gpu(_) | Self::NothingDrawn(_) | Self::Window(ViewerError::Gpu(_)) => 4,
+            Self::Window(ViewerError::NoDisplay) => 5,
         }
     }
 
@@ -116,26 +119,34 @@ impl CliError {
     }
 }
 
-impl From<ViewerError> for CliError {
-    fn from(error: ViewerError) -> Self {
-        match error {
-            ViewerError::NoDisplay(reason) => {
-                log::info!("{reason}");
-                Self::NoDisplay
-            }
-            ViewerError::Gpu(error) => Self::Gpu(error),
-            ViewerError::Camera(error) => Self::View(error),
-        }
-    }
+/// The commands' names, for people.
+fn commands() -> String {
+    let cli = Cli::command();
+    let names: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
+    names.join(", ")
 }
 
-/// Clap's message, without its tips and usage text, as one line.
+/// Clap's message as one line, with what it takes for a slip of the keyboard and without the usage text.
 impl From<clap::Error> for CliError {
     fn from(error: clap::Error) -> Self {
         let text = error.to_string();
-        let message = text.split("\n\n").next().unwrap_or_default();
-        let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
-        let line = line.strip_prefix("error: ").unwrap_or(&line);
+        let mut parts = text.split("\n\n").map(|part| {
+            let words: Vec<_> = part.split_whitespace().collect();
+            words.join(" ")
+        });
+        let message = parts.next().unwrap_or_default();
+        let mut line = message
+            .strip_prefix("error: ")
+            .unwrap_or(&message)
+            .to_owned();
+        for tip in parts.filter(|part| part.contains("similar")) {
+            line = format!("{line}; {}", tip.trim_start_matches("tip: "));
+        }
+        // No flag is a number, and only --at takes a list that might begin with a negative one.
+        let flag = line.strip_prefix("unexpected argument '-");
+        if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
+            line += ": a position in the picture is not negative";
+        }
         Self::Usage(format!("{line}; see --help"))
     }
 }

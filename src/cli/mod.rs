@@ -53,21 +53,27 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Draw the scene into a PNG file
+    #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
     /// Say what is at a position of the picture: one line of JSON a pick
+    #[command(after_long_help = format!("{}\n\n{EXIT_CODES}", pick::FIELDS))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
+    #[command(after_long_help = EXIT_CODES)]
     List(ListArgs),
     /// Measure how fast and how right the known methods are
+    #[command(after_long_help = EXIT_CODES)]
+    #[command(mut_arg("scenes", |arg| arg.help(study::SCENES)))]
     Study(StudyArgs),
     /// Compare what is drawn with what is picked, pixel by pixel
+    #[command(after_long_help = EXIT_CODES)]
     Verify(VerifyArgs),
 }
 
 /// What every command takes.
 #[derive(Clone, Debug, clap::Args)]
 pub struct SceneArgs {
-    /// .obj or scene .toml files; ids run on in this order [default: the demo]
+    /// .obj or scene .toml files, or gallery:NAME; ids run on in this order [default: the demo]
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
     /// Say on stderr what is being done

@@ -9,6 +9,25 @@ use crate::{
 use glam::DVec2;
 use std::io::{BufRead, StdoutLock, Write};
 
+/// What the fields of a pick's line mean, for its help.
+pub(super) const FIELDS: &str = "\
+Fields of \"hit\", null where the picture shows the background; with --all-hits of each of \"hits\":
+  object, id       name, and number from 1
+  triangle         of the object, from 0; null for sphere, cube and square
+  front            whether the surface is seen from outside
+  t                parameter of the ray, whose direction has length 1 and which starts where view depth is 0
+  distance         from the eye to the point
+  depth            of the point along the line of sight
+  ndc              the point in normalised device coordinates, z by --depth
+  point_world, normal_world, point_object, normal_object
+                   the point and the surface's outward unit normal in the world and in the object's own space
+  barycentric      weights of the triangle's corners; null for sphere, cube and square
+  edge_px          pixels to the nearest edge of the triangle or face, of a sphere to its outline; null where none lies
+                   behind the near plane
+  gap              to the next surface along the ray; null where there is none
+  exact            whether f64 left open what is hit, or which of two hits is nearer, and exact arithmetic decided
+  differs_px       pixels to the nearest pixel with another answer; null where none within 8 has one";
+
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
 pub struct PickArgs {

@@ -18,7 +18,7 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// The PNG file to write
-    #[arg(short, long, value_name = "FILE.png")]
+    #[arg(short, long, value_name = "FILE.png", value_parser = value::png())]
     pub output: PathBuf,
     /// What draws: the graphics adapter, or rays on the CPU, which need no driver
     #[arg(long, value_enum, default_value_t = By::Raster)]
@@ -27,7 +27,7 @@ pub struct RenderArgs {
     #[arg(long, value_name = "X,Y", value_parser = value::point, allow_hyphen_values = true)]
     pub pick: Option<DVec2>,
     /// Write object ids too, as 16-bit grey: 0 where there is nothing, n for the object of id n
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub ids: Option<PathBuf>,
     /// How to look at it.
     #[command(flatten)]
@@ -47,6 +47,12 @@ pub enum By {
 pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     if let Some(px) = args.pick {
         inside(args.view.size(), px)?;
+    }
+    let output = std::path::absolute(&args.output).ok();
+    if (args.ids.as_ref()).is_some_and(|ids| std::path::absolute(ids).ok() == output) {
+        return Err(CliError::Usage(
+            "--output and --ids name one file, which cannot hold both".to_owned(),
+        ));
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;

@@ -1,27 +1,33 @@
 //! `sightline study`: speed against accuracy.
 
-use super::{CliError, SceneArgs, ViewArgs, load, value};
+use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
 use crate::study::{self, Effort, SceneRays, chart};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
 
+/// What SCENE is to a study, for its help.
+pub(super) const SCENES: &str = "What to study besides the study's own workloads: .obj or scene .toml files, or \
+                                 gallery:NAME [default: none; with --budget the demo]";
+
 /// Arguments of `sightline study`.
 #[derive(Debug, clap::Args)]
 pub struct StudyArgs {
-    /// What to study besides the study's own workloads: its camera and rays.
+    /// Whose camera and rays to study, too.
     #[command(flatten)]
     pub scene: SceneArgs,
     /// A folder for study.csv and the charts; made where there is none
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Fewer cases and rounds: seconds in place of minutes
+    /// Fewer cases and rounds: quicker, coarser
     #[arg(long)]
     pub quick: bool,
     /// Where random numbers start; the same seed gives the same verdicts on every machine
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value::seed)]
+    #[arg(allow_hyphen_values = true)]
     pub seed: u64,
     /// Say instead which precision the scene needs to stay within so many pixels
-    #[arg(long, value_name = "PX", value_parser = value::number)]
+    #[arg(long, value_name = "PX", value_parser = value::number, allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["out", "quick"])]
     pub budget: Option<f64>,
     /// How to look at the scene.
     #[command(flatten)]
@@ -36,6 +42,11 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     if let Some(px) = args.budget {
         return budget(args, px);
     }
+    if args.scene.scenes.is_empty() && args.view != ViewArgs::default() {
+        return Err(CliError::Usage(
+            "view flags say how to look at a SCENE, and none is named".to_owned(),
+        ));
+    }
     let effort = Effort {
         seed: args.seed,
         ..if args.quick {
@@ -48,10 +59,11 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
     }
-    let mut loaded = load(&args.scene)?;
     let own = if args.scene.scenes.is_empty() {
+        start_log(args.scene.verbose);
         None
     } else {
+        let mut loaded = load(&args.scene)?;
         let view = args.view.apply(&mut loaded)?;
         Some(SceneRays::new(
             &loaded.scene,

@@ -1,7 +1,9 @@
 //! Values as people type them.
 
 use crate::camera::Viewport;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use glam::{DVec2, DVec3};
+use std::path::PathBuf;
 
 /// More pixels a side than any picture needs; what lies beyond is a slip of the keyboard.
 const LARGEST_SIDE: u32 = 16_384;
@@ -33,6 +35,28 @@ pub(super) fn vector(text: &str) -> Result<DVec3, String> {
 /// `X,Y`
 pub(super) fn point(text: &str) -> Result<DVec2, String> {
     numbers(text, "X,Y").map(DVec2::from_array)
+}
+
+/// Where random numbers start.
+pub(super) fn seed(text: &str) -> Result<u64, String> {
+    let seed = text.trim().parse();
+    seed.map_err(|_| "expected a whole number from 0".to_owned())
+}
+
+/// An object's id.
+pub(super) fn id(text: &str) -> Result<usize, String> {
+    let id = text.trim().parse();
+    id.map_err(|_| "expected ids from 1, as in 3,5; sightline list has them".to_owned())
+}
+
+/// The path of a PNG file to write; one without an extension may be a device.
+pub(super) fn png() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| match path.extension() {
+        Some(other) if !other.eq_ignore_ascii_case("png") => {
+            Err("pictures are PNG files: expected a name in .png")
+        }
+        _ => Ok(path),
+    })
 }
 
 /// `WxH`

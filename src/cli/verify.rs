@@ -1,6 +1,6 @@
 //! `sightline verify`: drawn against picked, pixel by pixel.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
 use crate::{
     camera::View,
     image::{Id, Image},
@@ -20,7 +20,7 @@ pub struct VerifyArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Write the picture in grey, each pixel that differs in its class's colour with a dark rim about it
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub image: Option<PathBuf>,
     /// One line of JSON in place of the table
     #[arg(long)]

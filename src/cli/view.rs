@@ -2,7 +2,7 @@
 
 use super::{CliError, value};
 use crate::{
-    camera::{CameraChoice, DepthMapping, UpAxis, View, Viewport},
+    camera::{CameraChoice, DepthMapping, Projection, UpAxis, View, Viewport},
     geometry::Sides,
     scene::Loaded,
 };
@@ -10,11 +10,11 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use glam::DVec3;
 
 /// How the scene is seen. A flag beats the scene file's camera, which beats framing, field by field.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, PartialEq, clap::Args)]
 #[command(next_help_heading = "View")]
 pub struct ViewArgs {
     /// Size of the picture, or of the window, in pixels [default: 1280x720]
-    #[arg(long, value_name = "WxH", value_parser = value::size)]
+    #[arg(long, value_name = "WxH", value_parser = value::size, allow_hyphen_values = true)]
     pub size: Option<Viewport>,
     /// Where the eye stands
     #[arg(long, value_name = "X,Y,Z", value_parser = value::vector, allow_hyphen_values = true)]
@@ -52,7 +52,8 @@ pub struct ViewArgs {
     #[arg(long, value_name = "AXIS", value_parser = up_axis_parser())]
     pub up_axis: Option<UpAxis>,
     /// Hide objects: neither drawn nor picked
-    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = value::id)]
+    #[arg(allow_hyphen_values = true)]
     pub hide: Vec<usize>,
 }
 
@@ -119,7 +120,18 @@ impl ViewArgs {
             },
             _ => CliError::View(source),
         })?;
-        log::info!("camera {camera:?}");
+        let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
+            .map(|v| format!("{},{},{}", v.x, v.y, v.z));
+        let lens = camera.lens();
+        let extent = match lens.projection {
+            Projection::Perspective { fov_y } => format!("--fov {}", fov_y.to_degrees()),
+            Projection::Orthographic { height } => format!("--ortho {height}"),
+        };
+        log::info!(
+            "camera: --eye {eye} --target {target} --up {up} {extent} --near {} --far {}",
+            lens.near,
+            lens.far
+        );
         Ok(View {
             camera,
             viewport: self.size(),

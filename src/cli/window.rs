@@ -2,7 +2,7 @@
 
 use super::{CliError, SceneArgs, ViewArgs, terminal::start_log};
 use crate::{
-    scene::{LoadError, gallery::Exhibit},
+    scene::{FileError, LoadError, gallery::Exhibit},
     viewer,
 };
 
@@ -28,9 +28,16 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         if Exhibit::at(path)?.is_some() {
             continue;
         }
-        std::fs::metadata(path).map_err(|source| LoadError::Read {
-            file: path.clone(),
-            source,
+        std::fs::metadata(path).map_err(|source| {
+            let error = LoadError::from(FileError::Unreadable {
+                file: path.clone(),
+                source,
+            });
+            // Such a word is more often a command than a file.
+            match path.extension() {
+                None => CliError::NoSuchCommand(error),
+                Some(_) => CliError::Load(error),
+            }
         })?;
     }
     let options = viewer::Options {

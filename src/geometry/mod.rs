@@ -20,6 +20,8 @@ mod exact;
 mod mesh;
 mod normals;
 mod placement;
+#[cfg(test)]
+mod random;
 mod sphere;
 mod square;
 mod triangle;

@@ -327,23 +327,21 @@ fn max(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::random::Random;
 
     /// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
     #[test]
     fn products_that_vanish_or_overflow_decide_nothing() {
-        let mut state = 3_u64;
-        // A small integer (Knuth's multiplier), so that points coincide.
-        let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            f64::from((state >> 61) as u8) - 3.0
-        };
+        let mut random = Random(3);
         let times_power = |v: DVec3, exponent: i32| {
             let half = exponent / 2;
             v * 2_f64.powi(half) * 2_f64.powi(exponent - half)
         };
-        let mut point = |exponent| times_power(DVec3::new(random(), random(), random()), exponent);
+        // Small integers, so that points coincide.
+        let mut point = |exponent| {
+            let small = DVec3::new(random.small(), random.small(), random.small());
+            times_power(small, exponent)
+        };
         let mut hits = [0; 2];
         for (vertex, away) in [-149, -100, 0, 125]
             .into_iter()
@@ -392,17 +390,10 @@ mod tests {
     /// The derivation of [`is_passed_by`]'s bound, held against exact volumes.
     #[test]
     fn volumes_round_by_less_than_their_bound() {
-        let mut state = 7_u64;
-        // Uniform in [-1, 1) with all digits (Knuth's multiplier).
-        let mut random = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            f64::from_bits(0x4000_0000_0000_0000 | state >> 12) - 3.0
-        };
+        let mut random = Random(7);
         let mut worst: f64 = 0.0;
         for i in 0..200_000 {
-            let mut point = || DVec3::new(random(), random(), random());
+            let mut point = || random.point();
             let corners = [point(), point(), point()].map(|p| p.as_vec3().as_dvec3());
             // From anywhere near, from an origin with a tail, and at a corner.
             let (mut origin, mut direction) = (point(), point());

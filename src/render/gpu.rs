@@ -32,17 +32,20 @@ struct Reports {
 pub enum GpuError {
     /// No driver, or none that can show on this window.
     #[error(
-        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers), or draw with \
-         --by raycast"
+        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
+         `sightline render --by raycast` draws without"
     )]
     NoAdapter,
     /// The driver cannot tell which triangle a pixel shows.
     #[error(
-        "{0} cannot number triangles (no primitive index): use another driver, or draw with --by raycast"
+        "{0} cannot number triangles (no primitive index): use another driver; \
+         `sightline render --by raycast` draws without"
     )]
     NoPrimitiveIndex(String),
     /// The driver is there but does not work.
-    #[error("{adapter} refuses to work ({reason}): use another driver, or draw with --by raycast")]
+    #[error(
+        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` draws without"
+    )]
     Device {
         /// The adapter's name.
         adapter: String,
@@ -65,7 +68,8 @@ pub enum GpuError {
     },
     /// More vertices, triangles or objects than a buffer may hold.
     #[error(
-        "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}: draw with --by raycast"
+        "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}; \
+         `sightline render --by raycast` draws without"
     )]
     SceneTooLarge {
         /// The adapter's name.
@@ -78,10 +82,14 @@ pub enum GpuError {
         limit: u64,
     },
     /// The driver gave the device up: it was reset, updated or unplugged.
-    #[error("{0} was lost, as when a driver restarts: try again, or draw with --by raycast")]
+    #[error(
+        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` draws without"
+    )]
     Lost(String),
     /// Graphics memory is used up.
-    #[error("{0} is out of memory: draw a smaller picture or scene, or draw with --by raycast")]
+    #[error(
+        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` draws without"
+    )]
     OutOfMemory(String),
 }
 

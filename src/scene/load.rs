@@ -1,8 +1,8 @@
 //! From the files that somebody names to one scene.
 
 use super::{
-    Cancelled, DescriptionError, ObjError, Object, Problem, Progress, Scene, Shape, Warning, demo,
-    description,
+    Cancelled, DescriptionError, FileError, ObjError, Object, Problem, Progress, Scene, Shape,
+    Warning, demo, description, file,
     gallery::{self, Exhibit},
     obj,
 };
@@ -11,9 +11,13 @@ use crate::{
     geometry::{Mesh, Placement},
 };
 use std::{
+    io::Read,
     path::{Path, PathBuf},
     sync::Arc,
 };
+
+/// A larger scene file is refused: a saved scene of a million objects is a quarter of this.
+const MOST_BYTES: u64 = 1 << 30;
 
 /// A scene and what came with it; by default nothing.
 #[derive(Debug, Default)]
@@ -41,13 +45,8 @@ pub enum LoadError {
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// A scene file could not be read.
-    #[error("cannot read {}: {source}", file.display())]
-    Read {
-        /// Which file.
-        file: PathBuf,
-        /// What the file system said.
-        source: std::io::Error,
-    },
+    #[error(transparent)]
+    File(#[from] FileError),
     /// A scene file was refused.
     #[error(transparent)]
     Scene(DescriptionError),
@@ -87,14 +86,8 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
             objects.extend(scene.objects);
             camera = camera.or(scene.camera.map(|camera| (camera, file)));
-        } else if path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
-        {
-            let text = std::fs::read_to_string(path).map_err(|source| LoadError::Read {
-                file: path.clone(),
-                source,
-            })?;
+        } else if is_scene_file(path) {
+            let text = text(path)?;
             let scene = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
             objects.extend(scene.objects);
             camera = camera.or(scene.camera.map(|camera| (camera, path.clone())));
@@ -116,6 +109,25 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
             _ => None,
         },
     })
+}
+
+/// Whether a path names a scene file.
+pub(crate) fn is_scene_file(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// What a scene file holds.
+fn text(path: &Path) -> Result<String, FileError> {
+    let (mut file, _) = file::open(path, MOST_BYTES)?;
+    let mut text = String::new();
+    match file.read_to_string(&mut text) {
+        Ok(_) => Ok(text),
+        Err(source) => Err(FileError::Unreadable {
+            file: path.to_owned(),
+            source,
+        }),
+    }
 }
 
 /// Mesh files by their absolute paths, each loaded once however often it is named.
@@ -165,7 +177,8 @@ fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     })
 }
 
-fn title(paths: &[PathBuf]) -> String {
+/// What the scene of these files is called.
+pub(crate) fn title(paths: &[PathBuf]) -> String {
     let name = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str());
         name.to_string_lossy().into_owned()

@@ -3,6 +3,7 @@
 mod demo;
 pub mod description;
 mod entry;
+mod file;
 pub mod gallery;
 mod load;
 pub mod obj;
@@ -11,7 +12,9 @@ mod progress;
 mod tree;
 mod warning;
 
+pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
+pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};

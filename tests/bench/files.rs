@@ -3,6 +3,8 @@
 //! `cargo bench --bench files`, or with `-- FILE.obj`. Each measurement is a process of its own, since its peak of
 //! memory counts; the contenders take turns. Peaks need Linux.
 
+mod terrain;
+
 use glam::DVec3;
 use sightline::{
     geometry::Ray,
@@ -13,7 +15,6 @@ use std::{
     env,
     error::Error,
     ffi::OsString,
-    fmt::Write,
     fs,
     path::{Path, PathBuf},
     process::{Command, ExitCode},
@@ -48,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let file = match arguments.first() {
         Some(file) => PathBuf::from(file),
-        None => terrain(folder.path())?,
+        None => terrain::write(folder.path(), SIDE)?,
     };
     let mut measured = [const { Vec::new() }; CONTENDERS.len()];
     for round in 0..=ROUNDS {
@@ -150,25 +151,4 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
-}
-
-/// Writes rolling ground of a million triangles.
-fn terrain(folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
-    let mut text = "o terrain\n".to_owned();
-    let at = |i: u32| 10.0 * f64::from(i) / f64::from(SIDE) - 5.0;
-    for (z, x) in (0..=SIDE).flat_map(|j| (0..=SIDE).map(move |i| (at(j), at(i)))) {
-        let y = 0.3 * (1.7 * x).sin() * (1.3 * z).cos() + 0.05 * (9.0 * x + 4.0 * z).sin();
-        writeln!(text, "v {x:.6} {y:.6} {z:.6}")?;
-    }
-    for corner in (0..SIDE).flat_map(|j| (1..=SIDE).map(move |i| j * (SIDE + 1) + i)) {
-        let (next, below) = (corner + 1, corner + SIDE + 1);
-        writeln!(
-            text,
-            "f {corner} {below} {next}\nf {next} {below} {}",
-            below + 1
-        )?;
-    }
-    let file = folder.join("terrain.obj");
-    fs::write(&file, text)?;
-    Ok(file)
 }

@@ -1,19 +1,20 @@
 //! How long frames of the whole window take: `cargo bench --bench frames [-- FILE...]`. Without files it shows a
 //! terrain of 100,000 triangles. The window is unseen; what a screen adds is its presentation.
 
+mod terrain;
+
 use egui::{Event, PointerButton, pos2};
 use sightline::{
     camera::Viewport,
     viewer::{Options, offscreen::Offscreen},
 };
 use std::{
-    fmt::Write,
-    path::{Path, PathBuf},
+    path::PathBuf,
     time::{Duration, Instant},
 };
 
 const FRAMES: u16 = 60;
-const SIDE: u16 = 224;
+const SIDE: u32 = 224;
 
 /// Over the scene.
 const MIDDLE: egui::Pos2 = pos2(580.0, 362.0);
@@ -28,14 +29,14 @@ fn main() {
         .map(PathBuf::from)
         .collect();
     if paths.is_empty() {
-        paths.push(terrain(folder.path()));
+        paths.push(terrain::write(folder.path(), SIDE).expect("a writable folder"));
     }
     let options = Options {
         paths,
         ..Options::default()
     };
     let size = Viewport::new(1280, 720).expect("a viewport");
-    let mut window = Offscreen::open(options, size, 1.0).expect("a camera");
+    let mut window = Offscreen::open(options, size, 1.0);
     let drawn = window.draw().unwrap_or_else(|error| panic!("{error}"));
     assert!(drawn, "the scene is drawn");
     let scene = window.state().scene();
@@ -95,23 +96,4 @@ fn report(name: &str, redraws: bool, window: &mut Offscreen, event: impl Fn(u16)
         ms(0.5),
         ms(0.95)
     );
-}
-
-/// Waves, as an OBJ file.
-fn terrain(folder: &Path) -> PathBuf {
-    let mut text = String::new();
-    let at = |i: u16| f64::from(i) / f64::from(SIDE);
-    for (x, z) in (0..=SIDE).flat_map(|x| (0..=SIDE).map(move |z| (at(x), at(z)))) {
-        let y = 0.05 * (20.0 * x).sin() * (17.0 * z).cos();
-        writeln!(text, "v {x} {y} {z}").expect("memory");
-    }
-    let row = u32::from(SIDE) + 1;
-    for (x, z) in (0..SIDE).flat_map(|x| (0..SIDE).map(move |z| (u32::from(x), u32::from(z)))) {
-        let a = x * row + z + 1;
-        let (b, c, d) = (a + 1, a + row + 1, a + row);
-        writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}").expect("memory");
-    }
-    let path = folder.join("terrain.obj");
-    std::fs::write(&path, text).expect("a writable folder");
-    path
 }

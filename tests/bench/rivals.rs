@@ -44,8 +44,8 @@ pub fn all() -> Vec<Box<dyn Rival>> {
         all.push(Box::new(embree));
     }
     all.extend([
-        Box::new(Obvhs8) as _,
-        Box::new(Obvhs2) as _,
+        Box::new(Obvhs::Eight) as _,
+        Box::new(Obvhs::Two) as _,
         Box::new(Parry) as _,
     ]);
     all
@@ -81,11 +81,6 @@ fn obvhs_triangles(sample: &Sample) -> Vec<Triangle> {
     triangles.collect()
 }
 
-fn in_order(triangles: &[Triangle], order: &[u32]) -> Vec<RtTriangle> {
-    let triangles = order.iter().map(|&i| &triangles[i as usize]);
-    triangles.map(RtTriangle::from).collect()
-}
-
 fn obvhs_ray(ray: &Ray) -> obvhs::ray::Ray {
     #[expect(clippy::cast_possible_truncation, reason = "f32 holds it")]
     obvhs::ray::Ray::new(
@@ -96,71 +91,69 @@ fn obvhs_ray(ray: &Ray) -> obvhs::ray::Ray {
     )
 }
 
-/// obvhs, nodes of eight.
-struct Obvhs8;
-
-struct Obvhs8Built(CwBvh, Vec<RtTriangle>);
-
-impl Rival for Obvhs8 {
-    fn name(&self) -> &'static str {
-        "obvhs CWBVH"
-    }
-
-    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
-        let triangles = obvhs_triangles(sample);
-        let (built, cost) = cost_of(|| {
-            let params = BvhBuildParams::medium_build();
-            let mut spent = Duration::default();
-            let tree = cwbvh::builder::build_cwbvh_from_tris(&triangles, params, &mut spent);
-            let triangles = in_order(&triangles, &tree.primitive_indices);
-            Obvhs8Built(tree, triangles)
-        });
-        (Box::new(built), cost)
-    }
+/// obvhs, with nodes of eight or of two.
+#[derive(Clone, Copy)]
+enum Obvhs {
+    Eight,
+    Two,
 }
 
-impl Built for Obvhs8Built {
-    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
-        for (ray, answer) in rays.iter().zip(answers) {
-            let mut hit = RayHit::none();
-            let test = |ray: &obvhs::ray::Ray, id: usize| self.1[id].intersect(ray);
-            let found = self.0.ray_traverse(obvhs_ray(ray), &mut hit, test);
-            let triangle = |id: u32| self.0.primitive_indices[id as usize];
-            *answer = found.then(|| (f64::from(hit.t), triangle(hit.primitive_id)));
+enum ObvhsTree {
+    Eight(CwBvh),
+    Two(Bvh2),
+}
+
+impl ObvhsTree {
+    /// Which triangle is in each place.
+    fn order(&self) -> &[u32] {
+        match self {
+            Self::Eight(tree) => &tree.primitive_indices,
+            Self::Two(tree) => &tree.primitive_indices,
         }
     }
 }
 
-/// obvhs, nodes of two.
-struct Obvhs2;
+/// A tree and its triangles in its order.
+struct ObvhsBuilt(ObvhsTree, Vec<RtTriangle>);
 
-struct Obvhs2Built(Bvh2, Vec<RtTriangle>);
-
-impl Rival for Obvhs2 {
+impl Rival for Obvhs {
     fn name(&self) -> &'static str {
-        "obvhs BVH2"
+        match self {
+            Self::Eight => "obvhs CWBVH",
+            Self::Two => "obvhs BVH2",
+        }
     }
 
     fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        use {bvh2::builder::build_bvh2_from_tris, cwbvh::builder::build_cwbvh_from_tris};
         let triangles = obvhs_triangles(sample);
         let (built, cost) = cost_of(|| {
-            let params = BvhBuildParams::medium_build();
-            let mut spent = Duration::default();
-            let tree = bvh2::builder::build_bvh2_from_tris(&triangles, params, &mut spent);
-            let triangles = in_order(&triangles, &tree.primitive_indices);
-            Obvhs2Built(tree, triangles)
+            let (params, mut spent) = (BvhBuildParams::medium_build(), Duration::default());
+            let tree = match self {
+                Self::Eight => {
+                    ObvhsTree::Eight(build_cwbvh_from_tris(&triangles, params, &mut spent))
+                }
+                Self::Two => ObvhsTree::Two(build_bvh2_from_tris(&triangles, params, &mut spent)),
+            };
+            let in_order = tree.order().iter().map(|&i| &triangles[i as usize]);
+            let in_order = in_order.map(RtTriangle::from).collect();
+            ObvhsBuilt(tree, in_order)
         });
         (Box::new(built), cost)
     }
 }
 
-impl Built for Obvhs2Built {
+impl Built for ObvhsBuilt {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        let Self(tree, triangles) = self;
         for (ray, answer) in rays.iter().zip(answers) {
             let mut hit = RayHit::none();
-            let test = |ray: &obvhs::ray::Ray, id: usize| self.1[id].intersect(ray);
-            let found = self.0.ray_traverse(obvhs_ray(ray), &mut hit, test);
-            let triangle = |id: u32| self.0.primitive_indices[id as usize];
+            let test = |ray: &obvhs::ray::Ray, id: usize| triangles[id].intersect(ray);
+            let found = match tree {
+                ObvhsTree::Eight(tree) => tree.ray_traverse(obvhs_ray(ray), &mut hit, test),
+                ObvhsTree::Two(tree) => tree.ray_traverse(obvhs_ray(ray), &mut hit, test),
+            };
+            let triangle = |id: u32| tree.order()[id as usize];
             *answer = found.then(|| (f64::from(hit.t), triangle(hit.primitive_id)));
         }
     }

@@ -1,5 +1,6 @@
-//! How fast the nearest hit is found, against other libraries: the same rays, pass after pass in turn, every answer
-//! checked. Prints ratios of the fastest passes, which hold on a busy machine where times do not.
+//! How fast the nearest hit is found, against other libraries: the same rays, pass after pass in turn; every answer is
+//! compared with every other's, and where they differ, and on a sample, brute force decides. Prints ratios of the fastest
+//! passes, which hold on a busy machine where times do not.
 //!
 //! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
 //! measured where its library is installed (Debian, Ubuntu: `libembree3-3`).
@@ -31,8 +32,6 @@ const TRUTH: usize = 400_000_000;
 struct Row {
     /// Nanoseconds a ray of the fastest pass; by kind of rays.
     nanoseconds: [f64; 3],
-    /// Ratio of the fastest pass to the reference's.
-    ratios: [f64; 3],
     wrong: usize,
     judged: usize,
     cost: Cost,
@@ -55,24 +54,40 @@ fn main() -> ExitCode {
     );
     let mut all = Vec::new();
     for sample in files.into_iter().chain(generated) {
-        let rows = measure(&sample, &rivals, reference);
-        print(&sample, &rivals, &rows);
+        let rows = measure(&sample, &rivals);
+        print(&sample, &rivals, &rows, &rows[reference]);
         let [median, p99] = hover(&sample);
         println!("Sightline, hover: median {median} ns, 99th percentile {p99} ns");
         all.push(rows);
     }
-    println!("\ngeometric mean of the ratios");
+    println!("\ngeometric means of the ratios");
+    println!(
+        "{:14} {:>10} {:>10} {:>10} {:>6} {:>6} {:>6}  wrong",
+        "", "incoherent", "coherent", "all around", "build", "memory", "peak"
+    );
+    let wrong_of = |i: usize| all.iter().map(|rows| rows[i].wrong).sum::<usize>();
+    let judged: usize = all.iter().map(|rows| rows[0].judged).sum();
     for (i, rival) in rivals.iter().enumerate() {
+        let mean = |of: &dyn Fn(&Row) -> f64, width: usize| {
+            let ratios = all.iter().map(|rows| of(&rows[i]) / of(&rows[reference]));
+            print!(" {:width$.2}", geometric_mean(ratios));
+        };
         print!("{:14}", rival.name());
         for kind in 0..3 {
-            print!(
-                " {:18.2}",
-                geometric_mean(all.iter().map(|rows| rows[i].ratios[kind]))
-            );
+            mean(&|row| row.nanoseconds[kind], 10);
         }
-        println!();
+        #[expect(clippy::cast_precision_loss, reason = "a size")]
+        let costs: [&dyn Fn(&Row) -> f64; 3] = [
+            &|row| row.cost.seconds,
+            &|row| row.cost.held as f64,
+            &|row| row.cost.peak as f64,
+        ];
+        for cost in costs {
+            mean(cost, 6);
+        }
+        println!("  {} of {judged}", wrong_of(i));
     }
-    let wrong: usize = all.iter().map(|rows| rows[0].wrong).sum();
+    let wrong = wrong_of(0);
     if wrong == 0 {
         ExitCode::SUCCESS
     } else {
@@ -81,7 +96,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn measure(sample: &Sample, rivals: &[Box<dyn Rival>], reference: usize) -> Vec<Row> {
+fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
     let truth = Mesh::new(sample.data()).expect("a mesh");
     let bounds = truth.part_bounds(0);
     let rays = [
@@ -99,7 +114,6 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>], reference: usize) -> Vec<
         .iter()
         .map(|&(_, cost)| Row {
             nanoseconds: [f64::INFINITY; 3],
-            ratios: [0.0; 3],
             wrong: 0,
             judged: 0,
             cost,
@@ -119,7 +133,6 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>], reference: usize) -> Vec<
         let fastest = |seconds: &[f64]| seconds.iter().copied().fold(f64::INFINITY, f64::min);
         #[expect(clippy::cast_precision_loss, reason = "a count")]
         for (row, own) in rows.iter_mut().zip(&seconds) {
-            row.ratios[kind] = fastest(own) / fastest(&seconds[reference]);
             row.nanoseconds[kind] = 1e9 * fastest(own) / rays.len() as f64;
         }
     }
@@ -159,7 +172,7 @@ fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], row
     }
 }
 
-fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row]) {
+fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &Row) {
     #[expect(clippy::cast_precision_loss, reason = "a count")]
     let millions = sample.triangles.len() as f64 / 1e6;
     println!("\n{}: {} triangles", sample.name, sample.triangles.len());
@@ -170,7 +183,8 @@ fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row]) {
     for (rival, row) in rivals.iter().zip(rows) {
         print!("{:14}", rival.name());
         for kind in 0..3 {
-            print!(" {:11.0} ({:.2})", row.nanoseconds[kind], row.ratios[kind]);
+            let (own, other) = (row.nanoseconds[kind], reference.nanoseconds[kind]);
+            print!(" {own:11.0} ({:.2})", own / other);
         }
         #[expect(clippy::cast_precision_loss, reason = "a size")]
         let mb = |bytes: isize| bytes as f64 / 1e6;

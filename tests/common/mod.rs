@@ -1,13 +1,13 @@
 //! What tests share.
 #![allow(dead_code, reason = "each test uses its share")]
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{ColourRun, Mesh, MeshData, Part, Placement, Ray},
     scene::{Object, Scene, Shape},
 };
-use std::{path::PathBuf, sync::Arc};
+use std::{collections::HashMap, path::PathBuf, sync::Arc};
 
 /// A perspective lens with reversed depth; `fov` in degrees.
 pub fn perspective(fov: f64, near: f64, far: f64) -> Lens {
@@ -72,6 +72,17 @@ impl Random {
     /// Uniform in [low, high).
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
+    }
+
+    /// A whole number below `end`, which is not 0.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "small"
+    )]
+    pub fn below(&mut self, end: usize) -> usize {
+        ((self.unit() * end as f64) as usize).min(end - 1)
     }
 
     /// Each coordinate uniform in [-half, half).
@@ -187,4 +198,45 @@ pub fn ray_to(origin: DVec3, target: DVec3) -> Ray {
         t_min: 0.0,
         t_max: f64::INFINITY,
     }
+}
+
+/// Corners on the unit sphere and triangles, counter-clockwise from outside: an icosahedron, each triangle split in four
+/// `levels` times.
+pub fn icosphere(levels: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let golden = f64::midpoint(1.0, 5_f64.sqrt());
+    let mut points = Vec::new();
+    for (a, b) in [
+        (1.0, golden),
+        (-1.0, golden),
+        (1.0, -golden),
+        (-1.0, -golden),
+    ] {
+        let corners = [dvec3(0.0, a, b), dvec3(a, b, 0.0), dvec3(b, 0.0, a)];
+        points.extend(corners.map(DVec3::normalize));
+    }
+    // Faces are the triples of corners that are neighbours.
+    let mut triangles = Vec::new();
+    let triples = (0..12).flat_map(|i| (0..i).flat_map(move |j| (0..j).map(move |k| [i, j, k])));
+    for [i, j, k] in triples {
+        let [a, b, c] = [i, j, k].map(|i: u32| points[i as usize]);
+        if a.distance(b) < 1.1 && b.distance(c) < 1.1 && c.distance(a) < 1.1 {
+            let is_outwards = (b - a).cross(c - a).dot(a) > 0.0;
+            triangles.push(if is_outwards { [i, j, k] } else { [i, k, j] });
+        }
+    }
+    for _ in 0..levels {
+        let mut middles = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                points.push((points[a as usize] + points[b as usize]).normalize());
+                u32::try_from(points.len() - 1).expect("a small mesh")
+            })
+        };
+        let mut split = |[a, b, c]: [u32; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+        };
+        triangles = triangles.into_iter().flat_map(&mut split).collect();
+    }
+    (points, triangles)
 }

@@ -1,6 +1,7 @@
 //! Scenes that drawing tests share.
 #![allow(dead_code, reason = "each test uses its share")]
 
+use crate::common::icosphere;
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec3};
 use sightline::{
     colour::Srgb,
@@ -8,7 +9,7 @@ use sightline::{
     render::Gpu,
     scene::{Object, Scene, Shape},
 };
-use std::{collections::HashMap, path::Path, sync::Arc};
+use std::{path::Path, sync::Arc};
 
 /// The device; without one the test fails and says what to install.
 pub fn gpu() -> Gpu {
@@ -59,55 +60,16 @@ pub fn mesh(origin: DVec3, positions: Vec<[f32; 3]>, parts: &[&[[u32; 3]]]) -> M
     mesh.expect("a mesh")
 }
 
-/// Positions and triangles of a bumpy sphere of radius about 1: an icosahedron, each triangle split in four `levels`
-/// times.
+/// Positions and triangles of a bumpy sphere of radius about 1.
 pub fn bumpy(levels: u32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let g = 0.5 * (1.0 + 5.0_f64.sqrt());
-    let mut points: Vec<DVec3> = Vec::new();
-    for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
-        points.extend([dvec3(0.0, a, b), dvec3(a, b, 0.0), dvec3(b, 0.0, a)].map(DVec3::normalize));
-    }
-    let mut triangles: Vec<[usize; 3]> = Vec::new();
-    for i in 0..12 {
-        for j in i + 1..12 {
-            for k in j + 1..12 {
-                let near = |a: usize, b: usize| points[a].distance(points[b]) < 1.1;
-                if near(i, j) && near(j, k) && near(i, k) {
-                    let out = (points[j] - points[i])
-                        .cross(points[k] - points[i])
-                        .dot(points[i]);
-                    triangles.push(if out > 0.0 { [i, j, k] } else { [i, k, j] });
-                }
-            }
-        }
-    }
-    for _ in 0..levels {
-        let mut middles: HashMap<[usize; 2], usize> = HashMap::new();
-        let mut middle = |a: usize, b: usize| {
-            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-                points.push((points[a] + points[b]).normalize());
-                points.len() - 1
-            })
-        };
-        triangles = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-                [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
-            })
-            .collect();
-    }
+    let (points, triangles) = icosphere(levels);
     let bump =
         |p: DVec3| p * (1.0 + 0.12 * (7.0 * p.x).sin() * (6.0 * p.y).sin() * (5.0 * p.z).cos());
     let positions = points
         .into_iter()
         .map(|p| bump(p).as_vec3().to_array())
         .collect();
-    let corner = |i: usize| u32::try_from(i).expect("a small mesh");
-    (
-        positions,
-        triangles.into_iter().map(|t| t.map(corner)).collect(),
-    )
+    (positions, triangles)
 }
 
 /// All shapes under all kinds of model matrices: spheres (ellipsoid, sheared, mirrored), cubes, squares, a bumpy

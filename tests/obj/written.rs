@@ -29,14 +29,8 @@ impl Dice {
         (self.0.unit() * f64::from(end)).floor()
     }
 
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "small"
-    )]
     fn below(&mut self, end: usize) -> usize {
-        ((self.0.unit() * end as f64) as usize).min(end - 1)
+        self.0.below(end)
     }
 
     fn one_in(&mut self, n: usize) -> bool {

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, dvec3};
 use sightline::{
     camera::{Camera, CameraChoice, DepthMapping, Lens, View, Viewport},
     geometry::Sides,
-    pick,
+    pick::{self, SceneHit},
     scene::{Scene, Shape},
 };
 
@@ -106,8 +106,20 @@ fn near_and_far(stage: &Stage) -> Vec<Shot> {
 
 /// Fields of view.
 fn lenses(scene: &Scene, stage: &Stage) -> Vec<Shot> {
-    let Stage { r, aim, way, .. } = *stage;
+    let Stage {
+        base, r, aim, way, ..
+    } = *stage;
     let mut shots = Vec::new();
+    let rim = rim(scene, &base);
+    for fov in [1.0, 1e-2] {
+        let eye = base.camera.eye();
+        let lens = perspective(fov, 0.3 * r, 10.0 * r);
+        shots.push(Shot::new(
+            "a long lens at a rim",
+            look(eye, rim, lens),
+            false,
+        ));
+    }
     for fov in [0.5, 1.0, 5.0, 20.0, 60.0, 90.0, 120.0] {
         let choice = CameraChoice {
             fov: Some(fov),
@@ -268,9 +280,42 @@ fn with_lens(view: &View, change: impl Fn(Lens) -> Lens) -> View {
     }
 }
 
-/// The place in the picture nearest to its middle that shows something, and a corner of the triangle there (or the
-/// point itself): zooming in on it keeps outlines in view.
+/// A corner of the triangle that the picture shows nearest to its middle, or the point itself: zooming in on it keeps
+/// outlines in view.
 fn detail(scene: &Scene, view: &View) -> DVec3 {
+    let (px, hit) = shown(scene, view);
+    let object = &scene.objects()[hit.object];
+    match (&object.shape, hit.hit.on_triangle) {
+        (Shape::Mesh { mesh, .. }, Some(at)) => object
+            .placement
+            .point_to_world(mesh.corners(at.triangle)[0]),
+        _ => view.ray(px).at(hit.hit.t),
+    }
+}
+
+/// A point where the outline of what the picture shows nearest to its middle is, by bisection towards its left border.
+fn rim(scene: &Scene, view: &View) -> DVec3 {
+    let (px, shown) = shown(scene, view);
+    let at = |x: f64| {
+        let ray = view.ray(DVec2::new(x, px.y));
+        let hit = pick::closest(scene, &ray, Sides::Both);
+        hit.filter(|hit| hit.object == shown.object)
+            .map(|hit| ray.at(hit.hit.t))
+    };
+    let (mut outside, mut inside) = (0.0, px.x);
+    for _ in 0..40 {
+        let middle = 0.5 * (outside + inside);
+        if at(middle).is_some() {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    at(inside).expect("a hit")
+}
+
+/// The place in the picture nearest to its middle that shows something.
+fn shown(scene: &Scene, view: &View) -> (DVec2, SceneHit) {
     let middle = DVec2::new(f64::from(SIZE[0]), f64::from(SIZE[1])) / 2.0;
     let mut cells: Vec<DVec2> = (0..SIZE[0] / 2)
         .flat_map(|x| {
@@ -280,14 +325,6 @@ fn detail(scene: &Scene, view: &View) -> DVec3 {
     cells.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     let hit = cells
         .into_iter()
-        .map(|px| view.ray(px))
-        .find_map(|ray| Some((ray, pick::closest(scene, &ray, Sides::Both)?)));
-    let (ray, hit) = hit.expect("something is shown");
-    let object = &scene.objects()[hit.object];
-    match (&object.shape, hit.hit.on_triangle) {
-        (Shape::Mesh { mesh, .. }, Some(at)) => object
-            .placement
-            .point_to_world(mesh.corners(at.triangle)[0]),
-        _ => ray.at(hit.hit.t),
-    }
+        .find_map(|px| Some((px, pick::closest(scene, &view.ray(px), Sides::Both)?)));
+    hit.expect("something is shown")
 }

@@ -19,9 +19,12 @@ use std::{collections::BTreeMap, time::Instant};
 /// be left with nothing; all of its condition together may not.
 const LEAST_SHOWN: usize = 10;
 
-/// Meshes that take long, to draw or for want of a tree, are seen by a third of the cameras.
+/// Pixels of an ordinary view that `f32` may leave undecided.
+const MOST_BEYOND_F32: usize = 20;
+
+/// Meshes that take long to draw are seen by a third of the cameras.
 fn takes_long(triangles: usize) -> bool {
-    triangles > 50_000 || (100..512).contains(&triangles)
+    triangles > 50_000
 }
 
 /// Counts over all scenes and views of one condition.
@@ -76,10 +79,14 @@ impl Sweep {
             let drawn = drawn(&self.gpu, &mut self.renderer, &buffers, &shot.view);
             let report = compare(scene, &shot.view, &drawn, &pick::ids(scene, &shot.view));
             self.tallies.entry(shot.condition).or_default().add(&report);
+            let place = format!("{name}, {}", shot.condition);
             if shot.ordinary {
                 self.ordinary.add(&report);
+                let beyond = report.count(Class::F32Limit);
+                if beyond > MOST_BEYOND_F32 {
+                    self.defects.push(format!("{place}: {beyond} beyond f32"));
+                }
             }
-            let place = format!("{name}, {}", shot.condition);
             if report.count(Class::Unexplained) > 0 {
                 let count = report.count(Class::Unexplained);
                 self.defects.push(format!(

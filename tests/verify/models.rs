@@ -131,7 +131,7 @@ pub fn coplanar() -> Scene {
     Scene::new(objects)
 }
 
-/// A sphere and a mesh about the eye.
+/// A sphere and a mesh about the eye, and a sphere just before it.
 pub fn inside() -> Vec<(&'static str, Scene, View)> {
     let scene = shapes(DVec3::ZERO);
     let bumpy = Scene::new(scene.objects()[1..2].to_vec());
@@ -165,6 +165,17 @@ pub fn inside() -> Vec<(&'static str, Scene, View)> {
             scene.clone(),
             look(dvec3(0.1, 0.1, 0.05), dvec3(1.0, 0.3, 0.2), near),
         ));
+    }
+    // The sphere's surface, and the way out of it.
+    let center = dvec3(-1.5, -0.5, 1.2);
+    let out = dvec3(0.3, 0.5, 1.0).normalize();
+    let eye = center + (0.5 + 1e-3) * out;
+    for (target, near) in [
+        (center, 1e-4),
+        (center, 2e-2),
+        (eye + dvec3(1.0, 0.0, -0.3), 1e-5),
+    ] {
+        views.push(("eye at a sphere", scene.clone(), look(eye, target, near)));
     }
     views
 }

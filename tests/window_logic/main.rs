@@ -1,7 +1,5 @@
 //! The window's logic, by replaying its own actions: no window, no GPU.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod gallery;
 mod inspect;
 mod lens;

@@ -294,25 +294,10 @@ fn narrow(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Uniform in [-1, 1) with all digits (Knuth's multiplier).
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> f64 {
-            self.0 = (self.0)
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            f64::from_bits(0x4000_0000_0000_0000 | self.0 >> 12) - 3.0
-        }
-
-        fn point(&mut self) -> DVec3 {
-            DVec3::new(self.next(), self.next(), self.next())
-        }
-    }
+    use crate::geometry::random::Random;
 
     /// The derivation of the padding, held against planes met in `f64`, fused and not: no box is entered late or left early,
-    /// and it takes most of the padding to say so.
+    /// and it takes most of the padding to say so. Nor does an interval that ends at a plane end before it.
     #[test]
     fn boxes_are_entered_in_time() {
         let mut random = Random(7);
@@ -350,7 +335,10 @@ mod tests {
                 if !(ray.at(exact).abs().max_element() <= most) {
                     continue;
                 }
-                let exact = exact * prepared.placed.t_scale - prepared.placed.t_start;
+                let met = exact;
+                let exact = met * prepared.placed.t_scale - prepared.placed.t_start;
+                let end = f64::from(prepared.end(met));
+                assert!(end >= exact && end <= exact.max(0.0) * (1.0 + 1e-6));
                 let [inverse, early, late] = [
                     prepared.inverse,
                     prepared.entry_offset,

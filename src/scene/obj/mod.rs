@@ -22,12 +22,12 @@ mod outline;
 mod polygon;
 mod wash;
 
-use super::{Cancelled, Progress, Warning};
+use super::{Cancelled, FileError, Progress, Warning, file};
 use crate::geometry::{Mesh, MeshError};
 use lines::{Blocks, Lines, decode, is_utf16};
 use outline::Outline;
 use std::{
-    fs::{self, File},
+    fs::File,
     io::{self, BufRead, BufReader},
     panic::resume_unwind,
     path::{Path, PathBuf},
@@ -59,20 +59,9 @@ pub enum ObjError {
     /// Somebody asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// It cannot be opened or read.
-    #[error("{}: cannot be read: {source}", file.display())]
-    Unreadable {
-        /// The file.
-        file: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
-    /// A directory, a device, a pipe.
-    #[error("{}: is not a file", file.display())]
-    NotAFile {
-        /// The file.
-        file: PathBuf,
-    },
+    /// It cannot be read.
+    #[error(transparent)]
+    File(#[from] FileError),
     /// Zero bytes.
     #[error("{}: the file is empty", file.display())]
     Empty {
@@ -104,14 +93,6 @@ pub enum ObjError {
         line: usize,
         /// What is wrong with it.
         what: BadLine,
-    },
-    /// More than anybody's memory holds.
-    #[error("{}: is too large: more than {} GiB", file.display(), most >> 30)]
-    TooManyBytes {
-        /// The file.
-        file: PathBuf,
-        /// How many bytes there may be.
-        most: u64,
     },
     /// The extent does not fit in single precision.
     #[error("{}: its coordinates lie too far apart to show ({extent:e} units)", file.display())]
@@ -190,7 +171,7 @@ fn read<R: BufRead + Send + 'static>(
     open: impl Fn() -> Result<(R, u64), ObjError>,
 ) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
-    let unreadable = |source| ObjError::Unreadable {
+    let unreadable = |source| FileError::Unreadable {
         file: path.to_owned(),
         source,
     };
@@ -204,7 +185,7 @@ fn read<R: BufRead + Send + 'static>(
         let (parsed, outline, stop) = parse(Washer::new(lines, foresight));
         match stop {
             Some(Stop::Cancelled(cancelled)) => return Err(cancelled.into()),
-            Some(Stop::Unreadable(source)) => return Err(unreadable(source)),
+            Some(Stop::Unreadable(source)) => return Err(unreadable(source).into()),
             Some(Stop::ColoursComeLate) => foresight.coloured = true,
             None if outline.highest_vertex > outline.vertices => {
                 foresight.vertices = Some(outline.vertices);
@@ -236,26 +217,11 @@ fn read<R: BufRead + Send + 'static>(
 
 /// The file, when it is one and not empty, and its size.
 fn open(path: &Path) -> Result<(BufReader<File>, u64), ObjError> {
-    let file = || path.to_owned();
-    let unreadable = |source| ObjError::Unreadable {
-        file: file(),
-        source,
-    };
-    let about = fs::metadata(path).map_err(unreadable)?;
-    // Not even opened: a pipe would wait for somebody to write into it.
-    if !about.is_file() {
-        return Err(ObjError::NotAFile { file: file() });
-    }
-    match about.len() {
-        0 => Err(ObjError::Empty { file: file() }),
-        bytes if bytes > MOST_BYTES => Err(ObjError::TooManyBytes {
-            file: file(),
-            most: MOST_BYTES,
+    match file::open(path, MOST_BYTES)? {
+        (_, 0) => Err(ObjError::Empty {
+            file: path.to_owned(),
         }),
-        bytes => {
-            let opened = File::open(path).map_err(unreadable)?;
-            Ok((BufReader::with_capacity(BLOCK, opened), bytes))
-        }
+        (opened, bytes) => Ok((BufReader::with_capacity(BLOCK, opened), bytes)),
     }
 }
 

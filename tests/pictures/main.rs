@@ -1,19 +1,20 @@
 //! What is drawn looks as it should: like the ray caster's picture, with its marks, lines and culling.
 
+#[path = "../common/mod.rs"]
 mod common;
-#[path = "common/scenes.rs"]
+mod marks;
+#[path = "../common/scenes.rs"]
 mod scenes;
 
 use common::{orthographic, perspective, view};
-use glam::{DVec3, dvec3};
+use glam::DVec3;
 use scenes::{gpu, shapes};
 use sightline::{
-    camera::{DepthMapping, Lens, View, Viewport},
-    colour::Srgb,
+    camera::View,
     geometry::Sides,
     image::{Id, Image, Rgb},
-    look, pick,
-    render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets, Wireframe},
+    pick,
+    render::{Gpu, GpuError, Line, Marks, Renderer, SceneBuffers, Targets},
     scene::Scene,
 };
 
@@ -122,54 +123,6 @@ fn drawn_colours_equal_cast_colours() {
 }
 
 #[test]
-fn the_selection_is_outlined_through_what_hides_it() {
-    let gpu = gpu();
-    let scene = shapes(DVec3::ZERO);
-    let view = overview([640, 400]);
-    for samples in [1, 4] {
-        // The turned box stands behind the ball, the right half of a mesh behind the card.
-        for (name, object, is_behind) in [
-            ("turned box", 7, true),
-            ("right", 11, true),
-            ("ellipsoid", 3, false),
-        ] {
-            let marks = Marks {
-                selection: Some(object),
-                hover: Some(2),
-            };
-            let (ids, plain, picture) = draw(&gpu, &scene, &view, &[], &marks, samples);
-            show(&format!("selected-{name}-{samples}"), &picture);
-            let [selected, hovered] = [object, 2].map(|i| u32::try_from(i + 1).expect("small"));
-            let shows = |x: u32, y: u32| ids.at(x.min(639), y.min(399)).object;
-            let [mut tinted, mut outlined, mut through] = [0; 3];
-            for (x, y) in ids.positions() {
-                let changed = far_apart(plain.at(x, y), picture.at(x, y), 2);
-                let line = !far_apart(picture.at(x, y), look::SELECTION.0, 12);
-                tinted += u32::from(shows(x, y) == selected && changed);
-                outlined += u32::from(line);
-                // Not at the rim of what is seen of it: within what hides it.
-                let mut around = (0..9).flat_map(|i| (0..9).map(move |j| (i, j)));
-                let within = around.all(|(i, j)| {
-                    shows((x + i).saturating_sub(4), (y + j).saturating_sub(4)) != selected
-                });
-                through += u32::from(line && within);
-                assert!(
-                    shows(x, y) != hovered || changed,
-                    "what is hovered is tinted at ({x}, {y})"
-                );
-            }
-            assert!(tinted > 100, "{name}: {tinted} pixels tinted");
-            assert!(outlined > 100, "{name}: {outlined} pixels of outline");
-            assert_eq!(
-                through > 20,
-                is_behind,
-                "{name}: {through} pixels of outline seen through others"
-            );
-        }
-    }
-}
-
-#[test]
 fn hidden_objects_are_absent() {
     let gpu = gpu();
     let mut scene = shapes(DVec3::ZERO);
@@ -213,55 +166,6 @@ fn hidden_objects_are_absent() {
         0,
         "shown again"
     );
-}
-
-#[test]
-fn lines_are_in_the_picture_and_not_in_the_ids() {
-    let gpu = gpu();
-    let scene = shapes(DVec3::ZERO);
-    let view = overview([640, 400]);
-    let colour = Srgb([255, 0, 255]);
-    let lines: Vec<Line> = (-10..=10)
-        .flat_map(|i| {
-            let (a, y) = (f64::from(i) * 0.5, -0.99);
-            [
-                Line {
-                    from: dvec3(a, y, -5.0),
-                    to: dvec3(a, y, 5.0),
-                    colour,
-                },
-                Line {
-                    from: dvec3(-5.0, y, a),
-                    to: dvec3(5.0, y, a),
-                    colour,
-                },
-            ]
-        })
-        .collect();
-    let orthographic_view = View {
-        camera: view
-            .camera
-            .with_lens(orthographic(5.0, 0.1, 100.0))
-            .expect("a lens"),
-        ..view
-    };
-    for view in [view, orthographic_view] {
-        let (plain_ids, plain, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 1);
-        for samples in [1, 4] {
-            let (ids, colours, _) = draw(&gpu, &scene, &view, &lines, &Marks::default(), samples);
-            show("grid", &colours);
-            assert_eq!(differing(&ids, &plain_ids), 0);
-            let pixels = || {
-                ids.positions()
-                    .filter(|&(x, y)| colours.at(x, y) == colour.0)
-            };
-            assert!(samples == 4 || pixels().count() > 1000, "the grid shows");
-            // Hidden by what stands on the floor.
-            let on_ball = pixels().filter(|&(x, y)| ids.at(x, y).object == 2);
-            assert!(on_ball.count() < 100, "the grid lies behind the mesh");
-        }
-        assert!(!plain.pixels().contains(&colour.0));
-    }
 }
 
 #[test]
@@ -368,96 +272,4 @@ fn an_empty_scene_is_all_background() {
     assert_eq!(differing(&ids, &cast_ids), 0);
     let pairs = colours.pixels().iter().zip(cast.pixels());
     assert!(pairs.into_iter().all(|(&a, &b)| !far_apart(a, b, 1)));
-}
-
-#[test]
-fn a_picture_goes_where_the_window_wants_it() {
-    let gpu = gpu();
-    let scene = shapes(DVec3::ZERO);
-    let view = overview([60, 40]);
-    let marks = Marks {
-        selection: Some(1),
-        hover: Some(2),
-    };
-    let mut renderer = Renderer::new(&gpu, 1);
-    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
-    renderer
-        .draw(&gpu, &buffers, &targets, &view, &[])
-        .expect("draws");
-    renderer.draw_selection(&gpu, &buffers, &targets, &view, 1);
-    let alone = renderer
-        .composite_to_image(&gpu, &buffers, &targets, &view, &marks)
-        .expect("a picture");
-    // Beside a panel of 20 pixels, and in a window that has just become too small.
-    for size in [[90, 50], [70, 30], [15, 15]] {
-        let origin = [20, 5];
-        let size = Viewport::new(size[0], size[1]).expect("a size");
-        let window = renderer
-            .composite_at(&gpu, &buffers, &targets, &view, &marks, size, origin)
-            .expect("a picture");
-        for (x, y) in window.positions() {
-            let within = x >= 20 && y >= 5 && x < 80 && y < 45;
-            let expected = if within {
-                alone.at(x - 20, y - 5)
-            } else {
-                [0; 3]
-            };
-            assert_eq!(window.at(x, y), expected, "({x}, {y}) of {size:?}");
-        }
-    }
-}
-
-/// Edges of triangles are in the colours alone: what is picked by ids stays the same.
-#[test]
-fn a_wireframe_is_not_in_the_ids() {
-    let gpu = &gpu();
-    assert!(gpu.draws_wireframes(), "lavapipe draws edges");
-    let scene = shapes(DVec3::ZERO);
-    let buffers = SceneBuffers::upload(gpu, &scene).expect("fits");
-    for depth in [DepthMapping::Reversed, DepthMapping::Standard] {
-        let view = overview([320, 240]);
-        let lens = Lens {
-            depth,
-            ..*view.camera.lens()
-        };
-        let view = View {
-            camera: view.camera.with_lens(lens).expect("a lens"),
-            ..view
-        };
-        for samples in [1, 4] {
-            let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
-            let mut renderer = Renderer::new(gpu, samples);
-            let mut draw = |wireframe| {
-                renderer.wireframe = wireframe;
-                let drawn = renderer.draw(gpu, &buffers, &targets, &view, &[]);
-                drawn.expect("draws");
-                let ids = targets.read_ids(gpu).expect("ids");
-                (ids, targets.read_colours(gpu).expect("colours"))
-            };
-            let (ids, colours) = draw(None);
-            let changed = |wired: &Image<Rgb>| {
-                let pairs = wired
-                    .pixels()
-                    .iter()
-                    .zip(colours.pixels())
-                    .zip(ids.pixels());
-                let changed = pairs.filter(|((a, b), _)| a != b);
-                changed.map(|(_, id)| id.object).collect::<Vec<_>>()
-            };
-            let (all_ids, all) = draw(Some(Wireframe::OfAll));
-            let (one_ids, one) = draw(Some(Wireframe::Of(0)));
-            assert!(all_ids == ids && one_ids == ids, "{depth} {samples}");
-            // Edges of what is seen, also of backs, and few beside it: lines are wider than outlines.
-            let (all, one) = (changed(&all), changed(&one));
-            assert!(
-                one.len() > 100 && all.len() > 2 * one.len(),
-                "{}, {}",
-                one.len(),
-                all.len()
-            );
-            let beside = one.iter().filter(|object| **object != 1).count();
-            assert!(beside * 3 < one.len(), "{beside} of {}", one.len());
-        }
-    }
 }

@@ -1,0 +1,315 @@
+//! How sure a pick says that it is: held against pixels nearby, and against exact arithmetic.
+
+use crate::{
+    common::{Random, mesh, orthographic, perspective, placements, scene_of, view},
+    positions,
+};
+use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::View,
+    geometry::{Placement, Sphere},
+    pick::{self, Pick},
+    scene::{Object, Scene, Shape},
+};
+
+/// The distance from `px` to the end of what `hit` covers, over directions, by bisection.
+fn sampled_outline(px: DVec2, hit: impl Fn(DVec2) -> bool) -> f64 {
+    assert!(hit(px));
+    let mut least = f64::INFINITY;
+    for i in 0..2000 {
+        let direction = DVec2::from_angle(std::f64::consts::TAU * f64::from(i) / 2000.0);
+        let (mut inside, mut outside) = (0.0, 1e4);
+        if hit(px + outside * direction) {
+            continue;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if hit(px + middle * direction) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        least = least.min(inside);
+    }
+    least
+}
+
+#[test]
+fn edge_px_of_spheres_and_ellipsoids_is_the_way_to_their_outline() {
+    let needle = DMat3::from_rotation_z(0.4) * DMat3::from_diagonal(dvec3(4.0, 0.05, 0.3));
+    let matrices = placements()
+        .into_iter()
+        .take(7)
+        .map(|(_, model)| model.matrix3);
+    let mut tried = 0;
+    for matrix3 in matrices.chain([needle]) {
+        let scene = scene_of(
+            Shape::Sphere,
+            DAffine3 {
+                matrix3,
+                ..DAffine3::IDENTITY
+            },
+        );
+        let placement = &scene.objects()[0].placement;
+        for (fov, lens) in [
+            (50.0, perspective(50.0, 0.1, 50.0)),
+            (0.0, orthographic(5.0, 0.1, 50.0)),
+        ] {
+            let view = view([1.0, 3.0, 4.0], [0.1, 0.2, 0.0], lens, [400, 300]);
+            let positions = positions(&view, 1500);
+            for px in positions
+                .filter(|&px| pick::pick(&scene, &view, px).is_some())
+                .take(12)
+            {
+                let edge_px = pick::pick(&scene, &view, px).unwrap().edge_px.unwrap();
+                let truth = sampled_outline(px, |px| {
+                    Sphere::hits(&placement.ray_to_object(&view.ray(px)))[0].is_some()
+                });
+                // Sampling directions finds a little more than the least.
+                let close =
+                    edge_px <= truth * (1.0 + 1e-9) + 1e-6 && truth <= edge_px * 1.001 + 1e-6;
+                assert!(
+                    close,
+                    "{edge_px} but sampled {truth} at {px}, fov {fov}, {matrix3}"
+                );
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 100, "only {tried} positions");
+}
+
+#[test]
+fn edge_px_of_faces_and_triangles_is_the_way_to_their_nearest_edge() {
+    let corners = [[-0.5, -0.5, 0.1], [0.6, -0.4, 0.0], [-0.3, 0.5, -0.2_f32]];
+    let triangle = Shape::Mesh {
+        mesh: mesh(corners.to_vec(), vec![[0, 1, 2]], DVec3::ZERO),
+        part: 0,
+    };
+    let square = [
+        [-0.5, -0.5, 0.0],
+        [0.5, -0.5, 0.0],
+        [0.5, 0.5, 0.0],
+        [-0.5, 0.5, 0.0],
+    ];
+    let mut tried = 0;
+    for (_, model) in placements().into_iter().take(7) {
+        let model = DAffine3 {
+            translation: DVec3::ZERO,
+            ..model
+        };
+        for shape in [triangle.clone(), Shape::Square, Shape::Cube] {
+            let scene = scene_of(shape.clone(), model);
+            // Once well in front, once with the near plane through the middle.
+            for near in [0.1, 3.2] {
+                for lens in [perspective(50.0, near, 50.0), orthographic(5.0, near, 50.0)] {
+                    let view = view([1.0, 2.0, 2.5], [0.1, 0.0, 0.0], lens, [400, 300]);
+                    let positions = positions(&view, 800);
+                    for px in positions
+                        .filter(|&px| pick::pick(&scene, &view, px).is_some())
+                        .take(8)
+                    {
+                        let pick = pick::pick(&scene, &view, px).unwrap();
+                        let polygon: Vec<DVec3> = match shape {
+                            Shape::Mesh { .. } => {
+                                corners.map(|c| DVec3::from(c.map(f64::from))).into()
+                            }
+                            Shape::Square => square.map(DVec3::from).into(),
+                            // The square's corners, turned onto the face that was hit.
+                            _ => {
+                                let n = pick.normal_object;
+                                let (u, v) = n.any_orthonormal_pair();
+                                square.map(|[x, y, _]| x * u + y * v + 0.5 * n).into()
+                            }
+                        };
+                        let edges = (0..polygon.len())
+                            .map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]);
+                        let points = edges.flat_map(|[a, b]| {
+                            (0..=4000).map(move |i| a.lerp(b, f64::from(i) / 4000.0))
+                        });
+                        let shown = points.filter_map(|p| view.project(model.transform_point3(p)));
+                        let in_front = shown.filter(|shown| shown.depth >= near);
+                        let truth = in_front
+                            .map(|shown| shown.px.distance(px))
+                            .fold(f64::INFINITY, f64::min);
+                        match pick.edge_px {
+                            Some(edge_px) => {
+                                let close = edge_px <= truth + 1e-9 && truth <= edge_px + 1.0;
+                                assert!(
+                                    close,
+                                    "{edge_px} but sampled {truth} at {px} of {shape:?}"
+                                );
+                                tried += 1;
+                            }
+                            None => assert!(truth.is_infinite()),
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(tried > 400, "only {tried} positions");
+}
+
+/// Triangles and squares of many sizes, some touching, in a picture of 80 x 60.
+fn crowded() -> (Scene, View) {
+    let mut random = Random::new(51);
+    let mut objects = Vec::new();
+    for i in 0..9 {
+        let size = 10_f64.powf(random.within(-1.0, 0.6));
+        let model = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(size)),
+            translation: random.point(2.0),
+        };
+        let corners = [
+            [-0.5, -0.5, 0.0],
+            [0.5, -0.5, 0.0],
+            [0.5, 0.5, 0.1],
+            [-0.5, 0.5, -0.1],
+        ];
+        let quad = Shape::Mesh {
+            mesh: mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], DVec3::ZERO),
+            part: 0,
+        };
+        let shape = [quad, Shape::Sphere, Shape::Square][i % 3].clone();
+        objects.push(Object::new("", shape, Placement::new(model).unwrap()));
+    }
+    let view = view(
+        [0.0, 0.0, 6.0],
+        [0.0; 3],
+        perspective(50.0, 0.5, 50.0),
+        [80, 60],
+    );
+    (Scene::new(objects), view)
+}
+
+#[test]
+fn differs_px_is_the_way_to_the_nearest_pixel_that_shows_something_else() {
+    let (scene, view) = crowded();
+    let (ids, _) = pick::raycast(&scene, &view);
+    let (mut near, mut none) = (0, 0);
+    for ((x, y), here) in ids.positions().zip(ids.pixels()) {
+        let center = dvec2(x.into(), y.into());
+        let Some(pick) = pick::pick(&scene, &view, center + 0.5) else {
+            continue;
+        };
+        let others = ids
+            .positions()
+            .zip(ids.pixels())
+            .filter(|(_, id)| *id != here);
+        let truth = others
+            .map(|((x, y), _)| center.distance(dvec2(x.into(), y.into())))
+            .fold(f64::INFINITY, f64::min);
+        assert_eq!(
+            pick.differs_px,
+            (truth <= 8.0).then_some(truth),
+            "at {center}"
+        );
+        match pick.differs_px {
+            Some(px) if px < 8.0 => near += 1,
+            Some(_) => {}
+            None => none += 1,
+        }
+        if x % 4 != 0 {
+            continue;
+        }
+        for pick in pick::pick_all(&scene, &view, center + 0.5) {
+            assert_eq!(
+                pick.differs_px,
+                (truth <= 8.0).then_some(truth),
+                "one number for all"
+            );
+        }
+    }
+    assert!(near > 500 && none > 20, "{near} near, {none} far");
+}
+
+#[test]
+fn exact_says_when_f64_cannot_decide() {
+    let sheet = |z: f64| {
+        // Two triangles that share a diagonal, on whole coordinates.
+        let corners = [[-8.0, -8.0], [8.0, -8.0], [8.0, 8.0], [-8.0, 8.0_f32]];
+        #[expect(clippy::cast_possible_truncation, reason = "small and whole")]
+        let positions = corners.map(|[x, y]| [x, y, z as f32]);
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        Shape::Mesh {
+            mesh: mesh(positions.to_vec(), triangles, DVec3::ZERO),
+            part: 0,
+        }
+    };
+    let object = |shape: Shape| Object::new("", shape, Placement::IDENTITY);
+    let view = view(
+        [0.0, 0.0, 8.0],
+        [0.0; 3],
+        orthographic(16.0, 1.0, 50.0),
+        [16, 16],
+    );
+    let exact = |scene: &Scene, px: DVec2| -> Vec<bool> {
+        let picks = pick::pick_all(scene, &view, px);
+        picks.iter().map(|pick| pick.exact).collect()
+    };
+    let (beside, diagonal) = (dvec2(9.5, 3.5), dvec2(9.5, 6.5));
+    // Alone: only upon the diagonal, where both triangles are hit.
+    let one = Scene::new(vec![object(sheet(0.0))]);
+    assert_eq!(exact(&one, beside), [false]);
+    assert_eq!(exact(&one, diagonal), [true, true]);
+    // What lies behind is not in doubt because of what lies behind it.
+    let mut two = Scene::new(vec![object(Shape::Square), object(sheet(-3.0))]);
+    let front = dvec2(8.25, 7.75);
+    assert_eq!(exact(&two, front), [false, true, true]);
+    // Nor because of what is hidden.
+    two.set_visible(1, false);
+    assert_eq!(exact(&two, front), [false]);
+    // The same triangle twice in one mesh: which is nearer takes exact arithmetic.
+    let corners = vec![[-8.0, -8.0, 0.0], [8.0, -8.0, 0.1], [0.0, 8.0, 0.3_f32]];
+    let twice = mesh(corners, vec![[0, 1, 2], [1, 2, 0]], DVec3::ZERO);
+    let twice = Scene::new(vec![object(Shape::Mesh {
+        mesh: twice,
+        part: 0,
+    })]);
+    let picks = pick::pick_all(&twice, &view, dvec2(7.3, 9.1));
+    let found: Vec<_> = picks
+        .iter()
+        .map(|pick| (pick.triangle, pick.exact))
+        .collect();
+    assert_eq!(found, [(Some(0), true), (Some(1), true)]);
+    assert_eq!(picks[0].gap, Some(0.0));
+}
+
+#[test]
+fn a_pick_does_not_wait_for_a_tree() {
+    let side = 30_u32;
+    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| (x, y)));
+    #[expect(clippy::cast_precision_loss, reason = "small")]
+    let positions = positions.map(|(x, y)| [x as f32 / 15.0 - 1.0, y as f32 / 15.0 - 1.0, 0.0]);
+    let cells = (0..side).flat_map(|y| (0..side).map(move |x| y * (side + 1) + x));
+    let triangles = cells.flat_map(|a| [[a, a + 1, a + side + 2], [a, a + side + 2, a + side + 1]]);
+    let mesh = mesh(positions.collect(), triangles.collect(), DVec3::ZERO);
+    let scene = scene_of(Shape::Mesh { mesh, part: 0 }, DAffine3::IDENTITY);
+    let view = view(
+        [0.3, 0.2, 3.0],
+        [0.0; 3],
+        perspective(40.0, 0.1, 10.0),
+        [64, 48],
+    );
+    let px = dvec2(30.5, 20.5);
+    let before = pick::pick(&scene, &view, px).expect("a hit");
+    assert!(!scene.trees_are_built());
+    assert_eq!(before.differs_px, None, "it would take a tree to say");
+    scene.build_trees();
+    let after = pick::pick(&scene, &view, px).expect("a hit");
+    assert!(
+        after.differs_px.is_some_and(|px| px < 4.0),
+        "{:?}",
+        after.differs_px
+    );
+    assert_eq!(
+        before,
+        Pick {
+            differs_px: None,
+            ..after
+        },
+        "all else is the same"
+    );
+}
