@@ -7,15 +7,16 @@
 //!
 //! ```text
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
-//! a click:  event -> viewer::input -> Action -> viewer::State -> pick::pick -> Pick -> panel, JSON
+//! a click:  event -> viewer::input -> Action -> viewer::State -> pick::pick_all -> Pick -> panel, JSON
 //! a frame:  State -> View -> render::Renderer -> colour, ids, selection -> window
 //! a pixel:  View::ray -> Scene::visit_batches -> Placement::ray_to_object -> shape or Mesh (Bvh) -> Hit -> Pick
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //! ```
 //!
-//! Imports point one way: `camera`, `geometry` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
-//! `cli`. Only `render` and `viewer` know wgpu; only `viewer` knows winit and egui. `colour`, `image` and `look` (what
-//! both renderers make pictures look like) stand beside them and know none of these.
+//! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
+//! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
+//! egui. `colour`, `image` and `look` (what both renderers make pictures look like) stand beside them and know none of
+//! these, but that an image has a `camera::Viewport`. `tests/imports.rs` holds all of that.
 //!
 //! # Spaces
 //!
@@ -33,19 +34,26 @@
 //! # Words
 //!
 //! * **placement**: an object's model matrix and its inverse.
-//! * **view**: camera, viewport and whether back faces show: all that decides, with the scene, what a pixel shows.
-//! * **t**: the ray parameter; rays keep it when they change spaces. **distance** is from the eye; **depth** is along F.
+//! * **view**: camera, viewport and whether back faces show: all that decides, with the scene, what a pixel shows
+//!   ([`camera::View`]); *view space* is the camera's.
+//! * **t**: the ray parameter; rays keep it when they change spaces. **distance** is from the eye; **depth** is along F;
+//!   **measured depth** is what the GPU counts in place of it, from where it keeps most digits
+//!   ([`render::transform::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.
 //! * **batch**: objects that are drawn, and asked for hits, as one: parts of one mesh in one place, or a single object.
 //! * **front**: the ray runs against the outward normal. Normals are never flipped.
+//! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
+//!   vertices or pixels before they become `f32`.
+//! * **stage**: how far along M, V, P the window shows the scene ([`viewer::stages::Stage`]).
+//! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
 //!
 //! **A shape.** Give it a file in `geometry` with its box and its hits, a ray of object space in, and hold it to a closed
-//! form in `tests/shapes.rs`. Add the variant to [`scene::Shape`]; the compiler then names every place that has to know
-//! it: its word in scene files, its bounds, who asks it for hits, its edges, how it is drawn, what `verify` may put down
-//! to its outline, the study's truth. A shape of flat faces is drawn as those ([`geometry::Cuboid::face`] is how the cube
+//! form in `tests/shapes`. Add the variant to [`scene::Shape`] and its word to `scene/entry.rs`; the compiler then
+//! names every place that has to know it: its bounds, who asks it for hits, its edges, how it is drawn, what `verify`
+//! may put down to its outline, the study's truth. Name the word in README's scene file and in [`scene::description`]. A shape of flat faces is drawn as those ([`geometry::Cuboid::face`] is how the cube
 //! does it); a curved one needs an impostor as [`render::sphere`] is. Put one into `tests/common/scenes.rs`, and every
 //! pixel of it is compared.
 //!

@@ -17,9 +17,9 @@
 
 mod gpu;
 pub mod layout;
+mod lines;
 mod mesh_buffers;
 mod outline;
-mod overlay;
 mod pipelines;
 mod raster;
 mod readback;
@@ -29,8 +29,8 @@ mod targets;
 pub mod transform;
 
 pub use gpu::{Gpu, GpuError};
+pub use lines::Line;
 pub use outline::{Destination, Marks};
-pub use overlay::Line;
 pub use pipelines::SHADERS;
 pub use raster::Wireframe;
 pub(crate) use readback::read_rgb;

@@ -4,7 +4,7 @@ use super::{
     Renderer,
     gpu::{Gpu, GpuError},
     layout::Frame,
-    overlay::{self, Line},
+    lines::{self, Line},
     pipelines::{Drawn, Pass},
     scene_buffers::{Draw, DrawnShape, SceneBuffers},
     targets::Targets,
@@ -56,7 +56,7 @@ impl Renderer {
         let mut encoder = gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let vertices = overlay::vertices(view, lines);
+        let vertices = lines::vertices(view, lines);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let colour_pass = match &targets.multisampled {

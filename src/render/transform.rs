@@ -67,7 +67,8 @@ pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
             (origin, about_origin)
         }
         Shape::Square => (DVec3::ZERO, Square::bounds()),
-        _ => (DVec3::ZERO, Cuboid::bounds()),
+        // A sphere has no vertices; its box holds it.
+        Shape::Cube | Shape::Sphere => (DVec3::ZERO, Cuboid::bounds()),
     }
 }
 

@@ -110,10 +110,10 @@ impl Entry {
         folder: &Path,
         load: &mut dyn FnMut(&Path) -> Result<Arc<Mesh>, ObjError>,
     ) -> Result<Vec<Object>, Problem> {
-        let shape = match self.shape {
-            ShapeWord::Sphere => Shape::Sphere,
-            ShapeWord::Cube => Shape::Cube,
-            ShapeWord::Square => Shape::Square,
+        let (shape, kind) = match self.shape {
+            ShapeWord::Sphere => (Shape::Sphere, "Sphere"),
+            ShapeWord::Cube => (Shape::Cube, "Cube"),
+            ShapeWord::Square => (Shape::Square, "Square"),
             ShapeWord::Mesh => return self.mesh_objects(folder, load),
         };
         if self.file.is_some() {
@@ -122,11 +122,6 @@ impl Entry {
         if self.part.is_some() {
             return Err(Problem::NotAMesh("part"));
         }
-        let kind = match shape {
-            Shape::Cube => "Cube",
-            Shape::Square => "Square",
-            _ => "Sphere",
-        };
         let name = self.name.as_deref().unwrap_or(kind);
         Ok(vec![self.object(
             name.to_owned(),

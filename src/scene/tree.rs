@@ -65,7 +65,7 @@ impl SceneTree {
         tree
     }
 
-    /// Whether it knows its scene.
+    /// Whether the scene has too few batches to be worth a tree.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }

@@ -244,8 +244,9 @@ impl Explainer<'_> {
         let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
             return Vec::new();
         };
-        if let Shape::Sphere = object.shape {
-            return round::surfaces(view, &object.placement, px);
+        match object.shape {
+            Shape::Sphere => return round::surfaces(view, &object.placement, px),
+            Shape::Cube | Shape::Square | Shape::Mesh { .. } => {}
         }
         let batches = scene.batches();
         let batch = &batches[batches.partition_point(|batch| batch.end <= index)];
