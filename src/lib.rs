@@ -51,7 +51,7 @@
 //! # To add
 //!
 //! **A shape.** Give it a file in `geometry` with its box and its hits, a ray of object space in, and hold it to a closed
-//! form in `tests/shapes.rs`. Add the variant to [`scene::Shape`] and its word to `scene/entry.rs`; the compiler then
+//! form in `tests/shapes`. Add the variant to [`scene::Shape`] and its word to `scene/entry.rs`; the compiler then
 //! names every place that has to know it: its bounds, who asks it for hits, its edges, how it is drawn, what `verify`
 //! may put down to its outline, the study's truth. Name the word in README's scene file and in [`scene::description`]. A shape of flat faces is drawn as those ([`geometry::Cuboid::face`] is how the cube
 //! does it); a curved one needs an impostor as [`render::sphere`] is. Put one into `tests/common/scenes.rs`, and every
@@ -61,9 +61,9 @@
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
-//! **An overlay.** Add a variant to [`viewer::overlay::Overlay`] and a row in the same place of its `ALL`, and a key to
-//! the table in `viewer/keys.rs` and to README's. If it is lines in the world, make them in `viewer/overlay.rs` and name
-//! it in `Overlays::in_scene`; what lies before them hides them.
+//! **An overlay.** Add a variant to [`viewer::overlay::Overlay`] and to its list of all, a key to the table in
+//! `viewer/keys.rs` and to README's, and the lines in world space that it stands for to `viewer/overlay.rs`. Lines are
+//! hidden by what lies before them.
 //!
 //! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an

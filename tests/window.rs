@@ -72,10 +72,11 @@ struct Viewer {
 }
 
 impl Viewer {
-    fn open(screen: &Screen, scale: &str, arguments: &[&str]) -> Self {
+    fn open(screen: &Screen, scale: &str, folder: &Path, arguments: &[&str]) -> Self {
         let mut process = Command::new(SIGHTLINE)
             .args(["-v", "--print-picks"])
             .args(arguments)
+            .current_dir(folder)
             .env("DISPLAY", &screen.display)
             .env("WINIT_X11_SCALE_FACTOR", scale)
             .env_remove("WAYLAND_DISPLAY")
@@ -204,7 +205,12 @@ fn clicks_print_what_pick_prints(scale: &str) {
     let physical = |points: f64| (points * factor).round() as u32;
     let (width, height) = (physical(1280.0), physical(720.0));
     let screen = Screen::new(width, height);
-    let viewer = Viewer::open(&screen, scale, &[&path.display().to_string()]);
+    let viewer = Viewer::open(
+        &screen,
+        scale,
+        folder.path(),
+        &[&path.display().to_string()],
+    );
     let click = |x: u32, y: u32| {
         screen.xdotool(&format!("mousemove {x} {y}"));
         screen.xdotool("click 1");
@@ -257,9 +263,13 @@ fn the_key_v_compares_what_is_on_screen() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = scene(folder.path());
     let screen = Screen::new(1280, 720);
-    let viewer = Viewer::open(&screen, "1", &[&path.display().to_string()]);
+    let viewer = Viewer::open(&screen, "1", folder.path(), &[&path.display().to_string()]);
     screen.xdotool("mousemove 640 360");
     screen.xdotool("search --sync --onlyvisible --name Sightline windowfocus --sync");
+    // F12 writes into the folder that the program runs in.
+    screen.xdotool("key F12");
+    viewer.wait_for("saved");
+    assert!(folder.path().join("sightline-1.png").exists());
     for turn in [false, true] {
         if turn {
             // Puts the comparison away, like any other view.

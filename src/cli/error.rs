@@ -67,11 +67,9 @@ pub enum CliError {
         "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
     Unexplained(usize),
-    /// Nowhere to open a window.
-    #[error(
-        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
-    )]
-    NoDisplay,
+    /// There is no window.
+    #[error(transparent)]
+    Window(#[from] ViewerError),
 }
 
 impl CliError {
@@ -88,8 +86,8 @@ impl CliError {
             | Self::Stream { .. }
             | Self::Write { .. }
             | Self::Chart(_) => 3,
-            Self::Gpu(_) | Self::NothingDrawn(_) => 4,
-            Self::NoDisplay => 5,
+            Self::Gpu(_) | Self::NothingDrawn(_) | Self::Window(ViewerError::Gpu(_)) => 4,
+            Self::Window(ViewerError::NoDisplay) => 5,
         }
     }
 
@@ -117,19 +115,6 @@ impl CliError {
         Self::Stream {
             stream: "standard output",
             source,
-        }
-    }
-}
-
-impl From<ViewerError> for CliError {
-    fn from(error: ViewerError) -> Self {
-        match error {
-            ViewerError::NoDisplay(reason) => {
-                log::info!("{reason}");
-                Self::NoDisplay
-            }
-            ViewerError::Gpu(error) => Self::Gpu(error),
-            ViewerError::Camera(error) => Self::View(error),
         }
     }
 }

@@ -86,10 +86,7 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
             objects.extend(scene.objects);
             camera = camera.or(scene.camera.map(|camera| (camera, file)));
-        } else if path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("toml"))
-        {
+        } else if is_scene_file(path) {
             let text = text(path)?;
             let scene = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
             objects.extend(scene.objects);
@@ -112,6 +109,12 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
             _ => None,
         },
     })
+}
+
+/// Whether a path names a scene file.
+pub(crate) fn is_scene_file(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
 /// What a scene file holds.
@@ -174,7 +177,8 @@ fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     })
 }
 
-fn title(paths: &[PathBuf]) -> String {
+/// What the scene of these files is called.
+pub(crate) fn title(paths: &[PathBuf]) -> String {
     let name = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str());
         name.to_string_lossy().into_owned()

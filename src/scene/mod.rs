@@ -14,6 +14,7 @@ mod warning;
 
 pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
+pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};

@@ -1,11 +1,12 @@
 //! No more than a scene needs: which precision each step needs to stay within so many pixels.
 
 use super::{
-    estimates::{Sizes, Term, UNIT_F32},
-    methods::triangles::{SIGHTLINES_PRECISION, TriangleCase},
+    estimates::{Sizes, Term},
+    methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
     step::Precision,
     table::{number, short},
+    truth::UNIT_F32,
 };
 use crate::{camera::View, scene::Scene};
 use std::fmt::Write;
@@ -97,10 +98,10 @@ fn dominant(terms: &[Term]) -> String {
 
 /// The derived bound of what this program does, beside what was measured.
 fn ours(text: &mut String, row: &Row) {
-    let (Some(bound), unit) = (row.bound, row.step) else {
+    let Some(bound) = row.bound else {
         return;
     };
-    let exact = row.step.key == "triangle" && SIGHTLINES_PRECISION == Precision::Exact;
+    let step = row.step;
     let mut say = |bound: f64, found: f64, unit: &str, what: &str| {
         let _ = writeln!(
             text,
@@ -111,20 +112,19 @@ fn ours(text: &mut String, row: &Row) {
             number(found)
         );
     };
-    if !unit.error_unit.is_empty() {
+    if !step.error_unit.is_empty() {
         say(
             bound.error,
             row.worst_error,
-            unit.error_unit,
+            step.error_unit,
             "largest error of a value",
         );
     }
-    if !unit.wrong_unit.is_empty() {
-        let most = if exact { 0.0 } else { bound.wrong };
+    if !step.wrong_unit.is_empty() {
         say(
-            most,
+            bound.wrong,
             row.worst_wrong,
-            unit.wrong_unit,
+            step.wrong_unit,
             "largest distance of a wrong decision",
         );
     }
@@ -132,13 +132,7 @@ fn ours(text: &mut String, row: &Row) {
 
 /// What other methods got wrong on the scene's own rays, and what they would save.
 fn lesser(text: &mut String, report: &Report, rows: &[&Row]) {
-    let ns = |row: &Row| {
-        let mut times = report.times.iter();
-        let time = times.find(|time| {
-            (time.step, time.method, time.precision) == (row.step, row.method, row.precision)
-        });
-        time.map(|time| time.ns)
-    };
+    let ns = |row: &Row| report.time_of(row).map(|time| time.ns);
     let own = rows.iter().find(|row| row.ours).and_then(|row| ns(row));
     for row in rows
         .iter()
@@ -179,8 +173,7 @@ fn measured_need(rows: &[&Row], sizes: &Sizes, budget_px: f64) -> String {
             "px" => row.worst_error <= 0.25 * budget_px,
             _ => row.worst_error / UNIT_F32 * sizes.q <= 0.25 * budget_px,
         };
-        let wrong = row.missed + row.phantoms + row.others;
-        row.precision == Precision::F32 && wrong == 0 && within
+        row.precision == Precision::F32 && row.wrong_percent() == 0.0 && within
     };
     match rows.iter().find(right) {
         Some(row) => format!("f32 did everything right here, by {}", row.method),

@@ -32,9 +32,7 @@ pub const COLUMNS: [&str; 19] = [
 pub fn csv(report: &Report) -> String {
     let mut text = COLUMNS.join(",") + "\n";
     for row in &report.rows {
-        let time = report.times.iter().find(|time| {
-            (time.step, time.method, time.precision) == (row.step, row.method, row.precision)
-        });
+        let time = report.time_of(row);
         let ns = time.map_or(String::new(), |time| format!("{:.2}", time.ns));
         let ratio = time.map_or(String::new(), |time| format!("{:.3}", time.ratio));
         let cells = verdict(row).into_iter().chain([ns, ratio]);

@@ -1,19 +1,13 @@
-//! What each way to do a step adds to the error, from what a scene and its camera are.
-//!
-//! Each way to do a step has a term: what it adds to the error in pixels, from what the scene and its camera are. A
-//! term is a *bound* where it is derived (`truth` has the derivations), which is so for what this program does;
-//! otherwise it is an *estimate*: a formula whose factor is the largest that workloads showed.
+//! What each way to do a step in `f32` adds to the error in pixels, from what a scene and its camera are: formulas whose
+//! factors are the largest that workloads showed. Derived bounds, of what this program does, are with `truth`.
 //!
 //! With u = 2^-24 a rounding in `f32` and `pix` the width of a pixel in radians, q = u / pix is a rounding in pixels.
 
-use super::methods::triangles::TriangleCase;
+use super::{methods::triangles::TriangleCase, truth::UNIT_F32, workloads::px_angle};
 use crate::{
-    camera::{Projection, View},
+    camera::View,
     scene::{Scene, Shape},
 };
-
-/// A rounding in `f32`.
-pub(super) const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 
 /// What a way to do a step adds to the error.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,9 +39,9 @@ pub(super) struct Sizes {
     /// Largest ratio of an object's longest and shortest scale.
     anisotropy: f64,
     /// Largest distance of a sphere over its radius; none without spheres.
-    pub sphere: Option<f64>,
+    sphere: Option<f64>,
     /// Whether there are triangles.
-    pub meshes: bool,
+    meshes: bool,
     /// Least sine of the angle between a sampled ray and the triangle that it hits; 1 without triangles.
     graze: f64,
 }
@@ -66,14 +60,8 @@ impl Sizes {
         let lens = view.camera.lens();
         let eye = view.camera.eye();
         let length = view.camera.target().distance(eye);
-        let rows = f64::from(view.viewport.height());
-        let half = lens.half_extent(1.0).y;
-        let px = match lens.projection {
-            Projection::Perspective { .. } => 2.0 * half / rows,
-            Projection::Orthographic { .. } => 2.0 * half / rows / length,
-        };
         let mut sizes = Self {
-            q: UNIT_F32 / px,
+            q: UNIT_F32 / px_angle(view, length),
             parallel: lens.is_orthographic(),
             eye_over_length: eye.length() / length,
             eye_over_near: eye.length() / lens.near.abs(),

@@ -187,11 +187,10 @@ impl Sub for &Exact3 {
 /// has. Directions that are no numbers are infinitely wrong.
 #[must_use]
 pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
-    let [x, y, z] = answer;
     if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {
         return f64::INFINITY;
     }
-    let answer = Exact3::new(V3::new(x, y, z));
+    let answer = Exact3::new(V3::from(answer));
     let lengths = &truth.length() * &answer.length();
     let sin = (&truth.cross(&answer).length() / &lengths).to_f64();
     let cos = (&truth.dot(&answer) / &lengths).to_f64();

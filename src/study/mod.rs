@@ -55,6 +55,7 @@ pub mod random;
 pub mod real;
 mod run;
 pub mod step;
+mod summary;
 pub mod swap;
 mod table;
 mod timing;
@@ -63,8 +64,8 @@ pub mod workloads;
 
 pub use budget::budget;
 pub use csv::{COLUMNS, csv};
-pub use estimates::Term;
 pub use run::{Effort, Report, Row, SCENE, run};
-pub use table::{Summary, table};
+pub use summary::Summary;
+pub use table::table;
 pub use timing::Time;
 pub use workloads::scene::SceneRays;

@@ -113,17 +113,3 @@ impl Random {
 pub fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }
-
-/// The `f32` nearest to a value, as `f64`: workloads give methods of both kinds the very same numbers.
-#[must_use]
-pub fn narrow(value: f64) -> f64 {
-    #[expect(clippy::cast_possible_truncation, reason = "that is what it is for")]
-    let value = value as f32;
-    f64::from(value)
-}
-
-/// [`narrow`] for each coordinate.
-#[must_use]
-pub fn narrow3(v: V3<f64>) -> V3<f64> {
-    V3::new(narrow(v.x), narrow(v.y), narrow(v.z))
-}

@@ -34,6 +34,18 @@ impl Real for f64 {
     }
 }
 
+/// The `f32` nearest to a value, as `f64`: workloads give methods of both kinds the very same numbers.
+#[must_use]
+pub fn narrow(value: f64) -> f64 {
+    f32::of(value).wide()
+}
+
+/// [`narrow`] for each coordinate.
+#[must_use]
+pub fn narrow3(v: V3<f64>) -> V3<f64> {
+    V3::<f32>::of(v).wide()
+}
+
 /// A vector of either kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct V3<T> {

@@ -108,8 +108,8 @@ pub struct Report {
     pub rows: Vec<Row>,
     /// Speed, by step and method; none where nothing was timed.
     pub times: Vec<Time>,
-    /// The name of the family that a scene's own rays make, where there is a scene.
-    pub scene: Option<&'static str>,
+    /// Whether a scene's own rays, the family [`SCENE`], are among the rows.
+    pub has_scene: bool,
 }
 
 /// The family that a scene's own rays make.
@@ -129,7 +129,7 @@ pub fn run(
         steps: 0,
         done: 0,
         report: Report {
-            scene: scene.map(|_| SCENE),
+            has_scene: scene.is_some(),
             ..Report::default()
         },
     };
@@ -229,23 +229,15 @@ impl Run<'_> {
 
     /// The scene's own cases where there are some, else the first family's.
     fn timed_cases<C: Case>(&self) -> Vec<C> {
-        let own = self.scene.map(C::of_scene).unwrap_or_default();
-        if let Some(given) = own.len().checked_sub(1) {
-            let few = own.into_iter().take(C::TIMED.min(given + 1));
-            return few.collect();
+        let mut own = self.scene.map(C::of_scene).unwrap_or_default();
+        if !own.is_empty() {
+            own.truncate(C::TIMED);
+            return own;
         }
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, "timing"]);
-        let family = C::families().first();
-        let make = family.into_iter().filter_map(|family| {
-            let value = family.values.first().copied();
-            value.map(|value| (family.make, value))
-        });
-        make.flat_map(|(make, value)| {
-            (0..C::TIMED)
-                .map(|_| make(&mut random, value))
-                .collect::<Vec<_>>()
-        })
-        .collect()
+        let Family { values, make, .. } = &C::families()[0];
+        let cases = (0..C::TIMED).map(|_| make(&mut random, values[0]));
+        cases.collect()
     }
 }
 
@@ -344,6 +336,8 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
         .collect()
 }
 
+/// Infinite where both are: that is no bound.
 fn share(found: f64, bound: f64) -> f64 {
-    if found == 0.0 { 0.0 } else { found / bound }
+    let share = if found == 0.0 { 0.0 } else { found / bound };
+    if share.is_nan() { f64::INFINITY } else { share }
 }

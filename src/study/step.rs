@@ -78,7 +78,8 @@ pub struct Family<C> {
     pub parameter: &'static str,
     /// Its values, harmless first.
     pub values: &'static [f64],
-    /// A case at a value of the parameter. Its numbers are `f32`s, so that methods of both precisions get the same.
+    /// A case at a value of the parameter. Its numbers are `f32`s, but for a camera's axes and what they make, so that
+    /// methods of both precisions get the same.
     pub make: fn(&mut Random, f64) -> C,
 }
 

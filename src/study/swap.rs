@@ -129,14 +129,14 @@ impl Found {
     }
 }
 
-/// The nearest hit on a ray: of objects that `meet` is about by what it says of them and the ray in their space, of
-/// all others by this program's own.
-fn nearest(
+/// The nearest hit on a ray that shows: of objects that `meet` is about the hits that it says they have with the ray in
+/// their space, of all others by this program's own.
+fn nearest<Hits: IntoIterator<Item = Hit>>(
     scene: &Scene,
     view: &View,
     ray: &Ray,
     is_about: impl Fn(&Shape) -> bool,
-    meet: impl Fn(&Object, &Ray) -> Option<Hit>,
+    meet: impl Fn(&Object, &Ray) -> Hits,
 ) -> Option<Found> {
     let objects = scene.objects();
     let others = pick::all(scene, ray, view.sides).into_iter();
@@ -144,15 +144,29 @@ fn nearest(
     let met = (0..)
         .zip(objects)
         .filter(|(_, o)| o.visible && is_about(&o.shape));
-    let met = met.filter_map(|(object, about)| {
+    let met = met.flat_map(|(object, about)| {
         let local = about.placement.ray_to_object(ray);
-        let hit = meet(about, &local)?;
-        let shown = view.sides.shows(local.direction, hit.normal);
-        (shown && ray.contains(hit.t)).then_some(SceneHit { object, hit })
+        let hits = meet(about, &local).into_iter().filter(move |hit| {
+            view.sides.shows(local.direction, hit.normal) && ray.contains(hit.t)
+        });
+        hits.map(move |hit| SceneHit { object, hit })
     });
     let all = others.chain(met);
     let hit = all.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)))?;
     Some(Found::of(scene, ray, hit))
+}
+
+/// The first hit in a ray's interval by a method that knows none: it tells the first at or behind a ray's start.
+fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
+    let from = |start: f64| {
+        let origin = ray.at(start);
+        Some(start + method(&Ray { origin, ..*ray })?)
+    };
+    let t = from(ray.t_min.min(0.0))?;
+    if t < ray.t_min {
+        return from(ray.t_min);
+    }
+    Some(t)
 }
 
 impl Step for PixelCase {
@@ -208,14 +222,16 @@ impl Step for PlacedCase {
                 if !(origin.is_finite() && direction.is_finite()) {
                     return None;
                 }
-                let hit = match &object.shape {
-                    Shape::Sphere => Sphere::hits(&local).into_iter().flatten().next(),
-                    Shape::Cube => Cuboid::hits(&local).into_iter().flatten().next(),
-                    Shape::Square => Square::hit(&local),
-                    Shape::Mesh { mesh, part } => {
-                        mesh.closest(&local, view.sides, |other| other == *part)
-                    }
-                }?;
+                let [entry, exit] = match &object.shape {
+                    Shape::Sphere => Sphere::hits(&local),
+                    Shape::Cube => Cuboid::hits(&local),
+                    Shape::Square => [Square::hit(&local), None],
+                    Shape::Mesh { mesh, part } => [
+                        mesh.closest(&local, view.sides, |other| other == *part),
+                        None,
+                    ],
+                };
+                let hit = entry.or(exit)?;
                 let t = hit.t / stretch;
                 Some(Hit { t, ..hit })
             },
@@ -228,15 +244,14 @@ impl Step for TriangleCase {
         let is_mesh = |shape: &Shape| matches!(shape, Shape::Mesh { .. });
         nearest(scene, view, &view.ray(px), is_mesh, |object, local| {
             let Shape::Mesh { mesh, part } = &object.shape else {
-                return None;
+                return Vec::new();
             };
             let triangles = mesh.data().parts[*part].triangles.clone();
             let hits = triangles.filter_map(|triangle| {
-                let t = run(&Self::of_mesh(mesh, triangle, local, 1.0))?;
-                local.contains(t).then_some((t, triangle))
+                let test = |ray: &Ray| run(&Self::of_mesh(mesh, triangle, ray, 1.0));
+                Some(on_triangle(mesh, triangle, local, first(local, test)?))
             });
-            let (t, triangle) = hits.min_by(|a, b| a.0.total_cmp(&b.0))?;
-            Some(on_triangle(mesh, triangle, local, t))
+            hits.collect()
         })
     }
 }
@@ -264,7 +279,7 @@ impl Step for SphereCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
         nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
-            let t = run(&Self::of_object(local, 1.0))?;
+            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             Some(analytic(t, local.at(t)))
         })
     }
@@ -274,7 +289,7 @@ impl Step for BoxCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
         nearest(scene, view, &view.ray(px), is_cube, |_, local| {
-            let t = run(&Self::of_object(local, 1.0))?;
+            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             let point = local.at(t);
             let face = DVec3::AXES.into_iter().max_by(|a, b| {
                 let depth = |axis: &DVec3| point.dot(*axis).abs();
@@ -309,7 +324,7 @@ impl Step for ClipCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> bool) -> Option<Found> {
         let ray = view.ray(px);
         let endless = Ray {
-            t_min: 0.0,
+            t_min: f64::NEG_INFINITY,
             t_max: f64::INFINITY,
             ..ray
         };
@@ -335,18 +350,10 @@ impl Step for NormalCase {
 impl Step for DepthCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
         let own = Found::sightlines(scene, view, px)?;
-        let (ray, lens) = (view.ray(px), view.camera.lens());
-        let along = ray.direction.dot(view.camera.forward());
-        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-        let depth = (own.hit.hit.t * along) as f32;
-        let read = run(&Self {
-            depth,
-            near: lens.near,
-            far: lens.far,
-            parallel: lens.is_orthographic(),
-        });
+        let ray = view.ray(px);
+        let read = run(&Self::of_hit(&view.camera, &ray, own.hit.hit.t));
         Some(Found {
-            point_world: ray.at(read / along),
+            point_world: ray.at(read / ray.direction.dot(view.camera.forward())),
             ..own
         })
     }

@@ -3,7 +3,6 @@
 use super::{overlay::Overlay, stages::Stage};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
-    geometry::Sides,
     study::swap::Swap,
 };
 use glam::{DAffine3, DVec2, DVec3};
@@ -41,10 +40,12 @@ pub enum Action {
     Pose([DVec3; 3]),
     /// Field of view, projection, near, far, depth mapping.
     Lens(LensControls),
+    /// Orthographic in place of perspective, or back.
+    ToggleProjection,
     /// Which world axis points up.
     UpAxis(UpAxis),
     /// Show both sides of surfaces or only fronts.
-    Sides(Sides),
+    ToggleSides,
     /// Pick this surface of those on the last click's ray, from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.
@@ -84,7 +85,7 @@ pub enum Action {
         /// The next.
         forward: bool,
     },
-    /// Leave the present camera standing in the scene, as lines, or take it away.
+    /// Leave the present camera standing in the world, as lines, or take it away; nothing at other stages.
     ToggleFreeze,
 }
 

@@ -4,19 +4,20 @@ use super::{
     Command, Notice, Notices, Options, Wake, Waker,
     action::Action,
     check::Checking,
-    command,
-    exhibit::Chart,
+    command_line,
+    dialogs::{self, Answer},
+    files::Reload,
+    gallery::Chart,
     input::Drag,
-    loading::{self, Answer, Loading, TreeBuild},
+    loading::{Loading, TreeBuild},
     panels::{Filter, Floating, Statistics},
     pass,
     screenshot::Screenshots,
-    stages::Stage,
     state::State,
     textures::Textures,
 };
 use crate::{
-    camera::{CameraChoice, CameraError, Viewport},
+    camera::{CameraChoice, Viewport},
     geometry::Mesh,
     pick::PickLine,
     scene::{Loaded, Scene, Warning, description},
@@ -35,13 +36,13 @@ pub(super) struct App {
     /// What the scene was made from, for the command that makes it again.
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
-    meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
     /// The load under way, of which files, and whether they are those on screen.
     pub loading: Option<(Loading, Vec<PathBuf>, Reload)>,
     /// What is being built for the scene on screen.
-    trees: Option<TreeBuild>,
-    /// The first scene takes the command line's camera.
-    first: bool,
+    pub trees: Option<TreeBuild>,
+    /// Nothing was shown yet: the first scene takes the command line's camera.
+    pub first: bool,
     pub notices: Notices,
     pub floating: Floating,
     pub filter: Filter,
@@ -49,7 +50,7 @@ pub(super) struct App {
     pub chart: Option<Chart>,
     pub screenshots: Screenshots,
     /// What was open before the gallery.
-    outside: Vec<PathBuf>,
+    pub outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
@@ -61,10 +62,6 @@ pub(super) struct App {
     pub quit: bool,
 }
 
-/// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
-#[derive(Clone, Copy)]
-pub(super) struct Reload(bool);
-
 /// What is of use of a text on the clipboard; the rest may be objects.
 #[derive(serde::Deserialize)]
 struct Clipping {
@@ -73,15 +70,15 @@ struct Clipping {
 
 impl App {
     /// Begins to load what the options name.
-    pub fn new(options: Options, wake: Waker) -> Result<Self, CameraError> {
+    pub fn new(options: Options, wake: Waker) -> Self {
         let state = State::new(
             Loaded::default(),
             CameraChoice::default(),
             Viewport::DEFAULT,
             options.sides,
-        )?;
+        );
         let mut app = Self {
-            paths: Vec::new(),
+            paths: options.paths.clone(),
             meshes: Vec::new(),
             loading: None,
             trees: None,
@@ -101,71 +98,12 @@ impl App {
             quit: false,
             context: pass::context(),
             textures: Textures::default(),
-            state,
+            state: state.expect("nothing is framed by default"),
             wake,
             options,
         };
-        app.open(app.options.paths.clone());
-        Ok(app)
-    }
-
-    /// Loads files in place of what is shown, once they are whole.
-    pub fn open(&mut self, paths: Vec<PathBuf>) {
-        self.load(paths, Reload(false));
-    }
-
-    fn load(&mut self, paths: Vec<PathBuf>, reload: Reload) {
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        self.loading = Some((Loading::start(paths.clone(), wake), paths, reload));
-    }
-
-    /// Takes what a load brought: the scene on screen stays until its successor is whole.
-    pub fn take_loaded(&mut self) {
-        let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
-            return;
-        };
-        let Some((_, paths, reload)) = self.loading.take() else {
-            return;
-        };
-        let shown = result
-            .map_err(|error| error.to_string())
-            .and_then(|loaded| {
-                let warnings = loaded.warnings.clone();
-                self.show_scene(loaded, reload)
-                    .map_err(|error| error.to_string())?;
-                Ok(warnings)
-            });
-        match shown {
-            Ok(warnings) => {
-                if self.state.showing().is_none() {
-                    self.outside.clone_from(&paths);
-                }
-                self.paths = paths;
-                self.notices.clear();
-                self.warn(&warnings);
-                self.trees = Some(TreeBuild::start(self.state.scene()));
-            }
-            Err(text) => self.complain(text),
-        }
-    }
-
-    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), CameraError> {
-        let meshes = std::mem::take(&mut loaded.meshes);
-        if reload.0 {
-            self.state.reload(loaded);
-        } else if self.first {
-            if let Err(error) = loaded.scene.hide(&self.options.hidden) {
-                self.complain(format!("--hide: {error}"));
-            }
-            loaded.camera = self.options.camera.or(loaded.camera);
-            self.state.open(loaded)?;
-            self.first = false;
-        } else {
-            self.state.open(loaded)?;
-        }
-        self.meshes = meshes;
-        Ok(())
+        app.open(app.paths.clone());
+        app
     }
 
     /// Whether something is under way that will change what is shown.
@@ -175,7 +113,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        self.loading.is_some() || checks || studies || !self.state.world().0.trees_are_built()
+        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
     }
 
     /// Takes what the user answered.
@@ -186,28 +124,6 @@ impl App {
             Answer::NoDialog => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
             ),
-        }
-    }
-
-    /// Writes what is shown as a scene file, which from then on is what is shown.
-    fn save(&mut self, path: PathBuf) {
-        self.act(Action::Stage(Stage::World));
-        let text = description::to_toml(
-            self.state.scene(),
-            &self.state.camera_choice(),
-            &self.meshes,
-        );
-        let written = text.map_err(|error| error.to_string()).and_then(|text| {
-            let failed = |error| format!("cannot write {}: {error}", path.display());
-            std::fs::write(&path, text).map_err(failed)
-        });
-        match written {
-            Ok(()) => {
-                log::info!("saved {}", path.display());
-                self.paths = vec![path];
-                self.state.edited = false;
-            }
-            Err(text) => self.complain(text),
         }
     }
 
@@ -247,7 +163,8 @@ impl App {
         self.context.request_repaint();
     }
 
-    fn warn(&mut self, warnings: &[Warning]) {
+    /// Says what was left out of files or mended: the first few to whoever looks at the window.
+    pub fn warn(&mut self, warnings: &[Warning]) {
         const SHOWN: usize = 4;
         for warning in warnings {
             log::warn!("{warning}");
@@ -271,17 +188,14 @@ impl App {
             Command::Act(action) => self.act(action),
             Command::OpenDialog => {
                 let wake = self.wake.clone();
-                loading::open_dialog(move |answer| wake(Wake::Answered(answer)));
+                dialogs::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::SaveDialog => {
                 let wake = self.wake.clone();
-                loading::save_dialog(move |answer| wake(Wake::Answered(answer)));
+                dialogs::save_dialog(move |answer| wake(Wake::Answered(answer)));
             }
             Command::Open(paths) => self.open(paths),
-            Command::Reload if self.loading.is_none() => {
-                self.load(self.paths.clone(), Reload(true));
-            }
-            Command::Reload => {}
+            Command::Reload => self.reload(),
             Command::CopyCommandLine => {
                 self.copied = Some(self.view_command());
                 if self.state.edited() {
@@ -330,8 +244,11 @@ impl App {
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
-        let method = self.state.method();
+        let (method, stage) = (self.state.method(), self.state.stage());
         let picked = self.state.apply(action);
+        if self.state.stage() != stage {
+            self.build_trees();
+        }
         if self.state.method() != method {
             self.checking = match self.state.method() {
                 Some(_) => Checking::Wanted,
@@ -343,7 +260,7 @@ impl App {
             self.reveal_selection = true;
         }
         if let Some(line) = picked {
-            let command = command::pick_command(&self.state, &self.paths, line.px);
+            let command = command_line::pick_command(&self.state, &self.paths, line.px);
             log::info!("{command}");
             if self.options.print_picks {
                 print(&line);
@@ -355,10 +272,10 @@ impl App {
     fn view_command(&self) -> String {
         let selection = self.state.selection();
         let pick = selection.and_then(|selection| selection.pick.as_ref());
-        let viewport = self.state.view().viewport;
+        let viewport = self.state.world().1.viewport;
         let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
-        command::pick_command(&self.state, &self.paths, at_px)
+        command_line::pick_command(&self.state, &self.paths, at_px)
     }
 
     /// Says once that a scene is on the screen.

@@ -2,6 +2,7 @@
 
 use super::{
     action::{Action, LensControls},
+    stages::Stage,
     state::State,
 };
 use crate::{
@@ -89,6 +90,9 @@ impl State {
     }
 
     pub(super) fn reset_view(&mut self) {
+        if self.stage != Stage::World {
+            return self.frame_stage();
+        }
         // The choices made a camera before; bounds and viewport cannot make them none.
         if let Ok(camera) = self
             .opened_with
@@ -112,7 +116,7 @@ impl State {
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
-        self.orbit = Orbit::of_camera(&camera, self.up_axis);
+        self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
         self.height_per_distance = choice
             .ortho
             .map_or(perspective_height(self.controls.fov_deg), |height| {

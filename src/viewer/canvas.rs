@@ -5,8 +5,8 @@ use super::{
     frozen,
     input::SceneRect,
     overlay::{self, Overlay, Overlays},
-    stage,
     state::{Frozen, State},
+    surroundings,
 };
 use crate::{
     camera::{UpAxis, View, Viewport},
@@ -28,7 +28,7 @@ pub(super) struct Canvas {
     panels: EguiRenderer,
     /// Of the texture that was drawn onto last.
     size: Viewport,
-    scene: Option<Scene>,
+    scene: Option<Uploaded>,
     /// What the targets hold.
     drawn: Option<Drawn>,
     targets: Option<Targets>,
@@ -37,7 +37,7 @@ pub(super) struct Canvas {
 }
 
 /// The scene on the GPU and which one it is.
-struct Scene {
+struct Uploaded {
     buffers: SceneBuffers,
     revision: u64,
     visibility: u64,
@@ -237,7 +237,7 @@ impl Canvas {
             },
             revision: state.scene_revision(),
             visibility: state.visibility_revision(),
-            grid: state.grid().then_some(state.up_axis()),
+            grid: state.grid().then_some(state.shown_up_axis()),
             frozen: state.frozen().copied(),
             selection,
         };
@@ -250,11 +250,11 @@ impl Canvas {
             let scene_now = state.scene();
             let floor = wanted
                 .grid
-                .map(|up_axis| stage::floor(&scene_now.visible_bounds(), up_axis));
+                .map(|up_axis| surroundings::floor(&scene_now.visible_bounds(), up_axis));
             let frozen = wanted
                 .frozen
                 .map(|frozen| frozen::lines(&frozen, scene_now));
-            let stage = stage::of(state.stage());
+            let stage = surroundings::of(state.stage());
             let lines: Vec<_> = floor
                 .into_iter()
                 .chain(frozen)
@@ -286,7 +286,7 @@ impl Canvas {
             }
             _ => {
                 let buffers = SceneBuffers::upload(&self.gpu, state.scene())?;
-                self.scene = Some(Scene {
+                self.scene = Some(Uploaded {
                     buffers,
                     revision,
                     visibility,

@@ -1,6 +1,6 @@
 //! Verify in the window: the picture on screen against what a click on each of its pixels would pick.
 
-use super::{Wake, app::App, canvas::Canvas, command, state::State};
+use super::{Wake, app::App, canvas::Canvas, command_line, panels::color32, state::State};
 use crate::{
     camera::View,
     image::{Id, Image},
@@ -172,7 +172,7 @@ impl App {
             && let Some(found) = &check.found
             && self.state.method().is_none()
         {
-            let command = command::verify_command(&self.state, &self.paths);
+            let command = command_line::verify_command(&self.state, &self.paths);
             let differ = found.report.disagreements.len();
             log::info!("{differ} pixels differ: {command}");
         }
@@ -183,8 +183,7 @@ fn marks(view: &View, report: &Report) -> ColorImage {
     let size = [view.viewport.width(), view.viewport.height()].map(|side| side as usize);
     let mut image = ColorImage::filled(size, Color32::TRANSPARENT);
     for ([x, y], colour) in verify::marks(view.viewport, &report.disagreements) {
-        let [r, g, b] = colour.0;
-        image.pixels[y as usize * size[0] + x as usize] = Color32::from_rgb(r, g, b);
+        image.pixels[y as usize * size[0] + x as usize] = color32(colour);
     }
     image
 }

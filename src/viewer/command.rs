@@ -1,85 +1,47 @@
-//! The view and the pick as a command line that gives both again, to the bit.
+//! What the user asks for through keys, buttons or menus.
 
-use super::state::State;
-use crate::{
-    camera::{DepthMapping, UpAxis},
-    geometry::Sides,
-};
-use glam::{DVec2, DVec3};
-use std::{fmt::Write, path::PathBuf};
+use super::action::Action;
+use std::path::PathBuf;
 
-/// `sightline pick` with all that the window shows now, at a pixel position. `paths` is what was opened.
-pub(super) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> String {
-    format!(
-        "{} --at {},{}",
-        line(state, paths, "pick"),
-        at_px.x,
-        at_px.y
-    )
-}
-
-/// `sightline verify` with all that the window shows now.
-pub(super) fn verify_command(state: &State, paths: &[PathBuf]) -> String {
-    line(state, paths, "verify")
-}
-
-/// A command about what the window shows now.
-fn line(state: &State, paths: &[PathBuf], command: &str) -> String {
-    let (scene, view) = state.world();
-    let camera = &view.camera;
-    let lens = camera.lens();
-    let controls = state.controls();
-    let mut line = format!("sightline {command}");
-    for path in paths {
-        let _ = write!(line, " {}", quoted(&path.display().to_string()));
-    }
-    let mut flag = |name: &str, value: String| {
-        let _ = write!(line, " --{name} {value}");
-    };
-    flag(
-        "size",
-        format!("{}x{}", view.viewport.width(), view.viewport.height()),
-    );
-    flag("eye", triple(camera.eye()));
-    flag("target", triple(camera.target()));
-    flag("up", triple(camera.up_hint()));
-    match lens.projection {
-        crate::camera::Projection::Perspective { .. } => flag("fov", controls.fov_deg.to_string()),
-        crate::camera::Projection::Orthographic { height } => flag("ortho", height.to_string()),
-    }
-    flag("near", lens.near.to_string());
-    flag("far", lens.far.to_string());
-    if state.up_axis() == UpAxis::Z {
-        flag("up-axis", "z".into());
-    }
-    if lens.depth == DepthMapping::Standard {
-        flag("depth", lens.depth.to_string());
-    }
-    let hidden = scene
-        .objects()
-        .iter()
-        .enumerate()
-        .filter(|(_, object)| !object.visible);
-    let hidden: Vec<String> = hidden.map(|(index, _)| (index + 1).to_string()).collect();
-    if !hidden.is_empty() {
-        flag("hide", hidden.join(","));
-    }
-    if view.sides == Sides::Front {
-        line.push_str(" --cull");
-    }
-    line
-}
-
-fn triple(v: DVec3) -> String {
-    format!("{},{},{}", v.x, v.y, v.z)
-}
-
-/// As a POSIX shell takes it back.
-fn quoted(word: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
-    if !word.is_empty() && word.chars().all(plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
+/// Something the user asks for: a change of what is shown, or else something that the program does.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Command {
+    /// A change of what is shown.
+    Act(Action),
+    /// Ask for files.
+    OpenDialog,
+    /// Ask for a file and write the scene to it.
+    SaveDialog,
+    /// Load these.
+    Open(Vec<PathBuf>),
+    /// Load the files on screen again.
+    Reload,
+    /// Put the view as a command line on the clipboard.
+    CopyCommandLine,
+    /// Put the camera on the clipboard, as a scene file writes it.
+    CopyCamera,
+    /// Take over the camera in this text from the clipboard.
+    Paste(String),
+    /// Write what is on screen into a PNG file.
+    Screenshot,
+    /// Put the pick as JSON on the clipboard.
+    CopyPick,
+    /// Compare the picture with its picks, or close the comparison.
+    ToggleCheck,
+    /// Open the gallery's scene after the present one, or before it.
+    NextExhibit {
+        /// After it.
+        forward: bool,
+    },
+    /// Open again what was open before the gallery.
+    LeaveGallery,
+    /// Stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
+    /// nothing.
+    Escape,
+    /// Show or hide the help.
+    ToggleHelp,
+    /// Show or hide the matrices.
+    TogglePipeline,
+    /// Close the window.
+    Quit,
 }

@@ -1,27 +1,15 @@
 //! A scene of the failure gallery on show: picks by a method of the study, beside what this program picks there.
 
-use super::{
-    Wake,
-    app::App,
-    state::{Selection, State},
-};
+use super::state::{Selection, State};
 use crate::{
     camera::View,
-    scene::{
-        Scene,
-        gallery::{Exhibit, GALLERY},
-    },
+    scene::{Scene, gallery::Exhibit},
     study::{
-        Effort, Row,
         gallery::{self, Break},
         swap::{Found, Swap},
     },
 };
 use glam::DVec2;
-use std::{
-    sync::mpsc::{Receiver, channel},
-    thread,
-};
 
 /// A scene of the gallery and how it is picked from.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +25,8 @@ pub struct Showing {
 /// One click by a method and by this program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
+    /// The view that the click was in.
+    pub view: View,
     /// Where: the centre of a pixel.
     pub px: DVec2,
     /// What the method picks.
@@ -129,6 +119,7 @@ impl Compared {
     #[must_use]
     pub fn at(scene: &Scene, view: &View, method: &Swap, px: DVec2) -> Self {
         Self {
+            view: *view,
             px,
             theirs: method.pick(scene, view, px),
             ours: Found::sightlines(scene, view, px),
@@ -137,7 +128,7 @@ impl Compared {
 
     /// What is wrong with the method's pick; `None` where both hit nothing.
     #[must_use]
-    pub fn fault(&self, view: &View) -> Option<Fault> {
+    pub fn fault(&self) -> Option<Fault> {
         let what = |found: &Found| {
             let triangle = found.hit.hit.on_triangle.map(|at| at.triangle);
             (found.hit.object, triangle)
@@ -147,7 +138,7 @@ impl Compared {
             (None, Some(_)) => Fault::Missed,
             (Some(_), None) => Fault::Phantom,
             (Some(theirs), Some(ours)) if what(theirs) != what(ours) => Fault::Other,
-            (Some(theirs), Some(ours)) => Fault::Off(distance(view, theirs, ours)),
+            (Some(theirs), Some(ours)) => Fault::Off(distance(&self.view, theirs, ours)),
         })
     }
 }
@@ -189,7 +180,7 @@ impl State {
             None => {}
         }
         // The next click there is the first.
-        self.last_click = None;
+        self.clicked_s = None;
     }
 
     /// A click by the method that is set: what it says is selected, right or wrong, but is no pick of this program's.
@@ -198,74 +189,9 @@ impl State {
         let compared = Compared::at(&self.scene, &self.view, &method, px);
         let object = compared.theirs.map(|found| found.hit.object);
         self.selection = object.map(|object| Selection { object, pick: None });
+        self.hits = None;
         if let Some(showing) = &mut self.showing {
             showing.compared = Some(compared);
-        }
-    }
-}
-
-/// The study's chart of what breaks, as its background work brings it.
-pub(super) struct Chart {
-    of: &'static Break,
-    result: Receiver<Vec<Row>>,
-    /// What it shows, once that is there.
-    pub rows: Option<Vec<Row>>,
-}
-
-impl Chart {
-    /// Runs the study's family of a break; calls `wake` when done.
-    pub fn start(of: &'static Break, wake: impl FnOnce() + Send + 'static) -> Self {
-        let (sender, result) = channel();
-        thread::spawn(move || {
-            // The receiver is gone when another chart is wanted by now.
-            let _ = sender.send(of.step.rows(of.family, Effort::QUICK));
-            wake();
-        });
-        Self {
-            of,
-            result,
-            rows: None,
-        }
-    }
-
-    /// Takes the chart when it is there.
-    pub fn poll(&mut self) {
-        if let Ok(rows) = self.result.try_recv() {
-            self.rows = Some(rows);
-        }
-    }
-
-    /// Whether it shows what breaks of this step in this family.
-    pub fn is_of(&self, subject: &Break) -> bool {
-        (self.of.step, self.of.family) == (subject.step, subject.family)
-    }
-}
-
-impl App {
-    /// Opens the scene of the gallery after the one on screen, or before it; the first where none is.
-    pub fn open_next_exhibit(&mut self, forward: bool) {
-        let on_screen = |exhibit: &Exhibit| {
-            (self.state.showing()).is_some_and(|showing| showing.exhibit == exhibit)
-        };
-        let step = if forward { 1 } else { GALLERY.len() - 1 };
-        let next =
-            (GALLERY.iter().position(on_screen)).map_or(0, |now| (now + step) % GALLERY.len());
-        self.open(vec![GALLERY[next].path()]);
-    }
-
-    /// Takes the chart that the gallery shows, or begins it.
-    pub fn take_chart(&mut self) {
-        let Some(subject) = self.state.showing().and_then(Showing::subject) else {
-            self.chart = None;
-            return;
-        };
-        match &mut self.chart {
-            Some(chart) if chart.is_of(subject) => chart.poll(),
-            _ => {
-                let wake = self.wake.clone();
-                let wake = move || wake(Wake::Look);
-                self.chart = Some(Chart::start(subject, wake));
-            }
         }
     }
 }

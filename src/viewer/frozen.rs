@@ -1,8 +1,8 @@
 //! A frozen camera as lines: what "casting a ray" looks like from outside.
 
 use super::{
-    stage::{AXES, FRUSTUM},
     state::Frozen,
+    surroundings::{AXES, FRUSTUM},
 };
 use crate::{colour::Srgb, geometry::Placement, look, pick, render::Line, scene::Scene};
 use glam::{DVec2, DVec3};

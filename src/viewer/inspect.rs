@@ -1,7 +1,10 @@
 //! Beyond the nearest hit: every surface on a click's ray, the way to the pick before it, the triangle that was hit, and
 //! how fine the depth buffer is there.
 
-use super::state::{Selection, State};
+use super::{
+    stages::Stage,
+    state::{Selection, State},
+};
 use crate::{
     camera::{DepthMapping, Lens, View, fit_near_far},
     pick::{self, Pick, PickLine},
@@ -119,14 +122,17 @@ impl State {
         &self.landmarks
     }
 
-    /// Makes one of a ray's surfaces the pick.
-    pub(super) fn take_hits(&mut self, hits: RayHits) -> PickLine {
+    /// Makes one of a ray's surfaces the pick. At other stages than the world's it only selects: their points are not the
+    /// scene's.
+    pub(super) fn take_hits(&mut self, hits: RayHits) -> Option<PickLine> {
         let line = hits.line();
-        self.selection = line.hit.as_ref().map(|hit| Selection {
-            object: hit.id - 1,
-            pick: Some(line.clone()),
+        let object = line.hit.as_ref().map(|hit| hit.id - 1);
+        let pick = Some(line).filter(|_| self.stage == Stage::World);
+        self.selection = object.map(|object| Selection {
+            object,
+            pick: pick.clone(),
         });
-        if let Some(hit) = &line.hit {
+        if let Some(hit) = pick.as_ref().and_then(|line| line.hit.as_ref()) {
             let last = self.landmarks.last().map(|last| last.point_world);
             if last != Some(hit.point_world) {
                 self.landmarks.push(Landmark {
@@ -138,24 +144,20 @@ impl State {
             }
         }
         self.hits = Some(hits);
-        line
+        pick
     }
 
     /// Picks another surface on the last click's ray, counted from the front.
-    pub(super) fn step_to(&mut self, at: usize) {
-        if let Some(hits) = self.hits.take_if(|hits| at < hits.picks.len()) {
-            self.take_hits(RayHits { at, ..hits });
-        }
+    pub(super) fn step_to(&mut self, at: usize) -> Option<PickLine> {
+        let hits = self.hits.take_if(|hits| at < hits.picks.len())?;
+        self.take_hits(RayHits { at, ..hits })
     }
 
     /// Picks the next surface on the last click's ray, or the one before, in a ring.
-    pub(super) fn step(&mut self, forward: bool) {
-        if let Some(hits) = &self.hits
-            && !hits.picks.is_empty()
-        {
-            let count = hits.picks.len();
-            self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count);
-        }
+    pub(super) fn step(&mut self, forward: bool) -> Option<PickLine> {
+        let hits = self.hits.as_ref().filter(|hits| !hits.picks.is_empty())?;
+        let count = hits.picks.len();
+        self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count)
     }
 
     /// A view with its planes about the scene as it is now.
@@ -181,7 +183,8 @@ impl State {
             let mut picks = hits.picks.iter();
             let now = (picks.position(alike)).or_else(|| hits.picks.iter().position(of_selected));
             hits.at = now.unwrap_or(0);
-            selection.pick = now.map(|_| hits.line());
+            let pick = now.filter(|_| self.stage == Stage::World);
+            selection.pick = pick.map(|_| hits.line());
         }
         self.hits = Some(hits);
     }

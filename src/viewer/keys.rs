@@ -1,12 +1,6 @@
 //! Keys to commands, as one table that the help is made from.
 
-use super::{
-    Command,
-    action::{Action, LensControls},
-    overlay::Overlay,
-    state::State,
-};
-use crate::geometry::Sides;
+use super::{Command, action::Action, overlay::Overlay};
 use egui::{Event, Key, Modifiers};
 use glam::DVec3;
 
@@ -18,8 +12,8 @@ pub(super) struct Binding {
     pub does: &'static str,
     /// Any of these.
     pub shortcuts: &'static [(Modifiers, Key)],
-    /// What it asks for, by what is on screen.
-    pub command: fn(&State) -> Command,
+    /// What it asks for.
+    pub command: Command,
 }
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -32,252 +26,241 @@ pub(super) const BINDINGS: &[Binding] = &[
         keys: "F",
         does: "frame the selection",
         shortcuts: &[(NONE, Key::F)],
-        command: |_| Command::Act(Action::FrameSelection),
+        command: Command::Act(Action::FrameSelection),
     },
     Binding {
         keys: "A, Home",
         does: "frame all",
         shortcuts: &[(NONE, Key::A), (NONE, Key::Home)],
-        command: |_| Command::Act(Action::FrameAll),
+        command: Command::Act(Action::FrameAll),
     },
     Binding {
         keys: "Enter",
         does: "the view that the scene opened with",
         shortcuts: &[(NONE, Key::Enter)],
-        command: |_| Command::Act(Action::ResetView),
+        command: Command::Act(Action::ResetView),
     },
     Binding {
         keys: "1, Ctrl+1",
         does: "front, back",
         shortcuts: &[(NONE, Key::Num1)],
-        command: |_| look(DVec3::Z),
+        command: look(DVec3::Z),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num1)],
-        command: |_| look(DVec3::NEG_Z),
+        command: look(DVec3::NEG_Z),
     },
     Binding {
         keys: "3, Ctrl+3",
         does: "right, left",
         shortcuts: &[(NONE, Key::Num3)],
-        command: |_| look(DVec3::X),
+        command: look(DVec3::X),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num3)],
-        command: |_| look(DVec3::NEG_X),
+        command: look(DVec3::NEG_X),
     },
     Binding {
         keys: "7, Ctrl+7",
         does: "top, bottom",
         shortcuts: &[(NONE, Key::Num7)],
-        command: |_| look(DVec3::Y),
+        command: look(DVec3::Y),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(CTRL, Key::Num7)],
-        command: |_| look(DVec3::NEG_Y),
+        command: look(DVec3::NEG_Y),
     },
     Binding {
         keys: "9",
         does: "from the corner",
         shortcuts: &[(NONE, Key::Num9)],
-        command: |_| look(DVec3::ONE),
+        command: look(DVec3::ONE),
     },
     Binding {
         keys: "5",
         does: "perspective, orthographic",
         shortcuts: &[(NONE, Key::Num5)],
-        command: |state| {
-            Command::Act(Action::Lens(LensControls {
-                orthographic: !state.controls().orthographic,
-                ..state.controls()
-            }))
-        },
+        command: Command::Act(Action::ToggleProjection),
     },
     Binding {
         keys: "B",
         does: "back faces",
         shortcuts: &[(NONE, Key::B)],
-        command: |state| {
-            Command::Act(Action::Sides(if state.view().sides == Sides::Both {
-                Sides::Front
-            } else {
-                Sides::Both
-            }))
-        },
+        command: Command::Act(Action::ToggleSides),
     },
     Binding {
         keys: "G",
         does: "grid and axes",
         shortcuts: &[(NONE, Key::G)],
-        command: |_| Command::Act(Action::ToggleGrid),
+        command: Command::Act(Action::ToggleGrid),
     },
     Binding {
         keys: "Shift+H",
         does: "hide the selection",
         shortcuts: &[(SHIFT, Key::H)],
-        command: |_| Command::Act(Action::HideSelection),
+        command: Command::Act(Action::HideSelection),
     },
     Binding {
         keys: "I",
         does: "hide all but the selection",
         shortcuts: &[(NONE, Key::I)],
-        command: |_| Command::Act(Action::Isolate),
+        command: Command::Act(Action::Isolate),
     },
     Binding {
         keys: "U",
         does: "show all",
         shortcuts: &[(NONE, Key::U)],
-        command: |_| Command::Act(Action::ShowAll),
+        command: Command::Act(Action::ShowAll),
     },
     Binding {
         keys: "Ctrl+O",
         does: "open files",
         shortcuts: &[(CTRL, Key::O)],
-        command: |_| Command::OpenDialog,
+        command: Command::OpenDialog,
     },
     Binding {
         keys: "Ctrl+S",
         does: "save as a scene file",
         shortcuts: &[(CTRL, Key::S)],
-        command: |_| Command::SaveDialog,
+        command: Command::SaveDialog,
     },
     Binding {
         keys: "R",
         does: "read the files again",
         shortcuts: &[(NONE, Key::R)],
-        command: |_| Command::Reload,
+        command: Command::Reload,
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::N)],
-        command: |_| Command::Act(Action::Step { forward: false }),
+        command: Command::Act(Action::Step { forward: false }),
     },
     Binding {
         keys: "N, Shift+N",
         does: "the next surface on the pick's ray, the one before",
         shortcuts: &[(NONE, Key::N)],
-        command: |_| Command::Act(Action::Step { forward: true }),
+        command: Command::Act(Action::Step { forward: true }),
     },
     Binding {
         keys: "Y",
         does: "the triangle under the pick, with its barycentrics",
         shortcuts: &[(NONE, Key::Y)],
-        command: |_| Command::Act(Action::Toggle(Overlay::Triangle)),
+        command: Command::Act(Action::Toggle(Overlay::Triangle)),
     },
     Binding {
         keys: "D",
         does: "the distance between the last two picks",
         shortcuts: &[(NONE, Key::D)],
-        command: |_| Command::Act(Action::Toggle(Overlay::Distance)),
+        command: Command::Act(Action::Toggle(Overlay::Distance)),
     },
     Binding {
         keys: "W",
         does: "wireframe, of the selection or of everything",
         shortcuts: &[(NONE, Key::W)],
-        command: |_| Command::Act(Action::Toggle(Overlay::Wireframe)),
+        command: Command::Act(Action::Toggle(Overlay::Wireframe)),
     },
     Binding {
         keys: "L",
         does: "normals of faces, of the selection or of everything",
         shortcuts: &[(NONE, Key::L)],
-        command: |_| Command::Act(Action::Toggle(Overlay::Normals)),
+        command: Command::Act(Action::Toggle(Overlay::Normals)),
     },
     Binding {
         keys: "X",
         does: "bounding boxes, of the selection or of everything",
         shortcuts: &[(NONE, Key::X)],
-        command: |_| Command::Act(Action::Toggle(Overlay::Boxes)),
+        command: Command::Act(Action::Toggle(Overlay::Boxes)),
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::K)],
-        command: |_| Command::Act(Action::TreeLevel { deeper: false }),
+        command: Command::Act(Action::TreeLevel { deeper: false }),
     },
     Binding {
         keys: "K, Shift+K",
         does: "boxes of the meshes' trees: a level deeper, less deep",
         shortcuts: &[(NONE, Key::K)],
-        command: |_| Command::Act(Action::TreeLevel { deeper: true }),
+        command: Command::Act(Action::TreeLevel { deeper: true }),
     },
     Binding {
         keys: "T",
         does: "freeze the camera: it stays as lines, seen from elsewhere",
         shortcuts: &[(NONE, Key::T)],
-        command: |_| Command::Act(Action::ToggleFreeze),
+        command: Command::Act(Action::ToggleFreeze),
     },
     Binding {
         keys: "P",
         does: "the matrices, and the pick's way through them",
         shortcuts: &[(NONE, Key::P)],
-        command: |_| Command::TogglePipeline,
+        command: Command::TogglePipeline,
     },
     Binding {
         keys: "V",
         does: "compare drawn with picked, pixel by pixel",
         shortcuts: &[(NONE, Key::V)],
-        command: |_| Command::ToggleCheck,
+        command: Command::ToggleCheck,
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::E)],
-        command: |_| Command::NextExhibit { forward: false },
+        command: Command::NextExhibit { forward: false },
     },
     Binding {
         keys: "E, Shift+E",
         does: "failure gallery: the next scene, the one before",
         shortcuts: &[(NONE, Key::E)],
-        command: |_| Command::NextExhibit { forward: true },
+        command: Command::NextExhibit { forward: true },
     },
     Binding {
         keys: "",
         does: "",
         shortcuts: &[(SHIFT, Key::M)],
-        command: |_| Command::Act(Action::NextMethod { forward: false }),
+        command: Command::Act(Action::NextMethod { forward: false }),
     },
     Binding {
         keys: "M, Shift+M",
         does: "in it: pick by the next method, the one before",
         shortcuts: &[(NONE, Key::M)],
-        command: |_| Command::Act(Action::NextMethod { forward: true }),
+        command: Command::Act(Action::NextMethod { forward: true }),
     },
     Binding {
         keys: "Shift+C",
         does: "copy the camera; Ctrl+V takes over a copied one",
         shortcuts: &[(SHIFT, Key::C)],
-        command: |_| Command::CopyCamera,
+        command: Command::CopyCamera,
     },
     Binding {
         keys: "F12",
         does: "save what is on screen as a PNG file",
         shortcuts: &[(NONE, Key::F12)],
-        command: |_| Command::Screenshot,
+        command: Command::Screenshot,
     },
     Binding {
         keys: "C",
         does: "copy the view as a command",
         shortcuts: &[(NONE, Key::C)],
-        command: |_| Command::CopyCommandLine,
+        command: Command::CopyCommandLine,
     },
     Binding {
         keys: "J",
         does: "copy the pick as JSON",
         shortcuts: &[(NONE, Key::J)],
-        command: |_| Command::CopyPick,
+        command: Command::CopyPick,
     },
     Binding {
         keys: "Esc",
         does: "stop loading, close, pick by the default, select nothing",
         shortcuts: &[(NONE, Key::Escape)],
-        command: |_| Command::Escape,
+        command: Command::Escape,
     },
     Binding {
         keys: "H, ?",
@@ -287,13 +270,13 @@ pub(super) const BINDINGS: &[Binding] = &[
             (SHIFT, Key::Questionmark),
             (NONE, Key::Questionmark),
         ],
-        command: |_| Command::ToggleHelp,
+        command: Command::ToggleHelp,
     },
     Binding {
         keys: "Ctrl+Q",
         does: "quit",
         shortcuts: &[(CTRL, Key::Q)],
-        command: |_| Command::Quit,
+        command: Command::Quit,
     },
 ];
 
@@ -309,12 +292,12 @@ pub(super) const MOUSE: &[(&str, &str)] = &[
     ),
 ];
 
-fn look(to_eye: DVec3) -> Command {
+const fn look(to_eye: DVec3) -> Command {
     Command::Act(Action::LookFrom(to_eye))
 }
 
 /// What the keys that were pressed ask for, unless somebody is typing.
-pub(super) fn pressed(ctx: &egui::Context, state: &State) -> Vec<Command> {
+pub(super) fn pressed(ctx: &egui::Context) -> Vec<Command> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
     }
@@ -325,7 +308,7 @@ pub(super) fn pressed(ctx: &egui::Context, state: &State) -> Vec<Command> {
             let times = (binding.shortcuts.iter())
                 .map(|(modifiers, key)| input.count_and_consume_key(*modifiers, *key))
                 .sum();
-            asked.extend((0..times).map(|_| (binding.command)(state)));
+            asked.extend(std::iter::repeat_n(binding.command.clone(), times));
         }
         asked.extend(input.events.iter().filter_map(|event| match event {
             Event::Paste(text) => Some(Command::Paste(text.clone())),

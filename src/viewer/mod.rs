@@ -16,9 +16,13 @@ pub mod camera;
 mod canvas;
 mod check;
 mod command;
+mod command_line;
+mod dialogs;
 mod events;
 pub mod exhibit;
+mod files;
 mod frozen;
+mod gallery;
 mod input;
 pub mod inspect;
 mod keys;
@@ -30,20 +34,21 @@ mod pass;
 pub mod pipeline;
 mod screenshot;
 mod shell;
-mod stage;
 pub mod stages;
 pub mod state;
 mod surface;
+mod surroundings;
 mod textures;
 mod update;
 
 use crate::{
-    camera::{CameraChoice, CameraError, Viewport},
+    camera::{CameraChoice, Viewport},
     geometry::Sides,
     render::GpuError,
 };
-use action::Action;
 use app::App;
+use command::Command;
+use dialogs::Answer;
 use events::Host;
 use std::{
     path::PathBuf,
@@ -74,57 +79,20 @@ pub struct Options {
 pub enum ViewerError {
     /// No screen to open it on.
     #[error(
-        "no display to open a window on ({0}); without one, draw with: sightline render SCENE -o picture.png"
+        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
     )]
-    NoDisplay(String),
+    NoDisplay,
     /// No graphics for it.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// The flags make no camera.
-    #[error(transparent)]
-    Camera(#[from] CameraError),
 }
 
-/// Something the user asks for through keys, buttons or menus.
-#[derive(Clone, Debug, PartialEq)]
-enum Command {
-    /// A change of what is shown.
-    Act(Action),
-    /// Ask for files.
-    OpenDialog,
-    /// Ask for a file and write the scene to it.
-    SaveDialog,
-    /// Load these.
-    Open(Vec<PathBuf>),
-    /// Load the files on screen again.
-    Reload,
-    /// Put the view as a command line on the clipboard.
-    CopyCommandLine,
-    /// Put the camera on the clipboard, as a scene file writes it.
-    CopyCamera,
-    /// Take over the camera in this text from the clipboard.
-    Paste(String),
-    /// Write what is on screen into a PNG file.
-    Screenshot,
-    /// Put the pick as JSON on the clipboard.
-    CopyPick,
-    /// Compare the picture with its picks, or close the comparison.
-    ToggleCheck,
-    /// Open the gallery's scene after the present one, or before it.
-    NextExhibit {
-        /// After it.
-        forward: bool,
-    },
-    /// Open again what was open before the gallery.
-    LeaveGallery,
-    /// Stop loading, pick by Sightline's own method again, or close the help or the comparison, or select nothing.
-    Escape,
-    /// Show or hide the help.
-    ToggleHelp,
-    /// Show or hide the matrices.
-    TogglePipeline,
-    /// Close the window.
-    Quit,
+impl ViewerError {
+    /// What the system says of it is for the log: it speaks of its own sources.
+    fn no_display(reason: &dyn std::fmt::Display) -> Self {
+        log::info!("{reason}");
+        Self::NoDisplay
+    }
 }
 
 /// What wakes the window from outside.
@@ -132,7 +100,7 @@ enum Wake {
     /// A load is done, or a tree.
     Look,
     /// The dialog was answered.
-    Answered(loading::Answer),
+    Answered(Answer),
     /// egui wants a frame then.
     RepaintAt(Instant),
 }
@@ -151,17 +119,16 @@ type Notices = Vec<Notice>;
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// When there is no display, no adapter, or the flags make no camera.
+/// When there is no display or no adapter.
 pub fn run(options: Options) -> Result<(), ViewerError> {
-    let no_display = |error: &dyn std::fmt::Display| ViewerError::NoDisplay(error.to_string());
     let event_loop = EventLoop::with_user_event()
         .build()
-        .map_err(|error| no_display(&error))?;
+        .map_err(|error| ViewerError::no_display(&error))?;
     event_loop.set_control_flow(ControlFlow::Wait);
     let proxy = event_loop.create_proxy();
     // The loop is gone when the window is: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
-    let app = App::new(options, Arc::clone(&wake))?;
+    let app = App::new(options, Arc::clone(&wake));
     app.context.set_request_repaint_callback(move |info| {
         let delay = info.delay.min(Duration::from_hours(1));
         wake(Wake::RepaintAt(Instant::now() + delay));
@@ -173,6 +140,6 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     };
     event_loop
         .run_app(&mut host)
-        .map_err(|error| no_display(&error))?;
+        .map_err(|error| ViewerError::no_display(&error))?;
     host.failed.map_or(Ok(()), Err)
 }

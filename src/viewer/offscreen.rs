@@ -2,7 +2,7 @@
 //! window's own; what is missing is winit.
 
 use super::{
-    Notice, Options, ViewerError, Wake, app::App, canvas::Canvas, pass::Pass, state::State,
+    Notice, Options, Wake, app::App, canvas::Canvas, dialogs::Answer, pass::Pass, state::State,
 };
 use crate::{
     camera::Viewport,
@@ -57,19 +57,13 @@ pub struct Offscreen {
 impl Offscreen {
     /// A window of `size` physical pixels, `pixels_per_point` of them a point, with what `options` name loaded. It needs
     /// no graphics until a picture is asked for.
-    ///
-    /// # Errors
-    /// When the flags make no camera.
-    pub fn open(
-        options: Options,
-        size: Viewport,
-        pixels_per_point: f32,
-    ) -> Result<Self, ViewerError> {
+    #[must_use]
+    pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
         let (sender, wakes) = channel();
         // The receiver goes with the window: then nobody is to be woken.
         let wake = Arc::new(move |wake| drop(sender.send(wake)));
         let mut window = Self {
-            app: App::new(options, wake)?,
+            app: App::new(options, wake),
             wakes,
             canvas: None,
             size,
@@ -79,7 +73,7 @@ impl Offscreen {
             at_rest: false,
         };
         window.settle();
-        Ok(window)
+        window
     }
 
     /// Does what each event asks for, one after the other, and waits for what they began. Positions are points.
@@ -93,6 +87,12 @@ impl Offscreen {
     /// Drops a file on the window and waits for what comes of it.
     pub fn drop_file(&mut self, path: PathBuf) {
         self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        self.settle();
+    }
+
+    /// Saves to a file, as when the dialog is answered with it.
+    pub fn save_as(&mut self, path: PathBuf) {
+        self.app.answered(Answer::Save(path));
         self.settle();
     }
 

@@ -35,10 +35,10 @@ impl App {
 
 /// Writes `sightline-N.png`, N the first number that is free.
 fn write(folder: &Path, picture: &Image<Rgb>) -> Result<PathBuf, String> {
-    let folder = std::path::absolute(folder).map_err(|error| error.to_string())?;
-    let names = (1..).map(|number| folder.join(format!("sightline-{number}.png")));
-    let free = names.into_iter().find(|path| !path.exists());
-    let path = free.ok_or("no number is left for a screenshot")?;
+    let mut names = (1..).map(|number| folder.join(format!("sightline-{number}.png")));
+    let free = names.find(|path| !path.exists());
+    let free = free.ok_or("no number is left for a screenshot")?;
+    let path = std::path::absolute(free).map_err(|error| error.to_string())?;
     picture
         .write_png(&path)
         .map_err(|error| error.to_string())?;

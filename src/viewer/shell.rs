@@ -30,7 +30,7 @@ impl Shell {
             None => attributes.with_inner_size(LogicalSize::new(1280, 720)),
         };
         let window = event_loop.create_window(attributes);
-        let window = Arc::new(window.map_err(|error| ViewerError::NoDisplay(error.to_string()))?);
+        let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
         let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;

@@ -187,18 +187,3 @@ fn sphere_quads() -> Vec<[DVec3; 4]> {
         })
         .collect()
 }
-
-/// The edges of the box that the frustum becomes, for the stage that shows it.
-#[must_use]
-pub fn ndc_box() -> [[DVec3; 2]; 12] {
-    let corner = |i: usize| {
-        let [x, y] =
-            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| [x, y])[i % 4];
-        DVec3::new(x, y, if i < 4 { 0.0 } else { 1.0 })
-    };
-    std::array::from_fn(|edge| match edge / 4 {
-        0 => [corner(edge), corner((edge + 1) % 4)],
-        1 => [corner(edge), corner(4 + (edge + 1) % 4)],
-        _ => [corner(edge - 8), corner(edge - 4)],
-    })
-}

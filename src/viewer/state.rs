@@ -31,12 +31,6 @@ pub struct Selection {
     pub pick: Option<PickLine>,
 }
 
-#[derive(Clone, Copy)]
-pub(super) struct LastClick {
-    pub pixel: DVec2,
-    pub time_s: f64,
-}
-
 /// The pixel under the cursor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cursor {
@@ -65,6 +59,7 @@ pub struct State {
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
     pub(super) orbit: Orbit,
+    /// The world's.
     pub(super) up_axis: UpAxis,
     pub(super) controls: LensControls,
     /// Height of the orthographic picture over the orbit's distance.
@@ -74,7 +69,8 @@ pub struct State {
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
     pub(super) cursor: Option<Cursor>,
-    pub(super) last_click: Option<LastClick>,
+    /// When [`State::hits`] was clicked; `None` once another click there is to be the first.
+    pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
     /// Whether a model matrix is not that of the files any more.
@@ -127,7 +123,7 @@ impl State {
             pan_depth: orbit.distance(),
             selection: None,
             cursor: None,
-            last_click: None,
+            clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
             edited: false,
@@ -195,7 +191,6 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         self.cursor = None;
-        self.last_click = None;
         self.hits = None;
         self.landmarks.clear();
         self.edited = false;
@@ -240,7 +235,7 @@ impl State {
 
     /// Which axis points up in what is shown: the world's, or y of view space and NDC.
     #[must_use]
-    pub fn up_axis(&self) -> UpAxis {
+    pub fn shown_up_axis(&self) -> UpAxis {
         match self.stage {
             Stage::Object | Stage::World => self.up_axis,
             Stage::View | Stage::Ndc => UpAxis::Y,

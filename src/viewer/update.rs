@@ -1,15 +1,15 @@
 //! What each action does to the state.
 
 use super::{
-    action::Action,
+    action::{Action, LensControls},
     camera::perspective_height,
     inspect::RayHits,
     stages::{Stage, staged},
-    state::{Cursor, DOUBLE_CLICK_S, Frozen, LastClick, Selection, State},
+    state::{Cursor, DOUBLE_CLICK_S, Frozen, Selection, State},
 };
 use crate::{
     camera::{Camera, Orbit, UpAxis, pixel_centre},
-    geometry::{Aabb, Placement},
+    geometry::{Aabb, Placement, Sides},
     pick::{self, PickLine, SceneHit},
 };
 use glam::{DAffine3, DVec2, DVec3};
@@ -38,17 +38,7 @@ impl State {
                 self.moved();
             }
             Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
-            Action::Click(px, time_s) => {
-                let line = self.click(px, time_s);
-                if self.stage == Stage::World {
-                    return Some(line);
-                }
-                // Points of another stage are not the scene's.
-                self.selection = self.selection.take().map(|selection| Selection {
-                    pick: None,
-                    ..selection
-                });
-            }
+            Action::Click(px, time_s) => return self.click(px, time_s),
             Action::Recentre(px) => self.recentre(px),
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
             Action::FrameAll => self.frame(self.shown_bounds()),
@@ -60,32 +50,40 @@ impl State {
                 self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
             }
             Action::LookFrom(direction) => {
-                self.orbit.look_from(self.up_axis, direction);
+                self.orbit.look_from(self.shown_up_axis(), direction);
                 self.moved();
             }
             Action::ResetView => self.reset_view(),
             Action::Pose([eye, target, up]) => {
                 if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
-                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
+                    self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
                     self.view.camera = camera;
                     self.fit();
                 }
             }
             Action::Lens(controls) => self.set_lens(controls),
+            Action::ToggleProjection => self.set_lens(LensControls {
+                orthographic: !self.controls.orthographic,
+                ..self.controls
+            }),
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
                 self.reset_view();
             }
-            Action::Sides(sides) => self.view.sides = sides,
-            Action::StepTo(at) => self.step_to(at),
-            Action::Step { forward } => self.step(forward),
+            Action::ToggleSides => {
+                self.view.sides = match self.view.sides {
+                    Sides::Both => Sides::Front,
+                    Sides::Front => Sides::Both,
+                };
+            }
+            Action::StepTo(at) => return self.step_to(at),
+            Action::Step { forward } => return self.step(forward),
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => {
                 self.selection = object.map(|object| Selection { object, pick: None });
                 self.hits = None;
-                self.last_click = None;
             }
             Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
             Action::HideSelection => {
@@ -134,17 +132,16 @@ impl State {
         self.moved();
     }
 
-    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel the next one behind.
-    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> PickLine {
+    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel of the same picture the next
+    /// one behind.
+    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
-        let last = self.last_click.filter(|last| last.pixel == px);
-        let at = match (last, &self.hits) {
-            (Some(last), Some(hits)) => {
-                hits.at + usize::from(time_s - last.time_s > DOUBLE_CLICK_S)
-            }
+        let same = |hits: &&RayHits| (hits.px, hits.view) == (px, self.view);
+        let at = match (self.hits.as_ref().filter(same), self.clicked_s) {
+            (Some(hits), Some(last_s)) => hits.at + usize::from(time_s - last_s > DOUBLE_CLICK_S),
             _ => 0,
         };
-        self.last_click = Some(LastClick { pixel: px, time_s });
+        self.clicked_s = Some(time_s);
         self.take_hits(RayHits::cast(&self.scene, self.view, px, at))
     }
 
@@ -210,7 +207,6 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         self.cursor = None;
-        self.last_click = None;
         if let Some(selection) = &mut self.selection {
             selection.pick = None;
         }
@@ -223,15 +219,24 @@ impl State {
         } else {
             self.scene = staged(&scene, &through, stage);
             self.world = Some((scene, through));
-            if matches!(stage, Stage::View | Stage::Ndc) {
-                // From the eye's side, a little to the right and above.
-                self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
-            }
-            self.frame(self.shown_bounds());
+            self.frame_stage();
         }
     }
 
+    /// The view that another stage than the world's opens with.
+    pub(super) fn frame_stage(&mut self) {
+        if matches!(self.stage, Stage::View | Stage::Ndc) {
+            // From the eye's side, a little to the right and above.
+            self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+        }
+        self.frame(self.shown_bounds());
+    }
+
     fn toggle_freeze(&mut self) {
+        // A camera stands in the world.
+        if self.stage != Stage::World {
+            return;
+        }
         let pick = self
             .selection
             .as_ref()
@@ -258,12 +263,8 @@ impl State {
             return;
         }
         self.scene.place(object, placement);
-        self.visibility_revision += 1;
         self.edited = true;
-        self.cursor = None;
-        self.last_click = None;
-        self.repick();
-        self.fit();
+        self.rearranged();
     }
 
     fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
@@ -273,8 +274,17 @@ impl State {
                 scene.set_visible(index, visible);
             }
         }
+        self.rearranged();
+    }
+
+    /// Objects came, went or moved: what is known of the picture follows.
+    fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;
+        self.clicked_s = None;
+        if let Some(showing) = &mut self.showing {
+            showing.compared = None;
+        }
         self.repick();
         self.fit();
     }

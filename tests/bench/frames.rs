@@ -36,7 +36,7 @@ fn main() {
         ..Options::default()
     };
     let size = Viewport::new(1280, 720).expect("a viewport");
-    let mut window = Offscreen::open(options, size, 1.0).expect("a camera");
+    let mut window = Offscreen::open(options, size, 1.0);
     let drawn = window.draw().unwrap_or_else(|error| panic!("{error}"));
     assert!(drawn, "the scene is drawn");
     let scene = window.state().scene();

@@ -102,7 +102,7 @@ fn min_and_max_lose_boxes_from_a_slab() {
 
 #[test]
 fn padded_boxes_lose_nothing() {
-    for (method, precision) in [("padded, to cull", F32), ("Sightline's tree, to cull", F64)] {
+    for (method, precision) in [("padded, to cull", F32), ("Ize's in f64, to cull", F64)] {
         let found = report()
             .rows
             .iter()

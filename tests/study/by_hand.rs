@@ -1,19 +1,19 @@
 //! Truth and workloads are right on what hands can check.
 
-use glam::DVec3;
 use sightline::study::{
     exact::{Exact, Exact3, angle},
     methods::{
-        boxes::RayBox,
+        boxes::{BoxCase, RayBox},
         clipping::Clip,
-        object_space::Placed,
-        planes::RayPlane,
+        normals::{NormalCase, Tilted},
+        object_space::{Placed, PlacedCase},
+        planes::{PlaneCase, RayPlane},
         rays::PixelCase,
-        spheres::RaySphere,
+        spheres::{RaySphere, SphereCase},
         triangles::{RayTriangle, TriangleCase},
     },
     random::Random,
-    real::{M3, V3},
+    real::{M3, Real, V3},
     step::Case,
     truth,
 };
@@ -146,23 +146,50 @@ fn truth_agrees_with_hand_cases() {
 
 #[test]
 fn cases_are_the_same_numbers_for_both_precisions() {
-    fn check<C: Case>(narrow: impl Fn(&C) -> V3<f64>, wide: impl Fn(&C) -> V3<f64>) {
+    /// `fields` are those of `narrow` and of `wide`.
+    fn check<C: Case>(fields: impl Fn(&C) -> [Vec<V3<f64>>; 2]) {
         for family in C::families() {
             for &value in family.values {
                 let mut random = Random::named(3, &[family.name]);
-                let case = (family.make)(&mut random, value);
-                assert_eq!(
-                    DVec3::from(narrow(&case)),
-                    DVec3::from(wide(&case)),
-                    "{} {value}",
-                    family.name
-                );
+                for _ in 0..20 {
+                    let [narrow, wide] = fields(&(family.make)(&mut random, value));
+                    assert_eq!(narrow, wide, "{} {} {value}", C::ABOUT.key, family.name);
+                }
             }
         }
     }
-    check::<TriangleCase>(|c| c.narrow.corners[0].wide(), |c| c.wide.corners[0]);
-    check::<TriangleCase>(|c| c.narrow.direction.wide(), |c| c.wide.direction);
-    check::<PixelCase>(|c| c.narrow.eye.wide(), |c| c.wide.eye);
+    fn of<const N: usize, T: Real>(vectors: [V3<T>; N]) -> Vec<V3<f64>> {
+        vectors.map(V3::wide).to_vec()
+    }
+    fn triangle<T: Real>(c: &RayTriangle<T>) -> Vec<V3<f64>> {
+        let [p, q, r] = c.corners;
+        of([c.origin, c.direction, p, q, r])
+    }
+    fn sphere<T: Real>(c: &RaySphere<T>) -> Vec<V3<f64>> {
+        let radius = V3::new(c.radius, c.radius, c.radius);
+        of([c.origin, c.direction, c.center, radius])
+    }
+    fn cuboid<T: Real>(c: &RayBox<T>) -> Vec<V3<f64>> {
+        of([c.origin, c.direction, c.min, c.max])
+    }
+    fn plane<T: Real>(c: &RayPlane<T>) -> Vec<V3<f64>> {
+        of([c.origin, c.direction, c.point, c.normal])
+    }
+    fn placed<T: Real>(c: &Placed<T>) -> Vec<V3<f64>> {
+        let [u, v, w] = c.linear.0;
+        of([c.origin, c.direction, c.translation, u, v, w])
+    }
+    fn tilted<T: Real>(c: &Tilted<T>) -> Vec<V3<f64>> {
+        let [u, v, w] = c.linear.0;
+        of([c.normal, u, v, w])
+    }
+    check::<TriangleCase>(|c| [triangle(&c.narrow), triangle(&c.wide)]);
+    check::<SphereCase>(|c| [sphere(&c.narrow), sphere(&c.wide)]);
+    check::<BoxCase>(|c| [cuboid(&c.narrow), cuboid(&c.wide)]);
+    check::<PlaneCase>(|c| [plane(&c.narrow), plane(&c.wide)]);
+    check::<PlacedCase>(|c| [placed(&c.narrow), placed(&c.wide)]);
+    check::<NormalCase>(|c| [tilted(&c.narrow), tilted(&c.wide)]);
+    check::<PixelCase>(|c| [of([c.narrow.eye]), of([c.wide.eye])]);
 }
 
 #[test]

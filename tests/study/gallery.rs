@@ -1,6 +1,5 @@
 //! The gallery: scenes on which methods break; and what the budget says about one.
 
-use glam::DVec2;
 use sightline::{
     camera::{View, Viewport},
     geometry::Sides,
@@ -8,9 +7,7 @@ use sightline::{
     study::{
         self, Effort, Report, Row, SCENE, SceneRays,
         gallery::{BREAKS, breaks_on},
-        methods::MethodInfo,
         step::Precision::{F32, F64},
-        swap::{Found, Swap},
     },
 };
 use std::path::{Path, PathBuf};
@@ -20,7 +17,7 @@ fn folder() -> PathBuf {
 }
 
 /// A scene as its own camera sees it.
-fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
+pub fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
     let viewport = Viewport::new(width, height).expect("a picture");
     let camera = loaded
         .camera
@@ -177,54 +174,6 @@ fn a_budget_names_each_step_and_its_bounds() {
         page.lines().any(|line| line.starts_with("  bound ")),
         "{page}"
     );
-}
-
-/// With a step by the method that is Sightline's, or one that is as good, a pick is Sightline's pick: what is swapped
-/// in is the step and nothing else.
-#[test]
-fn a_good_method_swapped_in_changes_nothing() {
-    let steps = BREAKS.map(|broken| broken.step);
-    for exhibit in &GALLERY {
-        let loaded = scene::load(&[exhibit.path()], &Progress::default()).expect("a scene");
-        let view = view_of(&loaded, 161, 91);
-        for step in steps {
-            let good = |info: &MethodInfo| {
-                info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)
-            };
-            let methods = step.methods();
-            for method in (0..methods.len()).filter(|i| good(&methods[*i])) {
-                let swap = Swap { step, method };
-                let mut hits = 0;
-                for (x, y) in (0..161)
-                    .step_by(5)
-                    .flat_map(|x| (0..91).map(move |y| (x, y)))
-                {
-                    let px = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
-                    let theirs = swap.pick(&loaded.scene, &view, px);
-                    let ours = Found::sightlines(&loaded.scene, &view, px);
-                    let what = |found: &Option<Found>| {
-                        found.map(|f| (f.hit.object, f.hit.hit.on_triangle.map(|at| at.triangle)))
-                    };
-                    assert_eq!(what(&theirs), what(&ours), "{exhibit:?} {swap:?} {px}");
-                    let (Some(theirs), Some(ours)) = (theirs, ours) else {
-                        continue;
-                    };
-                    hits += 1;
-                    let far = ours.point_world.distance(view.camera.eye());
-                    let apart = theirs.point_world.distance(ours.point_world) / far;
-                    let tolerance = if step.about.key == "depth" {
-                        1e-6
-                    } else {
-                        1e-9
-                    };
-                    assert!(apart < tolerance, "{exhibit:?} {swap:?} {px}: {apart}");
-                    let turn = theirs.normal_world.angle_between(ours.normal_world);
-                    assert!(turn < 1e-6, "{exhibit:?} {swap:?} {px}: {turn}");
-                }
-                assert!(hits > 100, "{exhibit:?} {hits}");
-            }
-        }
-    }
 }
 
 /// Through an orthographic lens all steps have cases, methods break as they do in perspective, and bounds hold.

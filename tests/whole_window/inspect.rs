@@ -95,7 +95,8 @@ fn keys_step_through_the_ray() {
     press_key(&mut window, Modifiers::SHIFT, Key::N);
     seen.push(selected(&window).expect("picked").to_owned());
     assert_eq!(seen, ["front", "middle", "middle", "back", "middle"]);
-    for (overlay, _, key, _) in Overlay::ALL {
+    for overlay in Overlay::ALL {
+        let [_, key, _] = overlay.about();
         let shows = window.state().overlays().shows(overlay);
         let key = Key::from_name(key).expect("a key");
         press_key(&mut window, Modifiers::NONE, key);

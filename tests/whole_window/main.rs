@@ -2,6 +2,7 @@
 
 mod device;
 mod events;
+mod files;
 mod gallery;
 mod inspect;
 mod overlays;
@@ -11,7 +12,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Options, offscreen::Offscreen},
+    viewer::{Options, offscreen::Offscreen, stages::Stage},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -59,7 +60,7 @@ fn open(paths: Vec<PathBuf>, scale: f32) -> Offscreen {
         paths,
         ..Options::default()
     };
-    Offscreen::open(options, px(SIZE, scale), scale).expect("a camera")
+    Offscreen::open(options, px(SIZE, scale), scale)
 }
 
 #[expect(

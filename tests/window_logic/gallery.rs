@@ -47,7 +47,7 @@ fn each_break_is_seen_in_the_window() {
             let compared = compare(&mut state, broken, px);
             let ours = compared.ours.map(|found| found.hit.object + 1);
             assert_eq!(ours, own(&state, px).map(|pick| pick.id), "{broken:?} {px}");
-            let fault = compared.fault(state.view());
+            let fault = compared.fault();
             if worst.is_none() && fault.is_some_and(|fault| fault.is_wrong()) {
                 worst = Some(px);
             }
@@ -69,7 +69,7 @@ fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
     let broken = the_break("far_over_near", "inverse(P V), far - near");
     let compared = compare(&mut state, broken, MIDDLE);
     assert_eq!((compared.theirs, selected(&state)), (None, None));
-    assert_eq!(compared.fault(state.view()), Some(Fault::Missed));
+    assert_eq!(compared.fault(), Some(Fault::Missed));
     assert_eq!(compared.ours.expect("the cube is there").hit.object, 0);
     assert_eq!(compared.px, MIDDLE + 0.5);
     // The plain quadratic in f32 hits a far ball beside its outline.
@@ -77,7 +77,7 @@ fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
     let broken = the_break("small_and_far", "plain quadratic");
     let beside = DVec2::new(30.0, 300.0);
     let compared = compare(&mut state, broken, beside);
-    assert_eq!(compared.fault(state.view()), Some(Fault::Phantom));
+    assert_eq!(compared.fault(), Some(Fault::Phantom));
     assert_eq!(selected(&state), Some("Ball"), "the wrong pick is shown");
 }
 
@@ -86,7 +86,7 @@ fn wrong_normals_and_places_are_told_in_numbers() {
     let far = |exhibit, method, px| {
         let mut state = opened(exhibit);
         let compared = compare(&mut state, the_break(exhibit, method), px);
-        match compared.fault(state.view()) {
+        match compared.fault() {
             Some(Fault::Off(by)) => by,
             other => panic!("{exhibit}: {other:?}"),
         }
@@ -138,6 +138,27 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
         })
         .expect("a scene");
     assert_eq!(state.method(), None, "opened anew");
+}
+
+#[test]
+fn while_another_method_picks_no_pick_is_sightline_s() {
+    let pick = |state: &State| {
+        let selection = state.selection()?;
+        selection.pick.clone()
+    };
+    let mut state = opened("stretched");
+    state.apply(Action::Click(MIDDLE, 0.0));
+    assert!(pick(&state).is_some());
+    state.apply(Action::PickBy(the_break("stretched", "M n").swap()));
+    for action in [
+        Action::Click(MIDDLE, 9.0),
+        Action::Step { forward: true },
+        Action::SetVisible(1, false),
+        Action::SetVisible(1, true),
+    ] {
+        assert_eq!(state.apply(action), None, "{action:?}");
+        assert_eq!(pick(&state), None, "{action:?}");
+    }
 }
 
 #[test]

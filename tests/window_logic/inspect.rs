@@ -37,7 +37,8 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
     }
     assert_eq!(hits.picks.len(), 5);
     for at in [1, 2, 3, 4, 0] {
-        state.apply(Action::Step { forward: true });
+        let line = state.apply(Action::Step { forward: true });
+        assert_eq!(line.expect("a pick").hit.as_ref(), Some(&hits.picks[at]));
         assert_eq!(picked(&state), Some(&hits.picks[at]));
         assert_eq!(state.hits().map(|hits| hits.at), Some(at));
     }
@@ -45,12 +46,12 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
         state.apply(Action::Step { forward: false });
         assert_eq!(picked(&state), Some(&hits.picks[at]));
     }
-    state.apply(Action::StepTo(2));
+    assert!(state.apply(Action::StepTo(2)).is_some());
     assert_eq!(
         (selected(&state), picked(&state)),
         (Some("middle"), Some(&hits.picks[2]))
     );
-    state.apply(Action::StepTo(5));
+    assert_eq!(state.apply(Action::StepTo(5)), None);
     assert_eq!(picked(&state), Some(&hits.picks[2]), "there is no sixth");
     // A click goes on from there.
     state.apply(Action::Click(MIDDLE, 10.0));
@@ -67,6 +68,26 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
     assert_eq!(left, ["front", "front", "back"]);
     state.apply(Action::Select(Some(0)));
     assert_eq!(state.hits(), None, "chosen from the list, not by a ray");
+}
+
+#[test]
+fn points_of_another_stage_are_no_picks() {
+    let mut state = front_view();
+    state.apply(Action::Stage(Stage::View));
+    let centre = state.scene().bounds_of(1).center();
+    let px = state.view().project(centre).expect("in front").px;
+    let step = Action::Step { forward: true };
+    for action in [
+        Action::Click(px, 0.0),
+        step,
+        step,
+        Action::SetVisible(0, false),
+    ] {
+        assert_eq!(state.apply(action), None, "{action:?}");
+        assert!(state.selection().is_some(), "{action:?}");
+        assert_eq!(picked(&state), None, "{action:?}");
+        assert!(state.landmarks().is_empty(), "{action:?}");
+    }
 }
 
 #[test]

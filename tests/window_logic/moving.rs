@@ -131,6 +131,71 @@ fn axis_views_look_along_the_axes_of_the_up_axis() {
 }
 
 #[test]
+fn at_stages_that_have_their_own_axes_views_look_along_those() {
+    for stage in [Stage::View, Stage::Ndc] {
+        let mut state = front_view();
+        state.apply(Action::UpAxis(UpAxis::Z));
+        state.apply(Action::Stage(stage));
+        for (to_eye, forward) in [(DVec3::Y, DVec3::NEG_Y), (DVec3::Z, DVec3::NEG_Z)] {
+            state.apply(Action::LookFrom(to_eye));
+            assert_near_vectors(state.view().camera.forward(), forward);
+        }
+        // A typed pose turns about the same axis.
+        state.apply(Action::Pose([
+            DVec3::new(0.0, 0.0, 9.0),
+            DVec3::ZERO,
+            DVec3::Y,
+        ]));
+        state.apply(Action::Turn(DVec2::new(40.0, 0.0)));
+        let forward = state.view().camera.forward();
+        assert!(
+            forward.y.abs() < 1e-12 && forward.x.abs() > 0.1,
+            "{forward}"
+        );
+        state.apply(Action::Stage(Stage::World));
+        state.apply(Action::LookFrom(DVec3::Y));
+        assert_near_vectors(state.view().camera.forward(), DVec3::NEG_Z);
+    }
+}
+
+#[track_caller]
+fn assert_near_vectors(a: DVec3, b: DVec3) {
+    assert!(a.distance(b) < 1e-12, "{a}, not {b}");
+}
+
+#[test]
+fn the_opening_view_of_a_stage_is_the_stage_s_own() {
+    for stage in [Stage::Object, Stage::View, Stage::Ndc] {
+        let mut state = front_view();
+        state.apply(Action::Stage(stage));
+        for change in [Action::ResetView, Action::UpAxis(UpAxis::Z)] {
+            state.apply(Action::Turn(DVec2::new(300.0, 0.0)));
+            state.apply(change);
+            for corner in state.scene().visible_bounds().corners() {
+                let seen = state.view().project(corner).expect("in front").px;
+                assert!(state.view().viewport.contains(seen), "{stage:?}: {seen}");
+            }
+        }
+    }
+}
+
+#[test]
+fn another_stage_freezes_no_camera() {
+    let mut state = front_view();
+    state.apply(Action::Stage(Stage::View));
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(state.frozen(), None, "it would stand where no camera was");
+    state.apply(Action::ToggleFreeze);
+    let frozen = state.frozen().copied();
+    assert!(frozen.is_some());
+    state.apply(Action::Stage(Stage::Ndc));
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(state.frozen().copied(), frozen, "nor takes one away");
+}
+
+#[test]
 fn framing_shows_the_selection_or_all() {
     let mut state = front_view();
     state.apply(Action::Select(Some(1)));

@@ -47,13 +47,46 @@ fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
 }
 
 #[test]
+fn the_same_pixel_of_another_picture_starts_anew() {
+    let looks = front_view().controls();
+    for between in [
+        Action::Zoom(MIDDLE, 1.1),
+        Action::Turn(DVec2::new(5.0, 3.0)),
+        Action::Pan(DVec2::new(4.0, 0.0)),
+        Action::LookFrom(DVec3::NEG_Z),
+        Action::FrameSelection,
+        Action::Lens(LensControls {
+            orthographic: true,
+            ..looks
+        }),
+        Action::Camera(CameraChoice {
+            eye: Some(DVec3::new(0.0, 0.0, 9.0)),
+            target: Some(DVec3::ZERO),
+            ..CameraChoice::default()
+        }),
+        Action::ToggleSides,
+        Action::Resize(Viewport::new(802, 602).expect("a viewport")),
+        Action::HideSelection,
+        Action::SetVisible(1, false),
+    ] {
+        let mut state = front_view();
+        state.apply(Action::Click(MIDDLE, 0.0));
+        state.apply(between);
+        let seen = pick::pick(state.scene(), state.view(), MIDDLE + 0.5);
+        let line = state.apply(Action::Click(MIDDLE, 9.0)).expect("an answer");
+        assert_eq!(line.hit, seen, "{between:?}");
+    }
+}
+
+#[test]
 fn hidden_is_not_picked_and_shown_is_again() {
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));
     state.apply(Action::HideSelection);
     assert_eq!(state.selection(), None);
-    state.apply(Action::Click(MIDDLE, 1.0));
-    assert_eq!(selected(&state), Some("middle"));
+    let line = state.apply(Action::Click(MIDDLE, 1.0)).expect("an answer");
+    let hit = line.hit.expect("what stood behind");
+    assert_eq!((hit.object.as_str(), hit.front), ("middle", true));
     state.apply(Action::Isolate);
     state.apply(Action::Hover(Some(MIDDLE)));
     assert_eq!(state.hover(), Some(1));

@@ -7,8 +7,8 @@ use super::{
     Bvh,
     node::{Child, Line, Node, Packet, Place, WIDTH},
     ray::Frame,
-    simd::with_large_pages,
-    split::{Leaf, Range},
+    simd::{Instructions, with_large_pages},
+    split::{Leaf, Range, Whole},
 };
 use crate::geometry::Aabb;
 use glam::Vec3A;
@@ -47,10 +47,12 @@ pub(super) fn build(
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
-    let all = Range::new(&mut leaves);
+    let instructions = Instructions::fastest();
+    let all = instructions.run(Whole(&mut leaves));
     let [min, max] = all.bounds();
     let site = Site {
         vertices,
+        instructions,
         small: triangles.len() / (threads * JOBS_PER_THREAD),
         stop,
         progress: Mutex::new(Progress::starting_with(all)),
@@ -79,6 +81,7 @@ pub(super) fn build(
             scale: vertices.scale.into(),
             unscale: 1.0 / f64::from(vertices.scale),
         },
+        instructions,
     })
 }
 
@@ -162,6 +165,7 @@ fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
 
 struct Site<'a> {
     vertices: Vertices<'a>,
+    instructions: Instructions,
     /// Triangles up to which a range is one thread's.
     small: usize,
     stop: &'a AtomicBool,
@@ -214,7 +218,7 @@ impl<'a> Site<'a> {
 
     /// Makes a top node and a job for each of its children.
     fn divide(&self, range: Range<'a>, depth: usize, parent: Option<(usize, usize)>) {
-        let parts = range.split_wide(depth);
+        let parts = range.split_wide(depth, self.instructions);
         let mut progress = self.lock();
         let index = progress.top.len();
         if let Some((node, lane)) = parent {
@@ -242,7 +246,7 @@ impl<'a> Site<'a> {
         if self.stop.load(Ordering::Relaxed) {
             return place;
         }
-        let parts = range.split_wide(depth);
+        let parts = range.split_wide(depth, self.instructions);
         lines.extend(node_of(&parts).lines());
         for (lane, part) in parts.into_iter().enumerate() {
             let child = self.grow(lines, part, depth + 1);

@@ -24,6 +24,7 @@ use super::{Aabb, Ray};
 use glam::{DVec3, Vec3};
 use node::{Line, Node, Packet, Place};
 use ray::Frame;
+use simd::Instructions;
 use std::sync::atomic::AtomicBool;
 use walk::Walk;
 
@@ -47,6 +48,7 @@ pub struct Bvh {
     /// Nodes and packets; the first is the root, and each comes before its children.
     lines: Vec<Line>,
     frame: Frame,
+    instructions: Instructions,
 }
 
 impl Bvh {
@@ -71,7 +73,7 @@ impl Bvh {
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
     pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
-        simd::run_fastest(Walk::<_, true> {
+        self.instructions.run(Walk::<_, true> {
             tree: self,
             ray,
             center,
@@ -94,7 +96,7 @@ impl Bvh {
     /// that the ray misses.
     #[inline]
     pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
-        simd::run_fastest(Walk::<_, false> {
+        self.instructions.run(Walk::<_, false> {
             tree: self,
             ray,
             center,

@@ -297,7 +297,7 @@ mod tests {
     use crate::geometry::random::Random;
 
     /// The derivation of the padding, held against planes met in `f64`, fused and not: no box is entered late or left early,
-    /// and it takes most of the padding to say so.
+    /// and it takes most of the padding to say so. Nor does an interval that ends at a plane end before it.
     #[test]
     fn boxes_are_entered_in_time() {
         let mut random = Random(7);
@@ -335,7 +335,10 @@ mod tests {
                 if !(ray.at(exact).abs().max_element() <= most) {
                     continue;
                 }
-                let exact = exact * prepared.placed.t_scale - prepared.placed.t_start;
+                let met = exact;
+                let exact = met * prepared.placed.t_scale - prepared.placed.t_start;
+                let end = f64::from(prepared.end(met));
+                assert!(end >= exact && end <= exact.max(0.0) * (1.0 + 1e-6));
                 let [inverse, early, late] = [
                     prepared.inverse,
                     prepared.entry_offset,

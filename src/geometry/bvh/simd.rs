@@ -63,19 +63,48 @@ impl Simd {
     }
 }
 
-/// Runs `work` by the fastest instructions of this processor.
-#[inline]
-pub(super) fn run_fastest<W: Work>(work: W) -> W::Output {
+/// The fastest instructions of this processor, which it was seen to have: who keeps this need not look again.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Instructions {
     #[cfg(target_arch = "x86_64")]
-    if let Some(avx512) = Avx512::detect() {
-        avx512.run(work)
-    } else if let Some(avx2) = Avx2::detect() {
-        avx2.run(work)
-    } else {
-        work.run(x86::Sse2)
-    }
+    Avx512(Avx512),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2),
+    #[cfg(target_arch = "x86_64")]
+    Sse2,
     #[cfg(not(target_arch = "x86_64"))]
-    work.run(Portable)
+    Portable,
+}
+
+impl Instructions {
+    /// Looks.
+    pub fn fastest() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx512) = Avx512::detect() {
+            Self::Avx512(avx512)
+        } else if let Some(avx2) = Avx2::detect() {
+            Self::Avx2(avx2)
+        } else {
+            Self::Sse2
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        Self::Portable
+    }
+
+    /// Does `work` by them.
+    #[inline]
+    pub fn run<W: Work>(self, work: W) -> W::Output {
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(avx512) => avx512.run(work),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(avx2) => avx2.run(work),
+            #[cfg(target_arch = "x86_64")]
+            Self::Sse2 => work.run(x86::Sse2),
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Portable => work.run(Portable),
+        }
+    }
 }
 
 /// Something to do by whichever instructions there are.
@@ -177,8 +206,8 @@ mod x86 {
     use std::arch::x86_64::*;
 
     /// Proof that the processor has AVX2 and FMA.
-    #[derive(Clone, Copy)]
-    pub(super) struct Avx2(());
+    #[derive(Clone, Copy, Debug)]
+    pub(in crate::geometry::bvh) struct Avx2(());
 
     impl Avx2 {
         #[inline(always)]
@@ -202,8 +231,8 @@ mod x86 {
 
     /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`]; the compiler
     /// has 32 registers for them in place of 16, and spares a walk that stores and reloads half of what it knows.
-    #[derive(Clone, Copy)]
-    pub(super) struct Avx512(Avx2);
+    #[derive(Clone, Copy, Debug)]
+    pub(in crate::geometry::bvh) struct Avx512(Avx2);
 
     impl Avx512 {
         #[inline(always)]

@@ -9,7 +9,7 @@
 
 use super::{
     node::WIDTH,
-    simd::{Eight, Lanes, StackRoom, Work, run_fastest},
+    simd::{Eight, Instructions, Lanes, StackRoom, Work},
 };
 use glam::Vec3A;
 
@@ -101,27 +101,19 @@ pub(super) struct Range<'a> {
 }
 
 impl<'a> Range<'a> {
-    pub fn new(leaves: &'a mut [Leaf]) -> Self {
-        struct About<'a>(&'a [Leaf]);
-        impl Work for About<'_> {
-            type Output = [Extent; 2];
-            #[inline(always)]
-            fn run<L: Lanes>(self, lanes: L) -> [Extent; 2] {
-                let empty = lanes.splat(f32::INFINITY);
-                let (mut bounds, mut centers) = (empty, empty);
-                for leaf in self.0 {
-                    let leaf = lanes.load(&leaf.0.0);
-                    bounds = lanes.min(bounds, leaf);
-                    centers = lanes.min(centers, center_of(lanes, leaf));
-                }
-                [bounds, centers].map(|extent| Extent(lanes.store(extent)))
-            }
+    #[inline(always)]
+    fn new<L: Lanes>(lanes: L, leaves: &'a mut [Leaf]) -> Self {
+        let empty = lanes.splat(f32::INFINITY);
+        let (mut bounds, mut centers) = (empty, empty);
+        for leaf in &*leaves {
+            let leaf = lanes.load(&leaf.0.0);
+            bounds = lanes.min(bounds, leaf);
+            centers = lanes.min(centers, center_of(lanes, leaf));
         }
-        let [bounds, centers] = run_fastest(About(leaves));
         Self {
             leaves,
-            bounds,
-            centers,
+            bounds: Extent(lanes.store(bounds)),
+            centers: Extent(lanes.store(centers)),
         }
     }
 
@@ -139,13 +131,14 @@ impl<'a> Range<'a> {
     }
 
     /// Into up to eight, none empty, for a node at this depth.
-    pub fn split_wide(self, depth: usize) -> Vec<Self> {
+    pub fn split_wide(self, depth: usize, instructions: Instructions) -> Vec<Self> {
+        let by_area = depth < HALVED_BELOW;
         let mut parts = Vec::with_capacity(WIDTH);
         parts.push(self);
         while parts.len() < WIDTH {
             let size = |part: &Self| {
                 #[expect(clippy::cast_precision_loss, reason = "a size to compare")]
-                if depth < HALVED_BELOW {
+                if by_area {
                     part.bounds.area()
                 } else {
                     part.leaves.len() as f32
@@ -154,21 +147,11 @@ impl<'a> Range<'a> {
             let splittable = (parts.iter().enumerate()).filter(|(_, p)| p.leaves.len() > WIDTH);
             let largest = splittable.max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)));
             let Some((largest, _)) = largest else { break };
-            let part = parts.swap_remove(largest);
-            let (a, b) = if depth < HALVED_BELOW {
-                run_fastest(Split(part))
-            } else {
-                part.halved()
-            };
+            let range = parts.swap_remove(largest);
+            let (a, b) = instructions.run(Split { range, by_area });
             parts.extend([a, b]);
         }
         parts
-    }
-
-    /// In two by count, neither empty.
-    fn halved(self) -> (Self, Self) {
-        let (a, b) = self.leaves.split_at_mut(self.leaves.len() / 2);
-        (Self::new(a), Self::new(b))
     }
 
     /// Without a branch, of which a processor would foresee every other one only.
@@ -203,24 +186,40 @@ impl<'a> Range<'a> {
     }
 }
 
-/// In two, neither empty.
-struct Split<'a>(Range<'a>);
+/// In two, neither empty: by area, or by count.
+struct Split<'a> {
+    range: Range<'a>,
+    by_area: bool,
+}
 
 impl<'a> Work for Split<'a> {
     type Output = (Range<'a>, Range<'a>);
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Self::Output {
-        let Self(range) = self;
-        let cut = if range.leaves.len() < WORTH_16_BINS {
-            Binning::<8>::new(lanes, &range).best(lanes)
-        } else {
-            Binning::<16>::new(lanes, &range).best(lanes)
+        let Self { range, by_area } = self;
+        let cut = match range.leaves.len() {
+            _ if !by_area => None,
+            count if count < WORTH_16_BINS => Binning::<8>::new(lanes, &range).best(lanes),
+            _ => Binning::<16>::new(lanes, &range).best(lanes),
         };
-        match cut {
-            Some(cut) => range.split_at(lanes, &cut),
-            None => range.halved(),
+        if let Some(cut) = cut {
+            return range.split_at(lanes, &cut);
         }
+        let (a, b) = range.leaves.split_at_mut(range.leaves.len() / 2);
+        (Range::new(lanes, a), Range::new(lanes, b))
+    }
+}
+
+/// All triangles as one range.
+pub(super) struct Whole<'a>(pub &'a mut [Leaf]);
+
+impl<'a> Work for Whole<'a> {
+    type Output = Range<'a>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> Range<'a> {
+        Range::new(lanes, self.0)
     }
 }
 

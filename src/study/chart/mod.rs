@@ -61,7 +61,7 @@ pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
         ),
         ("wrong_picks", wrong_picks::chart("A map of wrong picks")),
     ];
-    if report.scene.is_some() {
+    if report.has_scene {
         let own = "Speed against the worst error on this scene's own rays";
         charts.push((
             "pareto_scene",

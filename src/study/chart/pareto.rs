@@ -8,7 +8,7 @@ use super::{
 use crate::study::{
     run::{Report, Row},
     step::About,
-    table::Summary,
+    summary::Summary,
 };
 
 /// What a step's methods are compared by.

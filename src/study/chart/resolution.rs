@@ -4,35 +4,26 @@ use super::{
     axis::{Labels, Panel},
     picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET},
 };
-use crate::study::methods::depth::Mapping;
+use crate::study::methods::depth::{DepthCase, Mapping};
 
 /// A mapping with its name, colour and line width: those below are wider than those that cover them.
 const MAPPINGS: [(&str, Mapping, Colour, u32); 5] = [
     ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1], 9),
     (
         "standard, 24-bit integer",
-        Mapping {
-            integer: true,
-            ..Mapping::STANDARD
-        },
+        Mapping::STANDARD_24,
         COLOURS[5],
         6,
     ),
     (
         "reversed, 24-bit integer",
-        Mapping {
-            integer: true,
-            ..Mapping::REVERSED
-        },
+        Mapping::REVERSED_24,
         COLOURS[0],
         2,
     ),
     (
         "reversed, infinite far plane, 32-bit float",
-        Mapping {
-            infinite: true,
-            ..Mapping::REVERSED
-        },
+        Mapping::INFINITE,
         COLOURS[2],
         7,
     ),
@@ -110,18 +101,16 @@ pub fn chart(title: &str) -> Picture {
 
 /// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye.
 fn resolution(mapping: Mapping, depth: f64, near: f64, far: f64) -> f64 {
-    /// The step of a 24-bit integer.
-    const STEP: f32 = 1.0 / 16_777_215.0;
     #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-    let stored = mapping.stored(depth as f32, near, far);
-    let grows = mapping.depth == crate::camera::DepthMapping::Standard;
-    let next = match (mapping.integer, grows) {
-        (true, true) => stored + STEP,
-        (true, false) => stored - STEP,
-        (false, true) => stored.next_up(),
-        (false, false) => stored.next_down(),
+    let case = DepthCase {
+        depth: depth as f32,
+        near,
+        far,
+        parallel: false,
     };
-    let step = mapping.read(next, near, far) - mapping.read(stored, near, far);
+    let stored = mapping.stored(&case);
+    let next = mapping.next(stored);
+    let step = mapping.read(next, &case) - mapping.read(stored, &case);
     // Beyond the last number there is nothing left to tell apart.
     if step > 0.0 && (0.0..=1.0).contains(&next) {
         step

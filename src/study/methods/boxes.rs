@@ -108,7 +108,7 @@ impl Case for BoxCase {
                 }),
                 Method::new("padded, to cull", F32, IZE, |c| nan_safe(&c.narrow, 3.0)),
                 Method::new(
-                    "Sightline's tree, to cull",
+                    "Ize's in f64, to cull",
                     F64,
                     "geometry::Aabb::may_hit",
                     may_hit,
@@ -159,7 +159,7 @@ fn sightlines(case: &BoxCase) -> Option<f64> {
     near.or(far).map(|hit| hit.t)
 }
 
-/// The test of the tree's boxes, which tells no t: where it says yes, t is that of the plain slabs.
+/// Ize's test as this program has it, which tells no t: where it says yes, t is that of the padded slabs.
 fn may_hit(case: &BoxCase) -> Option<f64> {
     let bounds = Aabb {
         min: case.wide.min.into(),

@@ -2,7 +2,8 @@
 //! the view depth that comes back.
 
 use crate::{
-    camera::{DepthMapping, Lens, Projection},
+    camera::{Camera, DepthMapping, Lens, Projection},
+    geometry::Ray,
     study::{
         step::{About, Bound, Case, Family, Method, Precision::F32, Verdict},
         truth::{depth as truth, relative},
@@ -21,6 +22,22 @@ pub struct DepthCase {
     pub far: f64,
     /// Whether the picture is orthographic: depth is stored as it is, not over w.
     pub parallel: bool,
+}
+
+impl DepthCase {
+    /// The depth of a hit at `t` on a ray that a camera cast.
+    #[must_use]
+    pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
+        let lens = camera.lens();
+        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
+        let depth = (t * ray.direction.dot(camera.forward())) as f32;
+        Self {
+            depth,
+            near: lens.near,
+            far: lens.far,
+            parallel: lens.is_orthographic(),
+        }
+    }
 }
 
 const STANDARD: &str = "courses, OpenGL and Direct3D textbooks: near is 0, far is 1";
@@ -45,25 +62,13 @@ impl Case for DepthCase {
                     Mapping::STANDARD.there_and_back(c)
                 }),
                 Method::new("standard, 24-bit integer", F32, STANDARD, |c| {
-                    Mapping {
-                        integer: true,
-                        ..Mapping::STANDARD
-                    }
-                    .there_and_back(c)
+                    Mapping::STANDARD_24.there_and_back(c)
                 }),
                 Method::new("reversed, 24-bit integer", F32, REVERSED, |c| {
-                    Mapping {
-                        integer: true,
-                        ..Mapping::REVERSED
-                    }
-                    .there_and_back(c)
+                    Mapping::REVERSED_24.there_and_back(c)
                 }),
                 Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
-                    Mapping {
-                        infinite: true,
-                        ..Mapping::REVERSED
-                    }
-                    .there_and_back(c)
+                    Mapping::INFINITE.there_and_back(c)
                 }),
                 Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
                     Mapping::REVERSED.there_and_back(c)
@@ -102,8 +107,6 @@ pub struct Mapping {
     pub integer: bool,
     /// No far plane; in an orthographic picture there is always one.
     pub infinite: bool,
-    /// Orthographic: there is no division by w.
-    pub parallel: bool,
 }
 
 impl Mapping {
@@ -112,20 +115,36 @@ impl Mapping {
         depth: DepthMapping::Standard,
         integer: false,
         infinite: false,
-        parallel: false,
+    };
+    /// Near is 0, in integers.
+    pub const STANDARD_24: Self = Self {
+        integer: true,
+        ..Self::STANDARD
     };
     /// Near is 1, in floating point.
     pub const REVERSED: Self = Self {
         depth: DepthMapping::Reversed,
         integer: false,
         infinite: false,
-        parallel: false,
     };
+    /// Near is 1, in integers.
+    pub const REVERSED_24: Self = Self {
+        integer: true,
+        ..Self::REVERSED
+    };
+    /// Near is 1 and 0 is endlessly far, in floating point.
+    pub const INFINITE: Self = Self {
+        infinite: true,
+        ..Self::REVERSED
+    };
+    /// The largest 24-bit integer.
+    const LARGEST: f32 = 16_777_215.0;
 
     /// The projection's third row, in `f64`.
-    fn row(self, near: f64, far: f64) -> (f64, f64) {
+    fn row(self, case: &DepthCase) -> (f64, f64) {
+        let (near, far) = (case.near, case.far);
         let lens = Lens {
-            projection: if self.parallel {
+            projection: if case.parallel {
                 Projection::Orthographic { height: 1.0 }
             } else {
                 Projection::Perspective { fov_y: 1.0 }
@@ -134,7 +153,7 @@ impl Mapping {
             far,
             depth: self.depth,
         };
-        if self.infinite && !self.parallel {
+        if self.infinite && !case.parallel {
             (0.0, near)
         } else {
             lens.depth_row()
@@ -143,29 +162,39 @@ impl Mapping {
 
     /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
     #[must_use]
-    pub fn stored(self, depth: f32, near: f64, far: f64) -> f32 {
-        /// The largest 24-bit integer.
-        const LARGEST: f32 = 16_777_215.0;
-        let (a, b) = self.row(near, far);
+    pub fn stored(self, case: &DepthCase) -> f32 {
+        let (a, b) = self.row(case);
         #[expect(
             clippy::cast_possible_truncation,
             reason = "matrices are f32 on the card"
         )]
         let (a, b) = (a as f32, b as f32);
-        let ndc = (a * depth + b) / if self.parallel { 1.0 } else { depth };
+        let ndc = (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth };
         if self.integer {
-            (ndc * LARGEST).round() / LARGEST
+            (ndc * Self::LARGEST).round() / Self::LARGEST
         } else {
             ndc
         }
     }
 
-    /// The view depth that a stored number means.
+    /// The next number that the buffer can hold, away from the eye.
     #[must_use]
-    pub fn read(self, stored: f32, near: f64, far: f64) -> f64 {
-        let (a, b) = self.row(near, far);
+    pub fn next(self, stored: f32) -> f32 {
+        let grows = self.depth == DepthMapping::Standard;
+        match (self.integer, grows) {
+            (true, true) => stored + 1.0 / Self::LARGEST,
+            (true, false) => stored - 1.0 / Self::LARGEST,
+            (false, true) => stored.next_up(),
+            (false, false) => stored.next_down(),
+        }
+    }
+
+    /// The view depth that a stored number means between a case's planes.
+    #[must_use]
+    pub fn read(self, stored: f32, case: &DepthCase) -> f64 {
+        let (a, b) = self.row(case);
         let stored = f64::from(stored);
-        if self.parallel {
+        if case.parallel {
             (stored - b) / a
         } else {
             b / (stored - a)
@@ -173,11 +202,6 @@ impl Mapping {
     }
 
     fn there_and_back(self, case: &DepthCase) -> f64 {
-        let mapping = Self {
-            parallel: case.parallel,
-            ..self
-        };
-        let stored = mapping.stored(case.depth, case.near, case.far);
-        mapping.read(stored, case.near, case.far)
+        self.read(self.stored(case), case)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     rays::{PixelCase, Sight, course},
-    triangles::{RayTriangle, SIGHTLINES, SIGHTLINES_PRECISION, areas},
+    triangles::{RayTriangle, areas},
     usual,
 };
 use crate::{
@@ -14,7 +14,11 @@ use crate::{
     scene::{Object, Scene, Shape},
     study::{
         real::V3,
-        step::{About, Bound, Case, Family, Method, Precision::F32, Verdict},
+        step::{
+            About, Bound, Case, Family, Method,
+            Precision::{Exact, F32},
+            Verdict,
+        },
         truth::picks as truth,
         workloads::{picks::gpu, scene::SceneRays},
     },
@@ -124,16 +128,13 @@ impl Case for PickCase {
                 }),
                 Method::new(
                     "Sightline's without its tree",
-                    SIGHTLINES_PRECISION,
+                    Exact,
                     "pick::closest",
                     |c| sightlines(&c.world.treeless, c),
                 ),
-                Method::ours(
-                    "Sightline's",
-                    SIGHTLINES_PRECISION,
-                    "pick::closest, over trees",
-                    |c| sightlines(&c.world.scene, c),
-                ),
+                Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
+                    sightlines(&c.world.scene, c)
+                }),
             ]
         }
     }
@@ -222,6 +223,8 @@ impl PickCase {
     /// are brought to the world first, as a loader that knows no origins does.
     fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
         let scene = &self.world.treeless;
+        let sides = self.world.view.sides;
+        let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
         let world = Ray {
             origin: sight.from.into(),
             direction: sight.along.into(),
@@ -235,11 +238,7 @@ impl PickCase {
             .filter(|(_, o)| o.visible)
         {
             let Shape::Mesh { mesh, part } = &object.shape else {
-                let alone = pick::closest(
-                    &Scene::new(vec![object.clone()]),
-                    &world,
-                    self.world.view.sides,
-                );
+                let alone = pick::closest(&Scene::new(vec![object.clone()]), &world, sides);
                 if let Some(hit) = alone
                     && best.is_none_or(|best| hit.hit.t < best.0)
                 {
@@ -248,17 +247,25 @@ impl PickCase {
                 continue;
             };
             let triangles = mesh.data().parts[*part].triangles.clone();
+            let outward = if object.placement.mirrors() {
+                -1.0
+            } else {
+                1.0
+            };
             for triangle in triangles.clone() {
                 let corners = mesh.corners(triangle);
                 let corners =
                     corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()));
                 let case = RayTriangle {
-                    origin: V3::of(sight.from),
-                    direction: V3::of(sight.along),
+                    origin,
+                    direction,
                     corners,
                 };
+                let [a, b, c] = corners;
+                let normal = ((b - a).cross(c - a) * outward).wide();
                 if let Some(t) = test(&case)
                     && world.contains(t)
+                    && sides.shows(world.direction, normal.into())
                     && best.is_none_or(|best| t < best.0)
                 {
                     best = Some((t, index, Some(triangle - triangles.start)));
@@ -271,7 +278,7 @@ impl PickCase {
 
 fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
     let view = &case.world.view;
-    let hit = pick::closest_by(scene, &view.ray(case.px), view.sides, SIGHTLINES)?;
+    let hit = pick::closest(scene, &view.ray(case.px), view.sides)?;
     Some(picked(scene, hit))
 }
 

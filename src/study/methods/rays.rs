@@ -94,8 +94,7 @@ impl PixelCase {
     }
 
     /// The case of a camera's pixel that is already there.
-    #[must_use]
-    pub fn with_camera(
+    fn with_camera(
         wide: Pixel<f64>,
         exact_axes: [V3<f64>; 3],
         camera: Camera,

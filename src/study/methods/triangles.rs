@@ -1,12 +1,12 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
 use crate::{
-    geometry::{Mesh, Ray, TriangleTest, VertexRay, guarded_volume},
+    geometry::{Mesh, Ray, VertexRay, guarded_volume},
     study::{
         real::{Real, V3},
         step::{
             About, Bound, Case, Family, Method,
-            Precision::{self, F32, F64},
+            Precision::{Exact, F32, F64},
             Verdict,
         },
         truth::triangles::{self as truth, Truth},
@@ -14,12 +14,6 @@ use crate::{
     },
 };
 use glam::DVec3;
-
-/// The triangle test that the rest of this program uses, and what it computes with. The study knows it by these names
-/// only.
-pub const SIGHTLINES: TriangleTest = guarded_volume;
-/// See [`SIGHTLINES`]; tests read it to know which promises hold.
-pub const SIGHTLINES_PRECISION: Precision = Precision::Exact;
 
 /// A ray and a triangle, edges and corners included. The ray has no end.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +83,6 @@ impl TriangleCase {
     }
 }
 
-/// The test's own source for a method's list of where it is from.
 const MT: &str =
     "Moeller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997";
 const AREAS: &str =
@@ -143,7 +136,7 @@ impl Case for TriangleCase {
                 }),
                 Method::ours(
                     "Sightline's",
-                    SIGHTLINES_PRECISION,
+                    Exact,
                     "geometry::triangle, which names its papers",
                     sightlines,
                 ),
@@ -168,13 +161,13 @@ impl Case for TriangleCase {
     }
 
     fn bound(&self, truth: &Truth) -> Bound {
-        truth::bound(&self.wide, truth, self.px)
+        truth::bound(&self.wide, truth)
     }
 }
 
 /// The test that picks use.
 fn sightlines(case: &TriangleCase) -> Option<f64> {
-    SIGHTLINES(&case.ray, case.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+    guarded_volume(&case.ray, case.wide.corners.map(DVec3::from)).map(|hit| hit.t)
 }
 
 fn from_start<T: Real>(t: T) -> Option<f64> {

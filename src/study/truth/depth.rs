@@ -1,9 +1,7 @@
 //! How good a depth can be that went through the depth buffer.
 
+use super::UNIT_F32;
 use crate::study::{methods::depth::DepthCase, step::Bound};
-
-/// Half an ulp of 1 in `f32`.
-const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 
 /// Bound of reversed depth in `f32`.
 ///

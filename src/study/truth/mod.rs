@@ -1,5 +1,5 @@
 //! What is so: the answer to each case by exact arithmetic, and how far off another answer is. No method's code is
-//! used here, nor this program's geometry.
+//! used here, nor this program's geometry but for the boxes of objects, which leave out what a ray is far from.
 
 pub mod boxes;
 pub mod clipping;
@@ -16,6 +16,8 @@ use super::{real::V3, step::Verdict};
 
 /// Half an ulp of 1 in `f64`: what one rounding errs at most, relatively.
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
+/// The same in `f32`.
+pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 
 /// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
 fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {

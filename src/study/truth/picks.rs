@@ -3,7 +3,7 @@
 
 use crate::{
     camera::View,
-    geometry::{Aabb, Mesh, MeshData, Ray, Sphere, Square},
+    geometry::{Aabb, Cuboid, Mesh, MeshData, Ray, Sides, Sphere, Square},
     scene::{Object, Scene, Shape},
     study::{
         exact::{Exact, Exact3},
@@ -24,7 +24,14 @@ struct Local {
     t_max: Option<Exact>,
 }
 
-/// The nearest hit within the ray's interval; of equal ones the lower object, then the lower triangle.
+/// A meeting of a ray and a surface.
+struct Meeting {
+    t: Exact,
+    /// Whether the ray runs against the outward normal.
+    front: bool,
+}
+
+/// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
 #[must_use]
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let ray = view.ray(px);
@@ -34,25 +41,32 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
             continue;
         }
         let local = Local::new(object, &ray);
-        let mut consider = |t: Exact, triangle: Option<u32>| {
+        let mut consider = |Meeting { t, front }: Meeting, triangle: Option<u32>| {
+            let shown = front || view.sides == Sides::Both;
             let nearer = best.as_ref().is_none_or(|(known, _, _)| t < *known);
-            if nearer && local.contains(&t) {
+            if shown && nearer && local.contains(&t) {
                 best = Some((t, index, triangle));
             }
         };
         match &object.shape {
-            Shape::Sphere => local.sphere().into_iter().for_each(|t| consider(t, None)),
-            Shape::Cube => local.cube().into_iter().for_each(|t| consider(t, None)),
-            Shape::Square => local.square().into_iter().for_each(|t| consider(t, None)),
+            Shape::Sphere => (local.sphere().into_iter()).for_each(|at| consider(at, None)),
+            Shape::Cube => (local.cube().into_iter()).for_each(|at| consider(at, None)),
+            Shape::Square => (local.square().into_iter()).for_each(|at| consider(at, None)),
             Shape::Mesh { mesh, part } => {
                 let range = mesh.data().parts[*part].triangles.clone();
-                let near = object.placement.ray_to_object(&ray);
+                let origin = mesh.data().origin;
+                let model = object.placement.model();
+                let start = model.matrix3 * origin;
+                let from_eye = start + model.translation - ray.origin;
+                let sizes = [start, model.translation, ray.origin].map(DVec3::length);
+                let grain = 1e-12 * sizes.iter().sum::<f64>();
                 for triangle in range.clone() {
-                    if near_triangle(&near, mesh.corners(triangle))
-                        && let Some(t) =
-                            local.triangle(&mesh.data().origin, corners(mesh, triangle))
+                    let corners = corners(mesh, triangle);
+                    let apart = corners.map(|at| from_eye + model.matrix3 * DVec3::from(at));
+                    if near_triangle(ray.direction, apart, grain)
+                        && let Some(at) = local.triangle(&origin, corners)
                     {
-                        consider(t, Some(triangle - range.start));
+                        consider(at, Some(triangle - range.start));
                     }
                 }
             }
@@ -68,10 +82,7 @@ fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
         triangles,
         ..
     } = mesh.data();
-    triangles[triangle as usize].map(|i| {
-        let [x, y, z] = positions[i as usize].map(f64::from);
-        V3::new(x, y, z)
-    })
+    triangles[triangle as usize].map(|i| V3::from(positions[i as usize].map(f64::from)))
 }
 
 /// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.
@@ -81,11 +92,13 @@ fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
 }
 
-/// Whether no `f64` volume has certainly another sign than the others: leaves out what is certainly missed.
-fn near_triangle(ray: &Ray, corners: [DVec3; 3]) -> bool {
-    let [a, b, c] = corners.map(|corner| corner - ray.origin);
-    let slack = 1e-9 * ray.direction.length() * (a.length() + b.length() + c.length()).powi(2);
-    let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|side| ray.direction.dot(side));
+/// Whether no `f64` volume has certainly another sign than the others: leaves out what is certainly missed. Corners are
+/// in the world, relative to the ray's origin and off by no more than `grain`.
+fn near_triangle(direction: DVec3, corners: [DVec3; 3], grain: f64) -> bool {
+    let [a, b, c] = corners;
+    let size = a.length() + b.length() + c.length();
+    let slack = direction.length() * size * (1e-9 * size + grain);
+    let volumes = [b.cross(c), c.cross(a), a.cross(b)].map(|side| direction.dot(side));
     volumes.iter().all(|&v| v >= -slack) || volumes.iter().all(|&v| v <= slack)
 }
 
@@ -112,7 +125,13 @@ impl Local {
         *t >= self.t_min && self.t_max.as_ref().is_none_or(|end| t < end)
     }
 
-    fn triangle(&self, origin: &DVec3, corners: [V3<f64>; 3]) -> Option<Exact> {
+    /// Whether a ray runs against a normal, given their scalar product here, where a mirrored object's direction is
+    /// turned about.
+    fn is_front(&self, fall: &Exact) -> bool {
+        (fall * &self.det).sign() == Ordering::Less
+    }
+
+    fn triangle(&self, origin: &DVec3, corners: [V3<f64>; 3]) -> Option<Meeting> {
         let origin = Exact3::new(V3::from(*origin));
         let [a, b, c] = corners.map(|corner| {
             let corner = &origin + &Exact3::new(corner);
@@ -126,10 +145,13 @@ impl Local {
         if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) || fall.is_zero() {
             return None;
         }
-        Some(&normal.dot(&a) / &fall)
+        Some(Meeting {
+            t: &normal.dot(&a) / &fall,
+            front: self.is_front(&fall),
+        })
     }
 
-    fn sphere(&self) -> Vec<Exact> {
+    fn sphere(&self) -> Vec<Meeting> {
         let radius = &Exact::new(Sphere::RADIUS) * &self.det;
         let (o, d) = (&self.origin, &self.direction);
         let (a, b) = (d.dot(d), -o.dot(d));
@@ -139,12 +161,15 @@ impl Local {
             return Vec::new();
         }
         let root = discriminant.sqrt();
-        vec![&(&b - &root) / &a, &(&b + &root) / &a]
+        // The scalar product with the normal is the root, less than 0 at the entry.
+        let front = !root.is_zero();
+        let at = |t: Exact, front: bool| Meeting { t, front };
+        vec![at(&(&b - &root) / &a, front), at(&(&b + &root) / &a, false)]
     }
 
-    fn cube(&self) -> Vec<Exact> {
-        let half = (&Exact::new(0.5) * &self.det).abs();
-        let mut hits: Vec<Exact> = Vec::new();
+    fn cube(&self) -> Vec<Meeting> {
+        let half = (&Exact::new(Cuboid::HALF_SIDE) * &self.det).abs();
+        let mut hits: Vec<Meeting> = Vec::new();
         for axis in 0..3 {
             if self.direction.0[axis].is_zero() {
                 continue;
@@ -159,15 +184,15 @@ impl Local {
                     at.abs() <= (&half * fall).abs()
                 });
                 if inside {
-                    hits.push(t);
+                    let front = (&plane * &self.direction.0[axis]).sign() == Ordering::Less;
+                    hits.push(Meeting { t, front });
                 }
             }
         }
-        hits.sort();
         hits
     }
 
-    fn square(&self) -> Option<Exact> {
+    fn square(&self) -> Option<Meeting> {
         let half = (&Exact::new(Square::HALF_SIDE) * &self.det).abs();
         let [x, y, z] = &self.origin.0;
         let [dx, dy, dz] = &self.direction.0;
@@ -175,6 +200,9 @@ impl Local {
             return None;
         }
         let inside = |o: &Exact, d: &Exact| (&(o * dz) - &(z * d)).abs() <= (&half * dz).abs();
-        (inside(x, dx) && inside(y, dy)).then(|| &(-z.clone()) / dz)
+        (inside(x, dx) && inside(y, dy)).then(|| Meeting {
+            t: &(-z.clone()) / dz,
+            front: self.is_front(dz),
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Where rays meet planes.
 
-use super::UNIT;
+use super::{UNIT, cross_sizes};
 use crate::study::{
     exact::Exact3,
     methods::planes::{PlaneCase, RayPlane},
@@ -24,12 +24,7 @@ pub fn truth(case: &RayPlane<f64>) -> f64 {
 /// and drops out.
 #[must_use]
 pub fn bound(case: &PlaneCase) -> Bound {
-    let [u, v] = case.sides.map(V3::abs);
-    let sizes = V3::new(
-        u.y * v.z + u.z * v.y,
-        u.z * v.x + u.x * v.z,
-        u.x * v.y + u.y * v.x,
-    );
+    let sizes = cross_sizes(case.sides[0], case.sides[1]);
     let share = |w: V3<f64>| 15.0 * UNIT * sizes.dot(w.abs()) / case.wide.normal.dot(w).abs();
     let (above, below) = (
         share(case.wide.point - case.wide.origin),

@@ -3,8 +3,8 @@
 use super::PX;
 use crate::study::{
     methods::boxes::{BoxCase, RayBox},
-    random::{Random, narrow3},
-    real::V3,
+    random::Random,
+    real::{V3, narrow3},
     step::Family,
 };
 
@@ -126,8 +126,7 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
     let set = |v: V3<f64>, at: usize, value: f64| {
         let mut coordinates = v.array();
         coordinates[at] = value;
-        let [x, y, z] = coordinates;
-        V3::new(x, y, z)
+        V3::from(coordinates)
     };
     let mut direction = set(narrow3(towards), axis, zero);
     if along > 1.5 {

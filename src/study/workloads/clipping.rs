@@ -1,11 +1,7 @@
 //! Hits near the near and the far plane.
 
 use super::TAN_30;
-use crate::study::{
-    methods::clipping::ClipCase,
-    random::{Random, narrow},
-    step::Family,
-};
+use crate::study::{methods::clipping::ClipCase, random::Random, real::narrow, step::Family};
 
 /// Every family.
 pub const FAMILIES: &[Family<ClipCase>] = &[

@@ -3,8 +3,8 @@
 use super::object_space::turned;
 use crate::study::{
     methods::normals::NormalCase,
-    random::{Random, narrow3},
-    real::{M3, V3},
+    random::Random,
+    real::{M3, V3, narrow3},
     step::Family,
 };
 

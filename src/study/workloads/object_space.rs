@@ -3,8 +3,8 @@
 use super::PX;
 use crate::study::{
     methods::object_space::{Placed, PlacedCase},
-    random::{Random, narrow3},
-    real::{M3, V3},
+    random::Random,
+    real::{M3, V3, narrow3},
     step::Family,
 };
 

@@ -2,8 +2,8 @@
 
 use crate::study::{
     methods::planes::PlaneCase,
-    random::{Random, narrow3},
-    real::V3,
+    random::Random,
+    real::{V3, narrow3},
     step::Family,
 };
 

@@ -3,8 +3,8 @@
 use super::TAN_30;
 use crate::study::{
     methods::rays::{Pixel, PixelCase},
-    random::{Random, narrow, narrow3},
-    real::V3,
+    random::Random,
+    real::{V3, narrow, narrow3},
     step::Family,
 };
 

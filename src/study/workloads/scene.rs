@@ -1,7 +1,7 @@
 //! A scene's own camera and rays as workloads: which method does *this* scene need?
 
 use crate::{
-    camera::{Projection, View},
+    camera::View,
     geometry::Ray,
     pick::{self, SceneHit},
     render,
@@ -63,13 +63,7 @@ impl SceneRays {
 
     /// Width of a pixel in radians, seen from the eye at a distance.
     fn px(&self, distance: f64) -> f64 {
-        let view = &self.world.view;
-        let height =
-            2.0 * view.camera.lens().half_extent(1.0).y / f64::from(view.viewport.height());
-        match view.camera.lens().projection {
-            Projection::Perspective { .. } => height,
-            Projection::Orthographic { .. } => height / distance,
-        }
+        super::px_angle(&self.world.view, distance)
     }
 
     /// Every ray with the object that it hits.
@@ -167,17 +161,7 @@ impl SceneRays {
 
     pub(in crate::study) fn depths(&self) -> Vec<DepthCase> {
         let camera = &self.world.view.camera;
-        let lens = camera.lens();
-        let case = |(ray, hit): &(Ray, SceneHit)| {
-            #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-            let depth = (hit.hit.t * ray.direction.dot(camera.forward())) as f32;
-            DepthCase {
-                depth,
-                near: lens.near,
-                far: lens.far,
-                parallel: lens.is_orthographic(),
-            }
-        };
+        let case = |(ray, hit): &(Ray, SceneHit)| DepthCase::of_hit(camera, ray, hit.hit.t);
         self.hits.iter().map(case).collect()
     }
 

@@ -3,8 +3,8 @@
 use super::PX;
 use crate::study::{
     methods::spheres::{RaySphere, SphereCase},
-    random::{Random, narrow, narrow3},
-    real::V3,
+    random::Random,
+    real::{V3, narrow, narrow3},
     step::Family,
 };
 

@@ -3,8 +3,8 @@
 use super::PX;
 use crate::study::{
     methods::triangles::{RayTriangle, TriangleCase},
-    random::{Random, narrow3},
-    real::V3,
+    random::Random,
+    real::{V3, narrow3},
     step::Family,
 };
 

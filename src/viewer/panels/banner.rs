@@ -74,8 +74,12 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
     if let Some(theirs) = &compared.theirs {
         arrow(theirs, WRONG, 1.2);
     }
+    // What is written at the pixel is about that picture.
+    if compared.view != *view {
+        return;
+    }
     let at = place.to_position(compared.px);
-    let wrong = compared.fault(view).is_some_and(|fault| fault.is_wrong());
+    let wrong = compared.fault().is_some_and(|fault| fault.is_wrong());
     let colour = if wrong { WRONG } else { RIGHT };
     // Dark about the colour: it shows on any picture.
     for stroke in [Stroke::new(6.0, Color32::BLACK), Stroke::new(2.5, colour)] {

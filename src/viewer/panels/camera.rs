@@ -12,9 +12,6 @@ use crate::{
 };
 use egui::{Grid, Slider, Ui};
 
-/// Width of a typed number, in points.
-const NUMBER: f32 = 74.0;
-
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -43,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("up axis");
         for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
-            if ui.selectable_label(state.up_axis() == axis, name).clicked() {
+            if ui.selectable_label(state.up_axis == axis, name).clicked() {
                 commands.push(Command::Act(Action::UpAxis(axis)));
             }
         }
@@ -54,8 +51,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             .on_hover_text("what is not drawn is not picked")
             .changed()
         {
-            let sides = if culls { Sides::Front } else { Sides::Both };
-            commands.push(Command::Act(Action::Sides(sides)));
+            commands.push(Command::Act(Action::ToggleSides));
         }
     });
 }
@@ -92,7 +88,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls) {
             {
                 next.fov_deg = slid;
             }
-            if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, NUMBER, typed) {
+            if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, field::WIDTH, typed) {
                 next.fov_deg = number;
             }
         });
@@ -138,7 +134,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls) {
             if ui.add(slider).changed() && typed(slid).is_ok() {
                 *which(next) = Some(slid);
             }
-            if let (_, Some(number)) = field::number(ui, name, value, NUMBER, typed) {
+            if let (_, Some(number)) = field::number(ui, name, value, field::WIDTH, typed) {
                 *which(next) = Some(number);
             }
         });
@@ -189,7 +185,8 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                         .map_err(|error| error.to_string())
                 };
                 let salt = format!("{name}{axis}");
-                if let (_, Some(number)) = field::number(ui, &salt, pose[row][axis], NUMBER, check)
+                if let (_, Some(number)) =
+                    field::number(ui, &salt, pose[row][axis], field::WIDTH, check)
                 {
                     commands.push(Command::Act(with(number)));
                 }

@@ -1,13 +1,13 @@
 //! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
 
-use super::super::{
-    check::{Check, Checking},
-    input::SceneRect,
+use super::{
+    super::{
+        check::{Check, Checking},
+        input::SceneRect,
+    },
+    color32,
 };
-use crate::{
-    colour::Srgb,
-    verify::{COLOURS, Report},
-};
+use crate::verify::{COLOURS, Report};
 use egui::{Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, Ui, Vec2, pos2};
 
 /// Over the scene's rectangle; nothing where no check is under way or done.
@@ -44,8 +44,8 @@ fn table(ui: &mut Ui, check: &Check, report: &Report) {
         ui.label("same");
         ui.monospace(report.same().to_string());
         ui.end_row();
-        for (class, Srgb([r, g, b]), _) in COLOURS {
-            swatch(ui, Color32::from_rgb(r, g, b));
+        for (class, colour, _) in COLOURS {
+            swatch(ui, color32(colour));
             ui.label(class.name());
             ui.monospace(report.count(class).to_string());
             ui.end_row();

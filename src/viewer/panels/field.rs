@@ -73,10 +73,21 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     }
 }
 
+/// Width of a field in points that shows as many digits as [`short`] gives.
+pub(super) const WIDTH: f32 = 74.0;
+
+/// A value as panels show it: digits one under the other, a point with all of them in a line.
+pub(super) fn value_text(text: impl Into<String>) -> RichText {
+    RichText::new(text).monospace().size(11.0)
+}
+
 /// Six significant digits: enough to read; the field holds on to all of them.
 pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
+    }
+    if !value.is_finite() {
+        return value.to_string();
     }
     let exponent = value.abs().log10().floor();
     if !(-4.0..9.0).contains(&exponent) {

@@ -4,11 +4,12 @@ use super::{
     super::{
         Command,
         action::Action,
-        exhibit::{Chart, Compared, Fault, Showing},
+        exhibit::{Compared, Fault, Showing},
+        gallery::Chart,
         state::State,
     },
     chart,
-    field::short,
+    field::{short, value_text},
 };
 use crate::{
     scene::gallery::GALLERY,
@@ -188,7 +189,7 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
                     let text = found
                         .as_ref()
                         .map_or("nothing".to_owned(), |found| column(state, found));
-                    ui.label(RichText::new(text).monospace().size(11.0));
+                    ui.label(value_text(text));
                 }
                 ui.end_row();
             }
@@ -203,7 +204,7 @@ fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
             .map_or("nothing".to_owned(), |found| object(state, found))
     };
     let (theirs, ours) = (name(&compared.theirs), name(&compared.ours));
-    match compared.fault(state.view()) {
+    match compared.fault() {
         None => ("Nothing is there, and nothing is picked.".to_owned(), RIGHT),
         Some(Fault::Missed) => (format!("Wrong: it misses {ours}, which is there."), WRONG),
         Some(Fault::Phantom) => (format!("Wrong: it picks {theirs} where nothing is."), WRONG),
@@ -238,7 +239,7 @@ fn vector(v: DVec3) -> String {
     v.to_array().map(short).join("\n")
 }
 
-/// The method that picks now, for the banner.
+/// A method by its step, name and precision.
 pub(super) fn step_and_name(swap: &Swap) -> String {
     let info = swap.info();
     format!("{}: {}", info.step.name, name(&info))

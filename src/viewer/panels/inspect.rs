@@ -8,12 +8,12 @@ use super::{
         overlay::Overlay,
         state::State,
     },
-    field::short,
+    field::{short, value_text},
     pick::{PLACES, rows, vector},
     toolbar,
 };
 use crate::pick::Pick;
-use egui::{CollapsingHeader, Grid, RichText, Ui};
+use egui::{CollapsingHeader, Grid, Ui};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -50,7 +50,7 @@ fn hits(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Command>) 
                 pick.distance,
                 pick.object
             );
-            let text = RichText::new(text).monospace().size(11.0);
+            let text = value_text(text);
             let label = ui.selectable_label(at == hits.at, text);
             let hint = "distance from the eye in world units, side, object: click to pick it";
             if label.on_hover_text(hint).clicked() {
@@ -112,11 +112,12 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
             .show(ui, |ui| {
                 for (mapping, step) in steps.steps {
                     ui.weak(format!("{mapping} step"));
-                    ui.label(
-                        RichText::new(format!("{} units", short(step)))
-                            .monospace()
-                            .size(11.0),
-                    );
+                    let text = if step.is_finite() {
+                        format!("{} units", short(step))
+                    } else {
+                        "none before far".to_owned()
+                    };
+                    ui.label(value_text(text));
                     ui.weak(if mapping == steps.in_use {
                         "in use"
                     } else {
@@ -127,7 +128,7 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
                 if let Some(next) = steps.next_surface {
                     ui.weak("next surface");
                     let text = format!("{} units deeper", short(next));
-                    ui.label(RichText::new(text).monospace().size(11.0));
+                    ui.label(value_text(text));
                     ui.end_row();
                 }
             });

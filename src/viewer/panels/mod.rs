@@ -4,6 +4,7 @@ mod banner;
 mod camera;
 mod chart;
 mod check;
+mod corners;
 mod field;
 mod gallery;
 mod help;
@@ -11,7 +12,6 @@ mod inspect;
 mod marks;
 mod object;
 mod objects;
-mod overlays;
 mod pick;
 mod pipeline;
 mod status;
@@ -25,12 +25,18 @@ pub(super) use status::Statistics;
 use super::{
     Command, Notices,
     check::Checking,
-    exhibit::Chart,
+    gallery::Chart,
     input::{self, Drag, SceneRect},
     keys,
     state::State,
 };
-use egui::{CentralPanel, Panel, Ui};
+use crate::colour::Srgb;
+use egui::{CentralPanel, Color32, Panel, Ui};
+
+/// A colour as egui has it.
+pub(super) fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
 
 /// Width of the panel with camera and pick, in points.
 const VIEW_WIDTH: f32 = 330.0;
@@ -95,9 +101,9 @@ pub(super) fn show(
         commands.extend(actions.into_iter().map(Command::Act));
         check::show(ui, rect, place, shown.checking);
         marks::show(ui, rect, place, shown.state);
-        overlays::axes(ui, rect, shown.state);
+        corners::axes(ui, rect, shown.state);
         banner::show(ui, rect, place, shown.state, &mut commands);
-        overlays::messages(ui, rect, shown, &mut commands);
+        corners::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
     if shown.floating.pipeline {
@@ -106,7 +112,7 @@ pub(super) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(keys::pressed(ui.ctx(), shown.state));
+    commands.extend(keys::pressed(ui.ctx()));
     (place.inner, commands)
 }
 

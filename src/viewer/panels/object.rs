@@ -8,9 +8,6 @@ use crate::geometry::Trs;
 use egui::{CollapsingHeader, CursorIcon, Grid, Label, Sense, Ui};
 use glam::{DAffine3, DVec3};
 
-/// Width of a typed number, in points.
-const NUMBER: f32 = 74.0;
-
 /// A part of the matrix.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
@@ -111,7 +108,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                         state.check(&action).map_err(|error| error.to_string())
                     };
                     let salt = format!("{name}{axis}");
-                    let typed = field::number(ui, &salt, value, NUMBER - 12.0, check);
+                    let typed = field::number(ui, &salt, value, field::WIDTH - 12.0, check);
                     if let (_, Some(number)) = typed {
                         asked = Some(with(part, axis, number));
                     }

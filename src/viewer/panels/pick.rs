@@ -2,14 +2,12 @@
 
 use super::{
     super::{Command, state::State},
+    field::value_text,
     inspect, object,
 };
 use crate::pick::Pick;
-use egui::{Grid, RichText, Ui};
+use egui::{Grid, Ui};
 use glam::DVec3;
-
-/// Text size of values: a point with all its digits fits in a line.
-const VALUE_SIZE: f32 = 11.0;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.heading("Pick");
@@ -126,7 +124,7 @@ pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String)]) {
     Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {
         for (name, value) in rows {
             ui.weak(*name);
-            ui.add(egui::Label::new(RichText::new(value).monospace().size(VALUE_SIZE)).wrap());
+            ui.add(egui::Label::new(value_text(value)).wrap());
             ui.end_row();
         }
     });

@@ -8,10 +8,10 @@ use super::{
         stages::Stage,
         state::State,
     },
-    field::short,
+    field::{short, value_text},
 };
 use crate::camera::{DepthMapping, Projection, View};
-use egui::{Context, Grid, RichText, Ui, Window};
+use egui::{Context, Grid, Ui, Window};
 use glam::{DMat4, DVec2, DVec3};
 
 pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
@@ -156,8 +156,7 @@ fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
 fn numbers(ui: &mut Ui, values: &[f64]) {
     for value in values {
         let text = format!("{:>10}", short(*value));
-        ui.label(RichText::new(text).monospace().size(11.0))
-            .on_hover_text(value.to_string());
+        ui.label(value_text(text)).on_hover_text(value.to_string());
     }
 }
 
@@ -217,7 +216,7 @@ fn table(ui: &mut Ui, values: &Values) {
                 ui.weak(how);
                 numbers(ui, values);
                 for _ in values.len()..4 {
-                    ui.label(RichText::new(format!("{:>10}", "")).monospace().size(11.0));
+                    ui.label(value_text(format!("{:>10}", "")));
                 }
                 ui.end_row();
             }

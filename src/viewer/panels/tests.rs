@@ -1,6 +1,6 @@
 //! The panels without a window: what they say, and what keys ask for.
 
-use super::{Filter, Floating, Shown, Statistics, show};
+use super::{Filter, Floating, Shown, Statistics, field::short, show};
 use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Sides,
@@ -9,6 +9,8 @@ use crate::{
     viewer::{Command, Notices, action::Action, check::Checking, keys::BINDINGS, state::State},
 };
 use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
+use glam::DVec2;
+use std::collections::BTreeSet;
 
 fn opened(path: &str) -> State {
     let loaded = scene::load(&[path.into()], &Progress::default()).expect("a scene");
@@ -99,7 +101,6 @@ fn each_key_asks_for_what_its_line_says() {
     let idle =
         |command: &Command| !matches!(command, Command::Act(Action::Resize(_) | Action::Hover(_)));
     for binding in BINDINGS {
-        let expected = (binding.command)(&state);
         for (modifiers, key) in binding.shortcuts {
             let modifiers = Modifiers {
                 ctrl: modifiers.command,
@@ -109,9 +110,78 @@ fn each_key_asks_for_what_its_line_says() {
             let asked: Vec<_> = asked.into_iter().filter(idle).collect();
             assert_eq!(
                 asked,
-                std::slice::from_ref(&expected),
+                std::slice::from_ref(&binding.command),
                 "{key:?} with {modifiers:?}"
             );
         }
     }
+}
+
+#[test]
+fn a_key_that_was_pressed_twice_within_a_frame_is_done_twice() {
+    for key in [Key::B, Key::Num5, Key::G] {
+        let mut state = opened("gallery:needles");
+        let shows = |state: &State| (state.view().sides, state.controls(), state.grid());
+        let before = shows(&state);
+        let twice = vec![press(key, Modifiers::NONE); 2];
+        for command in pass(&state, twice).1 {
+            if let Command::Act(action) = command {
+                state.apply(action);
+            }
+        }
+        assert_eq!(shows(&state), before, "{key:?}");
+    }
+}
+
+#[test]
+fn what_a_click_was_compared_with_is_marked_only_in_its_own_picture() {
+    let mut state = opened("gallery:small_and_far");
+    state.apply(Action::NextMethod { forward: true });
+    state.apply(Action::Click(DVec2::new(30.0, 300.0), 0.0));
+    let is_marked = |state: &State| pass(state, Vec::new()).0.contains("picked: ");
+    assert!(is_marked(&state));
+    state.apply(Action::Turn(DVec2::new(40.0, 0.0)));
+    assert!(!is_marked(&state));
+    state.apply(Action::Click(DVec2::new(30.0, 300.0), 9.0));
+    assert!(is_marked(&state));
+}
+
+#[test]
+fn short_numbers_read_as_the_number() {
+    let numbers = [
+        (0.0, "0"),
+        (-0.5, "-0.5"),
+        (1_234.567_89, "1234.57"),
+        (1e-7, "1e-7"),
+        (-2.5e12, "-2.5e12"),
+        (f64::INFINITY, "inf"),
+        (f64::NEG_INFINITY, "-inf"),
+        (f64::NAN, "NaN"),
+    ];
+    for (number, text) in numbers {
+        assert_eq!(short(number), text);
+    }
+}
+
+/// README's table, in which a key with Shift or Ctrl may stand as words beside the key alone.
+#[test]
+fn readme_names_every_key_and_no_other() {
+    let readme = include_str!("../../../README.md");
+    let (_, rest) = readme.split_once("## Mouse and keys").expect("a heading");
+    let table = rest.split("\n\n").nth(1).expect("a table");
+    let inputs = (table.lines().skip(2)).filter_map(|row| row.split('|').nth(1));
+    let words = inputs.flat_map(str::split_whitespace);
+    let words = words.map(|word| word.trim_matches([',', ';']));
+    let is_key =
+        |word: &str| !word.starts_with(|c: char| c.is_lowercase() || "\u{b7}+".contains(c));
+    let named: BTreeSet<_> = words
+        .filter(|word| is_key(word) && !["Shift", "Ctrl"].contains(word))
+        .collect();
+    let mut bound = BTreeSet::new();
+    for binding in BINDINGS.iter().filter(|binding| !binding.keys.is_empty()) {
+        let keys: Vec<_> = binding.keys.split(", ").collect();
+        let alone = |key: &&str| !key.contains('+') || !keys.contains(&&key[key.len() - 1..]);
+        bound.extend(keys.iter().copied().filter(alone));
+    }
+    assert_eq!(named, bound);
 }

@@ -1,10 +1,10 @@
 //! The row of buttons at the top.
 
 use super::{
-    super::{Command, action::Action, overlay::Overlay, state::State},
+    super::{Command, action::Action, overlay::Overlay, stages::Stage, state::State},
     gallery,
 };
-use egui::Ui;
+use egui::{Checkbox, Ui};
 use glam::DVec3;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
@@ -61,8 +61,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::Act(Action::ToggleGrid));
         }
         let mut frozen = state.frozen().is_some();
+        let in_world = state.stage() == Stage::World;
         if ui
-            .checkbox(&mut frozen, "Freeze")
+            .add_enabled(in_world, Checkbox::new(&mut frozen, "Freeze"))
             .on_hover_text("leave this camera standing, with the pick's ray, and look at it from elsewhere (T)")
             .changed()
         {
@@ -76,7 +77,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::TogglePipeline);
         }
         let menu = ui.menu_button("Overlays", |ui| {
-            for (which, ..) in Overlay::ALL {
+            for which in Overlay::ALL {
                 overlay(ui, state, which, commands);
             }
             tree_level(ui, state, commands);
@@ -110,11 +111,10 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 
 /// A box that shows an overlay.
 pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
-    for (_, name, key, hint) in Overlay::ALL.iter().filter(|(other, ..)| *other == which) {
-        let mut shows = state.overlays().shows(which);
-        let hint = format!("{hint} ({key})");
-        if ui.checkbox(&mut shows, *name).on_hover_text(hint).changed() {
-            commands.push(Command::Act(Action::Toggle(which)));
-        }
+    let [name, key, hint] = which.about();
+    let mut shows = state.overlays().shows(which);
+    let hint = format!("{hint} ({key})");
+    if ui.checkbox(&mut shows, name).on_hover_text(hint).changed() {
+        commands.push(Command::Act(Action::Toggle(which)));
     }
 }

@@ -1,8 +1,8 @@
 //! What lies over the picture: the axes' directions, messages, progress.
 
 use super::{
-    super::{Command, Notices, stage::AXES, state::State},
-    Shown, banner,
+    super::{Command, Notices, state::State, surroundings::AXES},
+    Shown, banner, color32,
 };
 use egui::{
     Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, pos2, vec2,
@@ -15,15 +15,13 @@ pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
     let origin = pos2(rect.left() + 44.0, rect.bottom() - 44.0);
     let rotation = state.view().camera.rotation();
     let mut axes: Vec<_> = (DVec3::AXES.into_iter().zip(AXES).zip(["x", "y", "z"]))
-        .map(|((axis, colour), name)| ((rotation * axis).as_vec3(), colour, name))
+        .map(|((axis, colour), name)| ((rotation * axis).as_vec3(), color32(colour), name))
         .collect();
     // The farthest first.
     axes.sort_by(|a, b| b.0.z.total_cmp(&a.0.z));
     let painter = ui.painter().with_clip_rect(rect);
     painter.circle_filled(origin, LENGTH + 16.0, Color32::from_black_alpha(90));
     for (axis, colour, name) in axes {
-        let [r, g, b] = colour.0;
-        let colour = Color32::from_rgb(r, g, b);
         let along = vec2(axis.x, -axis.y) * LENGTH;
         painter.line_segment([origin, origin + along], Stroke::new(2.0, colour));
         let end = origin + along + along.normalized() * 9.0;

@@ -1,6 +1,6 @@
 //! What stands around the scene: a floor grid with the world's axes on it.
 
-use super::stages::{self, Stage};
+use super::{overlay, stages::Stage};
 use crate::{camera::UpAxis, colour::Srgb, geometry::Aabb, render::Line};
 use glam::DVec3;
 
@@ -82,11 +82,10 @@ fn axis_colour(direction: DVec3) -> Srgb {
 
 /// What stands beside the scene at a stage of the pipeline: in NDC, the box that the frustum becomes.
 pub(super) fn of(stage: Stage) -> Vec<Line> {
-    let edges = (stage == Stage::Ndc).then(stages::ndc_box);
-    let line = |[from, to]: [DVec3; 2]| Line {
-        from,
-        to,
-        colour: FRUSTUM,
+    let frustum = Aabb {
+        min: DVec3::new(-1.0, -1.0, 0.0),
+        max: DVec3::ONE,
     };
-    edges.into_iter().flatten().map(line).collect()
+    let edges = (stage == Stage::Ndc).then(|| overlay::edges(&frustum, FRUSTUM));
+    edges.into_iter().flatten().collect()
 }

@@ -1,0 +1,195 @@
+//! Views in which the first surface on a ray need not be the one that shows: back faces culled, shapes cut by the near
+//! plane, parallel rays that start behind the eye.
+
+use super::gallery::view_of;
+use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
+use sightline::{
+    camera::{CameraChoice, View, Viewport},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    scene::{self, Object, Progress, Scene, Shape, gallery::GALLERY},
+    study::{
+        self, Effort, Row, SCENE, SceneRays,
+        gallery::BREAKS,
+        methods::MethodInfo,
+        step::Precision::F64,
+        swap::{AnyStep, Found, Swap},
+        workloads::picks::ball_scene,
+    },
+};
+use std::sync::Arc;
+
+const WIDTH: u32 = 161;
+const HEIGHT: u32 = 91;
+
+/// A mesh of two squares in planes of constant z, 2 wide: the nearer one faces away from +z, the other one to it.
+fn two_sheets() -> Shape {
+    let square = |z: f32| {
+        [
+            [-1.0, -1.0, z],
+            [1.0, -1.0, z],
+            [1.0, 1.0, z],
+            [-1.0, 1.0, z],
+        ]
+    };
+    let mesh = Mesh::new(MeshData {
+        positions: [square(1.0), square(-1.0)].concat(),
+        triangles: vec![[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]],
+        parts: vec![Part {
+            name: "sheets".to_owned(),
+            triangles: 0..4,
+        }],
+        colours: vec![ColourRun {
+            triangles: 0..4,
+            colour: None,
+        }],
+        ..MeshData::default()
+    });
+    Shape::Mesh {
+        mesh: Arc::new(mesh.expect("a mesh")),
+        part: 0,
+    }
+}
+
+/// A row of every shape, about 1.5 wide each and their middles at z = 0: a mesh whose back comes first, one that is
+/// mirrored, a ball, a turned box, and a square that is seen from behind.
+fn row_of_shapes() -> Scene {
+    let ball = ball_scene(0.0).0.objects()[0].shape.clone();
+    let object = |shape: Shape, scale: DVec3, turn_y: f64, x: f64| {
+        let model = DAffine3::from_scale_rotation_translation(
+            scale,
+            DQuat::from_rotation_y(turn_y),
+            dvec3(x, 0.0, 0.0),
+        );
+        let name = shape.kind();
+        Object::new(name, shape, Placement::new(model).expect("a placement"))
+    };
+    let scene = Scene::new(vec![
+        object(two_sheets(), DVec3::splat(0.75), 0.0, -4.0),
+        object(ball, dvec3(-0.75, 0.75, 0.75), 0.0, -2.0),
+        object(Shape::Sphere, dvec3(1.5, 1.25, 1.75), 0.3, 0.0),
+        object(Shape::Cube, DVec3::splat(1.25), 0.5, 2.0),
+        object(Shape::Square, DVec3::splat(1.5), 3.0, 4.0),
+    ]);
+    scene.build_trees();
+    scene
+}
+
+/// Whole and culled; cut, those on the left less; by parallel rays that begin behind an eye among the shapes.
+fn views(scene: &Scene) -> Vec<View> {
+    let viewport = Viewport::new(WIDTH, HEIGHT).expect("a picture");
+    let view = |near: Option<f64>, ortho: Option<f64>, z: f64, sides: Sides| {
+        let choice = CameraChoice {
+            eye: Some(dvec3(0.3 * z, 0.5, z)),
+            look: Some(dvec3(-0.3, -0.05, -1.0)),
+            near,
+            fov: ortho.is_none().then_some(30.0),
+            ortho,
+            ..CameraChoice::default()
+        };
+        let camera = choice.resolve(&scene.bounds(), viewport);
+        View {
+            camera: camera.expect("a camera"),
+            viewport,
+            sides,
+        }
+    };
+    vec![
+        view(None, None, 10.0, Sides::Front),
+        view(Some(10.0), None, 10.0, Sides::Both),
+        view(Some(10.0), None, 10.0, Sides::Front),
+        view(None, Some(5.0), 0.0, Sides::Both),
+        view(Some(0.1), Some(5.0), 0.0, Sides::Both),
+        view(None, Some(5.0), 0.0, Sides::Front),
+    ]
+}
+
+/// What Sightline does is right, and culled faces are nobody's hits.
+#[test]
+fn what_is_cut_and_culled_is_studied_right() {
+    let scene = row_of_shapes();
+    for view in views(&scene) {
+        let rays = SceneRays::new(&scene, view, 1500, 1);
+        let effort = Effort {
+            rounds: 0,
+            ..Effort::SCENE_ONLY
+        };
+        let report = study::run(effort, Some(&rays), &|_, _| {});
+        let ours: Vec<&Row> = report.rows.iter().filter(|row| row.ours).collect();
+        assert!(
+            ours.len() >= 9,
+            "the culled square is all that may be missing"
+        );
+        for row in &ours {
+            assert_eq!(row.wrong_percent(), 0.0, "{view:?} {row:?}");
+            assert!(row.of_bound.is_some_and(|share| share <= 1.0), "{row:?}");
+        }
+        let pick = |method: &str| {
+            let mut rows = report.rows.iter();
+            rows.find(|row| (row.step.key, row.family, row.method) == ("pick", SCENE, method))
+                .expect("a row")
+        };
+        // The courses' test loses hits, but sees nothing where nothing is.
+        assert_eq!(pick("the course's").phantoms, 0, "{view:?}");
+        let usual = pick("unproject, Moeller-Trumbore");
+        assert!(usual.wrong_percent() < 2.0, "{view:?} {usual:?}");
+    }
+}
+
+/// With a step by the method that is Sightline's, or one that is as good, a pick is Sightline's pick: what is swapped
+/// in is the step and nothing else.
+#[test]
+fn a_good_method_swapped_in_changes_nothing() {
+    let mut steps: Vec<AnyStep> = BREAKS.map(|broken| broken.step).to_vec();
+    steps.sort_by_key(|step| step.about.key);
+    steps.dedup();
+    let scene = row_of_shapes();
+    for view in views(&scene) {
+        for &step in &steps {
+            changes_nothing(&scene, &view, step, [5, 2]);
+        }
+    }
+    for exhibit in &GALLERY {
+        let loaded = scene::load(&[exhibit.path()], &Progress::default()).expect("a scene");
+        let view = view_of(&loaded, WIDTH, HEIGHT);
+        for &step in &steps {
+            changes_nothing(&loaded.scene, &view, step, [5, 1]);
+        }
+    }
+}
+
+/// Over every so many columns and rows.
+fn changes_nothing(scene: &Scene, view: &View, step: AnyStep, every: [usize; 2]) {
+    let good = |info: &MethodInfo| {
+        info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)
+    };
+    let methods = step.methods();
+    for method in (0..methods.len()).filter(|i| good(&methods[*i])) {
+        let swap = Swap { step, method };
+        let mut hits = 0;
+        let columns = (0..WIDTH).step_by(every[0]);
+        for (x, y) in columns.flat_map(|x| (0..HEIGHT).step_by(every[1]).map(move |y| (x, y))) {
+            let px = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
+            let theirs = swap.pick(scene, view, px);
+            let ours = Found::sightlines(scene, view, px);
+            let what = |found: &Option<Found>| {
+                found.map(|f| (f.hit.object, f.hit.hit.on_triangle.map(|at| at.triangle)))
+            };
+            assert_eq!(what(&theirs), what(&ours), "{view:?} {swap:?} {px}");
+            let (Some(theirs), Some(ours)) = (theirs, ours) else {
+                continue;
+            };
+            hits += 1;
+            let far = ours.point_world.distance(view.camera.eye());
+            let apart = theirs.point_world.distance(ours.point_world) / far;
+            let tolerance = if step.about.key == "depth" {
+                1e-6
+            } else {
+                1e-9
+            };
+            assert!(apart < tolerance, "{view:?} {swap:?} {px}: {apart}");
+            let turn = theirs.normal_world.angle_between(ours.normal_world);
+            assert!(turn < 1e-6, "{view:?} {swap:?} {px}: {turn}");
+        }
+        assert!(hits > 50, "{view:?} {hits}");
+    }
+}

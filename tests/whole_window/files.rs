@@ -1,0 +1,137 @@
+//! What files, flags and saving do to what is shown.
+
+use super::*;
+use glam::DVec3;
+use sightline::camera::{CameraChoice, UpAxis};
+
+/// The label of the stage P V M in the pipeline's window.
+const P_V_M: Pos2 = pos2(543.0, 112.0);
+
+/// The toolbar's menu of the gallery, and its last line.
+const GALLERY_MENU: Pos2 = pos2(1003.0, 12.0);
+const LEAVE_GALLERY: Pos2 = pos2(1030.0, 255.0);
+
+fn opened(options: Options) -> Offscreen {
+    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+}
+
+fn row_file() -> (PathBuf, TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("row.toml");
+    std::fs::write(&path, ROW).expect("a writable folder");
+    (path, folder)
+}
+
+fn key(window: &mut Offscreen, key: Key) {
+    press_key(window, Modifiers::NONE, key);
+}
+
+#[test]
+fn a_first_file_that_could_not_be_read_is_read_again() {
+    let (path, folder) = row_file();
+    std::fs::remove_file(&path).expect("it was there");
+    let mut window = open(vec![path.clone()], 1.0);
+    assert_eq!(window.messages().count(), 1);
+    std::fs::write(&path, ROW).expect("a writable folder");
+    key(&mut window, Key::R);
+    assert_eq!(window.state().name(), "row.toml");
+    let eye = window.state().view().camera.eye();
+    assert_eq!(eye, DVec3::new(0.0, 0.0, 10.0), "its own camera");
+    assert_eq!(window.messages().count(), 0);
+    drop(folder);
+}
+
+#[test]
+fn a_flag_that_cannot_be_is_said_and_not_used() {
+    let (path, folder) = row_file();
+    let camera = CameraChoice {
+        near: Some(10.0),
+        far: Some(5.0),
+        ..CameraChoice::default()
+    };
+    let mut window = opened(Options {
+        paths: vec![path.clone()],
+        camera,
+        hidden: vec![9],
+        ..Options::default()
+    });
+    let has = |window: &Offscreen, word: &str| window.messages().any(|text| text.contains(word));
+    assert_eq!(window.state().name(), "row.toml");
+    assert!(has(&window, "--hide") && has(&window, "near"));
+    assert_eq!(window.messages().count(), 2);
+    // They were about the first scene.
+    let next = folder.path().join("next.toml");
+    std::fs::copy(&path, &next).expect("a writable folder");
+    window.drop_file(next);
+    assert_eq!(window.state().name(), "next.toml");
+    assert_eq!(window.messages().count(), 0);
+    // A camera of the file's own that cannot be is the file's fault.
+    let bad = folder.path().join("bad.toml");
+    std::fs::write(&bad, ROW.replace("[camera]", "[camera]\nfov = 200")).expect("writable");
+    window.drop_file(bad);
+    assert_eq!(window.state().name(), "next.toml");
+    assert!(has(&window, "bad.toml") && has(&window, "field of view"));
+}
+
+#[test]
+fn the_command_is_about_the_world_at_every_stage() {
+    let (path, _folder) = row_file();
+    let mut window = opened(Options {
+        paths: vec![path],
+        camera: CameraChoice {
+            up_axis: Some(UpAxis::Z),
+            ..CameraChoice::default()
+        },
+        ..Options::default()
+    });
+    let command = |window: &mut Offscreen| {
+        key(window, Key::C);
+        window.copied().expect("a command").to_owned()
+    };
+    let in_world = command(&mut window);
+    key(&mut window, Key::P);
+    click(&mut window, P_V_M);
+    assert_eq!(window.state().stage(), Stage::Ndc);
+    assert_eq!(command(&mut window), in_world);
+    window.send([Event::Paste("[camera]\nfov = 20\neye = [3, 3, 3]".into())]);
+    window.resize(px([1180, 620], 1.0));
+    assert_eq!(command(&mut window), in_world);
+}
+
+#[test]
+fn trees_are_built_of_each_stage() {
+    let (mut window, _folder) = row(1.0);
+    key(&mut window, Key::P);
+    click(&mut window, P_V_M);
+    assert_eq!(window.state().stage(), Stage::Ndc);
+    assert!(window.state().scene().triangle_count() > 1000);
+    assert!(window.state().scene().trees_are_built());
+}
+
+#[test]
+fn what_is_saved_is_what_is_open_from_then_on() {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    window.save_as(folder.path().join("kept"));
+    let kept = folder.path().join("kept.toml");
+    assert!(kept.exists() && !folder.path().join("kept").exists());
+    assert_eq!(window.state().name(), "kept.toml");
+    key(&mut window, Key::R);
+    assert_eq!(window.state().name(), "kept.toml");
+    assert_eq!(window.messages().count(), 0);
+    // Leaving the gallery comes back to it.
+    std::fs::remove_file(folder.path().join("row.toml")).expect("it was there");
+    key(&mut window, Key::E);
+    assert!(window.state().showing().is_some());
+    click(&mut window, GALLERY_MENU);
+    click(&mut window, LEAVE_GALLERY);
+    assert_eq!(window.state().name(), "kept.toml");
+    // A name that is made by adding the ending is nobody's consent to write over that file.
+    let before = std::fs::read(&kept).expect("a file");
+    key(&mut window, Key::Num7);
+    window.save_as(folder.path().join("kept"));
+    assert!(window.messages().any(|text| text.contains("kept.toml")));
+    assert_eq!(std::fs::read(&kept).expect("a file"), before);
+    window.save_as(kept.clone());
+    assert_ne!(std::fs::read(&kept).expect("a file"), before);
+}
