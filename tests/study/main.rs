@@ -7,6 +7,7 @@ mod by_hand;
 mod charts;
 mod gallery;
 mod no_adapter;
+mod readme;
 mod views;
 
 use sightline::study::{self, COLUMNS, Effort, Report, Row, methods::registry, step::Precision};

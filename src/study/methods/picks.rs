@@ -23,7 +23,7 @@ use crate::{
         workloads::{picks::gpu, scene::SceneRays},
     },
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::{sync::Arc, time::Instant};
 
 /// A scene as it is picked from.
@@ -262,10 +262,10 @@ impl PickCase {
                     corners,
                 };
                 let [a, b, c] = corners;
-                let normal = ((b - a).cross(c - a) * outward).wide();
+                let normal = || DVec3::from(((b - a).cross(c - a) * outward).wide());
                 if let Some(t) = test(&case)
                     && world.contains(t)
-                    && sides.shows(world.direction, normal.into())
+                    && sides.shows(world.direction, normal())
                     && best.is_none_or(|best| t < best.0)
                 {
                     best = Some((t, index, Some(triangle - triangles.start)));
