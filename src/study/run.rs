@@ -214,7 +214,7 @@ impl Run<'_> {
     }
 
     fn workloads<C: Case>(&self) -> Vec<Workload<'_, C>> {
-        let families = C::families().iter();
+        let families = C::FAMILIES.iter();
         let mut all: Vec<Workload<'_, C>> = families
             .flat_map(|family| workloads(family, self.effort))
             .collect();
@@ -235,7 +235,7 @@ impl Run<'_> {
             return own;
         }
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, "timing"]);
-        let Family { values, make, .. } = &C::families()[0];
+        let Family { values, make, .. } = &C::FAMILIES[0];
         let cases = (0..C::TIMED).map(|_| make(&mut random, values[0]));
         cases.collect()
     }
@@ -267,7 +267,7 @@ fn workloads<C: Case>(
 /// What every method of a step does in the family of this name: the rows that [`run`] has for it.
 #[must_use]
 pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
-    let named = C::families().iter().filter(|family| family.name == name);
+    let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
         .flat_map(|family| workloads(family, effort))
         .flat_map(|work| judge(&work, &(work.make)()))
@@ -277,7 +277,7 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
 /// Every method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
-    let methods = C::methods()
+    let methods = C::METHODS
         .iter()
         .filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
     methods

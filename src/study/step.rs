@@ -123,11 +123,11 @@ pub trait Case: Sized + Sync + Send + 'static {
     const SLOW: bool = false;
     /// How many cases are timed in a row: too many for the processor to learn their branches.
     const TIMED: usize = if Self::SLOW { 24 } else { 4096 };
-
     /// Every method, the reference that times are relative to first.
-    fn methods() -> &'static [Method<Self>];
+    const METHODS: &'static [Method<Self>];
     /// Every workload, the ordinary one first.
-    fn families() -> &'static [Family<Self>];
+    const FAMILIES: &'static [Family<Self>];
+
     /// The cases that a scene's own rays make; none where it has nothing for this step.
     fn of_scene(scene: &SceneRays) -> Vec<Self>;
     /// Whether a method can be run here at all.

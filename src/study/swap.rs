@@ -60,8 +60,8 @@ impl AnyStep {
     pub const fn of<C: Step>() -> Self {
         Self {
             about: C::ABOUT,
-            methods: || C::methods().iter().map(MethodInfo::of).collect(),
-            pick: |method, scene, view, px| C::pick(scene, view, px, C::methods()[method].run),
+            methods: || C::METHODS.iter().map(MethodInfo::of).collect(),
+            pick: |method, scene, view, px| C::pick(scene, view, px, C::METHODS[method].run),
             rows: run::family::<C>,
         }
     }

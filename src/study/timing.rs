@@ -29,7 +29,7 @@ pub fn time<C: Case>(cases: &[C], rounds: usize) -> Vec<Time> {
     let Some(first) = cases.first() else {
         return Vec::new();
     };
-    let (pictures, methods): (Vec<_>, Vec<_>) = C::methods()
+    let (pictures, methods): (Vec<_>, Vec<_>) = C::METHODS
         .iter()
         .filter(|method| first.can_run(method))
         .map(|method| (C::whole_picture(cases, method), method))

@@ -148,7 +148,7 @@ fn truth_agrees_with_hand_cases() {
 fn cases_are_the_same_numbers_for_both_precisions() {
     /// `fields` are those of `narrow` and of `wide`.
     fn check<C: Case>(fields: impl Fn(&C) -> [Vec<V3<f64>>; 2]) {
-        for family in C::families() {
+        for family in C::FAMILIES {
             for &value in family.values {
                 let mut random = Random::named(3, &[family.name]);
                 for _ in 0..20 {

@@ -48,7 +48,7 @@ fn it_counts_panels_scenes_and_cases() {
     assert!(says(&format!("![{panels} panels: each method")), "{panels}");
     let scenes = word(GALLERY.len());
     assert!(says(&format!("opens {scenes} small scenes")), "{scenes}");
-    let values = TriangleCase::families().iter().map(|f| f.values.len());
+    let values = TriangleCase::FAMILIES.iter().map(|f| f.values.len());
     let cases = values.sum::<usize>() * Effort::FULL.cases;
     let cases = format!("none of {},{:03} cases", cases / 1000, cases % 1000);
     assert!(says(&cases), "{cases}");

@@ -93,39 +93,32 @@ impl Case for BoxCase {
         wrong_unit: "px",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("slabs with a branch", F32, BRANCH, |c| branch(&c.narrow)),
-                Method::new("slabs with a branch", F64, BRANCH, |c| branch(&c.wide)),
-                Method::new("slabs by min and max", F32, KAY, |c| min_max(&c.narrow)),
-                Method::new("slabs by min and max", F64, KAY, |c| min_max(&c.wide)),
-                Method::new("slabs, NaN never wins", F32, BARNES, |c| {
-                    nan_safe(&c.narrow, 0.0)
-                }),
-                Method::new("slabs, NaN never wins", F64, BARNES, |c| {
-                    nan_safe(&c.wide, 0.0)
-                }),
-                Method::new("padded, to cull", F32, IZE, |c| nan_safe(&c.narrow, 3.0)),
-                Method::new(
-                    "Ize's in f64, to cull",
-                    F64,
-                    "geometry::Aabb::may_hit",
-                    may_hit,
-                ),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "geometry::cuboid, under a model matrix",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::boxes::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("slabs with a branch", F32, BRANCH, |c| branch(&c.narrow)),
+        Method::new("slabs with a branch", F64, BRANCH, |c| branch(&c.wide)),
+        Method::new("slabs by min and max", F32, KAY, |c| min_max(&c.narrow)),
+        Method::new("slabs by min and max", F64, KAY, |c| min_max(&c.wide)),
+        Method::new("slabs, NaN never wins", F32, BARNES, |c| {
+            nan_safe(&c.narrow, 0.0)
+        }),
+        Method::new("slabs, NaN never wins", F64, BARNES, |c| {
+            nan_safe(&c.wide, 0.0)
+        }),
+        Method::new("padded, to cull", F32, IZE, |c| nan_safe(&c.narrow, 3.0)),
+        Method::new(
+            "Ize's in f64, to cull",
+            F64,
+            "geometry::Aabb::may_hit",
+            may_hit,
+        ),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "geometry::cuboid, under a model matrix",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::boxes::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.boxes()

@@ -103,26 +103,19 @@ impl Case for ClipCase {
         wrong_unit: "of depth",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("by distance", F32, DISTANCE, |c| by_distance(&c.narrow)),
-                Method::new("by distance", F64, DISTANCE, |c| by_distance(&c.wide)),
-                Method::new("by depth", F32, DEPTH, |c| by_depth(&c.narrow)),
-                Method::new("by depth", F64, DEPTH, |c| by_depth(&c.wide)),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "camera::Camera::ray: planes over d . F, once a ray",
-                    |c| c.ray.contains(c.wide.t),
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::clipping::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("by distance", F32, DISTANCE, |c| by_distance(&c.narrow)),
+        Method::new("by distance", F64, DISTANCE, |c| by_distance(&c.wide)),
+        Method::new("by depth", F32, DEPTH, |c| by_depth(&c.narrow)),
+        Method::new("by depth", F64, DEPTH, |c| by_depth(&c.wide)),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "camera::Camera::ray: planes over d . F, once a ray",
+            |c| c.ray.contains(c.wide.t),
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::clipping::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.clips()

@@ -55,31 +55,24 @@ impl Case for DepthCase {
         wrong_unit: "",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("standard, 32-bit float", F32, STANDARD, |c| {
-                    Mapping::STANDARD.there_and_back(c)
-                }),
-                Method::new("standard, 24-bit integer", F32, STANDARD, |c| {
-                    Mapping::STANDARD_24.there_and_back(c)
-                }),
-                Method::new("reversed, 24-bit integer", F32, REVERSED, |c| {
-                    Mapping::REVERSED_24.there_and_back(c)
-                }),
-                Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
-                    Mapping::INFINITE.there_and_back(c)
-                }),
-                Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
-                    Mapping::REVERSED.there_and_back(c)
-                }),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::depth::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("standard, 32-bit float", F32, STANDARD, |c| {
+            Mapping::STANDARD.there_and_back(c)
+        }),
+        Method::new("standard, 24-bit integer", F32, STANDARD, |c| {
+            Mapping::STANDARD_24.there_and_back(c)
+        }),
+        Method::new("reversed, 24-bit integer", F32, REVERSED, |c| {
+            Mapping::REVERSED_24.there_and_back(c)
+        }),
+        Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
+            Mapping::INFINITE.there_and_back(c)
+        }),
+        Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
+            Mapping::REVERSED.there_and_back(c)
+        }),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::depth::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.depths()

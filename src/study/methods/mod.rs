@@ -77,6 +77,6 @@ struct List(Vec<MethodInfo>);
 
 impl Visitor for List {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::methods().iter().map(MethodInfo::of));
+        self.0.extend(C::METHODS.iter().map(MethodInfo::of));
     }
 }

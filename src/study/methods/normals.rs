@@ -72,30 +72,23 @@ impl Case for NormalCase {
         wrong_unit: "",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("M n", F32, AS_POINT, |c| as_point(&c.narrow)),
-                Method::new("M n", F64, AS_POINT, |c| as_point(&c.wide)),
-                Method::new("inverse transpose", F32, TRANSPOSE, |c| {
-                    transpose(&c.narrow)
-                }),
-                Method::new("inverse transpose", F64, TRANSPOSE, |c| transpose(&c.wide)),
-                Method::new("cofactors", F32, COFACTOR, |c| cofactors(&c.narrow)),
-                Method::new("cofactors", F64, COFACTOR, |c| cofactors(&c.wide)),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "geometry::Placement::normal_to_world",
-                    |c| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::normals::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("M n", F32, AS_POINT, |c| as_point(&c.narrow)),
+        Method::new("M n", F64, AS_POINT, |c| as_point(&c.wide)),
+        Method::new("inverse transpose", F32, TRANSPOSE, |c| {
+            transpose(&c.narrow)
+        }),
+        Method::new("inverse transpose", F64, TRANSPOSE, |c| transpose(&c.wide)),
+        Method::new("cofactors", F32, COFACTOR, |c| cofactors(&c.narrow)),
+        Method::new("cofactors", F64, COFACTOR, |c| cofactors(&c.wide)),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "geometry::Placement::normal_to_world",
+            |c| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::normals::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.normals()

@@ -99,35 +99,28 @@ impl Case for PlacedCase {
         wrong_unit: "",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("inverse(M), normalised", F32, COURSE, |c| {
-                    by_inverse(&c.narrow, true)
-                }),
-                Method::new("inverse(M), normalised", F64, COURSE, |c| {
-                    by_inverse(&c.wide, true)
-                }),
-                Method::new("inverse(M)", F32, KEPT, |c| by_inverse(&c.narrow, false)),
-                Method::new("inverse(M)", F64, KEPT, |c| by_inverse(&c.wide, false)),
-                Method::new("inverse(A) (o - T)", F32, RELATIVE, |c| relative(&c.narrow)),
-                Method::new("inverse(A) (o - T)", F64, RELATIVE, |c| relative(&c.wide)),
-                Method::new("inverse(A) (o - T), then f32", F64, RELATIVE, |c| {
-                    relative(&c.wide).map(|v| V3::<f32>::of(v).wide())
-                }),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "geometry::Placement::ray_to_object",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::object_space::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("inverse(M), normalised", F32, COURSE, |c| {
+            by_inverse(&c.narrow, true)
+        }),
+        Method::new("inverse(M), normalised", F64, COURSE, |c| {
+            by_inverse(&c.wide, true)
+        }),
+        Method::new("inverse(M)", F32, KEPT, |c| by_inverse(&c.narrow, false)),
+        Method::new("inverse(M)", F64, KEPT, |c| by_inverse(&c.wide, false)),
+        Method::new("inverse(A) (o - T)", F32, RELATIVE, |c| relative(&c.narrow)),
+        Method::new("inverse(A) (o - T)", F64, RELATIVE, |c| relative(&c.wide)),
+        Method::new("inverse(A) (o - T), then f32", F64, RELATIVE, |c| {
+            relative(&c.wide).map(|v| V3::<f32>::of(v).wide())
+        }),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "geometry::Placement::ray_to_object",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::object_space::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.placed()

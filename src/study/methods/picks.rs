@@ -110,38 +110,31 @@ impl Case for PickCase {
     };
     const SLOW: bool = true;
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("the course's", F32, COURSE, |c| {
-                    c.cast_f32(course(&c.pixel().narrow), |case| areas(case, 0.0))
-                }),
-                Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
-                    let world = &c.world;
-                    usual::closest(&world.treeless, &world.view, c.px)
-                        .map(|hit| picked(&world.treeless, hit))
-                }),
-                Method::new(GPU_IDS, F32, IDS, |c| {
-                    let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
-                    let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
-                    Some((object, id.triangle.checked_sub(1)))
-                }),
-                Method::new(
-                    "Sightline's without its tree",
-                    Exact,
-                    "pick::closest",
-                    |c| sightlines(&c.world.treeless, c),
-                ),
-                Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
-                    sightlines(&c.world.scene, c)
-                }),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        crate::study::workloads::picks::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("the course's", F32, COURSE, |c| {
+            c.cast_f32(course(&c.pixel().narrow), |case| areas(case, 0.0))
+        }),
+        Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
+            let world = &c.world;
+            usual::closest(&world.treeless, &world.view, c.px)
+                .map(|hit| picked(&world.treeless, hit))
+        }),
+        Method::new(GPU_IDS, F32, IDS, |c| {
+            let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
+            let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
+            Some((object, id.triangle.checked_sub(1)))
+        }),
+        Method::new(
+            "Sightline's without its tree",
+            Exact,
+            "pick::closest",
+            |c| sightlines(&c.world.treeless, c),
+        ),
+        Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
+            sightlines(&c.world.scene, c)
+        }),
+    ];
+    const FAMILIES: &'static [Family<Self>] = crate::study::workloads::picks::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.picks()

@@ -100,26 +100,19 @@ impl Case for PlaneCase {
         wrong_unit: "",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("N . (S - o)", F32, POINT, |c| point(&c.narrow)),
-                Method::new("N . (S - o)", F64, POINT, |c| point(&c.wide)),
-                Method::new("D - N . o", F32, CONSTANT, |c| constant(&c.narrow)),
-                Method::new("D - N . o", F64, CONSTANT, |c| constant(&c.wide)),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "geometry::square, under a model matrix",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::planes::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("N . (S - o)", F32, POINT, |c| point(&c.narrow)),
+        Method::new("N . (S - o)", F64, POINT, |c| point(&c.wide)),
+        Method::new("D - N . o", F32, CONSTANT, |c| constant(&c.narrow)),
+        Method::new("D - N . o", F64, CONSTANT, |c| constant(&c.wide)),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "geometry::square, under a model matrix",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::planes::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.planes()

@@ -166,45 +166,38 @@ impl Case for PixelCase {
         wrong_unit: "",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("target + sx H + sy V - eye", F32, COURSE, |c| {
-                    course(&c.narrow)
-                }),
-                Method::new("target + sx H + sy V - eye", F64, COURSE, |c| {
-                    course(&c.wide)
-                }),
-                Method::new("eye basis", F32, BASIS, |c| eye_basis(&c.narrow)),
-                Method::new("eye basis", F64, BASIS, |c| eye_basis(&c.wide)),
-                Method::new("inverse(P V), far - near", F32, UNPROJECT, |c| {
-                    unprojected_f32(&c.narrow)
-                }),
-                Method::new("inverse(P V), far - near", F64, UNPROJECT, |c| {
-                    let [near, far] = unproject_f64(&c.wide);
-                    c.wide.between(near, far)
-                }),
-                Method::new("inverse(P V), near - eye", F32, UNPROJECT, |c| {
-                    let [near, _] = unproject_f32(&c.narrow);
-                    c.narrow.towards(near)
-                }),
-                Method::new("inverse(P V), near - eye", F64, UNPROJECT, |c| {
-                    let [near, _] = unproject_f64(&c.wide);
-                    c.wide.towards(near)
-                }),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "camera::Camera::ray: eye basis",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::rays::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("target + sx H + sy V - eye", F32, COURSE, |c| {
+            course(&c.narrow)
+        }),
+        Method::new("target + sx H + sy V - eye", F64, COURSE, |c| {
+            course(&c.wide)
+        }),
+        Method::new("eye basis", F32, BASIS, |c| eye_basis(&c.narrow)),
+        Method::new("eye basis", F64, BASIS, |c| eye_basis(&c.wide)),
+        Method::new("inverse(P V), far - near", F32, UNPROJECT, |c| {
+            unprojected_f32(&c.narrow)
+        }),
+        Method::new("inverse(P V), far - near", F64, UNPROJECT, |c| {
+            let [near, far] = unproject_f64(&c.wide);
+            c.wide.between(near, far)
+        }),
+        Method::new("inverse(P V), near - eye", F32, UNPROJECT, |c| {
+            let [near, _] = unproject_f32(&c.narrow);
+            c.narrow.towards(near)
+        }),
+        Method::new("inverse(P V), near - eye", F64, UNPROJECT, |c| {
+            let [near, _] = unproject_f64(&c.wide);
+            c.wide.towards(near)
+        }),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "camera::Camera::ray: eye basis",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::rays::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.pixels()

@@ -90,34 +90,27 @@ impl Case for SphereCase {
         wrong_unit: "px",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const {
-            &[
-                Method::new("plain quadratic", F32, PLAIN, |c| plain(&c.narrow)),
-                Method::new("plain quadratic", F64, PLAIN, |c| plain(&c.wide)),
-                Method::new("plain, direction taken as 1 long", F32, PLAIN, |c| {
-                    plain_unit(&c.narrow)
-                }),
-                Method::new("plain, direction taken as 1 long", F64, PLAIN, |c| {
-                    plain_unit(&c.wide)
-                }),
-                Method::new("stable quadratic", F32, PRESS, |c| stable(&c.narrow)),
-                Method::new("stable quadratic", F64, PRESS, |c| stable(&c.wide)),
-                Method::new("Hearn & Baker", F32, HEARN, |c| hearn_baker(&c.narrow)),
-                Method::new("Hearn & Baker", F64, HEARN, |c| hearn_baker(&c.wide)),
-                Method::ours(
-                    "Sightline's",
-                    F64,
-                    "geometry::sphere, under a model matrix",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::spheres::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("plain quadratic", F32, PLAIN, |c| plain(&c.narrow)),
+        Method::new("plain quadratic", F64, PLAIN, |c| plain(&c.wide)),
+        Method::new("plain, direction taken as 1 long", F32, PLAIN, |c| {
+            plain_unit(&c.narrow)
+        }),
+        Method::new("plain, direction taken as 1 long", F64, PLAIN, |c| {
+            plain_unit(&c.wide)
+        }),
+        Method::new("stable quadratic", F32, PRESS, |c| stable(&c.narrow)),
+        Method::new("stable quadratic", F64, PRESS, |c| stable(&c.wide)),
+        Method::new("Hearn & Baker", F32, HEARN, |c| hearn_baker(&c.narrow)),
+        Method::new("Hearn & Baker", F64, HEARN, |c| hearn_baker(&c.wide)),
+        Method::ours(
+            "Sightline's",
+            F64,
+            "geometry::sphere, under a model matrix",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::spheres::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.spheres()

@@ -102,51 +102,43 @@ impl Case for TriangleCase {
         wrong_unit: "px",
     };
 
-    fn methods() -> &'static [Method<Self>] {
-        const EPSILON: f64 = 1e-6;
-        const {
-            &[
-                Method::new("Moeller-Trumbore", F32, MT, |c| {
-                    moeller_trumbore(&c.narrow, 0.0)
-                }),
-                Method::new("Moeller-Trumbore", F64, MT, |c| {
-                    moeller_trumbore(&c.wide, 0.0)
-                }),
-                Method::new("Moeller-Trumbore, eps 1e-6", F32, MT, |c| {
-                    moeller_trumbore(&c.narrow, EPSILON)
-                }),
-                Method::new("Moeller-Trumbore, eps 1e-6", F64, MT, |c| {
-                    moeller_trumbore(&c.wide, EPSILON)
-                }),
-                Method::new("areas, sum == 1", F32, AREAS, |c| areas(&c.narrow, 0.0)),
-                Method::new("areas, sum == 1", F64, AREAS, |c| areas(&c.wide, 0.0)),
-                Method::new("areas, within 1e-4", F32, AREAS, |c| areas(&c.narrow, 1e-4)),
-                Method::new("areas, within 1e-4", F64, AREAS, |c| areas(&c.wide, 1e-4)),
-                Method::new("signed volumes", F32, KENSLER, |c| {
-                    signed_volumes(&c.narrow)
-                }),
-                Method::new("signed volumes", F64, KENSLER, |c| signed_volumes(&c.wide)),
-                Method::new("Woop watertight", F32, WOOP, |c| woop(&c.narrow)),
-                Method::new("Woop watertight", F64, WOOP, |c| woop(&c.wide)),
-                Method::new("Baldwin-Weber", F32, BALDWIN, |c| {
-                    c.world_to_unit.0.hit(&c.narrow)
-                }),
-                Method::new("Baldwin-Weber", F64, BALDWIN, |c| {
-                    c.world_to_unit.1.hit(&c.wide)
-                }),
-                Method::ours(
-                    "Sightline's",
-                    Exact,
-                    "geometry::triangle, which names its papers",
-                    sightlines,
-                ),
-            ]
-        }
-    }
-
-    fn families() -> &'static [Family<Self>] {
-        workloads::triangles::FAMILIES
-    }
+    const METHODS: &'static [Method<Self>] = &[
+        Method::new("Moeller-Trumbore", F32, MT, |c| {
+            moeller_trumbore(&c.narrow, 0.0)
+        }),
+        Method::new("Moeller-Trumbore", F64, MT, |c| {
+            moeller_trumbore(&c.wide, 0.0)
+        }),
+        Method::new("Moeller-Trumbore, eps 1e-6", F32, MT, |c| {
+            moeller_trumbore(&c.narrow, 1e-6)
+        }),
+        Method::new("Moeller-Trumbore, eps 1e-6", F64, MT, |c| {
+            moeller_trumbore(&c.wide, 1e-6)
+        }),
+        Method::new("areas, sum == 1", F32, AREAS, |c| areas(&c.narrow, 0.0)),
+        Method::new("areas, sum == 1", F64, AREAS, |c| areas(&c.wide, 0.0)),
+        Method::new("areas, within 1e-4", F32, AREAS, |c| areas(&c.narrow, 1e-4)),
+        Method::new("areas, within 1e-4", F64, AREAS, |c| areas(&c.wide, 1e-4)),
+        Method::new("signed volumes", F32, KENSLER, |c| {
+            signed_volumes(&c.narrow)
+        }),
+        Method::new("signed volumes", F64, KENSLER, |c| signed_volumes(&c.wide)),
+        Method::new("Woop watertight", F32, WOOP, |c| woop(&c.narrow)),
+        Method::new("Woop watertight", F64, WOOP, |c| woop(&c.wide)),
+        Method::new("Baldwin-Weber", F32, BALDWIN, |c| {
+            c.world_to_unit.0.hit(&c.narrow)
+        }),
+        Method::new("Baldwin-Weber", F64, BALDWIN, |c| {
+            c.world_to_unit.1.hit(&c.wide)
+        }),
+        Method::ours(
+            "Sightline's",
+            Exact,
+            "geometry::triangle, which names its papers",
+            sightlines,
+        ),
+    ];
+    const FAMILIES: &'static [Family<Self>] = workloads::triangles::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.triangles()
