@@ -79,8 +79,8 @@ pub struct State {
     pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     pub(super) stage: Stage,
-    /// The scene itself and the view that the matrices are of, while a stage of it is shown instead.
-    pub(super) world: Option<(Scene, View)>,
+    /// The scene itself, the view that the matrices are of and its lens, while a stage of it is shown instead.
+    pub(super) world: Option<(Scene, View, LensControls)>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
 }
@@ -308,7 +308,7 @@ impl State {
     pub fn world(&self) -> (&Scene, &View) {
         self.world
             .as_ref()
-            .map_or((&self.scene, &self.view), |(scene, view)| (scene, view))
+            .map_or((&self.scene, &self.view), |(scene, view, _)| (scene, view))
     }
 
     /// The world-space box about all that shows: visible objects and a frozen camera's frustum.

@@ -8,7 +8,7 @@ use super::{
     state::{Cursor, DOUBLE_CLICK_S, Frozen, Selection, State},
 };
 use crate::{
-    camera::{Camera, Orbit, UpAxis, pixel_centre},
+    camera::{Camera, Orbit, Projection, UpAxis, pixel_centre},
     geometry::{Aabb, Placement, Sides},
     pick::{self, PickLine, SceneHit},
 };
@@ -201,8 +201,8 @@ impl State {
             return;
         }
         let through = self.frozen.map_or(self.view, |frozen| frozen.view);
-        let (scene, through) =
-            (self.world.take()).unwrap_or_else(|| (std::mem::take(&mut self.scene), through));
+        let (scene, through, controls) = (self.world.take())
+            .unwrap_or_else(|| (std::mem::take(&mut self.scene), through, self.controls));
         self.stage = stage;
         self.scene_revision += 1;
         self.visibility_revision += 1;
@@ -213,12 +213,18 @@ impl State {
         self.hits = None;
         if stage == Stage::World {
             self.scene = scene;
+            self.controls = controls;
             self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
+            if let Projection::Orthographic { height } = through.camera.lens().projection {
+                self.height_per_distance = height / self.orbit.distance();
+            }
             self.view.camera = through.camera;
             self.fit();
         } else {
             self.scene = staged(&scene, &through, stage);
-            self.world = Some((scene, through));
+            self.world = Some((scene, through, controls));
+            // The world's planes are nowhere here.
+            (self.controls.near, self.controls.far) = (None, None);
             self.frame_stage();
         }
     }
@@ -268,7 +274,7 @@ impl State {
     }
 
     fn show(&mut self, which: impl Fn(usize) -> bool, visible: bool) {
-        for scene in iter::once(&mut self.scene).chain(self.world.as_mut().map(|(scene, _)| scene))
+        for scene in iter::once(&mut self.scene).chain(self.world.as_mut().map(|(scene, ..)| scene))
         {
             for index in (0..scene.objects().len()).filter(|&index| which(index)) {
                 scene.set_visible(index, visible);

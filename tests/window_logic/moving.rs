@@ -180,6 +180,37 @@ fn the_opening_view_of_a_stage_is_the_stage_s_own() {
 }
 
 #[test]
+fn each_stage_has_a_lens_of_its_own() {
+    for orthographic in [false, true] {
+        let mut state = front_view();
+        state.apply(Action::Camera(CameraChoice {
+            ortho: orthographic.then_some(7.0),
+            near: Some(8.0),
+            far: Some(50.0),
+            ..state.camera_choice()
+        }));
+        let before = (*state.view(), state.controls());
+        for stage in [Stage::Object, Stage::View, Stage::Ndc] {
+            state.apply(Action::Stage(stage));
+            let lens = *state.view().camera.lens();
+            for corner in state.scene().visible_bounds().corners() {
+                let depth = state.view().project(corner).expect("in front").depth;
+                assert!(lens.near < depth && depth < lens.far, "{stage:?}: {depth}");
+            }
+            state.apply(Action::Lens(LensControls {
+                fov_deg: 20.0,
+                orthographic: !orthographic,
+                near: Some(0.1),
+                ..state.controls()
+            }));
+            state.apply(Action::FrameAll);
+            state.apply(Action::Stage(Stage::World));
+            assert_eq!((*state.view(), state.controls()), before, "{stage:?}");
+        }
+    }
+}
+
+#[test]
 fn another_stage_freezes_no_camera() {
     let mut state = front_view();
     state.apply(Action::Stage(Stage::View));
