@@ -95,6 +95,15 @@ impl Lens {
         DVec2::new(top * aspect, top)
     }
 
+    /// w of clip space at a view depth: what the picture is narrower by there than [`Lens::half_extent`] says.
+    #[must_use]
+    pub fn w(&self, depth: f64) -> f64 {
+        match self.projection {
+            Projection::Perspective { .. } => depth,
+            Projection::Orthographic { .. } => 1.0,
+        }
+    }
+
     /// The third row of the projection, `(a, b)`: clip z is `a * depth + b`, to be divided by the depth in
     /// perspective.
     #[must_use]

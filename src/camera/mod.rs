@@ -254,10 +254,7 @@ impl Camera {
     pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
         let view = self.to_view(point_world);
         let half = self.half_extent(viewport);
-        let w = match self.lens.projection {
-            Projection::Perspective { .. } => view.z,
-            Projection::Orthographic { .. } => 1.0,
-        };
+        let w = self.lens.w(view.z);
         if !(w > 0.0) {
             return None;
         }

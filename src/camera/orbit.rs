@@ -1,6 +1,6 @@
 //! Turning, shifting and zooming the view with the mouse.
 
-use super::{Camera, CameraError, Lens, Projection, Viewport};
+use super::{Camera, CameraError, Lens, Viewport};
 use crate::geometry::{Aabb, sin_cos_quarters};
 use glam::{DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -162,12 +162,6 @@ impl Orbit {
         self.target + self.distance * self.axes().z_axis
     }
 
-    /// Full height of an orthographic picture that shows the target's surroundings as large as perspective does.
-    #[must_use]
-    pub fn orthographic_height(&self, fov_y: f64) -> f64 {
-        2.0 * self.distance * (0.5 * fov_y).tan()
-    }
-
     /// Unit columns R, U and -F.
     fn axes(&self) -> DMat3 {
         let (sin_yaw, cos_yaw) = sin_cos_quarters(self.yaw / FRAC_PI_2);
@@ -200,13 +194,10 @@ impl Orbit {
     /// Shifts the view so that what lies `depth` in front of the eye follows the cursor by `by_px` (y down).
     pub fn pan(&mut self, by_px: DVec2, depth: f64, lens: &Lens, viewport: Viewport) {
         let half = lens.half_extent(viewport.aspect());
-        let scale = match lens.projection {
-            Projection::Perspective { .. } => depth,
-            Projection::Orthographic { .. } => 1.0,
-        };
         let by_ndc = viewport.px_to_ndc(by_px) - viewport.px_to_ndc(DVec2::ZERO);
         let axes = self.axes();
-        self.target -= scale * (by_ndc.x * half.x * axes.x_axis + by_ndc.y * half.y * axes.y_axis);
+        self.target -=
+            lens.w(depth) * (by_ndc.x * half.x * axes.x_axis + by_ndc.y * half.y * axes.y_axis);
     }
 
     /// Brings the view nearer to a world point by a factor (above 1 zooms in); the point stays where it is in the

@@ -1,6 +1,6 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
-use super::{Camera, CameraError, Projected, Projection};
+use super::{Camera, CameraError, Projected};
 use crate::geometry::{Aabb, Ray, Sides};
 use glam::{DVec2, DVec3};
 
@@ -39,6 +39,12 @@ impl Viewport {
     #[must_use]
     pub fn height(self) -> u32 {
         self.height
+    }
+
+    /// Width and height in pixels.
+    #[must_use]
+    pub fn size_px(self) -> DVec2 {
+        DVec2::new(self.width.into(), self.height.into())
     }
 
     /// Width over height.
@@ -112,16 +118,14 @@ impl View {
     pub fn project(&self, point_world: DVec3) -> Option<Projected> {
         self.camera.project(self.viewport, point_world)
     }
-}
 
-impl View {
     /// The corners of the frustum in world space: near plane, then far plane, each from the top left clockwise.
     #[must_use]
     pub fn frustum_corners(&self) -> [DVec3; 8] {
-        let (width, height) = (
-            f64::from(self.viewport.width),
-            f64::from(self.viewport.height),
-        );
+        let DVec2 {
+            x: width,
+            y: height,
+        } = self.viewport.size_px();
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
         std::array::from_fn(|i| {
             let ray = self.ray(corners[i % 4].into());
@@ -137,10 +141,7 @@ impl View {
         let half = lens.half_extent(self.viewport.aspect());
         let excess = bounds_world.corners().map(|corner| {
             let p = self.camera.to_view(corner);
-            let w = match lens.projection {
-                Projection::Perspective { .. } => p.z,
-                Projection::Orthographic { .. } => 1.0,
-            };
+            let w = lens.w(p.z);
             let (x, y) = (half.x * w, half.y * w);
             [
                 p.x - x,

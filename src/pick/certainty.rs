@@ -25,13 +25,12 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2) -> Option<f64> {
         let hit = closest(scene, &view.ray(px), view.sides)?;
         Some((hit.object, hit.hit.on_triangle.map(|at| at.triangle)))
     };
-    let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
     let here = answer(px);
     let steps = || (-REACH..=REACH).map(f64::from);
     let mut nearby: Vec<DVec2> = steps()
         .flat_map(|y| steps().map(move |x| DVec2::new(x, y)))
         .filter(|step| *step != DVec2::ZERO && step.length() <= f64::from(REACH))
-        .filter(|step| (px + step).cmpge(DVec2::ZERO).all() && (px + step).cmplt(size).all())
+        .filter(|step| view.viewport.contains(px + step))
         .collect();
     nearby.sort_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let nearest = nearby.into_iter().find(|step| answer(px + step) != here)?;

@@ -146,7 +146,7 @@ fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) ->
     let local = first.placement.ray_to_object(ray);
     match &first.shape {
         Shape::Mesh { mesh, part } => {
-            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
             let found = mesh.all(&local, sides, accept).into_iter();
             let hits = found.filter_map(|hit| {
                 let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
@@ -170,7 +170,7 @@ fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
         if let (false, Shape::Mesh { mesh, part }) = (found, &first.shape) {
-            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
             found = mesh.is_in_doubt(&first.placement.ray_to_object(ray), accept);
         }
         // Once is enough: nothing lies before this.
@@ -190,7 +190,7 @@ fn closest_in_batch(
     let local = first.placement.ray_to_object(ray);
     match &first.shape {
         Shape::Mesh { mesh, part } => {
-            let accept = |part_hit| visible_part(scene, batch, *part, part_hit).is_some();
+            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
             let hit = match test {
                 None => mesh.closest(&local, sides, accept),
                 Some(test) => mesh.closest_by(&local, sides, test, accept),
@@ -210,15 +210,10 @@ fn closest_in_batch(
     }
 }
 
-/// The object that shows a part of a batch's mesh, when it is in the batch and visible.
-fn visible_part(
-    scene: &Scene,
-    batch: &Range<usize>,
-    first_part: usize,
-    part: usize,
-) -> Option<usize> {
-    let object = batch.start + part.checked_sub(first_part)?;
-    (object < batch.end && scene.objects()[object].visible).then_some(object)
+/// Whether a part of a batch's mesh is one of its objects, and visible.
+fn shows_part(scene: &Scene, batch: &Range<usize>, first_part: usize, part: usize) -> bool {
+    let object = part.checked_sub(first_part).map(|i| batch.start + i);
+    object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
 }
 
 fn analytic_hits(shape: &Shape, local: &Ray) -> [Option<Hit>; 2] {

@@ -80,8 +80,7 @@ fn cast(scene: &Scene, view: &View, px: DVec2) -> (Id, Rgb) {
 
 /// The id that a picture holds for a hit.
 fn id(scene: &Scene, hit: &SceneHit) -> Id {
-    let triangles = scene.objects()[hit.object].shape.triangles();
-    let first = triangles.map_or(0, |triangles| triangles.start);
+    let first = scene.objects()[hit.object].shape.first_triangle();
     Id {
         object: u32::try_from(hit.object + 1).unwrap_or(u32::MAX),
         triangle: hit.hit.on_triangle.map_or(0, |at| at.triangle - first + 1),

@@ -85,10 +85,7 @@ impl Pick {
         let point_world = ray.at(hit.t);
         let depth = hit.t * ray.direction.dot(view.camera.forward());
         let ndc_xy = view.viewport.px_to_ndc(px);
-        let first_triangle = object
-            .shape
-            .triangles()
-            .map_or(0, |triangles| triangles.start);
+        let first_triangle = object.shape.first_triangle();
         Self {
             object: object.name.clone(),
             id: index + 1,

@@ -302,23 +302,18 @@ fn uniform(marks: &Marks, [x, y]: [u32; 2]) -> layout::Composite {
 /// Left, top, width and height of a rectangle of pixels with all that shows an object, and `margin` about it; `None`
 /// when that lies outside the picture.
 fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
-    let size = DVec2::new(
-        f64::from(view.viewport.width()),
-        f64::from(view.viewport.height()),
-    );
+    let size = view.viewport.size_px();
     if place.bounds_world.is_empty() {
         return None;
     }
     let mut min = DVec2::INFINITY;
     let mut max = DVec2::NEG_INFINITY;
     for corner in place.bounds_world.corners() {
-        // A box that reaches behind the eye may show anywhere.
-        let px = view.project(corner).map(|corner| corner.px);
-        min = min.min(px.unwrap_or(DVec2::ZERO));
-        max = max.max(px.unwrap_or(size));
-        if px.is_none() {
-            (min, max) = (DVec2::NEG_INFINITY, DVec2::INFINITY);
-        }
+        (min, max) = match view.project(corner) {
+            Some(corner) => (min.min(corner.px), max.max(corner.px)),
+            // A box that reaches behind the eye may show anywhere.
+            None => (DVec2::NEG_INFINITY, DVec2::INFINITY),
+        };
     }
     let margin = f64::from(margin) + 1.0;
     let min = (min - margin).floor().clamp(DVec2::ZERO, size);

@@ -276,7 +276,7 @@ fn object_state(object: &crate::scene::Object) -> ObjectState {
     ObjectState {
         colour: object.colour.unwrap_or(Srgb::NEUTRAL).to_linear(),
         has_colour: u32::from(analytic || object.colour.is_some()),
-        first_triangle: object.shape.triangles().map_or(0, |range| range.start),
+        first_triangle: object.shape.first_triangle(),
         visible: u32::from(object.visible),
         padding: [0; 2],
     }

@@ -6,20 +6,20 @@
 //! sphere is: the outline is out by a few roundings of the picture's size in pixels, nothing else.
 
 use super::{
-    layout::{Quadratic, Sphere as Uniform},
-    transform::{depth_origin, narrow, normal_to_view},
+    layout::{Quadratic, Sphere as Row},
+    transform::{U, depth_origin, narrow, normal_to_view},
 };
 use crate::{
     camera::{Projection, View, pixel_centre},
-    geometry::{Placement, Sides, Sphere},
+    geometry::{Placement, Sphere},
 };
 use glam::{DVec2, DVec3, DVec4};
 
 /// The sphere of an object under this placement; an empty rectangle where the picture does not show it.
 #[must_use]
-pub fn sphere(view: &View, placement: &Placement, object: u32) -> Uniform {
+pub fn sphere(view: &View, placement: &Placement, object: u32) -> Row {
     let Some([min, max]) = rect_px(view, placement) else {
-        return Uniform::default();
+        return Row::default();
     };
     let pivot_px = pivot_px(view, placement);
     let rays = Rays::new(view, placement, pivot_px);
@@ -59,7 +59,7 @@ pub fn sphere(view: &View, placement: &Placement, object: u32) -> Uniform {
         [0, 1].map(|i| 2.0 * (r2 * direction_step * d.dot([right, down][i]) - moment.dot(turn[i])));
     let normals = normal_to_view(view, placement);
     let to_view = |v: DVec3| (normals * v).as_vec3().to_array();
-    Uniform {
+    Row {
         rect_px: DVec4::new(min.x, min.y, max.x, max.y).as_vec4().to_array(),
         pivot_px: pivot_px.as_vec2().to_array(),
         depth: narrow(depth - depth_origin(view)),
@@ -99,7 +99,7 @@ impl Rays {
         let camera = &view.camera;
         let half = camera.lens().half_extent(view.viewport.aspect());
         let ndc = view.viewport.px_to_ndc(px);
-        let (width, height) = (view.viewport.width(), view.viewport.height());
+        let step = 2.0 * half / view.viewport.size_px();
         let aside = ndc.x * half.x * camera.right() + ndc.y * half.y * camera.up();
         let (eye, direction) = match camera.lens().projection {
             Projection::Perspective { .. } => (camera.eye(), camera.forward() + aside),
@@ -109,18 +109,15 @@ impl Rays {
         Self {
             origin: placement.point_to_object(eye),
             direction: inverse * direction,
-            right: inverse * (2.0 * half.x / f64::from(width) * camera.right()),
-            down: inverse * (-2.0 * half.y / f64::from(height) * camera.up()),
+            right: inverse * (step.x * camera.right()),
+            down: inverse * (-step.y * camera.up()),
         }
     }
 }
 
 /// The pixel centre in the picture nearest to the sphere's; the picture's middle when that is behind the eye.
 fn pivot_px(view: &View, placement: &Placement) -> DVec2 {
-    let size = DVec2::new(
-        f64::from(view.viewport.width()),
-        f64::from(view.viewport.height()),
-    );
+    let size = view.viewport.size_px();
     let center = view.project(placement.model().translation);
     let px = center.map_or(0.5 * size, |center| center.px);
     pixel_centre(px.clamp(DVec2::ZERO, size - 1.0))
@@ -133,7 +130,7 @@ fn base_depth(view: &View, placement: &Placement, px: DVec2) -> f64 {
     let depth_per_t = ray.direction.dot(view.camera.forward());
     let local = placement.ray_to_object(&ray);
     let mut hits = Sphere::hits(&local).into_iter().flatten();
-    let shown = hits.find(|hit| view.sides == Sides::Both || hit.is_front(local.direction));
+    let shown = hits.find(|hit| view.sides.shows(local.direction, hit.normal));
     let nearest = -local.origin.dot(local.direction) / local.direction.length_squared();
     shown.map_or(nearest, |hit| hit.t) * depth_per_t
 }
@@ -151,10 +148,7 @@ fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
     if !(back >= lens.near && front < lens.far) {
         return None;
     }
-    let size = DVec2::new(
-        f64::from(view.viewport.width()),
-        f64::from(view.viewport.height()),
-    );
+    let size = view.viewport.size_px();
     let half = lens.half_extent(view.viewport.aspect());
     let ends = |along: DVec3, middle: f64, half: f64| match lens.projection {
         Projection::Orthographic { .. } => {
@@ -182,7 +176,7 @@ fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
 
 /// What `f32` does to a sphere at a pixel, at the most.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Error {
+pub struct Rounding {
     /// Of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, its direction as long as one unit of
     /// view depth.
     pub discriminant: f64,
@@ -197,8 +191,7 @@ pub struct Error {
 /// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
 /// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
 #[must_use]
-pub fn error(sphere: &Uniform, px: DVec2) -> Error {
-    const U: f64 = 0.5 * f32::EPSILON as f64;
+pub fn rounding(sphere: &Row, px: DVec2) -> Rounding {
     let at = px - DVec2::from(sphere.pivot_px.map(f64::from));
     let polynomial = |q: &Quadratic| {
         let [constant, x, y] = q.linear.map(f64::from);
@@ -234,7 +227,7 @@ pub fn error(sphere: &Uniform, px: DVec2) -> Error {
     let of_depth = |(root, wrong): (f64, f64)| {
         depth_per_root * (wrong + 6.0 * U * root.abs()) + 2.0 * U * f64::from(sphere.depth).abs()
     };
-    Error {
+    Rounding {
         discriminant: wrong_discriminant / (depth_per_root * depth_per_root),
         depth: [of_depth(entry), of_depth(exit)],
     }

@@ -11,6 +11,9 @@ use crate::{
 use glam::{DMat3, DVec3, Mat3, Vec3};
 use std::ops::Range;
 
+/// Half a unit in the last place of 1 in `f32`: what one rounding takes, relatively.
+pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
+
 /// Measured depth: view depth in perspective; in orthographic projection view depth less this.
 #[must_use]
 pub fn depth_origin(view: &View) -> f64 {
@@ -106,7 +109,6 @@ impl VertexToView {
     /// of Numerical Algorithms, 2002, ch. 3), for any order and with or without fused operations.
     #[must_use]
     pub fn error_view(&self, position: Vec3) -> DVec3 {
-        const U: f64 = 0.5 * f32::EPSILON as f64;
         let from_pivot = (position.as_dvec3() - self.pivot.as_dvec3()).abs();
         let m = self.linear.as_dmat3();
         let linear = DMat3::from_cols(m.x_axis.abs(), m.y_axis.abs(), m.z_axis.abs());

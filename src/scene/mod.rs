@@ -70,6 +70,12 @@ impl Shape {
             _ => None,
         }
     }
+
+    /// Where its triangles begin among those of its mesh; 0 for analytic shapes.
+    #[must_use]
+    pub fn first_triangle(&self) -> u32 {
+        self.triangles().map_or(0, |triangles| triangles.start)
+    }
 }
 
 /// One thing in the scene: what lists name and picks return.

@@ -2,13 +2,12 @@
 
 use super::{
     GRID_PX,
-    surface::{Outline, Source, Surface, U, ViewRay, nearness, size_px},
-    w,
+    surface::{Outline, Source, Surface, ViewRay, nearness},
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
     geometry::{Cuboid, Sides, Square},
-    render::transform::{VertexToView, depth_origin},
+    render::transform::{U, VertexToView, depth_origin},
     scene::{Object, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -154,7 +153,7 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], rounded: DVec3) -> Outline 
     // An edge seen end-on has no length: either end is as near.
     let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
     // Shares of the picture's edge to shares of the edge: weighed by 1 / w.
-    let [wa, wb] = [a, b].map(|corner| w(view, corner.view.z));
+    let [wa, wb] = [a, b].map(|corner| view.camera.lens().w(corner.view.z));
     let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
     let depth = a.view.z + s * (b.view.z - a.view.z);
     Outline {
@@ -168,10 +167,11 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], rounded: DVec3) -> Outline 
 /// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
 fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
     let half = view.camera.lens().half_extent(view.viewport.aspect());
-    let distances = [px.x, size_px(view).x - px.x, size_px(view).y - px.y, px.y];
+    let size = view.viewport.size_px();
+    let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
     let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
     let cut_by = |side: &DVec2| {
-        let beyond = |p: DVec3| side.dot(p.truncate() / half) > w(view, p.z);
+        let beyond = |p: DVec3| side.dot(p.truncate() / half) > view.camera.lens().w(p.z);
         corners.iter().any(|corner| beyond(corner.view))
     };
     let cut = sides.iter().zip(distances).filter(|(side, _)| cut_by(side));
@@ -185,7 +185,7 @@ fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
 /// A view-space point in the picture.
 fn project(view: &View, point: DVec3) -> DVec2 {
     let half = view.camera.lens().half_extent(view.viewport.aspect());
-    (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point.z)))
+    (view.viewport).ndc_to_px(point.truncate() / (half * view.camera.lens().w(point.z)))
 }
 
 /// How far in pixels a view-space error moves a point at this depth and pixel: x and y by the focal length, z in
@@ -193,8 +193,8 @@ fn project(view: &View, point: DVec3) -> DVec2 {
 /// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
 fn shift_px(view: &View, px: DVec2, depth: f64, error: DVec3) -> f64 {
     let half = view.camera.lens().half_extent(view.viewport.aspect());
-    let size = size_px(view);
-    let w = w(view, depth).abs();
+    let size = view.viewport.size_px();
+    let w = view.camera.lens().w(depth).abs();
     let aside = 0.5 * size / half * error.truncate() / w;
     let towards = match view.camera.lens().projection {
         Projection::Perspective { .. } => error.z / w * (px - 0.5 * size).abs(),
@@ -210,8 +210,7 @@ fn clipping_error(view: &View, corners: &[Corner]) -> DVec3 {
     let lens = view.camera.lens();
     let half = lens.half_extent(view.viewport.aspect());
     let inside = |p: DVec3| {
-        (p.truncate().abs().cmple(half * w(view, p.z))).all()
-            && (lens.near..lens.far).contains(&p.z)
+        (p.truncate().abs().cmple(half * lens.w(p.z))).all() && (lens.near..lens.far).contains(&p.z)
     };
     if corners.iter().all(|corner| inside(corner.view)) {
         return DVec3::ZERO;

@@ -22,7 +22,7 @@ mod surface;
 pub use picture::{COLOURS, marks, paint};
 
 use crate::{
-    camera::{Projection, View, pixel_centre},
+    camera::{View, pixel_centre},
     image::{Id, Image},
     render::{self, transform::VertexToView},
     scene::{Scene, Shape},
@@ -201,24 +201,24 @@ impl Explainer<'_> {
         let sides = [drawn, picked].map(|id| self.surfaces(px, id));
         let pairs = sides[0]
             .iter()
-            .flat_map(|drawn| sides[1].iter().map(move |picked| (drawn, picked)));
-        let explained = pairs.map(|(drawn, picked)| {
-            let (class, strain, outline) = surface::explain(drawn, picked);
+            .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
+        let explained = pairs.map(|(of_drawn, of_picked)| {
+            let (class, strain, outline) = surface::explain(of_drawn, of_picked);
             Disagreement {
                 pixel,
-                drawn: Id::default(),
-                picked: Id::default(),
+                drawn,
+                picked,
                 class,
                 strain,
                 outline_px: outline.distance_px,
                 outline_error_px: outline.error_px(),
-                depth: [drawn.depth, picked.depth],
+                depth: [of_drawn.depth, of_picked.depth],
             }
         });
         let best =
             explained.min_by(|a, b| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
         // An object without a surface here was never to be seen.
-        let best = best.unwrap_or(Disagreement {
+        best.unwrap_or(Disagreement {
             pixel,
             drawn,
             picked,
@@ -227,12 +227,7 @@ impl Explainer<'_> {
             outline_px: f64::INFINITY,
             outline_error_px: 0.0,
             depth: [f64::NAN; 2],
-        });
-        Disagreement {
-            drawn,
-            picked,
-            ..best
-        }
+        })
     }
 
     /// The surfaces that an id may stand for at a pixel: one, or the faces of a cube, or a sphere's front and back.
@@ -255,13 +250,5 @@ impl Explainer<'_> {
             VertexToView::new(view, &object.placement, origin, &bounds)
         });
         flat::surfaces(view, object, to_view, px, id.triangle)
-    }
-}
-
-/// 1 unit of depth widens the picture in perspective, not in orthographic projection: w of clip space.
-fn w(view: &View, depth: f64) -> f64 {
-    match view.camera.lens().projection {
-        Projection::Perspective { .. } => depth,
-        Projection::Orthographic { .. } => 1.0,
     }
 }

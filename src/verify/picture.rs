@@ -53,8 +53,7 @@ pub fn marks(
 }
 
 /// What a class is painted in.
-#[must_use]
-pub fn colour(class: Class) -> Srgb {
+fn colour(class: Class) -> Srgb {
     let of_class = COLOURS.iter().find(|(other, ..)| *other == class);
     of_class.map_or(Srgb::WHITE, |(_, colour, _)| *colour)
 }

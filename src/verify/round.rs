@@ -1,20 +1,23 @@
 //! Spheres at a pixel.
 
-use super::surface::{Outline, Source, Surface, U, ViewRay, nearness};
+use super::surface::{Outline, Source, Surface, ViewRay, nearness};
 use crate::{
     camera::{Projection, View},
     geometry::{Placement, Sides, Sphere},
-    render::sphere::{self, Rays},
+    render::{
+        sphere::{self, Rays},
+        transform::U,
+    },
 };
 use glam::DVec2;
 
 /// The sphere's front and, where the near plane opens it or the eye is inside, its back at a pixel.
 ///
 /// No vertices make a sphere, so no grid moves it: the shader solves the ray's quadratic at the pixel's very centre.
-/// Only `f32` is to blame, as far as [`sphere::error`] goes.
+/// Only `f32` is to blame, as far as [`sphere::rounding`] goes.
 pub(super) fn surfaces(view: &View, placement: &Placement, px: DVec2) -> Vec<Surface> {
     let lens = view.camera.lens();
-    let error = sphere::error(&sphere::sphere(view, placement, 0), px);
+    let error = sphere::rounding(&sphere::sphere(view, placement, 0), px);
     let rays = Rays::new(view, placement, px);
     let (d, o) = (rays.direction, rays.origin);
     let d2 = d.length_squared();

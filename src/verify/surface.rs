@@ -1,15 +1,12 @@
 //! One surface at a pixel, and whether two of them explain a difference.
 
-use super::{Class, GRID_PX, w};
+use super::{Class, GRID_PX};
 use crate::{
     camera::{DepthMapping, Projection, View},
     geometry::Placement,
-    render::transform::{VertexToView, depth_origin},
+    render::transform::{U, VertexToView, depth_origin},
 };
 use glam::{DVec2, DVec3};
-
-/// Half a unit in the last place of 1 in `f32`: what one rounding takes, relatively.
-pub(super) const U: f64 = 0.5 * f32::EPSILON as f64;
 
 /// An outline near a pixel's centre; lengths in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -193,7 +190,7 @@ impl ViewRay {
             Projection::Perspective { .. } => (DVec3::ZERO, aside + DVec3::Z),
             Projection::Orthographic { .. } => (aside, DVec3::Z),
         };
-        let step = 2.0 * half / size_px(view);
+        let step = 2.0 * half / view.viewport.size_px();
         Self {
             origin,
             direction,
@@ -209,7 +206,7 @@ impl ViewRay {
     /// Change of that depth for one pixel right and down. From `N . (o + z d - P) = 0`, where o or d moves.
     pub fn slope(&self, view: &View, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        -w(view, depth) * DVec2::new(normal.dot(right), normal.dot(down))
+        -view.camera.lens().w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
             / normal.dot(self.direction)
     }
 }
@@ -230,12 +227,4 @@ pub(super) fn nearness(view: &View, depth: f64, depth_error: f64) -> (f64, f64) 
         DepthMapping::Reversed => (ndc, error),
         DepthMapping::Standard => (-ndc, error),
     }
-}
-
-/// Width and height in pixels.
-pub(super) fn size_px(view: &View) -> DVec2 {
-    DVec2::new(
-        f64::from(view.viewport.width()),
-        f64::from(view.viewport.height()),
-    )
 }

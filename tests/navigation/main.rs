@@ -44,6 +44,11 @@ fn orbits() -> Vec<Orbit> {
     orbits
 }
 
+/// How much a perspective picture shows, from top to bottom, at an orbit's target.
+fn height_at_target(orbit: &Orbit, fov_y: f64) -> f64 {
+    2.0 * orbit.distance() * (0.5 * fov_y).tan()
+}
+
 #[test]
 fn straight_up_and_down_are_ordinary_views() {
     let lens = perspective(45.0, 0.1, 100.0);
@@ -152,8 +157,7 @@ fn a_zoom_leaves_its_point_where_it_is_and_comes_back() {
         let lens = |orbit: &Orbit, parallel: bool| {
             let near_far = (1e-3 * orbit.distance(), 1e3 * orbit.distance());
             if parallel {
-                // The window takes an orthographic picture's height from the orbit.
-                orthographic(orbit.orthographic_height(0.8), near_far.0, near_far.1)
+                orthographic(height_at_target(orbit, 0.8), near_far.0, near_far.1)
             } else {
                 perspective(45.0, near_far.0, near_far.1)
             }
@@ -215,7 +219,7 @@ fn framing_shows_everything_within_the_planes() {
                     let size = viewport(width, height);
                     let orbit = Orbit::framing(&bounds, up_axis, fov_y, size.aspect());
                     let lens = if parallel {
-                        orthographic(orbit.orthographic_height(fov_y), 1.0, 2.0)
+                        orthographic(height_at_target(&orbit, fov_y), 1.0, 2.0)
                     } else {
                         perspective(fov, 1.0, 2.0)
                     };

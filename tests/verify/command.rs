@@ -80,6 +80,8 @@ fn without_a_driver_it_says_that_picking_needs_none() {
     let output = command.output().expect("the program runs");
     assert_eq!(output.status.code(), Some(4), "{output:?}");
     let stderr = String::from_utf8(output.stderr).expect("text");
+    // A flag of another command.
+    assert!(stderr.contains("sightline render --by raycast"), "{stderr}");
     assert!(
         stderr.ends_with("picking itself needs no driver\n"),
         "{stderr}"
