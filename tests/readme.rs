@@ -93,6 +93,12 @@ fn the_scene_file_that_is_shown_loads() {
 }
 
 #[test]
+fn the_rust_that_is_asked_for_is_the_one_that_builds() {
+    let asked = concat!("Rust ", env!("CARGO_PKG_RUST_VERSION"), " or later");
+    assert!(readme().contains(asked), "{asked}");
+}
+
+#[test]
 fn every_command_and_camera_flag_is_named() {
     let text = readme();
     let cli = Cli::command();

@@ -5,7 +5,9 @@ mod common;
 use common::{Random, mesh, placements, ray_to, scene_of};
 use glam::{DAffine3, DVec3, dvec3};
 use sightline::{
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, guarded_volume},
+    geometry::{
+        Aabb, ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, guarded_volume,
+    },
     pick,
     scene::{Object, Scene, Shape},
 };
@@ -304,4 +306,35 @@ fn triangles_without_area_are_never_hit() {
             None
         );
     }
+}
+
+#[test]
+fn each_level_of_boxes_holds_every_triangle() {
+    // A sheet.
+    let side = 40_u16;
+    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| [x.into(), y.into(), 0.0]));
+    let row = u32::from(side) + 1;
+    let cells = (0..row - 1).flat_map(|y| (0..row - 1).map(move |x| y * row + x));
+    let triangles = cells.flat_map(|a| [[a, a + 1, a + row], [a + 1, a + row + 1, a + row]]);
+    let mesh = mesh(positions.collect(), triangles.collect(), 1000.0 * DVec3::X);
+    let count = u32::try_from(mesh.data().triangles.len()).unwrap();
+    assert!(mesh.tree_boxes(0, 9).is_empty(), "no tree yet");
+    mesh.build_tree();
+    let mut boxes_before = 0;
+    for level in 0..6 {
+        let boxes = mesh.tree_boxes(level, 1000);
+        assert!(boxes.len() >= boxes_before, "{level}");
+        boxes_before = boxes.len();
+        for triangle in 0..count {
+            let corners = mesh.corners(triangle);
+            let holds = |bounds: &Aabb| {
+                let inside = |c: &DVec3| c.cmpge(bounds.min).all() && c.cmple(bounds.max).all();
+                corners.iter().all(inside)
+            };
+            assert!(boxes.iter().any(holds), "{triangle} at {level}");
+        }
+    }
+    assert_eq!(mesh.tree_boxes(0, 9)[0], mesh.part_bounds(0));
+    assert!(boxes_before > 8, "{boxes_before}");
+    assert_eq!(mesh.tree_boxes(5, 7).len(), 7, "no more than asked for");
 }

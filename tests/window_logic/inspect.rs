@@ -520,70 +520,15 @@ fn a_copied_camera_is_the_camera_to_the_bit() {
 }
 
 #[test]
-fn levels_of_trees_are_stepped_through_and_hold_every_triangle() {
+fn levels_of_trees_are_stepped_through() {
     let mut state = front_view();
-    assert_eq!(state.overlays().tree_level, None);
-    let mut seen = Vec::new();
-    loop {
-        state.apply(Action::TreeLevel { deeper: true });
-        let Some(level) = state.overlays().tree_level else {
-            break;
-        };
-        seen.push(level);
+    let mut step = |deeper| {
+        state.apply(Action::TreeLevel { deeper });
+        state.overlays().tree_level
+    };
+    for level in 0..=8 {
+        assert_eq!(step(true), Some(level));
     }
-    assert_eq!(seen, (0..=24).collect::<Vec<_>>());
-    state.apply(Action::TreeLevel { deeper: false });
-    assert_eq!(state.overlays().tree_level, Some(24));
-    state.apply(Action::TreeLevel { deeper: false });
-    assert_eq!(state.overlays().tree_level, Some(23));
-
-    // A sheet of triangles: each level's boxes hold all of it, and are never fewer.
-    let side = 40_u32;
-    let positions = (0..=side).flat_map(|y| (0..=side).map(move |x| [x, y]));
-    #[expect(clippy::cast_precision_loss, reason = "small")]
-    let positions: Vec<[f32; 3]> = positions.map(|[x, y]| [x as f32, y as f32, 0.0]).collect();
-    let quads = (0..side).flat_map(|y| (0..side).map(move |x| y * (side + 1) + x));
-    let triangles: Vec<[u32; 3]> = quads
-        .flat_map(|a| {
-            [
-                [a, a + 1, a + side + 1],
-                [a + 1, a + side + 2, a + side + 1],
-            ]
-        })
-        .collect();
-    let count = u32::try_from(triangles.len()).expect("few");
-    let mesh = Mesh::new(MeshData {
-        origin: DVec3::new(1000.0, 0.0, 0.0),
-        positions,
-        triangles,
-        parts: vec![Part {
-            name: "sheet".into(),
-            triangles: 0..count,
-        }],
-        colours: vec![ColourRun {
-            triangles: 0..count,
-            colour: None,
-        }],
-        ..MeshData::default()
-    })
-    .expect("a mesh");
-    assert!(mesh.tree_boxes(0, 9).is_empty(), "no tree yet");
-    mesh.build_tree();
-    let mut boxes_before = 0;
-    for level in 0..6 {
-        let boxes = mesh.tree_boxes(level, 1000);
-        assert!(boxes.len() >= boxes_before, "{level}");
-        boxes_before = boxes.len();
-        for triangle in 0..count {
-            let corners = mesh.corners(triangle);
-            let holds = |bounds: &Aabb| {
-                let inside = |c: &DVec3| c.cmpge(bounds.min).all() && c.cmple(bounds.max).all();
-                corners.iter().all(inside)
-            };
-            assert!(boxes.iter().any(holds), "{triangle} at {level}");
-        }
-    }
-    assert_eq!(mesh.tree_boxes(0, 9)[0], mesh.part_bounds(0));
-    assert!(boxes_before > 8, "{boxes_before}");
-    assert_eq!(mesh.tree_boxes(5, 7).len(), 7, "no more than asked for");
+    assert_eq!(step(true), None);
+    assert_eq!([step(false), step(false)], [Some(8), Some(7)]);
 }

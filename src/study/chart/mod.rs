@@ -1,7 +1,9 @@
 //! The study's charts, each as SVG and PNG.
 
 mod axis;
+mod measure;
 mod outlines;
+mod page;
 mod pareto;
 pub mod picture;
 mod resolution;

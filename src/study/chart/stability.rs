@@ -2,8 +2,9 @@
 
 use super::{
     axis::{Labels, Panel},
-    pareto::Measure,
-    picture::{Anchor, INK, Picture, QUIET},
+    measure::Measure,
+    page::{PLOT_HEIGHT, page, places},
+    picture::Picture,
     style::{Style, legend, styles},
 };
 use crate::study::{
@@ -22,37 +23,21 @@ const SHOWN: [(&str, &str); 8] = [
     ("sphere", "far away"),
     ("depth", "far plane"),
 ];
-const COLUMNS: usize = 4;
-const WIDTH: f64 = 1600.0;
-const TOP: f64 = 92.0;
-const PANEL_HEIGHT: f64 = 404.0;
-const PLOT_HEIGHT: f64 = 186.0;
 
 /// The chart.
 #[must_use]
 pub fn chart(report: &Report, title: &str) -> Picture {
-    let mut picture = Picture::new(1600, 900);
-    picture.text([24.0, 28.0], Anchor::Left, 27.0, INK, title);
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
-    picture.text([24.0, 57.0], Anchor::Left, 16.0, QUIET, line);
-    for (place, (key, family)) in SHOWN.into_iter().enumerate() {
+    let mut picture = page(title, line);
+    for ((key, family), at) in SHOWN.into_iter().zip(places(4)) {
         let rows = report
             .rows
             .iter()
             .filter(|row| row.step.key == key && row.family == family);
         let rows: Vec<&Row> = rows.collect();
         let Some(first) = rows.first() else { continue };
-        #[expect(clippy::cast_precision_loss, reason = "few panels")]
-        let [column, row] = [place % COLUMNS, place / COLUMNS].map(|n| n as f64);
-        let left = column * WIDTH / 4.0;
-        panel(
-            &mut picture,
-            first.step,
-            &rows,
-            [left, TOP + row * PANEL_HEIGHT],
-            None,
-        );
+        panel(&mut picture, first.step, &rows, at, None);
     }
     picture
 }
