@@ -158,6 +158,9 @@ fn while_another_method_picks_no_pick_is_sightline_s() {
     ] {
         assert_eq!(state.apply(action), None, "{action:?}");
         assert_eq!(pick(&state), None, "{action:?}");
+        let compared = state.showing().and_then(|showing| showing.compared);
+        let is_of_old = matches!(action, Action::SetVisible(..));
+        assert_eq!(compared.is_none(), is_of_old, "{action:?}");
     }
 }
 
