@@ -273,7 +273,7 @@ impl App {
         let selection = self.state.selection();
         let pick = selection.and_then(|selection| selection.pick.as_ref());
         let viewport = self.state.world().1.viewport;
-        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        let middle = viewport.size_px() / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
         command_line::pick_command(&self.state, &self.paths, at_px)
     }

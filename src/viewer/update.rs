@@ -248,7 +248,7 @@ impl State {
             .as_ref()
             .and_then(|selection| selection.pick.as_ref());
         let viewport = self.view.viewport;
-        let middle = DVec2::new(f64::from(viewport.width()), f64::from(viewport.height())) / 2.0;
+        let middle = viewport.size_px() / 2.0;
         self.frozen = match self.frozen {
             Some(_) => None,
             None => Some(Frozen {

@@ -1,5 +1,6 @@
 //! The window's logic, by replaying its own actions: no window, no GPU.
 
+mod editing;
 mod gallery;
 mod inspect;
 mod lens;

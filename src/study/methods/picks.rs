@@ -277,8 +277,7 @@ fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
 
 /// A hit as methods answer it.
 fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
-    let triangles = scene.objects()[hit.object].shape.triangles();
-    let first = triangles.map_or(0, |triangles| triangles.start);
+    let first = scene.objects()[hit.object].shape.first_triangle();
     let triangle = hit.hit.on_triangle.map(|at| at.triangle - first);
     (hit.object, triangle)
 }

@@ -139,7 +139,7 @@ impl PixelCase {
             aspect: viewport.aspect(),
             near: lens.near,
             far: lens.far,
-            size: [f64::from(viewport.width()), f64::from(viewport.height())],
+            size: viewport.size_px().to_array(),
             px: px.to_array(),
         };
         Self::with_camera(wide, axes, camera, viewport)

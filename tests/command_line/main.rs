@@ -1,5 +1,8 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
+mod pictures;
+mod refusals;
+
 use serde_json::Value;
 use std::{
     io::Write,
@@ -256,97 +259,6 @@ fn flags_choose_the_view() {
 }
 
 #[test]
-fn a_wrong_use_is_exit_code_2() {
-    let folder = Folder::new();
-    for (args, word) in [
-        ("pick scene.toml", "--at"),
-        ("pick scene.toml --at 5", "X,Y"),
-        ("pick --at 5,5 scene.toml", "before --at"),
-        ("pick scene.toml --at 5,nan", "X,Y"),
-        ("pick scene.toml --at 1280,5", "outside"),
-        ("pick scene.toml --at 5,720", "outside"),
-        ("pick scene.toml --at=-0.5,5", "outside"),
-        ("pick scene.toml --at -1,5", "not negative"),
-        ("pick scene.toml --at 5,5 --size 5", "WxH"),
-        ("pick scene.toml --at 5,5 --size 0x5", "WxH"),
-        ("pick scene.toml --at 5,5 --size -5x5", "WxH"),
-        ("pick scene.toml --at 5,5 --size 99999x99999", "WxH"),
-        ("pick scene.toml --at 5,5 --eye 1,2", "x,y,z"),
-        ("pick scene.toml --at 5,5 --eye --cull", "x,y,z"),
-        ("pick scene.toml --at 5,5 --fov 0", "180"),
-        ("pick scene.toml --at 5,5 --fov inf", "finite"),
-        ("pick scene.toml --at 5,5 --near 5 --far 4", "near"),
-        ("pick scene.toml --at 5,5 --near 0", "near"),
-        ("pick scene.toml --at 5,5 --far -1", "near"),
-        ("pick scene.toml --at 5,5 --ortho -3", "height"),
-        (
-            "pick scene.toml --at 5,5 --ortho 3 --fov 40",
-            "cannot be used with",
-        ),
-        (
-            "pick scene.toml --at 5,5 --look 0,0,1 --target 1,1,1",
-            "cannot be used with",
-        ),
-        ("pick scene.toml --at 5,5 --up 0,0,1", "line of sight"),
-        ("pick scene.toml --at 5,5 --target 0,0,10", "same point"),
-        ("pick scene.toml --at 5,5 --depth upside", "reversed"),
-        ("pick scene.toml --at 5,5 --up-axis x", "up-axis"),
-        ("pick scene.toml --at 5,5 --hide 4", "1 to 3"),
-        ("pick scene.toml --at 5,5 --hide 0", "1 to 3"),
-        ("pick scene.toml --at 5,5 --hide Front", "3,5"),
-        ("pick scene.toml --at 5,5 --hide -1", "3,5"),
-        ("pick scene.toml --at 5,5 --look 0,0,0", "zero"),
-        ("study --budget -1", "above 0"),
-        ("study --budget 1 --out a", "cannot be used with"),
-        ("study --budget 1 --quick", "cannot be used with"),
-        ("study --seed -1", "whole number"),
-        ("study --fov 30", "SCENE"),
-        ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
-        ("pick scene.toml --at 5,5 --sise 5x5", "'--size'"),
-        ("render scene.toml -o a.jpg", "PNG"),
-        ("render scene.toml -o a.png --ids a.tif", "PNG"),
-        ("render scene.toml -o a.png --ids ./a.png", "one file"),
-        ("verify scene.toml --image a.jpg", "PNG"),
-        ("render scene.toml", "--output"),
-        ("render scene.toml -o a.png --by magic", "raycast"),
-        (
-            "render scene.toml -o a.png --by raycast --pick 1280,0",
-            "outside",
-        ),
-    ] {
-        let error = folder.error(args, 2);
-        assert!(error.contains(word), "{args}: {error} does not say {word}");
-    }
-    assert!(!folder.path("a.png").exists());
-}
-
-#[test]
-fn a_bad_file_is_exit_code_3_and_named() {
-    let folder = Folder::new();
-    std::fs::write(folder.path("bad.toml"), "[[object]]\nshape = \"ball\"\n").unwrap();
-    std::fs::write(folder.path("camera.toml"), "[camera]\nnear = 5\nfar = 4\n").unwrap();
-    std::fs::write(
-        folder.path("odd.toml"),
-        "[[object]]\nshape = \"cu\\nbe\\u0007\"\n",
-    )
-    .unwrap();
-    for (args, word) in [
-        ("pick missing.toml --at 1,1", "missing.toml"),
-        ("missing.obj", "missing.obj"),
-        ("rendr scene.toml", "commands are render, pick, "),
-        ("--size 10x10 list", "come before flags"),
-        ("list scene.toml bad.toml", "bad.toml:2"),
-        ("pick camera.toml --at 1,1", "camera.toml"),
-        ("list odd.toml", "odd.toml:2"),
-        ("render scene.toml --by raycast -o nowhere/a.png", "nowhere"),
-    ] {
-        let error = folder.error(args, 3);
-        assert!(error.contains(word), "{args}: {error} does not say {word}");
-        assert!(!error.trim_end().contains(char::is_control), "{error:?}");
-    }
-}
-
-#[test]
 fn lists_have_a_line_an_object() {
     let folder = Folder::new();
     let lines = folder.json("list scene.toml scene.toml --json");
@@ -378,103 +290,6 @@ fn lists_have_a_line_an_object() {
         demo.iter()
             .any(|line| line["triangles"].as_u64().is_some_and(|count| count > 200))
     );
-}
-
-/// Colour type, bit depth, size and bytes of a PNG.
-fn read_png(path: &std::path::Path) -> (png::ColorType, png::BitDepth, [u32; 2], Vec<u8>) {
-    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    let info = reader.next_frame(&mut bytes).unwrap();
-    (
-        info.color_type,
-        info.bit_depth,
-        [info.width, info.height],
-        bytes,
-    )
-}
-
-#[test]
-fn a_picture_by_raycast_shows_what_is_picked() {
-    let folder = Folder::new();
-    let args = "render scene.toml --by raycast --size 64x48 --eye 3,2,9";
-    let output = folder.run(&format!("{args} -o a.png --ids ids.png"));
-    assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
-    let (colour, depth, size, plain) = read_png(&folder.path("a.png"));
-    assert_eq!(
-        (colour, depth, size),
-        (png::ColorType::Rgb, png::BitDepth::Eight, [64, 48])
-    );
-    let (colour, depth, size, ids) = read_png(&folder.path("ids.png"));
-    assert_eq!(
-        (colour, depth, size),
-        (png::ColorType::Grayscale, png::BitDepth::Sixteen, [64, 48])
-    );
-    let ids: Vec<u64> = ids
-        .chunks(2)
-        .map(|id| u64::from(id[0]) << 8 | u64::from(id[1]))
-        .collect();
-
-    let centres: String = (0..48)
-        .flat_map(|y| (0..64).map(move |x| format!("{x}.5,{y}.5\n")))
-        .collect();
-    let picks = folder.run_with("pick scene.toml --size 64x48 --eye 3,2,9 --at -", &centres);
-    let picked: Vec<u64> = json(&picks)
-        .iter()
-        .map(|line| line["hit"]["id"].as_u64().unwrap_or(0))
-        .collect();
-    assert_eq!(ids, picked);
-    for id in 0..=3 {
-        assert!(
-            ids.iter().filter(|&&found| found == id).count() > 20,
-            "object {id} shows"
-        );
-    }
-
-    // Selecting changes the selected object's pixels, and an outline of a few around what it covers.
-    let ball = ids.iter().rposition(|&id| id == 3).unwrap();
-    let at = format!("{}.5,{}.5", ball % 64, ball / 64);
-    assert!(
-        folder
-            .run(&format!("{args} -o b.png --pick {at}"))
-            .status
-            .success()
-    );
-    let (.., selected) = read_png(&folder.path("b.png"));
-    let changed: Vec<bool> = plain
-        .chunks(3)
-        .zip(selected.chunks(3))
-        .map(|(a, b)| a != b)
-        .collect();
-    let count = |id: u64| {
-        ids.iter()
-            .zip(&changed)
-            .filter(|(found, changed)| **found == id && **changed)
-            .count()
-    };
-    assert_eq!(
-        count(3),
-        ids.iter().filter(|&&id| id == 3).count(),
-        "all of it is tinted"
-    );
-    assert!(count(0) > 5, "the outline lies around it");
-    assert!(
-        count(1) + count(2) > 5,
-        "and is seen through what is in front"
-    );
-    assert!(
-        ids.iter()
-            .zip(&changed)
-            .any(|(id, changed)| *id == 1 && !changed)
-    );
-    // Where nothing is, nothing is selected.
-    assert!(
-        folder
-            .run(&format!("{args} -o c.png --pick 0,0"))
-            .status
-            .success()
-    );
-    assert_eq!(read_png(&folder.path("c.png")).3, plain);
 }
 
 #[test]

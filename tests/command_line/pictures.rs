@@ -1,0 +1,100 @@
+//! Pictures by rays, as files: they show what is picked.
+
+use crate::{Folder, json};
+
+/// Colour type, bit depth, size and bytes of a PNG.
+fn read_png(path: &std::path::Path) -> (png::ColorType, png::BitDepth, [u32; 2], Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    (
+        info.color_type,
+        info.bit_depth,
+        [info.width, info.height],
+        bytes,
+    )
+}
+
+#[test]
+fn a_picture_by_raycast_shows_what_is_picked() {
+    let folder = Folder::new();
+    let args = "render scene.toml --by raycast --size 64x48 --eye 3,2,9";
+    let output = folder.run(&format!("{args} -o a.png --ids ids.png"));
+    assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+    let (colour, depth, size, plain) = read_png(&folder.path("a.png"));
+    assert_eq!(
+        (colour, depth, size),
+        (png::ColorType::Rgb, png::BitDepth::Eight, [64, 48])
+    );
+    let (colour, depth, size, ids) = read_png(&folder.path("ids.png"));
+    assert_eq!(
+        (colour, depth, size),
+        (png::ColorType::Grayscale, png::BitDepth::Sixteen, [64, 48])
+    );
+    let ids: Vec<u64> = ids
+        .chunks(2)
+        .map(|id| u64::from(id[0]) << 8 | u64::from(id[1]))
+        .collect();
+
+    let centres: String = (0..48)
+        .flat_map(|y| (0..64).map(move |x| format!("{x}.5,{y}.5\n")))
+        .collect();
+    let picks = folder.run_with("pick scene.toml --size 64x48 --eye 3,2,9 --at -", &centres);
+    let picked: Vec<u64> = json(&picks)
+        .iter()
+        .map(|line| line["hit"]["id"].as_u64().unwrap_or(0))
+        .collect();
+    assert_eq!(ids, picked);
+    for id in 0..=3 {
+        assert!(
+            ids.iter().filter(|&&found| found == id).count() > 20,
+            "object {id} shows"
+        );
+    }
+
+    // Selecting changes the selected object's pixels, and an outline of a few around what it covers.
+    let ball = ids.iter().rposition(|&id| id == 3).unwrap();
+    let at = format!("{}.5,{}.5", ball % 64, ball / 64);
+    assert!(
+        folder
+            .run(&format!("{args} -o b.png --pick {at}"))
+            .status
+            .success()
+    );
+    let (.., selected) = read_png(&folder.path("b.png"));
+    let changed: Vec<bool> = plain
+        .chunks(3)
+        .zip(selected.chunks(3))
+        .map(|(a, b)| a != b)
+        .collect();
+    let count = |id: u64| {
+        ids.iter()
+            .zip(&changed)
+            .filter(|(found, changed)| **found == id && **changed)
+            .count()
+    };
+    assert_eq!(
+        count(3),
+        ids.iter().filter(|&&id| id == 3).count(),
+        "all of it is tinted"
+    );
+    assert!(count(0) > 5, "the outline lies around it");
+    assert!(
+        count(1) + count(2) > 5,
+        "and is seen through what is in front"
+    );
+    assert!(
+        ids.iter()
+            .zip(&changed)
+            .any(|(id, changed)| *id == 1 && !changed)
+    );
+    // Where nothing is, nothing is selected.
+    assert!(
+        folder
+            .run(&format!("{args} -o c.png --pick 0,0"))
+            .status
+            .success()
+    );
+    assert_eq!(read_png(&folder.path("c.png")).3, plain);
+}

@@ -1,0 +1,94 @@
+//! What cannot be: one line that says why, and an exit code.
+
+use crate::Folder;
+
+#[test]
+fn a_wrong_use_is_exit_code_2() {
+    let folder = Folder::new();
+    for (args, word) in [
+        ("pick scene.toml", "--at"),
+        ("pick scene.toml --at 5", "X,Y"),
+        ("pick --at 5,5 scene.toml", "before --at"),
+        ("pick scene.toml --at 5,nan", "X,Y"),
+        ("pick scene.toml --at 1280,5", "outside"),
+        ("pick scene.toml --at 5,720", "outside"),
+        ("pick scene.toml --at=-0.5,5", "outside"),
+        ("pick scene.toml --at -1,5", "not negative"),
+        ("pick scene.toml --at 5,5 --size 5", "WxH"),
+        ("pick scene.toml --at 5,5 --size 0x5", "WxH"),
+        ("pick scene.toml --at 5,5 --size -5x5", "WxH"),
+        ("pick scene.toml --at 5,5 --size 99999x99999", "WxH"),
+        ("pick scene.toml --at 5,5 --eye 1,2", "x,y,z"),
+        ("pick scene.toml --at 5,5 --eye --cull", "x,y,z"),
+        ("pick scene.toml --at 5,5 --fov 0", "180"),
+        ("pick scene.toml --at 5,5 --fov inf", "finite"),
+        ("pick scene.toml --at 5,5 --near 5 --far 4", "near"),
+        ("pick scene.toml --at 5,5 --near 0", "near"),
+        ("pick scene.toml --at 5,5 --far -1", "near"),
+        ("pick scene.toml --at 5,5 --ortho -3", "height"),
+        (
+            "pick scene.toml --at 5,5 --ortho 3 --fov 40",
+            "cannot be used with",
+        ),
+        (
+            "pick scene.toml --at 5,5 --look 0,0,1 --target 1,1,1",
+            "cannot be used with",
+        ),
+        ("pick scene.toml --at 5,5 --up 0,0,1", "line of sight"),
+        ("pick scene.toml --at 5,5 --target 0,0,10", "same point"),
+        ("pick scene.toml --at 5,5 --depth upside", "reversed"),
+        ("pick scene.toml --at 5,5 --up-axis x", "up-axis"),
+        ("pick scene.toml --at 5,5 --hide 4", "1 to 3"),
+        ("pick scene.toml --at 5,5 --hide 0", "1 to 3"),
+        ("pick scene.toml --at 5,5 --hide Front", "3,5"),
+        ("pick scene.toml --at 5,5 --hide -1", "3,5"),
+        ("pick scene.toml --at 5,5 --look 0,0,0", "zero"),
+        ("study --budget -1", "above 0"),
+        ("study --budget 1 --out a", "cannot be used with"),
+        ("study --budget 1 --quick", "cannot be used with"),
+        ("study --seed -1", "whole number"),
+        ("study --fov 30", "SCENE"),
+        ("pick scene.toml --at 5,5 --frobnicate", "--frobnicate"),
+        ("pick scene.toml --at 5,5 --sise 5x5", "'--size'"),
+        ("render scene.toml -o a.jpg", "PNG"),
+        ("render scene.toml -o a.png --ids a.tif", "PNG"),
+        ("render scene.toml -o a.png --ids ./a.png", "one file"),
+        ("verify scene.toml --image a.jpg", "PNG"),
+        ("render scene.toml", "--output"),
+        ("render scene.toml -o a.png --by magic", "raycast"),
+        (
+            "render scene.toml -o a.png --by raycast --pick 1280,0",
+            "outside",
+        ),
+    ] {
+        let error = folder.error(args, 2);
+        assert!(error.contains(word), "{args}: {error} does not say {word}");
+    }
+    assert!(!folder.path("a.png").exists());
+}
+
+#[test]
+fn a_bad_file_is_exit_code_3_and_named() {
+    let folder = Folder::new();
+    std::fs::write(folder.path("bad.toml"), "[[object]]\nshape = \"ball\"\n").unwrap();
+    std::fs::write(folder.path("camera.toml"), "[camera]\nnear = 5\nfar = 4\n").unwrap();
+    std::fs::write(
+        folder.path("odd.toml"),
+        "[[object]]\nshape = \"cu\\nbe\\u0007\"\n",
+    )
+    .unwrap();
+    for (args, word) in [
+        ("pick missing.toml --at 1,1", "missing.toml"),
+        ("missing.obj", "missing.obj"),
+        ("rendr scene.toml", "commands are render, pick, "),
+        ("--size 10x10 list", "come before flags"),
+        ("list scene.toml bad.toml", "bad.toml:2"),
+        ("pick camera.toml --at 1,1", "camera.toml"),
+        ("list odd.toml", "odd.toml:2"),
+        ("render scene.toml --by raycast -o nowhere/a.png", "nowhere"),
+    ] {
+        let error = folder.error(args, 3);
+        assert!(error.contains(word), "{args}: {error} does not say {word}");
+        assert!(!error.trim_end().contains(char::is_control), "{error:?}");
+    }
+}

@@ -1,0 +1,206 @@
+//! Model matrices that are edited: picks follow, what cannot be is refused, and what is saved is what is shown.
+
+use super::*;
+use crate::inspect::{STILL, picked};
+use glam::{DMat3, DQuat};
+use sightline::geometry::Trs;
+
+fn place(state: &mut State, object: usize, trs: Trs) {
+    state.apply(Action::Place(object, trs.to_model()));
+}
+
+#[test]
+fn a_moved_object_s_pick_follows() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let before = picked(&state).expect("a cube").clone();
+    let revision = state.visibility_revision();
+    let aside = Trs {
+        translation: DVec3::new(0.2, 0.0, 2.0),
+        ..STILL
+    };
+    place(&mut state, 0, aside);
+    let after = picked(&state).expect("still under the pixel");
+    assert!((after.point_object.x - (before.point_object.x - 0.2)).abs() < 1e-12);
+    assert!(after.point_world.distance(before.point_world) < 1e-12);
+    assert_ne!(state.visibility_revision(), revision, "it is drawn anew");
+    assert_eq!(
+        Some(after),
+        pick::pick(state.scene(), state.view(), MIDDLE + 0.5).as_ref()
+    );
+    assert!(state.edited());
+
+    place(
+        &mut state,
+        0,
+        Trs {
+            scale: DVec3::splat(2.0),
+            ..STILL
+        },
+    );
+    let grown = picked(&state).expect("twice as large");
+    assert!((grown.distance - 7.0).abs() < 1e-4, "{}", grown.distance);
+    place(
+        &mut state,
+        0,
+        Trs {
+            rotation_deg: DVec3::new(0.0, 45.0, 0.0),
+            ..STILL
+        },
+    );
+    let turned = picked(&state).expect("its edge").distance;
+    // Half a pixel beside the edge.
+    assert!((turned - (8.0 - 0.5_f64.sqrt())).abs() < 1e-2, "{turned}");
+
+    // Away from under the pixel it stays selected, without a point; back again, it has one.
+    place(
+        &mut state,
+        0,
+        Trs {
+            translation: DVec3::new(3.0, 0.0, 2.0),
+            ..STILL
+        },
+    );
+    assert_eq!((selected(&state), picked(&state)), (Some("front"), None));
+    place(&mut state, 0, STILL);
+    assert_eq!(picked(&state), Some(&before));
+    assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
+}
+
+/// Its pick is of its own surface, whatever lies before it.
+#[test]
+fn an_object_behind_another_keeps_its_own_pick() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    state.apply(Action::StepTo(3));
+    assert_eq!(selected(&state), Some("middle"));
+    place(
+        &mut state,
+        1,
+        Trs {
+            translation: DVec3::new(0.1, 0.0, 0.0),
+            ..STILL
+        },
+    );
+    let pick = picked(&state).expect("its back, still");
+    assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
+    assert_eq!(state.hits().map(|hits| hits.at), Some(3));
+}
+
+#[test]
+fn a_singular_matrix_is_refused_with_the_reason() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let (before, revision) = (picked(&state).cloned(), state.visibility_revision());
+    let flat = Action::Place(
+        0,
+        Trs {
+            scale: DVec3::new(1.0, 0.0, 1.0),
+            ..STILL
+        }
+        .to_model(),
+    );
+    let reason = state.check(&flat).expect_err("no inverse").to_string();
+    assert_eq!(reason, "the model matrix has no inverse (is a scale zero?)");
+    let endless = Action::Place(
+        0,
+        Trs {
+            scale: DVec3::splat(f64::INFINITY),
+            ..STILL
+        }
+        .to_model(),
+    );
+    state.check(&endless).expect_err("not finite");
+    for action in [flat, endless] {
+        state.apply(action);
+        assert_eq!(picked(&state).cloned(), before);
+        assert_eq!(
+            (state.visibility_revision(), state.edited()),
+            (revision, false)
+        );
+    }
+}
+
+#[test]
+fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
+    let mut state = front_view();
+    let trs = Trs {
+        translation: DVec3::new(0.1, 0.2, 0.3),
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        scale: DVec3::new(1.0, -2.0, 3.0),
+    };
+    place(&mut state, 0, trs);
+    let text = description::to_toml(state.scene(), &state.camera_choice(), &[]).expect("saved");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("edited.toml");
+    std::fs::write(&path, text).expect("written");
+    let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
+    let model = loaded.scene.objects()[0].placement.model();
+    assert_eq!(model, trs.to_model(), "to the bit");
+    // What words say to the bit is said in words.
+    let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
+    assert!(!plain.contains("matrix"), "{plain}");
+    state.reload(row());
+    assert!(!state.edited());
+    assert_eq!(
+        state.scene().objects()[0].placement.model(),
+        STILL.to_model()
+    );
+}
+
+#[test]
+fn a_matrix_in_parts_is_the_matrix() {
+    let angles = [
+        -180.0,
+        -90.0,
+        -37.5,
+        0.0,
+        1e-7,
+        45.0,
+        89.999_999_9,
+        90.0,
+        171.0,
+    ];
+    let scales = [
+        DVec3::ONE,
+        DVec3::new(-1.0, 2.0, 0.5),
+        DVec3::new(3.0, -1e-6, 1e4),
+    ];
+    for (x, y) in angles.into_iter().flat_map(|x| angles.map(|y| (x, y))) {
+        for (z, scale) in angles
+            .into_iter()
+            .flat_map(|z| scales.map(|scale| (z, scale)))
+        {
+            let rotation_deg = DVec3::new(x, y, z);
+            let given = Trs {
+                translation: DVec3::new(7.0, -8.0, 9.0),
+                rotation_deg,
+                scale,
+            };
+            let parts = Trs::of(given.to_model()).expect("no shear");
+            let (a, b) = (given.to_model().matrix3, parts.to_model().matrix3);
+            // Column by column, each as long as its scale.
+            for axis in 0..3 {
+                let apart = a.col(axis).distance(b.col(axis)) / a.col(axis).length();
+                assert!(apart < 1e-14, "{given:?} and {parts:?}: {apart}");
+            }
+            assert_eq!(parts.translation, given.translation);
+        }
+    }
+    // In the order that the documentation says, by another library's word for it.
+    let given = Trs {
+        rotation_deg: DVec3::new(10.0, 20.0, 30.0),
+        ..STILL
+    };
+    let [x, y, z] = given.rotation_deg.to_array().map(f64::to_radians);
+    let turned = DMat3::from_quat(
+        DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x),
+    );
+    assert!((given.to_model().matrix3 - turned).abs_diff_eq(DMat3::ZERO, 1e-15));
+    let parts = Trs::of(given.to_model()).expect("no shear");
+    assert!(parts.rotation_deg.distance(given.rotation_deg) < 1e-12);
+    // Shear is none of them.
+    let mut leaning = DAffine3::IDENTITY;
+    leaning.matrix3.x_axis.y = 1e-6;
+    assert_eq!(Trs::of(leaning), None);
+}
