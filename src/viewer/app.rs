@@ -22,7 +22,6 @@ use crate::{
     pick::PickLine,
     scene::{Loaded, Scene, Warning, description},
 };
-use glam::DVec2;
 use std::{io::Write, path::PathBuf, sync::Arc, time::Instant};
 
 /// All that outlives frames, devices and windows.
