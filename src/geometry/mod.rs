@@ -26,6 +26,7 @@ mod sphere;
 mod square;
 mod triangle;
 mod trs;
+mod vertex_ray;
 
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
@@ -37,8 +38,9 @@ pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
-pub use triangle::{TriangleHit, TriangleTest, VertexRay, guarded_volume, signed_volume};
+pub use triangle::{TriangleHit, TriangleTest, guarded_volume, signed_volume};
 pub use trs::Trs;
+pub use vertex_ray::VertexRay;
 
 use glam::DVec3;
 

@@ -51,8 +51,8 @@ struct Drawn {
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
-    /// What is drawn with the scene, and about which object.
-    overlays: Option<(Overlays, Option<usize>, Ready)>,
+    /// What is drawn with the scene, about which object, and whether the trees that it may show are there.
+    overlays: Option<(Overlays, Option<usize>, bool)>,
     selection: Option<usize>,
 }
 
@@ -64,16 +64,6 @@ pub(super) struct Laid {
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
-}
-
-/// Whether the trees that an overlay shows are there.
-#[derive(Clone, Copy, PartialEq)]
-struct Ready(bool);
-
-impl Ready {
-    fn of(state: &State) -> Self {
-        Self(state.scene().trees_are_built())
-    }
 }
 
 impl Canvas {
@@ -230,7 +220,8 @@ impl Canvas {
         let selection = state.selection().map(|selection| selection.object);
         let overlays = state.overlays();
         let wanted = Drawn {
-            overlays: (overlays.in_scene()).then(|| (overlays, selection, Ready::of(state))),
+            overlays: (overlays.in_scene())
+                .then(|| (overlays, selection, state.scene().trees_are_built())),
             view: View {
                 viewport,
                 ..*state.view()

@@ -15,6 +15,9 @@ pub const SIZE: [u32; 2] = [128, 96];
 /// From a scene's middle to the eye.
 const WAY: DVec3 = dvec3(1.0, 0.8, 1.6);
 
+/// The condition beyond what `f32` can draw of some meshes.
+pub const NARROWEST: &str = "narrowed down to 1e-4 degrees";
+
 /// A condition, and whether it is ordinary: then few outline pixels may differ.
 pub struct Shot {
     pub condition: &'static str,
@@ -212,9 +215,14 @@ fn zooms(stage: &Stage) -> Vec<Shot> {
         let lens = perspective(45.0, 0.01 * zoom * r, 10.0 * r);
         let view = look(aim + zoom * r * way, aim, lens);
         shots.push(Shot::new("zoomed in to 1e-6", view, false));
-        let lens = perspective((45.0 * zoom).max(1e-4), 0.1 * r, 10.0 * r);
-        let view = look(aim + r * way, aim, lens);
-        shots.push(Shot::new("narrowed down to 1e-4 degrees", view, false));
+        let fov = (45.0 * zoom).max(1e-4);
+        let view = look(aim + r * way, aim, perspective(fov, 0.1 * r, 10.0 * r));
+        let narrowed = if fov > 0.01 {
+            "narrowed down to 0.01 degrees"
+        } else {
+            NARROWEST
+        };
+        shots.push(Shot::new(narrowed, view, false));
         let lens = orthographic(zoom * r, -10.0 * r, 10.0 * r);
         let view = look(aim + r * way, aim, lens);
         shots.push(Shot::new("orthographic, zoomed in to 1e-6", view, false));

@@ -1,7 +1,7 @@
 //! Every condition that a user can bring about, over every scene: nothing is left unexplained.
 
 use crate::{
-    cameras::{Shot, culled, few_shots, shots},
+    cameras::{NARROWEST, SIZE, Shot, culled, few_shots, shots},
     common, drawn,
     models::{coplanar, inside, matrices, slivers, under},
     scenes::{gpu, shapes},
@@ -19,7 +19,7 @@ use std::{collections::BTreeMap, time::Instant};
 /// be left with nothing; all of its condition together may not.
 const LEAST_SHOWN: usize = 10;
 
-/// Pixels of an ordinary view that `f32` may leave undecided.
+/// Pixels of a view that `f32` may leave undecided.
 const MOST_BEYOND_F32: usize = 20;
 
 /// Meshes that take long to draw are seen by a third of the cameras.
@@ -51,23 +51,36 @@ impl Tally {
     }
 }
 
+/// What a sweep is over, by which more or less may be asked.
+#[derive(Clone, Copy, PartialEq)]
+enum Over {
+    /// Scenes that are made for it.
+    Own,
+    /// Whatever people made.
+    Files,
+    /// Blades less than a pixel wide, and faces in one plane.
+    Hardest,
+}
+
 /// Draws, picks and compares; collects what must not be.
 struct Sweep {
     gpu: Gpu,
     renderer: Renderer,
     tallies: BTreeMap<&'static str, Tally>,
     ordinary: Tally,
+    over: Over,
     defects: Vec<String>,
 }
 
 impl Sweep {
-    fn new() -> Self {
+    fn new(over: Over) -> Self {
         let gpu = gpu();
         Self {
             renderer: Renderer::new(&gpu, 1),
             gpu,
             tallies: BTreeMap::new(),
             ordinary: Tally::default(),
+            over,
             defects: Vec::new(),
         }
     }
@@ -82,10 +95,10 @@ impl Sweep {
             let place = format!("{name}, {}", shot.condition);
             if shot.ordinary {
                 self.ordinary.add(&report);
-                let beyond = report.count(Class::F32Limit);
-                if beyond > MOST_BEYOND_F32 {
-                    self.defects.push(format!("{place}: {beyond} beyond f32"));
-                }
+            }
+            let beyond = report.count(Class::F32Limit);
+            if beyond > self.most_beyond_f32(shot.condition) {
+                self.defects.push(format!("{place}: {beyond} beyond f32"));
             }
             if report.count(Class::Unexplained) > 0 {
                 let count = report.count(Class::Unexplained);
@@ -95,12 +108,34 @@ impl Sweep {
                     shot.view
                 ));
             }
-            if report.shown < LEAST_SHOWN && !may_be_empty(shot.condition) {
+            if report.shown < self.least_shown(shot.condition) {
                 self.defects.push(format!(
                     "{place}: only {} pixels show anything",
                     report.shown
                 ));
             }
+        }
+    }
+
+    fn most_beyond_f32(&self, condition: &str) -> usize {
+        match self.over {
+            Over::Own => MOST_BEYOND_F32,
+            Over::Files if condition != NARROWEST => MOST_BEYOND_F32,
+            Over::Files | Over::Hardest => usize::MAX,
+        }
+    }
+
+    /// Pixels that a view must show.
+    fn least_shown(&self, condition: &str) -> usize {
+        let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
+        if is_any(&["cut", "culled", "from the middle", "along an axis"]) {
+            0
+        } else if is_any(&["zoomed", "narrowed"]) {
+            // A detail fills the picture, or a good part of it.
+            let tenths = if self.over == Over::Own { 3 } else { 1 };
+            tenths * (SIZE[0] * SIZE[1]) as usize / 10
+        } else {
+            LEAST_SHOWN
         }
     }
 
@@ -131,11 +166,6 @@ impl Sweep {
     }
 }
 
-fn may_be_empty(condition: &str) -> bool {
-    let words = ["cut", "culled", "from the middle", "along an axis"];
-    words.iter().any(|word| condition.contains(word))
-}
-
 /// Per cent of outline pixels that differ.
 fn share(tally: &Tally) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "few pixels")]
@@ -159,7 +189,7 @@ fn under_matrices(sweep: &mut Sweep, name: &str, scene: &Scene) {
 
 #[test]
 fn own_scenes() {
-    let mut sweep = Sweep::new();
+    let mut sweep = Sweep::new(Over::Own);
     let scene = shapes(DVec3::ZERO);
     sweep.check("shapes", &scene, shots(&scene));
     under_matrices(&mut sweep, "shapes", &scene);
@@ -185,7 +215,7 @@ fn own_scenes() {
 
 #[test]
 fn slivers_and_coplanar_faces() {
-    let mut sweep = Sweep::new();
+    let mut sweep = Sweep::new(Over::Hardest);
     for (name, scene) in [("slivers", slivers()), ("coplanar", coplanar())] {
         let all = shots(&scene).into_iter().map(|shot| Shot {
             ordinary: false,
@@ -211,7 +241,7 @@ fn real_files() {
         .collect();
     paths.sort();
     assert!(!paths.is_empty(), "no models");
-    let mut sweep = Sweep::new();
+    let mut sweep = Sweep::new(Over::Files);
     for path in paths {
         let name = path
             .file_stem()

@@ -34,7 +34,7 @@
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
 
-use crate::geometry::{Aabb, Ray};
+use crate::geometry::{Aabb, Ray, entry};
 use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
@@ -232,8 +232,12 @@ impl Placed {
         let mut distance = away + most;
         if away > f64::from(NEAR) * most {
             let start = ray.t_min * t_scale;
-            let enter = entry(origin, direction, start, &frame.bounds, 2.0 * far);
-            t_start = greater(enter.ok_or(Unplaced::Misses)?, start);
+            let safe = direction.abs().max(DVec3::splat(LEAST_COMPONENT.into()));
+            let inverse = safe.copysign(direction).recip();
+            let room = DVec3::splat(2.0 * far);
+            let ways = [frame.bounds.min - room, frame.bounds.max + room].map(|p| p - origin);
+            let enter = entry(ways, inverse, [start, f64::INFINITY], 0.0);
+            t_start = enter.ok_or(Unplaced::Misses)?;
             origin += t_start * direction;
             distance = 2.0 * most;
         }
@@ -260,17 +264,6 @@ pub(super) struct ShearedRay {
     pub size: f32,
     /// How far a corner may be from where this sees it.
     pub reach: f32,
-}
-
-/// Where a ray enters the box grown by `room` on all sides; `None` where it passes it, or has left it before `start`.
-fn entry(origin: DVec3, direction: DVec3, start: f64, bounds: &Aabb, room: f64) -> Option<f64> {
-    let safe = direction.abs().max(DVec3::splat(LEAST_COMPONENT.into()));
-    let inverse = safe.copysign(direction).recip();
-    let to_min = (bounds.min - room - origin) * inverse;
-    let to_max = (bounds.max + room - origin) * inverse;
-    let enter = to_min.min(to_max).max_element();
-    let leave = to_min.max(to_max).min_element();
-    (enter <= leave && leave >= start).then_some(enter)
 }
 
 /// The power of two below `size`.

@@ -1,0 +1,67 @@
+//! A ray as the triangles of a mesh see it.
+
+use super::Ray;
+use glam::DVec3;
+
+/// The unit roundoff of `f64`: no operation errs by more than this, relative to its result.
+pub(super) const U: f64 = 0.5 * f64::EPSILON;
+
+/// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
+const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+
+/// A ray in the space of a mesh's vertices that lost no digit on the way from object space.
+///
+/// `ray.origin - vertex_origin` rounds. What that takes is kept, so that decisions are about the ray in object space:
+/// here it starts at `ray.origin + tail`.
+#[derive(Clone, Copy, Debug)]
+pub struct VertexRay {
+    /// The ray, its origin rounded.
+    pub ray: Ray,
+    /// What rounding took from the origin: in each component at most half a unit in the last place.
+    pub tail: DVec3,
+    /// The length whose rounding would be as large as `tail`.
+    pub(super) tail_as_length: f64,
+    /// The sum of the direction's components without their signs; infinite where products could overflow, and the bounds
+    /// on rounding therefore do not hold.
+    pub(super) taxicab: f64,
+}
+
+impl VertexRay {
+    /// `ray` of object space, as vertices about `vertex_origin` see it.
+    #[inline]
+    #[must_use]
+    pub fn new(ray: &Ray, vertex_origin: DVec3) -> Self {
+        let origin = ray.origin - vertex_origin;
+        // Knuth's two-difference: the error of a difference is an f64 (Shewchuk 1997, theorem 7).
+        let from_ray = ray.origin - origin;
+        let tail = (ray.origin - (origin + from_ray)) + (from_ray - vertex_origin);
+        let taxicab = ray.direction.abs().element_sum();
+        // Written so that NaN is false.
+        let is_moderate = origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
+        Self {
+            ray: Ray { origin, ..*ray },
+            tail,
+            tail_as_length: tail.abs().max_element() / U,
+            taxicab: if is_moderate { taxicab } else { f64::INFINITY },
+        }
+    }
+
+    /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then
+    /// a difference to an `f32` is 0 or above `2^-306`, and neither products nor quotients of it leave the range of
+    /// `f64`.
+    pub(super) fn is_bounded(&self) -> bool {
+        let numbers = [self.ray.origin, self.tail, self.ray.direction].map(|v| v.abs().to_array());
+        let is_bounded = |&size: &f64| size == 0.0 || (1.0 / LARGE..=LARGE).contains(&size);
+        numbers.as_flattened().iter().all(is_bounded)
+    }
+
+    /// From the ray's start to a vertex (of `f32` components), each component to within `2 U` of itself.
+    ///
+    /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds.
+    /// Otherwise it is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: taking
+    /// it off changes nothing that matters to a relative bound, and each difference rounds once.
+    #[inline]
+    pub(super) fn to(&self, vertex: DVec3) -> DVec3 {
+        (vertex - self.ray.origin) - self.tail
+    }
+}
