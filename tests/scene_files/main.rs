@@ -13,6 +13,7 @@ use sightline::{
     scene::{self, Loaded, Object, Progress, description},
 };
 use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
 fn parse(text: &str) -> Result<description::Description, String> {
     let (mut meshes, progress) = (scene::MeshFiles::default(), Progress::default());
@@ -31,6 +32,13 @@ fn refused(text: &str) -> String {
         "{error} names the file"
     );
     error
+}
+
+/// Writes a file into a folder, and says where it is.
+fn write(folder: &TempDir, name: &str, text: &str) -> PathBuf {
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    path
 }
 
 fn load(paths: &[PathBuf]) -> Result<Loaded, String> {
@@ -238,11 +246,7 @@ fn errors_say_where_and_what() {
 #[test]
 fn files_make_one_scene_in_their_order() {
     let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path
-    };
+    let write = |name: &str, text: &str| write(&folder, name, text);
     let object = |name: &str| format!("[[object]]\nshape = \"cube\"\nname = \"{name}\"\n");
     let plain = write("plain.toml", &(object("a") + &object("b")));
     let first = write(

@@ -2,7 +2,7 @@
 
 use crate::{
     common::{Random, mesh, placements},
-    load, parse,
+    load, parse, write,
 };
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
@@ -131,11 +131,7 @@ fn a_mesh_is_saved_as_its_files_part() {
 #[test]
 fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path
-    };
+    let write = |name: &str, text: &str| write(&folder, name, text);
     write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let two = "v 0 0 0\nv 1 0 0\nv 0 1 0\no Roof\nf 1 2 3\no Wall\nf 3 2 1\nf 1 3 2\n";
     write("two.obj", two);
