@@ -121,13 +121,12 @@ pub(crate) fn is_scene_file(path: &Path) -> bool {
 fn text(path: &Path) -> Result<String, FileError> {
     let (mut file, _) = file::open(path, MOST_BYTES)?;
     let mut text = String::new();
-    match file.read_to_string(&mut text) {
-        Ok(_) => Ok(text),
-        Err(source) => Err(FileError::Unreadable {
+    file.read_to_string(&mut text)
+        .map_err(|source| FileError::Unreadable {
             file: path.to_owned(),
             source,
-        }),
-    }
+        })?;
+    Ok(text)
 }
 
 /// Mesh files by their absolute paths, each loaded once however often it is named.
