@@ -190,6 +190,13 @@ impl Camera {
         &self.lens
     }
 
+    /// Half the picture's height: at view depth 1 in perspective (the tangent of half the field of view), in world units
+    /// in orthographic projection.
+    #[must_use]
+    pub fn half_height(&self) -> f64 {
+        self.half_height
+    }
+
     /// The rows R, U, F: from world to view directions.
     #[must_use]
     pub fn rotation(&self) -> DMat3 {
