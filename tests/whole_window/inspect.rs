@@ -23,7 +23,7 @@ fn f12_saves_what_is_on_screen_and_never_over_a_file() {
     let shown = window.picture().expect("a picture");
     let files = screenshots(folder.path());
     assert_eq!(files, [folder.path().join("sightline-1.png")]);
-    let saved = pictures::read(&files[0]);
+    let saved = images::read(&files[0]);
     assert_eq!(saved.size(), shown.size());
     // The message that it was saved is all that is new.
     let differ = (saved.pixels().iter().zip(shown.pixels()))

@@ -4,6 +4,8 @@ mod device;
 mod events;
 mod files;
 mod gallery;
+#[path = "../common/images.rs"]
+mod images;
 mod inspect;
 mod overlays;
 mod pictures;
