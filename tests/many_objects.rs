@@ -197,7 +197,7 @@ fn of_thousands_few_are_asked() {
         let closest = pick::closest(&scene, ray, Sides::Both);
         hit += usize::from(closest.is_some());
         let end = closest.map_or(f64::INFINITY, |hit| hit.hit.t);
-        scene.visit_batches(ray, |_| {
+        scene.visit_batches(&ray.into(), |_| {
             asked += 1;
             end
         });

@@ -22,7 +22,7 @@ pub use warning::Warning;
 
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Ray, Sphere, Square},
+    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Sphere, Square, WorldRay},
 };
 use glam::DVec3;
 use std::{
@@ -262,8 +262,11 @@ impl Scene {
 
     /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
     /// returns the new end of the ray's interval. What is passed over has no hit in it.
-    pub fn visit_batches(&self, ray: &Ray, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        if self.tree.is_empty() {
+    pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
+        // A ray without bounds may be anywhere.
+        let error = ray.error();
+        let is_known = (error.origin + error.direction).is_finite();
+        if self.tree.is_empty() || !is_known {
             for batch in &self.batches {
                 visit(batch);
             }

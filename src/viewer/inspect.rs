@@ -77,8 +77,7 @@ impl DepthSteps {
         Self {
             steps: [DepthMapping::Reversed, DepthMapping::Standard].map(step),
             in_use: lens.depth,
-            // The ray's share along F is the same everywhere.
-            next_surface: pick.gap.map(|gap| gap * (pick.depth / pick.t)),
+            next_surface: pick.gap,
         }
     }
 

@@ -67,7 +67,7 @@ impl Steps {
             clip: view.camera.projection(view.viewport) * in_view.extend(1.0),
             ndc: projected.ndc,
             px: projected.px,
-            ray: view.ray(projected.px),
+            ray: *view.ray(projected.px),
         })
     }
 }

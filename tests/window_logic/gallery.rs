@@ -75,7 +75,7 @@ fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
     // The plain quadratic in f32 hits a far ball beside its outline.
     let mut state = opened("small_and_far");
     let broken = the_break("small_and_far", "plain quadratic");
-    let beside = DVec2::new(30.0, 300.0);
+    let beside = DVec2::new(150.0, 300.0);
     let compared = compare(&mut state, broken, beside);
     assert_eq!(compared.fault(), Some(Fault::Phantom));
     assert_eq!(selected(&state), Some("Ball"), "the wrong pick is shown");

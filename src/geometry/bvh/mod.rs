@@ -20,7 +20,7 @@ mod walk;
 
 pub use simd::Simd;
 
-use super::{Aabb, Ray};
+use super::{Aabb, LocalRay};
 use glam::{DVec3, Vec3};
 use node::{Line, Node, Packet, Place};
 use ray::Frame;
@@ -72,7 +72,7 @@ impl Bvh {
     ///
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
-    pub fn visit(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
+    pub fn visit(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         self.instructions.run(Walk::<_, true> {
             tree: self,
             ray,
@@ -83,7 +83,7 @@ impl Bvh {
 
     /// [`Bvh::visit`] by chosen instructions.
     #[inline]
-    pub fn visit_by(&self, simd: Simd, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
+    pub fn visit_by(&self, simd: Simd, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         simd.run(Walk::<_, true> {
             tree: self,
             ray,
@@ -95,7 +95,7 @@ impl Bvh {
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
-    pub fn visit_boxes(&self, ray: &Ray, center: &DVec3, visit: &mut impl Visit) {
+    pub fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         self.instructions.run(Walk::<_, false> {
             tree: self,
             ray,
