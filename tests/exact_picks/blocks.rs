@@ -1,0 +1,278 @@
+//! What families of scenes are made of: placements, shapes, views and positions, all from one seed.
+
+use crate::common::{Random, icosphere, mesh, orthographic, perspective};
+use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::{Camera, Lens, View, Viewport},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    scene::{Object, Scene, Shape},
+};
+use std::{ops::Range, sync::Arc};
+
+/// A scene, a view of it and positions to ask.
+pub struct Sample {
+    pub scene: Scene,
+    pub view: View,
+    pub positions: Vec<DVec2>,
+    /// Whether positions come in pairs, one step of `f64` apart.
+    pub in_pairs: bool,
+}
+
+pub fn power(random: &mut Random, exponents: Range<f64>) -> f64 {
+    10_f64.powf(random.within(exponents.start, exponents.end))
+}
+
+pub fn chance(random: &mut Random, one_in: usize) -> bool {
+    random.below(one_in) == 0
+}
+
+pub fn any_turn(random: &mut Random) -> DMat3 {
+    let angle = random.within(0.0, std::f64::consts::TAU);
+    DMat3::from_axis_angle(random.direction(), angle)
+}
+
+/// A whole number in the range.
+pub fn whole(random: &mut Random, low: i32, high: i32) -> f64 {
+    let steps = usize::try_from(high - low + 1).expect("a range");
+    f64::from(low + i32::try_from(random.below(steps)).expect("small"))
+}
+
+/// Whole coordinates.
+pub fn lattice_point(random: &mut Random, half: i32) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|_| whole(random, -half, half)))
+}
+
+/// One of the 48 matrices that take axes to axes.
+pub fn lattice_turn(random: &mut Random) -> DMat3 {
+    let first = random.below(3);
+    let second = (first + 1 + random.below(2)) % 3;
+    let third = 3 - first - second;
+    let mut signed = |axis: usize| DVec3::AXES[axis] * if chance(random, 2) { 1.0 } else { -1.0 };
+    DMat3::from_cols(signed(first), signed(second), signed(third))
+}
+
+/// Rotated, scaled up to 8 times more one way than another, sheared or mirrored at times.
+pub fn placement(random: &mut Random, size: f64, centre: DVec3) -> Placement {
+    loop {
+        let scale = DVec3::from_array(std::array::from_fn(|_| size * power(random, -0.45..0.45)));
+        let mut linear = any_turn(random) * DMat3::from_diagonal(scale);
+        if chance(random, 4) {
+            linear *= any_turn(random);
+        }
+        if chance(random, 4) {
+            linear = -linear;
+        }
+        let model = DAffine3::from_mat3_translation(linear, centre);
+        if let Ok(placement) = Placement::new(model) {
+            return placement;
+        }
+    }
+}
+
+pub fn one_mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec3) -> Shape {
+    Shape::Mesh {
+        mesh: mesh(positions, triangles, origin),
+        part: 0,
+    }
+}
+
+/// The cube of side 1 about the origin as 12 triangles.
+pub fn box_mesh(factor: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 } * factor);
+    let quads = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let halves = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    ((0..8).map(corner).collect(), halves.collect())
+}
+
+/// Triangles that share corners, about 1 wide: a box, a ball of 20 or 80, or a crumpled strip of up to 60.
+pub fn some_mesh(random: &mut Random, factor: f64) -> Shape {
+    let origin = match random.below(3) {
+        0 => DVec3::ZERO,
+        1 => factor * random.point(0.3),
+        _ => factor * 0.5 * lattice_point(random, 2),
+    };
+    #[expect(clippy::cast_possible_truncation, reason = "as meshes keep them")]
+    let stored = |p: DVec3| (factor * p).to_array().map(|c| c as f32);
+    match random.below(4) {
+        0 => {
+            #[expect(clippy::cast_possible_truncation, reason = "as meshes keep them")]
+            let (positions, triangles) = box_mesh(factor as f32);
+            one_mesh(positions, triangles, origin)
+        }
+        1 => {
+            let level = u32::from(chance(random, 3));
+            let (points, triangles) = icosphere(level);
+            let positions = points.into_iter().map(|p| stored(0.5 * p));
+            one_mesh(positions.collect(), triangles, origin)
+        }
+        _ => {
+            let corners = 3 + random.below(60);
+            let positions = (0..corners).map(|_| stored(random.point(0.6)));
+            let positions = positions.collect();
+            let corners = u32::try_from(corners).expect("few");
+            let triangles = (0..corners - 2).map(|i| [i, i + 1, i + 2]);
+            one_mesh(positions, triangles.collect(), origin)
+        }
+    }
+}
+
+/// One of all shapes, about 1 wide.
+pub fn some_shape(random: &mut Random) -> Shape {
+    match random.below(5) {
+        0 => Shape::Sphere,
+        1 => Shape::Cube,
+        2 => Shape::Square,
+        _ => some_mesh(random, 1.0),
+    }
+}
+
+/// Shows and hides, and adds a hidden mesh that has no tree yet: as long as one is missing, records leave out
+/// `differs_px`, which would ask up to 196 rays each.
+pub fn scene(random: &mut Random, mut objects: Vec<Object>) -> Scene {
+    if objects.len() > 2 {
+        for object in &mut objects {
+            object.visible = !chance(random, 12);
+        }
+    }
+    let (points, triangles) = icosphere(1);
+    let positions = points.into_iter().map(|p| p.as_vec3().to_array()).collect();
+    let waits = one_mesh(positions, triangles, DVec3::ZERO);
+    objects.push(Object {
+        visible: false,
+        ..Object::new("waits for its tree", waits, Placement::IDENTITY)
+    });
+    Scene::new(objects)
+}
+
+/// A mesh of several parts, each an object, all in one place.
+pub fn parts(random: &mut Random, placement: Placement) -> Vec<Object> {
+    let corners = 12 + random.below(30);
+    let positions = (0..corners).map(|_| random.point(0.6).as_vec3().to_array()).collect();
+    let count = u32::try_from(corners - 2).expect("few");
+    let triangles: Vec<_> = (0..count).map(|i| [i, i + 1, i + 2]).collect();
+    let ends = [count / 3, count / 2, count];
+    let mut start = 0;
+    let ranges = ends.map(|end| std::mem::replace(&mut start, end)..end);
+    let data = MeshData {
+        positions,
+        triangles,
+        parts: ranges.iter().cloned().map(|triangles| Part { name: "part".to_owned(), triangles }).collect(),
+        colours: vec![ColourRun { triangles: 0..count, colour: None }],
+        ..MeshData::default()
+    };
+    let mesh = Arc::new(Mesh::new(data).expect("a mesh"));
+    let object = |part| Object::new("part", Shape::Mesh { mesh: Arc::clone(&mesh), part }, placement);
+    (0..3).map(object).collect()
+}
+
+/// A camera at `eye` that sees about `size` at `target`, through either kind of lens.
+pub fn framed(random: &mut Random, eye: DVec3, target: DVec3, size: f64) -> View {
+    let distance = eye.distance(target);
+    let lens = if chance(random, 2) {
+        let fov = 2.0 * (0.6 * size / distance).atan().to_degrees();
+        perspective(fov, 1.0, 2.0)
+    } else {
+        orthographic(1.2 * size, 1.0, 2.0)
+    };
+    let (near, far) = match random.below(4) {
+        0 => (distance - 0.1 * size, distance + 0.4 * size),
+        1 => (distance * 1e-3, distance * 1e3),
+        _ => (distance - 2.0 * size, distance + 2.0 * size),
+    };
+    let near = if lens.is_orthographic() { near } else { near.max(1e-6 * distance) };
+    let lens = Lens { near, far, ..lens };
+    let up = random.direction();
+    let camera = Camera::new(eye, target, up, lens).expect("a camera");
+    view_of(random, camera)
+}
+
+pub fn view_of(random: &mut Random, camera: Camera) -> View {
+    let size = [(64, 48), (97, 61), (640, 480), (31, 200), (1920, 1080)][random.below(5)];
+    View {
+        camera,
+        viewport: Viewport::new(size.0, size.1).expect("a viewport"),
+        sides: if chance(random, 4) { Sides::Front } else { Sides::Both },
+    }
+}
+
+/// Anywhere in the picture, a pixel's centre half of the time.
+pub fn anywhere(random: &mut Random, view: &View) -> DVec2 {
+    let size = view.viewport.size_px();
+    let px = size * dvec2(random.unit(), random.unit());
+    if chance(random, 2) { px.floor() + 0.5 } else { px }
+}
+
+/// A point of a shape, in object space: on a border (an edge, a corner, a rim) or anywhere on it.
+pub fn point_of(random: &mut Random, shape: &Shape, on_border: bool) -> DVec3 {
+    let half = |random: &mut Random| if chance(random, 2) { 0.5 } else { -0.5 };
+    match shape {
+        Shape::Sphere => 0.5 * random.direction(),
+        Shape::Square | Shape::Cube => {
+            let mut p = random.point(0.5);
+            let flat = matches!(shape, Shape::Square);
+            let axes = if flat { 2 } else { 3 };
+            let fixed = random.below(axes);
+            if on_border || !flat {
+                p[fixed] = half(random);
+            }
+            if on_border && (!flat || chance(random, 3)) {
+                p[(fixed + 1) % axes] = half(random);
+            }
+            if on_border && chance(random, 4) {
+                p = dvec3(half(random), half(random), half(random));
+            }
+            if flat { p.with_z(0.0) } else { p }
+        }
+        Shape::Mesh { mesh, part } => {
+            let range = mesh.data().parts[*part].triangles.clone();
+            let triangle = range.start + u32::try_from(random.below(range.len())).expect("few");
+            let corners = mesh.corners(triangle);
+            let (mut s, mut u) = (random.unit(), random.unit());
+            if s + u > 1.0 {
+                (s, u) = (1.0 - s, 1.0 - u);
+            }
+            if on_border {
+                u = 0.0;
+                s = if chance(random, 3) { 0.0 } else { s };
+            }
+            let first = random.below(3);
+            let [a, b, c] = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+            a + s * (b - a) + u * (c - a)
+        }
+    }
+}
+
+/// Where the picture shows about this point of a visible object; anywhere when it does not.
+pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -> DVec2 {
+    let visible: Vec<_> = scene.objects().iter().filter(|object| object.visible).collect();
+    let object = visible[random.below(visible.len())];
+    let point = point_of(random, &object.shape, on_border);
+    let shown = view.project(object.placement.point_to_world(point));
+    match shown {
+        Some(shown) if shown.px.is_finite() && shown.px.abs().max_element() < 1e6 => shown.px,
+        _ => anywhere(random, view),
+    }
+}
+
+/// A sample with so many positions, most of them at what is visible.
+pub fn sample(random: &mut Random, scene: Scene, view: View, count: usize) -> Sample {
+    let position = |_| match random.below(4) {
+        0 => anywhere(random, &view),
+        1 => aimed(random, &scene, &view, true),
+        _ => aimed(random, &scene, &view, false),
+    };
+    let positions = (0..count).map(position).collect();
+    Sample {
+        scene,
+        view,
+        positions,
+        in_pairs: false,
+    }
+}

@@ -1,0 +1,296 @@
+//! One position: what the program says beside what is true.
+
+use super::{
+    number::{minus, times, vector},
+    program::{self, Answer},
+    root::Parameter,
+    truth::{Hit, Line, World},
+};
+use glam::{DVec2, DVec3};
+use sightline::{
+    camera::View,
+    pick::Pick,
+    scene::{Object, Scene},
+};
+use std::fmt::Write;
+
+/// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it.
+const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
+/// How much more a number may be off that is made of `t` and of stored numbers in a few steps, relatively.
+const FEW_ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+/// Two parameters closer than this, relatively, and yet apart are told apart by exact arithmetic only.
+const HAIR: f64 = 1e-15;
+
+/// What a number of positions showed.
+#[derive(Debug, Default)]
+pub struct Tally {
+    pub positions: usize,
+    /// Positions where there is something.
+    pub hits: usize,
+    /// Positions where the first two hits are at one `t`, exactly.
+    pub ties: usize,
+    /// Positions where the first hit is on an edge, a rim or a silhouette, exactly.
+    pub borders: usize,
+    /// Positions where the first hit's `t` is exactly near's, or a hit's exactly far's.
+    pub planes: usize,
+    /// Positions where two of the hits are apart, but less than [`HAIR`].
+    pub hairs: usize,
+    /// Pairs of positions, one step of `f64` apart, with two answers.
+    pub steps: usize,
+    /// Positions with a wrong answer.
+    pub wrong: usize,
+    /// The largest relative error of `t`.
+    pub worst_t: f64,
+    /// The first few that were wrong.
+    pub examples: Vec<String>,
+    /// Kinds of mistakes and how often each was made.
+    pub kinds: std::collections::BTreeMap<&'static str, usize>,
+}
+
+/// A scene through a view, with the truth about it.
+pub struct Case<'a> {
+    pub scene: &'a Scene,
+    pub view: &'a View,
+    pub world: &'a World,
+}
+
+impl Case<'_> {
+    pub fn truth(&self, px: DVec2) -> Vec<Hit> {
+        self.world.hits(&Line::of(self.view, px), self.view.sides)
+    }
+
+    /// Compares `closest` and `all`, and where asked the records.
+    pub fn check(&self, px: DVec2, with_records: bool, tally: &mut Tally) -> Vec<Pick> {
+        let line = Line::of(self.view, px);
+        let truth = self.world.hits(&line, self.view.sides);
+        let mut mistakes = Mistakes::default();
+        let all = program::all(self.scene, self.view, px);
+        if all.len() == truth.len() {
+            for (answer, hit) in all.iter().zip(&truth) {
+                mistakes.of_answer("all", answer, hit);
+            }
+        } else {
+            mistakes.add("all: count", format!("{} of {}", all.len(), truth.len()));
+        }
+        match (program::closest(self.scene, self.view, px), truth.first()) {
+            (Some(answer), Some(hit)) => mistakes.of_answer("closest", &answer, hit),
+            (None, None) => {}
+            (answer, hit) => mistakes.add("closest: hit or miss", format!("{answer:?} {hit:?}")),
+        }
+        let mut records = Vec::new();
+        if with_records {
+            records = program::records(self.scene, self.view, px);
+            let first = program::record(self.scene, self.view, px);
+            if first.as_ref() != records.first() {
+                mistakes.add("pick is not the first of all", format!("{first:?}"));
+            }
+            if records.len() == truth.len() {
+                for (i, record) in records.iter().enumerate() {
+                    mistakes.of_record(self, &line, &truth, i, record);
+                }
+            } else {
+                mistakes.add("records: count", format!("{} of {}", records.len(), truth.len()));
+            }
+        }
+        tally.count(&line, &truth);
+        tally.worst_t = all.iter().zip(&truth).fold(tally.worst_t, |worst, (answer, hit)| {
+            let t = hit.t.rounded();
+            let error = ((answer.t - t) / t).abs();
+            if error.is_finite() && same_place(answer, hit) { worst.max(error) } else { worst }
+        });
+        self.report(px, &truth, mistakes, tally);
+        records
+    }
+
+    /// Once more with trees, and records against those `before`: all but `differs_px` must be as they were.
+    pub fn recheck(&self, px: DVec2, before: Option<Vec<Pick>>, tally: &mut Tally) {
+        let mut again = Tally::default();
+        let records = self.check(px, before.is_some(), &mut again);
+        let plain = |records: Vec<Pick>| -> Vec<_> {
+            let each = records.into_iter();
+            each.map(|record| Pick { differs_px: None, ..record }).collect()
+        };
+        let mut mistakes = Mistakes::default();
+        if let Some(before) = before
+            && plain(before) != plain(records)
+        {
+            mistakes.add("another record with a tree", String::new());
+        }
+        self.report(px, &[], mistakes, &mut again);
+        tally.wrong += again.wrong.min(1);
+        tally.examples.extend(again.examples);
+        tally.examples.truncate(3);
+        for (kind, count) in again.kinds {
+            *tally.kinds.entry(kind).or_insert(0) += count;
+        }
+    }
+
+    /// How many pairs of neighbouring positions have two answers.
+    pub fn steps(&self, positions: &[DVec2]) -> usize {
+        let answer = |px: &DVec2| -> Vec<_> {
+            let hits = self.truth(*px).into_iter();
+            hits.map(|hit| (hit.object, hit.triangle, hit.front)).collect()
+        };
+        let pairs = positions.as_chunks::<2>().0.iter();
+        pairs.filter(|[a, b]| answer(a) != answer(b)).count()
+    }
+
+    fn report(&self, px: DVec2, truth: &[Hit], mistakes: Mistakes, tally: &mut Tally) {
+        if mistakes.0.is_empty() {
+            return;
+        }
+        tally.wrong += 1;
+        if tally.examples.len() < 3 {
+            let mut text = format!("at {px:?}\n  view {:?}\n", self.view);
+            for object in self.scene.objects().iter().filter(|object| object.visible) {
+                let _ = writeln!(text, "  {}", described(object));
+            }
+            for hit in truth {
+                let (t, at) = (hit.t.rounded(), (hit.object, hit.triangle));
+                let _ = writeln!(text, "  true: {at:?} front {} t {t:e}", hit.front);
+            }
+            for (kind, detail) in &mistakes.0 {
+                let _ = writeln!(text, "  WRONG {kind}: {detail}");
+            }
+            tally.examples.push(text);
+        }
+        for (kind, _) in mistakes.0 {
+            *tally.kinds.entry(kind).or_insert(0) += 1;
+        }
+    }
+}
+
+fn described(object: &Object) -> String {
+    let kind = object.shape.kind();
+    let triangles = object.shape.triangles().map_or(0, |range| range.len());
+    format!("{kind} of {triangles} under {:?}", object.placement.model())
+}
+
+fn same_place(answer: &Answer, hit: &Hit) -> bool {
+    (answer.object, answer.triangle) == (hit.object, hit.triangle)
+}
+
+impl Tally {
+    pub fn row(&self) -> String {
+        format!(
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  worst t {:8.1e}  wrong {:6}",
+            self.positions,
+            self.hits,
+            self.ties,
+            self.borders,
+            self.planes,
+            self.hairs,
+            self.steps,
+            self.worst_t,
+            self.wrong
+        )
+    }
+
+    fn count(&mut self, line: &Line, truth: &[Hit]) {
+        self.positions += 1;
+        let Some(first) = truth.first() else { return };
+        self.hits += 1;
+        self.borders += usize::from(first.on_border);
+        self.planes += usize::from(first.t.compare_to(&line.near).is_eq());
+        let second = truth.get(1);
+        self.ties += usize::from(second.is_some_and(|hit| hit.t.compare(&first.t).is_eq()));
+        let apart = |[a, b]: &[Hit; 2]| {
+            let gap = b.t.rounded_minus(&a.t);
+            gap > 0.0 && gap <= HAIR * b.t.rounded().abs()
+        };
+        self.hairs += usize::from(truth.array_windows().any(apart));
+    }
+}
+
+#[derive(Default)]
+struct Mistakes(Vec<(&'static str, String)>);
+
+impl Mistakes {
+    fn add(&mut self, kind: &'static str, detail: String) {
+        self.0.push((kind, detail));
+    }
+
+    fn of_answer(&mut self, who: &'static str, answer: &Answer, hit: &Hit) {
+        if !same_place(answer, hit) {
+            self.add("surface", format!("{who} says {:?}", (answer.object, answer.triangle)));
+            return;
+        }
+        if answer.front != hit.front {
+            self.add("front", format!("{who} says {}", answer.front));
+        }
+        self.near_enough("t", answer.t, &hit.t);
+        if let Some(face) = hit.face
+            && answer.normal_object != DVec3::from(face.map(f64::from))
+        {
+            self.add("face", format!("{who} says {}", answer.normal_object));
+        }
+        match (answer.barycentric, hit.barycentric) {
+            (None, None) => {}
+            (Some(said), Some(exact)) if said.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-6) => {}
+            (said, exact) => self.add("barycentric", format!("{said:?} for {exact:?}")),
+        }
+    }
+
+    fn near_enough(&mut self, kind: &'static str, said: f64, exact: &Parameter) {
+        let t = exact.rounded();
+        if !((said - t).abs() <= T_RELATIVE * t.abs()) {
+            self.add(kind, format!("{said:e} for {t:e}"));
+        }
+    }
+
+    fn of_record(&mut self, case: &Case, line: &Line, truth: &[Hit], i: usize, record: &Pick) {
+        let hit = &truth[i];
+        let object = &case.scene.objects()[hit.object];
+        let first = program::first_triangle(&object.shape);
+        let triangle = record.triangle.map(|triangle| triangle + first);
+        if (record.id, triangle) != (hit.object + 1, hit.triangle) {
+            self.add("record: surface", format!("{:?}", (record.id, triangle)));
+            return;
+        }
+        if record.front != hit.front {
+            self.add("record: front", format!("{}", record.front));
+        }
+        self.near_enough("record: t", record.t, &hit.t);
+        self.near_enough("record: depth", record.depth, &hit.t);
+        let gap = truth.get(i + 1).map(|next| next.t.rounded_minus(&hit.t));
+        if record.gap.map(f64::to_bits) != gap.map(f64::to_bits) {
+            self.add("gap", format!("{:?} for {gap:?}", record.gap));
+        }
+        // What is exactly on a border, no filter can decide.
+        let tied = |other: Option<&Hit>| other.is_some_and(|other| other.t.compare(&hit.t).is_eq());
+        let on_near = hit.t.compare_to(&line.near).is_eq();
+        let undecided = hit.on_border || on_near || tied(truth.get(i + 1)) || i > 0 && tied(truth.get(i - 1));
+        if undecided && !record.exact {
+            self.add("not said to be exact", String::new());
+        }
+        self.of_places(case, line, hit, record);
+    }
+
+    fn of_places(&mut self, case: &Case, line: &Line, hit: &Hit, record: &Pick) {
+        let exact = hit.t.rounded();
+        let point = DVec3::from(hit.t.rounded_point(&line.origin, &line.direction, &line.scale));
+        // From the eye, in orthographic projection too.
+        let eye = times(&line.scale, &vector(case.view.camera.eye()));
+        let from_eye = minus(&line.origin, &eye);
+        let way = hit.t.rounded_point(&from_eye, &line.direction, &line.scale);
+        let distance = length(way);
+        let lost = (record.t - exact).abs() / exact.abs().max(f64::MIN_POSITIVE);
+        let slack = (FEW_ROUNDINGS + 2.0 * lost.min(T_RELATIVE)) * distance;
+        if !((record.distance - distance).abs() <= slack) {
+            self.add("distance", format!("{:e} for {distance:e}", record.distance));
+        }
+        let size = case.view.camera.eye().abs().max_element() + distance;
+        let off = (record.point_world - point).abs().max_element();
+        if !(off <= slack + FEW_ROUNDINGS * size) {
+            self.add("point", format!("{} for {point}", record.point_world));
+        }
+        if record.depth.to_bits() != record.t.to_bits() {
+            self.add("depth is not t", format!("{:e} {:e}", record.depth, record.t));
+        }
+    }
+}
+
+/// Of any vector whose length `f64` can hold.
+fn length(v: [f64; 3]) -> f64 {
+    v[0].hypot(v[1]).hypot(v[2])
+}

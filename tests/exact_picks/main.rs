@@ -1,0 +1,96 @@
+//! Whole picks against exact arithmetic: scenes, views and positions of many kinds, each hit and each record held to an
+//! oracle that makes them from the stored numbers by brute force and shares nothing with the program.
+//!
+//! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
+//! positions of each family and prints a line for each.
+
+mod blocks;
+mod by_hand;
+#[path = "../common/mod.rs"]
+mod common;
+mod compare;
+mod families;
+mod number;
+mod program;
+mod root;
+mod truth;
+
+use blocks::Sample;
+use common::Random;
+use compare::{Case, Tally};
+use truth::World;
+
+/// Positions of each family in an ordinary run.
+const POSITIONS: usize = 1000;
+
+/// What at least must have been seen of a family, in a thousand positions.
+#[derive(Default)]
+struct AtLeast {
+    hits: usize,
+    ties: usize,
+    borders: usize,
+    planes: usize,
+    hairs: usize,
+    steps: usize,
+}
+
+fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeast) {
+    let wanted = std::env::var("SIGHTLINE_POSITIONS").map_or(POSITIONS, |count| {
+        count.parse().expect("SIGHTLINE_POSITIONS is a number")
+    });
+    let mut random = Random::new(seed);
+    let mut tally = Tally::default();
+    while tally.positions < wanted {
+        let sample = make(&mut random);
+        ask(&sample, &mut tally);
+    }
+    println!("{name:16} {}", tally.row());
+    let per_mille = |count: usize| count * 1000 / tally.positions;
+    for (what, seen, least) in [
+        ("hits", tally.hits, at_least.hits),
+        ("ties", tally.ties, at_least.ties),
+        ("borders", tally.borders, at_least.borders),
+        ("planes", tally.planes, at_least.planes),
+        ("hairs", tally.hairs, at_least.hairs),
+        ("steps", tally.steps, at_least.steps),
+    ] {
+        assert!(per_mille(seen) >= least, "{name}: only {seen} {what}");
+    }
+    assert!(tally.wrong == 0, "{name}: {} wrong {:?}\n{}", tally.wrong, tally.kinds, tally.examples.join("\n"));
+}
+
+/// All positions of a sample, before there are trees and with them.
+fn ask(sample: &Sample, tally: &mut Tally) {
+    let world = World::of(&sample.scene);
+    let case = Case {
+        scene: &sample.scene,
+        view: &sample.view,
+        world: &world,
+    };
+    let before: Vec<_> = sample.positions.iter().map(|&px| case.check(px, true, tally)).collect();
+    sample.scene.build_trees();
+    for (i, (&px, before)) in sample.positions.iter().zip(before).enumerate() {
+        case.recheck(px, (i % 8 == 0).then_some(before), tally);
+    }
+    if sample.in_pairs {
+        tally.steps += case.steps(&sample.positions);
+    }
+}
+
+macro_rules! families {
+    ($($name:ident, $seed:literal, $make:path, $at_least:expr;)*) => {
+        mod families_agree {
+            use super::*;
+            $(#[test] fn $name() { run(stringify!($name), $seed, $make, &$at_least); })*
+        }
+    };
+}
+
+families! {
+    ordinary, 1, families::ordinary, AtLeast { hits: 600, ..AtLeast::default() };
+    culled, 2, families::culled, AtLeast { hits: 500, ..AtLeast::default() };
+    condition, 3, families::condition, AtLeast { hits: 500, ..AtLeast::default() };
+    far_eyes, 4, families::far_eyes, AtLeast { hits: 500, ..AtLeast::default() };
+    sizes, 5, families::sizes, AtLeast { hits: 500, ..AtLeast::default() };
+    narrow_gaps, 6, families::narrow_gaps, AtLeast { hits: 500, hairs: 300, ..AtLeast::default() };
+}
