@@ -78,7 +78,8 @@ pub fn one_mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec
 
 /// The cube of side 1 about the origin as 12 triangles.
 pub fn box_mesh(factor: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 } * factor);
+    let corner =
+        |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 } * factor);
     let quads = [
         [0, 4, 6, 2],
         [1, 3, 7, 5],
@@ -87,7 +88,9 @@ pub fn box_mesh(factor: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
         [0, 2, 3, 1],
         [4, 5, 7, 6],
     ];
-    let halves = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    let halves = quads
+        .iter()
+        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
     ((0..8).map(corner).collect(), halves.collect())
 }
 
@@ -154,7 +157,9 @@ pub fn scene(random: &mut Random, mut objects: Vec<Object>) -> Scene {
 /// A mesh of several parts, each an object, all in one place.
 pub fn parts(random: &mut Random, placement: Placement) -> Vec<Object> {
     let corners = 12 + random.below(30);
-    let positions = (0..corners).map(|_| random.point(0.6).as_vec3().to_array()).collect();
+    let positions = (0..corners)
+        .map(|_| random.point(0.6).as_vec3().to_array())
+        .collect();
     let count = u32::try_from(corners - 2).expect("few");
     let triangles: Vec<_> = (0..count).map(|i| [i, i + 1, i + 2]).collect();
     let ends = [count / 3, count / 2, count];
@@ -163,12 +168,31 @@ pub fn parts(random: &mut Random, placement: Placement) -> Vec<Object> {
     let data = MeshData {
         positions,
         triangles,
-        parts: ranges.iter().cloned().map(|triangles| Part { name: "part".to_owned(), triangles }).collect(),
-        colours: vec![ColourRun { triangles: 0..count, colour: None }],
+        parts: ranges
+            .iter()
+            .cloned()
+            .map(|triangles| Part {
+                name: "part".to_owned(),
+                triangles,
+            })
+            .collect(),
+        colours: vec![ColourRun {
+            triangles: 0..count,
+            colour: None,
+        }],
         ..MeshData::default()
     };
     let mesh = Arc::new(Mesh::new(data).expect("a mesh"));
-    let object = |part| Object::new("part", Shape::Mesh { mesh: Arc::clone(&mesh), part }, placement);
+    let object = |part| {
+        Object::new(
+            "part",
+            Shape::Mesh {
+                mesh: Arc::clone(&mesh),
+                part,
+            },
+            placement,
+        )
+    };
     (0..3).map(object).collect()
 }
 
@@ -186,7 +210,11 @@ pub fn framed(random: &mut Random, eye: DVec3, target: DVec3, size: f64) -> View
         1 => (distance * 1e-3, distance * 1e3),
         _ => (distance - 2.0 * size, distance + 2.0 * size),
     };
-    let near = if lens.is_orthographic() { near } else { near.max(1e-6 * distance) };
+    let near = if lens.is_orthographic() {
+        near
+    } else {
+        near.max(1e-6 * distance)
+    };
     let lens = Lens { near, far, ..lens };
     let up = random.direction();
     let camera = Camera::new(eye, target, up, lens).expect("a camera");
@@ -198,7 +226,11 @@ pub fn view_of(random: &mut Random, camera: Camera) -> View {
     View {
         camera,
         viewport: Viewport::new(size.0, size.1).expect("a viewport"),
-        sides: if chance(random, 4) { Sides::Front } else { Sides::Both },
+        sides: if chance(random, 4) {
+            Sides::Front
+        } else {
+            Sides::Both
+        },
     }
 }
 
@@ -206,7 +238,11 @@ pub fn view_of(random: &mut Random, camera: Camera) -> View {
 pub fn anywhere(random: &mut Random, view: &View) -> DVec2 {
     let size = view.viewport.size_px();
     let px = size * dvec2(random.unit(), random.unit());
-    if chance(random, 2) { px.floor() + 0.5 } else { px }
+    if chance(random, 2) {
+        px.floor() + 0.5
+    } else {
+        px
+    }
 }
 
 /// A point of a shape, in object space: on a border (an edge, a corner, a rim) or anywhere on it.
@@ -251,7 +287,11 @@ pub fn point_of(random: &mut Random, shape: &Shape, on_border: bool) -> DVec3 {
 
 /// Where the picture shows about this point of a visible object; anywhere when it does not.
 pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -> DVec2 {
-    let visible: Vec<_> = scene.objects().iter().filter(|object| object.visible).collect();
+    let visible: Vec<_> = scene
+        .objects()
+        .iter()
+        .filter(|object| object.visible)
+        .collect();
     let object = visible[random.below(visible.len())];
     let point = point_of(random, &object.shape, on_border);
     let shown = view.project(object.placement.point_to_world(point));

@@ -1,7 +1,7 @@
 //! One position: what the program says beside what is true.
 
 use super::{
-    number::{minus, times, vector},
+    number::{Dyadic, minus, times, vector},
     program::{self, Answer},
     root::Parameter,
     truth::{Hit, Line, World},
@@ -12,7 +12,7 @@ use sightline::{
     pick::Pick,
     scene::{Object, Scene},
 };
-use std::fmt::Write;
+use std::{collections::BTreeMap, fmt::Write};
 
 /// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it.
 const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
@@ -31,20 +31,20 @@ pub struct Tally {
     pub ties: usize,
     /// Positions where the first hit is on an edge, a rim or a silhouette, exactly.
     pub borders: usize,
-    /// Positions where the first hit's `t` is exactly near's, or a hit's exactly far's.
+    /// Positions where something lies exactly on the near or the far plane.
     pub planes: usize,
-    /// Positions where two of the hits are apart, but less than [`HAIR`].
+    /// Positions where two hits, or a hit and near or far, are apart but less than [`HAIR`].
     pub hairs: usize,
     /// Pairs of positions, one step of `f64` apart, with two answers.
     pub steps: usize,
     /// Positions with a wrong answer.
     pub wrong: usize,
+    /// Positions with a wrong answer once trees are built.
+    pub wrong_with_trees: usize,
     /// The largest relative error of `t`.
     pub worst_t: f64,
-    /// The first few that were wrong.
-    pub examples: Vec<String>,
-    /// Kinds of mistakes and how often each was made.
-    pub kinds: std::collections::BTreeMap<&'static str, usize>,
+    /// Kinds of mistakes, how often each was made, and where first.
+    pub kinds: BTreeMap<&'static str, (usize, String)>,
 }
 
 /// A scene through a view, with the truth about it.
@@ -89,15 +89,25 @@ impl Case<'_> {
                     mistakes.of_record(self, &line, &truth, i, record);
                 }
             } else {
-                mistakes.add("records: count", format!("{} of {}", records.len(), truth.len()));
+                mistakes.add(
+                    "records: count",
+                    format!("{} of {}", records.len(), truth.len()),
+                );
             }
         }
-        tally.count(&line, &truth);
-        tally.worst_t = all.iter().zip(&truth).fold(tally.worst_t, |worst, (answer, hit)| {
-            let t = hit.t.rounded();
-            let error = ((answer.t - t) / t).abs();
-            if error.is_finite() && same_place(answer, hit) { worst.max(error) } else { worst }
-        });
+        tally.count(&line, &truth, &self.world.line_hits(&line));
+        tally.worst_t = all
+            .iter()
+            .zip(&truth)
+            .fold(tally.worst_t, |worst, (answer, hit)| {
+                let t = hit.t.rounded();
+                let error = ((answer.t - t) / t).abs();
+                if error.is_finite() && same_place(answer, hit) && answer.front == hit.front {
+                    worst.max(error)
+                } else {
+                    worst
+                }
+            });
         self.report(px, &truth, mistakes, tally);
         records
     }
@@ -108,7 +118,11 @@ impl Case<'_> {
         let records = self.check(px, before.is_some(), &mut again);
         let plain = |records: Vec<Pick>| -> Vec<_> {
             let each = records.into_iter();
-            each.map(|record| Pick { differs_px: None, ..record }).collect()
+            each.map(|record| Pick {
+                differs_px: None,
+                ..record
+            })
+            .collect()
         };
         let mut mistakes = Mistakes::default();
         if let Some(before) = before
@@ -116,23 +130,16 @@ impl Case<'_> {
         {
             mistakes.add("another record with a tree", String::new());
         }
-        self.report(px, &[], mistakes, &mut again);
-        tally.wrong += again.wrong.min(1);
-        tally.examples.extend(again.examples);
-        tally.examples.truncate(3);
-        for (kind, count) in again.kinds {
-            *tally.kinds.entry(kind).or_insert(0) += count;
-        }
+        self.report(px, &self.truth(px), mistakes, &mut again);
+        tally.with_trees(again);
     }
 
     /// How many pairs of neighbouring positions have two answers.
     pub fn steps(&self, positions: &[DVec2]) -> usize {
-        let answer = |px: &DVec2| -> Vec<_> {
-            let hits = self.truth(*px).into_iter();
-            hits.map(|hit| (hit.object, hit.triangle, hit.front)).collect()
-        };
         let pairs = positions.as_chunks::<2>().0.iter();
-        pairs.filter(|[a, b]| answer(a) != answer(b)).count()
+        pairs
+            .filter(|[a, b]| self.surfaces(*a) != self.surfaces(*b))
+            .count()
     }
 
     fn report(&self, px: DVec2, truth: &[Hit], mistakes: Mistakes, tally: &mut Tally) {
@@ -140,23 +147,30 @@ impl Case<'_> {
             return;
         }
         tally.wrong += 1;
-        if tally.examples.len() < 3 {
-            let mut text = format!("at {px:?}\n  view {:?}\n", self.view);
-            for object in self.scene.objects().iter().filter(|object| object.visible) {
-                let _ = writeln!(text, "  {}", described(object));
+        for (kind, detail) in mistakes.0 {
+            let (count, example) = tally.kinds.entry(kind).or_default();
+            *count += 1;
+            if example.is_empty() {
+                *example = format!("{kind}: {detail}\n{}", self.described(px, truth));
             }
-            for hit in truth {
-                let (t, at) = (hit.t.rounded(), (hit.object, hit.triangle));
-                let _ = writeln!(text, "  true: {at:?} front {} t {t:e}", hit.front);
-            }
-            for (kind, detail) in &mistakes.0 {
-                let _ = writeln!(text, "  WRONG {kind}: {detail}");
-            }
-            tally.examples.push(text);
         }
-        for (kind, _) in mistakes.0 {
-            *tally.kinds.entry(kind).or_insert(0) += 1;
+    }
+
+    /// All that somebody needs to look into an answer.
+    fn described(&self, px: DVec2, truth: &[Hit]) -> String {
+        let mut text = format!("  at {px:?} of {:?}\n", self.view);
+        for hit in truth {
+            let (t, at) = (hit.t.rounded(), (hit.object, hit.triangle));
+            let _ = writeln!(text, "  true: {at:?} front {} t {t:e}", hit.front);
         }
+        let objects = self.scene.objects().iter().enumerate();
+        let few = self.scene.objects().len() < 6;
+        for (i, object) in objects.filter(|(_, object)| object.visible) {
+            if few || truth.iter().any(|hit| hit.object == i) {
+                let _ = writeln!(text, "  {i}: {}", described(object));
+            }
+        }
+        text
     }
 }
 
@@ -171,9 +185,17 @@ fn same_place(answer: &Answer, hit: &Hit) -> bool {
 }
 
 impl Tally {
+    /// Each kind of mistake, how often, and the first one.
+    pub fn mistakes(&self) -> String {
+        let kinds = self.kinds.values();
+        kinds
+            .map(|(count, example)| format!("{count} times {example}\n"))
+            .collect()
+    }
+
     pub fn row(&self) -> String {
         format!(
-            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  worst t {:8.1e}  wrong {:6}",
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
             self.positions,
             self.hits,
             self.ties,
@@ -182,23 +204,40 @@ impl Tally {
             self.hairs,
             self.steps,
             self.worst_t,
-            self.wrong
+            self.wrong,
+            self.wrong_with_trees
         )
     }
 
-    fn count(&mut self, line: &Line, truth: &[Hit]) {
+    /// Adds what was found wrong at a position that has been counted already.
+    fn with_trees(&mut self, again: Self) {
+        self.wrong_with_trees += again.wrong.min(1);
+        for (kind, (count, example)) in again.kinds {
+            let entry = self.kinds.entry(kind).or_insert((0, example));
+            entry.0 += count;
+        }
+    }
+
+    /// One more position: its hits, and those of the whole line.
+    fn count(&mut self, line: &Line, truth: &[Hit], everywhere: &[Hit]) {
         self.positions += 1;
+        let ends = [&line.near, &line.far].map(|end| Parameter::fraction(end, &Dyadic::whole(1)));
+        let is_hair = |a: &Parameter, b: &Parameter| {
+            let gap = b.rounded_minus(a).abs();
+            gap > 0.0 && gap <= HAIR * b.rounded().abs()
+        };
+        let at_end = everywhere
+            .iter()
+            .any(|hit| ends.iter().any(|end| is_hair(end, &hit.t)));
+        let apart = |[a, b]: &[Hit; 2]| is_hair(&a.t, &b.t);
+        self.hairs += usize::from(at_end || truth.array_windows().any(apart));
+        let on_end = |hit: &Hit| ends.iter().any(|end| hit.t.compare(end).is_eq());
+        self.planes += usize::from(everywhere.iter().any(on_end));
         let Some(first) = truth.first() else { return };
         self.hits += 1;
         self.borders += usize::from(first.on_border);
-        self.planes += usize::from(first.t.compare_to(&line.near).is_eq());
         let second = truth.get(1);
         self.ties += usize::from(second.is_some_and(|hit| hit.t.compare(&first.t).is_eq()));
-        let apart = |[a, b]: &[Hit; 2]| {
-            let gap = b.t.rounded_minus(&a.t);
-            gap > 0.0 && gap <= HAIR * b.t.rounded().abs()
-        };
-        self.hairs += usize::from(truth.array_windows().any(apart));
     }
 }
 
@@ -212,7 +251,10 @@ impl Mistakes {
 
     fn of_answer(&mut self, who: &'static str, answer: &Answer, hit: &Hit) {
         if !same_place(answer, hit) {
-            self.add("surface", format!("{who} says {:?}", (answer.object, answer.triangle)));
+            self.add(
+                "surface",
+                format!("{who} says {:?}", (answer.object, answer.triangle)),
+            );
             return;
         }
         if answer.front != hit.front {
@@ -226,7 +268,8 @@ impl Mistakes {
         }
         match (answer.barycentric, hit.barycentric) {
             (None, None) => {}
-            (Some(said), Some(exact)) if said.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-6) => {}
+            (Some(said), Some(exact))
+                if said.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-6) => {}
             (said, exact) => self.add("barycentric", format!("{said:?} for {exact:?}")),
         }
     }
@@ -259,7 +302,8 @@ impl Mistakes {
         // What is exactly on a border, no filter can decide.
         let tied = |other: Option<&Hit>| other.is_some_and(|other| other.t.compare(&hit.t).is_eq());
         let on_near = hit.t.compare_to(&line.near).is_eq();
-        let undecided = hit.on_border || on_near || tied(truth.get(i + 1)) || i > 0 && tied(truth.get(i - 1));
+        let undecided =
+            hit.on_border || on_near || tied(truth.get(i + 1)) || i > 0 && tied(truth.get(i - 1));
         if undecided && !record.exact {
             self.add("not said to be exact", String::new());
         }
@@ -268,7 +312,10 @@ impl Mistakes {
 
     fn of_places(&mut self, case: &Case, line: &Line, hit: &Hit, record: &Pick) {
         let exact = hit.t.rounded();
-        let point = DVec3::from(hit.t.rounded_point(&line.origin, &line.direction, &line.scale));
+        let point = DVec3::from(
+            hit.t
+                .rounded_point(&line.origin, &line.direction, &line.scale),
+        );
         // From the eye, in orthographic projection too.
         let eye = times(&line.scale, &vector(case.view.camera.eye()));
         let from_eye = minus(&line.origin, &eye);
@@ -277,7 +324,10 @@ impl Mistakes {
         let lost = (record.t - exact).abs() / exact.abs().max(f64::MIN_POSITIVE);
         let slack = (FEW_ROUNDINGS + 2.0 * lost.min(T_RELATIVE)) * distance;
         if !((record.distance - distance).abs() <= slack) {
-            self.add("distance", format!("{:e} for {distance:e}", record.distance));
+            self.add(
+                "distance",
+                format!("{:e} for {distance:e}", record.distance),
+            );
         }
         let size = case.view.camera.eye().abs().max_element() + distance;
         let off = (record.point_world - point).abs().max_element();
@@ -285,7 +335,10 @@ impl Mistakes {
             self.add("point", format!("{} for {point}", record.point_world));
         }
         if record.depth.to_bits() != record.t.to_bits() {
-            self.add("depth is not t", format!("{:e} {:e}", record.depth, record.t));
+            self.add(
+                "depth is not t",
+                format!("{:e} {:e}", record.depth, record.t),
+            );
         }
     }
 }

@@ -43,7 +43,10 @@ pub fn culled(random: &mut Random) -> Sample {
     let mut objects = some_objects(random);
     for object in &mut objects {
         let model = object.placement.model();
-        let turned = DAffine3 { matrix3: -model.matrix3, ..model };
+        let turned = DAffine3 {
+            matrix3: -model.matrix3,
+            ..model
+        };
         if model.matrix3.determinant() > 0.0 {
             object.placement = Placement::new(turned).expect("as before");
         }
@@ -83,7 +86,11 @@ pub fn condition(random: &mut Random) -> Sample {
         }
     }
     let scene = scene(random, objects);
-    let distance = if chance(random, 2) { 4.0 } else { power(random, 0.5..6.0) };
+    let distance = if chance(random, 2) {
+        4.0
+    } else {
+        power(random, 0.5..6.0)
+    };
     let eye = distance * random.direction();
     let target = random.point(0.3);
     let view = framed(random, eye, target, 1.5);
@@ -143,7 +150,12 @@ pub fn narrow_gaps(random: &mut Random) -> Sample {
         let shape = if chance(random, 2) {
             Shape::Square
         } else {
-            let corners = [[-0.6, -0.6, 0.0], [0.6, -0.6, 0.0], [0.6, 0.6, 0.0], [-0.6, 0.6, 0.0_f32]];
+            let corners = [
+                [-0.6, -0.6, 0.0],
+                [0.6, -0.6, 0.0],
+                [0.6, 0.6, 0.0],
+                [-0.6, 0.6, 0.0_f32],
+            ];
             super::blocks::one_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], DVec3::ZERO)
         };
         objects.push(Object::new("layer", shape, placement));

@@ -115,7 +115,13 @@ fn sign_of_sum(rational: &Dyadic, [a, b]: &[(i8, Dyadic); 2]) -> Ordering {
         return roots;
     }
     // Opposite signs: rational^2 against (a + b)^2 = A + B + 2 a b.
-    let used = |sign: Ordering, r: &Dyadic| if sign.is_eq() { Dyadic::ZERO } else { r.clone() };
+    let used = |sign: Ordering, r: &Dyadic| {
+        if sign.is_eq() {
+            Dyadic::ZERO
+        } else {
+            r.clone()
+        }
+    };
     let (a, b) = (used(sign_a, &a.1), used(sign_b, &b.1));
     let rest = &(&rational.square() - &a) - &b;
     let product = (&a * &b).shifted(2);

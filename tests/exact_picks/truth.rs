@@ -197,12 +197,18 @@ impl World {
         Self(visible.map(|(i, object)| Placed::of(i, object)).collect())
     }
 
-    /// All hits in order.
-    pub fn hits(&self, line: &Line, sides: Sides) -> Vec<Hit> {
+    /// All hits of the whole line, from whichever side, in no order.
+    pub fn line_hits(&self, line: &Line) -> Vec<Hit> {
         let mut hits = Vec::new();
         for placed in &self.0 {
             placed.collect(line, &mut hits);
         }
+        hits
+    }
+
+    /// All hits that count, in order.
+    pub fn hits(&self, line: &Line, sides: Sides) -> Vec<Hit> {
+        let mut hits = self.line_hits(line);
         hits.retain(|hit| {
             hit.t.compare_to(&line.near).is_ge()
                 && hit.t.compare_to(&line.far).is_lt()
@@ -246,7 +252,8 @@ impl Placed {
                 let to_world = |vertex: u32| {
                     let stored = data.positions[vertex as usize].map(f64::from);
                     let local = plus(&origin, &vector(stored));
-                    let [x, y, z]: [Vector; 3] = std::array::from_fn(|i| times(&local[i], &axes[i]));
+                    let [x, y, z]: [Vector; 3] =
+                        std::array::from_fn(|i| times(&local[i], &axes[i]));
                     plus(&plus(&x, &y), &plus(&z, &centre))
                 };
                 let triangles = &data.triangles[range.start as usize..range.end as usize];
@@ -321,7 +328,8 @@ impl Placed {
                 determinant,
             } => {
                 let from_centre = minus(&line.origin, &times(&line.scale, centre));
-                let into_object = |v: &Vector| -> Vector { std::array::from_fn(|i| dot(&adjugate[i], v)) };
+                let into_object =
+                    |v: &Vector| -> Vector { std::array::from_fn(|i| dot(&adjugate[i], v)) };
                 let (o, d) = (into_object(&from_centre), into_object(&line.direction));
                 // Both are `determinant * scale` too long, and so is the radius of 1/2.
                 let radius = (determinant * &line.scale).shifted(-1);
@@ -377,7 +385,10 @@ fn ends(met: Vec<Hit>) -> Vec<Hit> {
     let at = |end: &Hit, front: bool| {
         let there = met.iter().filter(|hit| hit.t.compare(&end.t).is_eq());
         let mut right = there.filter(|hit| hit.front == front);
-        right.next().cloned().expect("a line enters and leaves by faces")
+        right
+            .next()
+            .cloned()
+            .expect("a line enters and leaves by faces")
     };
     let mut hits = vec![at(&first, true)];
     if !touches {
