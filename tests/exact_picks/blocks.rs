@@ -14,8 +14,17 @@ pub struct Sample {
     pub scene: Scene,
     pub view: View,
     pub positions: Vec<DVec2>,
-    /// Whether positions come in pairs, one step of `f64` apart.
-    pub in_pairs: bool,
+    pub layout: Layout,
+}
+
+/// What is known about a sample's positions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    Anywhere,
+    /// One step of `f64` apart, two and two.
+    Pairs,
+    /// Every pixel's centre, row by row.
+    Picture,
 }
 
 pub fn power(random: &mut Random, exponents: Range<f64>) -> f64 {
@@ -313,6 +322,6 @@ pub fn sample(random: &mut Random, scene: Scene, view: View, count: usize) -> Sa
         scene,
         view,
         positions,
-        in_pairs: false,
+        layout: Layout::Anywhere,
     }
 }

@@ -1,12 +1,12 @@
 //! Positions where the answer changes: found by halving between two positions until they are one step of `f64` apart.
 
 use super::{
-    blocks::{Sample, aimed, chance},
+    blocks::{Layout, Sample, aimed, chance},
     compare::Case,
     families,
-    truth::World,
 };
 use crate::common::Random;
+use crate::exact::truth::World;
 use glam::{DVec2, dvec2};
 use sightline::camera::{Camera, Lens};
 
@@ -35,7 +35,7 @@ pub fn borders(random: &mut Random) -> Sample {
         scene,
         view,
         positions,
-        in_pairs: true,
+        layout: Layout::Pairs,
     }
 }
 
@@ -110,7 +110,7 @@ pub fn planes_nearly(random: &mut Random) -> Sample {
                 dvec2(px.x.next_up(), px.y),
                 dvec2(px.x, px.y.next_down()),
             ],
-            in_pairs: false,
+            layout: Layout::Anywhere,
         };
     }
 }

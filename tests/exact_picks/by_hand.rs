@@ -1,11 +1,11 @@
 //! The oracle itself, on cases whose answers are known without it.
 
-use super::{
+use crate::common::{Random, mesh, orthographic, perspective, view};
+use crate::exact::{
     number::{Dyadic, vector},
     root::Parameter,
     truth::{Hit, Line, World},
 };
-use crate::common::{Random, mesh, orthographic, perspective, view};
 use glam::{DAffine3, DMat3, DVec3, dvec2, dvec3};
 use sightline::{
     geometry::{Placement, Sides},

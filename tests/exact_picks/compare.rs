@@ -1,23 +1,27 @@
 //! One position: what the program says beside what is true.
 
-use super::{
-    number::{Dyadic, minus, times, vector},
-    program::{self, Answer},
+use super::program::{self, Answer};
+use crate::exact::{
+    number::Dyadic,
     root::Parameter,
     truth::{Hit, Line, World},
 };
 use glam::{DVec2, DVec3};
 use sightline::{
     camera::View,
+    geometry::Ray,
     pick::Pick,
     scene::{Object, Scene},
 };
 use std::{collections::BTreeMap, fmt::Write};
 
-/// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it.
+/// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it; and besides as far as
+/// the coordinates round by which it was found.
 const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
 /// How much more a number may be off that is made of `t` and of stored numbers in a few steps, relatively.
 const FEW_ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+/// How far a corner's weight may be off: a quarter of the least step of a colour between corners.
+const WEIGHT: f64 = 1.0 / 1024.0;
 /// Two parameters closer than this, relatively, and yet apart are told apart by exact arithmetic only.
 const HAIR: f64 = 1e-15;
 
@@ -41,7 +45,7 @@ pub struct Tally {
     pub wrong: usize,
     /// Positions with a wrong answer once trees are built.
     pub wrong_with_trees: usize,
-    /// The largest relative error of `t`.
+    /// The largest relative error of `t`, less what coordinates round by.
     pub worst_t: f64,
     /// Kinds of mistakes, how often each was made, and where first.
     pub kinds: BTreeMap<&'static str, (usize, String)>,
@@ -65,18 +69,8 @@ impl Case<'_> {
         let truth = self.world.hits(&line, self.view.sides);
         let mut mistakes = Mistakes::default();
         let all = program::all(self.scene, self.view, px);
-        if all.len() == truth.len() {
-            for (answer, hit) in all.iter().zip(&truth) {
-                mistakes.of_answer("all", answer, hit);
-            }
-        } else {
-            mistakes.add("all: count", format!("{} of {}", all.len(), truth.len()));
-        }
-        match (program::closest(self.scene, self.view, px), truth.first()) {
-            (Some(answer), Some(hit)) => mistakes.of_answer("closest", &answer, hit),
-            (None, None) => {}
-            (answer, hit) => mistakes.add("closest: hit or miss", format!("{answer:?} {hit:?}")),
-        }
+        let closest = program::closest(self.scene, self.view, px);
+        mistakes.of_answers(&line, &all, closest.as_ref(), &truth);
         let mut records = Vec::new();
         if with_records {
             records = program::records(self.scene, self.view, px);
@@ -96,20 +90,47 @@ impl Case<'_> {
             }
         }
         tally.count(&line, &truth, &self.world.line_hits(&line));
-        tally.worst_t = all
-            .iter()
-            .zip(&truth)
-            .fold(tally.worst_t, |worst, (answer, hit)| {
-                let t = hit.t.rounded();
-                let error = ((answer.t - t) / t).abs();
-                if error.is_finite() && same_place(answer, hit) && answer.front == hit.front {
-                    worst.max(error)
-                } else {
-                    worst
-                }
-            });
-        self.report(px, &truth, mistakes, tally);
+        tally.measure(&line, &all, &truth);
+        self.report(&self.place(px), &truth, mistakes, tally);
         records
+    }
+
+    /// Compares all answers along a given ray.
+    pub fn check_ray(&self, ray: &Ray, tally: &mut Tally) {
+        let line = Line::given(ray);
+        let truth = self.world.hits(&line, self.view.sides);
+        let (all, closest) = program::along(self.scene, ray, self.view.sides);
+        let mut mistakes = Mistakes::default();
+        mistakes.of_answers(&line, &all, closest.as_ref(), &truth);
+        tally.count(&line, &truth, &self.world.line_hits(&line));
+        tally.measure(&line, &all, &truth);
+        self.report(&format!("along {ray:?}"), &truth, mistakes, tally);
+    }
+
+    /// Compares whole pictures, of which these are the pixels.
+    pub fn check_pictures(&self, pixels: &[DVec2], tally: &mut Tally) {
+        let pictures = program::pictures(self.scene, self.view);
+        for (i, &px) in pixels.iter().enumerate() {
+            let truth = self.truth(px);
+            let expected = truth.first().map_or((0, 0), |hit| {
+                let first = program::first_triangle(&self.scene.objects()[hit.object].shape);
+                let triangle = hit.triangle.map_or(0, |triangle| triangle - first + 1);
+                (u32::try_from(hit.object + 1).expect("few"), triangle)
+            });
+            let mut mistakes = Mistakes::default();
+            for (who, picture) in ["ids", "raycast"].into_iter().zip(&pictures) {
+                if picture[i] != expected {
+                    mistakes.add("picture", format!("{who} has {:?}", picture[i]));
+                }
+            }
+            let mut again = Tally::default();
+            self.report(&self.place(px), &truth, mistakes, &mut again);
+            tally.with_trees(again);
+        }
+    }
+
+    fn place(&self, px: DVec2) -> String {
+        format!("at {px:?} of {:?}", self.view)
     }
 
     /// Once more with trees, and records against those `before`: all but `differs_px` must be as they were.
@@ -130,7 +151,9 @@ impl Case<'_> {
         {
             mistakes.add("another record with a tree", String::new());
         }
-        self.report(px, &self.truth(px), mistakes, &mut again);
+        if again.wrong == 0 {
+            self.report(&self.place(px), &self.truth(px), mistakes, &mut again);
+        }
         tally.with_trees(again);
     }
 
@@ -142,7 +165,7 @@ impl Case<'_> {
             .count()
     }
 
-    fn report(&self, px: DVec2, truth: &[Hit], mistakes: Mistakes, tally: &mut Tally) {
+    fn report(&self, place: &str, truth: &[Hit], mistakes: Mistakes, tally: &mut Tally) {
         if mistakes.0.is_empty() {
             return;
         }
@@ -151,14 +174,14 @@ impl Case<'_> {
             let (count, example) = tally.kinds.entry(kind).or_default();
             *count += 1;
             if example.is_empty() {
-                *example = format!("{kind}: {detail}\n{}", self.described(px, truth));
+                *example = format!("{kind}: {detail}\n{}", self.described(place, truth));
             }
         }
     }
 
     /// All that somebody needs to look into an answer.
-    fn described(&self, px: DVec2, truth: &[Hit]) -> String {
-        let mut text = format!("  at {px:?} of {:?}\n", self.view);
+    fn described(&self, place: &str, truth: &[Hit]) -> String {
+        let mut text = format!("  {place}\n");
         for hit in truth {
             let (t, at) = (hit.t.rounded(), (hit.object, hit.triangle));
             let _ = writeln!(text, "  true: {at:?} front {} t {t:e}", hit.front);
@@ -211,10 +234,22 @@ impl Tally {
 
     /// Adds what was found wrong at a position that has been counted already.
     fn with_trees(&mut self, again: Self) {
-        self.wrong_with_trees += again.wrong.min(1);
+        self.wrong_with_trees += again.wrong;
         for (kind, (count, example)) in again.kinds {
             let entry = self.kinds.entry(kind).or_insert((0, example));
             entry.0 += count;
+        }
+    }
+
+    /// How far parameters are off.
+    fn measure(&mut self, line: &Line, all: &[Answer], truth: &[Hit]) {
+        for (answer, hit) in all.iter().zip(truth) {
+            let t = hit.t.rounded();
+            let besides = FEW_ROUNDINGS * line.reach(&hit.t);
+            let error = ((answer.t - t).abs() - besides) / t.abs();
+            if error.is_finite() && same_place(answer, hit) && answer.front == hit.front {
+                self.worst_t = self.worst_t.max(error);
+            }
         }
     }
 
@@ -249,7 +284,25 @@ impl Mistakes {
         self.0.push((kind, detail));
     }
 
-    fn of_answer(&mut self, who: &'static str, answer: &Answer, hit: &Hit) {
+    fn of_answers(&mut self, line: &Line, all: &[Answer], closest: Option<&Answer>, truth: &[Hit]) {
+        if all.len() == truth.len() {
+            for (answer, hit) in all.iter().zip(truth) {
+                self.of_answer(line, "all", answer, hit);
+            }
+        } else {
+            self.add("all: count", format!("{} of {}", all.len(), truth.len()));
+        }
+        match (closest, truth.first()) {
+            (Some(answer), Some(hit)) => self.of_answer(line, "closest", answer, hit),
+            (None, None) => {}
+            (answer, hit) => self.add(
+                "closest: hit or miss",
+                format!("{} for {}", answer.is_some(), hit.is_some()),
+            ),
+        }
+    }
+
+    fn of_answer(&mut self, line: &Line, who: &'static str, answer: &Answer, hit: &Hit) {
         if !same_place(answer, hit) {
             self.add(
                 "surface",
@@ -260,7 +313,7 @@ impl Mistakes {
         if answer.front != hit.front {
             self.add("front", format!("{who} says {}", answer.front));
         }
-        self.near_enough("t", answer.t, &hit.t);
+        self.near_enough("t", answer.t, &hit.t, line);
         if let Some(face) = hit.face
             && answer.normal_object != DVec3::from(face.map(f64::from))
         {
@@ -269,14 +322,15 @@ impl Mistakes {
         match (answer.barycentric, hit.barycentric) {
             (None, None) => {}
             (Some(said), Some(exact))
-                if said.iter().zip(exact).all(|(a, b)| (a - b).abs() <= 1e-6) => {}
+                if said.iter().zip(exact).all(|(a, b)| (a - b).abs() <= WEIGHT) => {}
             (said, exact) => self.add("barycentric", format!("{said:?} for {exact:?}")),
         }
     }
 
-    fn near_enough(&mut self, kind: &'static str, said: f64, exact: &Parameter) {
+    fn near_enough(&mut self, kind: &'static str, said: f64, exact: &Parameter, line: &Line) {
         let t = exact.rounded();
-        if !((said - t).abs() <= T_RELATIVE * t.abs()) {
+        let slack = FEW_ROUNDINGS * line.reach(exact);
+        if !((said - t).abs() <= T_RELATIVE * t.abs() + slack) {
             self.add(kind, format!("{said:e} for {t:e}"));
         }
     }
@@ -293,8 +347,8 @@ impl Mistakes {
         if record.front != hit.front {
             self.add("record: front", format!("{}", record.front));
         }
-        self.near_enough("record: t", record.t, &hit.t);
-        self.near_enough("record: depth", record.depth, &hit.t);
+        self.near_enough("record: t", record.t, &hit.t, line);
+        self.near_enough("record: depth", record.depth, &hit.t, line);
         let gap = truth.get(i + 1).map(|next| next.t.rounded_minus(&hit.t));
         if record.gap.map(f64::to_bits) != gap.map(f64::to_bits) {
             self.add("gap", format!("{:?} for {gap:?}", record.gap));
@@ -312,15 +366,8 @@ impl Mistakes {
 
     fn of_places(&mut self, case: &Case, line: &Line, hit: &Hit, record: &Pick) {
         let exact = hit.t.rounded();
-        let point = DVec3::from(
-            hit.t
-                .rounded_point(&line.origin, &line.direction, &line.scale),
-        );
-        // From the eye, in orthographic projection too.
-        let eye = times(&line.scale, &vector(case.view.camera.eye()));
-        let from_eye = minus(&line.origin, &eye);
-        let way = hit.t.rounded_point(&from_eye, &line.direction, &line.scale);
-        let distance = length(way);
+        let point = line.point(&hit.t);
+        let distance = line.distance(case.view.camera.eye(), &hit.t);
         let lost = (record.t - exact).abs() / exact.abs().max(f64::MIN_POSITIVE);
         let slack = (FEW_ROUNDINGS + 2.0 * lost.min(T_RELATIVE)) * distance;
         if !((record.distance - distance).abs() <= slack) {
@@ -341,9 +388,4 @@ impl Mistakes {
             );
         }
     }
-}
-
-/// Of any vector whose length `f64` can hold.
-fn length(v: [f64; 3]) -> f64 {
-    v[0].hypot(v[1]).hypot(v[2])
 }

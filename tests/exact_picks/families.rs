@@ -110,6 +110,16 @@ pub fn far_eyes(random: &mut Random) -> Sample {
 /// Models of size 1e-30 to 1e30, by their coordinates, by their placements or by both.
 pub fn sizes(random: &mut Random) -> Sample {
     let size = power(random, -30.0..30.0);
+    of_size(random, size)
+}
+
+/// Models of size 1e-100 to 1e100.
+pub fn beyond_sizes(random: &mut Random) -> Sample {
+    let size = power(random, -100.0..100.0);
+    of_size(random, size)
+}
+
+fn of_size(random: &mut Random, size: f64) -> Sample {
     let count = 1 + random.below(12);
     let mut objects = Vec::new();
     for _ in 0..count {

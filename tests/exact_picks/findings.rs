@@ -2,12 +2,12 @@
 
 use super::{
     Sample, ask,
-    blocks::{box_mesh, one_mesh},
+    blocks::{Layout, box_mesh, one_mesh},
     compare::{Case, Tally},
     program,
-    truth::World,
 };
 use crate::common::{orthographic, perspective, view};
+use crate::exact::truth::World;
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, EulerRot, dvec2, dvec3};
 use sightline::{
     camera::View,
@@ -47,17 +47,17 @@ fn rows(rows: [[f64; 3]; 3]) -> DAffine3 {
     DAffine3::from_mat3(DMat3::from_cols_array_2d(&rows).transpose())
 }
 
-/// Each pixel's centre, or every so many-th of them; fails where one is wrong, and returns what was seen.
+/// Each pixel's centre; fails where one is wrong, and returns what was seen.
 #[track_caller]
-fn every_pixel(objects: Vec<Object>, view: View, step: usize) -> Tally {
+fn every_pixel(objects: Vec<Object>, view: View) -> Tally {
     let size = view.viewport;
     let rows = 0..size.height();
     let all = rows.flat_map(|y| (0..size.width()).map(move |x| dvec2(x.into(), y.into()) + 0.5));
     let sample = Sample {
         scene: Scene::new(objects),
         view,
-        positions: all.step_by(step).collect(),
-        in_pairs: false,
+        positions: all.collect(),
+        layout: Layout::Picture,
     };
     let mut tally = Tally::default();
     ask(&sample, &mut tally);
@@ -82,7 +82,7 @@ fn a_wall_on_the_near_or_the_far_plane() {
                 perspective(45.0, near, far),
                 [40, 30],
             );
-            let pixels = every_pixel(vec![object(wall, model)], view, 1);
+            let pixels = every_pixel(vec![object(wall, model)], view);
             assert_eq!(pixels.hits > 300, shown);
             assert!(pixels.planes > 300);
         }
@@ -108,7 +108,7 @@ fn two_squares_at_t_zero_among_many() {
         orthographic(4.0, -50.0, 50.0),
         [32, 32],
     );
-    let pixels = every_pixel(objects.collect(), view, 1);
+    let pixels = every_pixel(objects.collect(), view);
     assert_eq!((pixels.hits, pixels.ties), (24 * 24, 8 * 8));
 }
 
@@ -120,7 +120,7 @@ fn a_mesh_that_lies_nearer_by_a_hair() {
         object(quad(), DAffine3::IDENTITY),
         object(quad(), shift(0.0, 0.0, 1e-17)),
     ];
-    let pixels = every_pixel(objects, view, 1);
+    let pixels = every_pixel(objects, view);
     assert!(
         pixels.hits > 300 && pixels.hairs == pixels.hits,
         "{pixels:?}"
@@ -139,7 +139,7 @@ fn a_mesh_on_a_cubes_face() {
         object(quad(), turned(30.0)),
         object(Shape::Cube, shift(0.0, 0.0, -0.5)),
     ];
-    let pixels = every_pixel(objects, view, 1);
+    let pixels = every_pixel(objects, view);
     assert!(pixels.ties > 100, "{pixels:?}");
 }
 
@@ -156,7 +156,7 @@ fn coplanar_squares() {
         object(Shape::Square, turned(30.0)),
         object(Shape::Square, turned(60.0) * scaled(0.7)),
     ];
-    let pixels = every_pixel(objects, view, 1);
+    let pixels = every_pixel(objects, view);
     assert!(pixels.ties > 100, "{pixels:?}");
 }
 
@@ -170,7 +170,7 @@ fn a_square_far_from_the_origin() {
         DQuat::IDENTITY,
         dvec3(x, y, 0.0),
     );
-    let pixels = every_pixel(vec![object(Shape::Square, model)], view, 1);
+    let pixels = every_pixel(vec![object(Shape::Square, model)], view);
     assert!(pixels.hits > 1000, "{pixels:?}");
 }
 
@@ -195,7 +195,7 @@ fn a_sheared_sphere() {
     ]);
     for lens in [perspective(30.0, 0.5, 20.0), orthographic(1.5, -5.0, 20.0)] {
         let view = view([1.3, 1.1, 2.0], [0.0; 3], lens, [48, 36]);
-        let pixels = every_pixel(vec![object(Shape::Sphere, model)], view, 1);
+        let pixels = every_pixel(vec![object(Shape::Sphere, model)], view);
         assert!(pixels.hits > 30, "{pixels:?}");
     }
 }
@@ -222,7 +222,7 @@ fn a_flattened_cube_through_a_long_lens() {
     let eye = [6e4, 4.8e4, 1e5];
     let lens = perspective(0.0007, 126_000.0, 126_250.0);
     let view = view(eye, [0.0; 3], lens, [64, 48]);
-    let pixels = every_pixel(vec![object(Shape::Cube, model)], view, 1);
+    let pixels = every_pixel(vec![object(Shape::Cube, model)], view);
     assert!(pixels.hits > 300, "{pixels:?}");
 }
 
@@ -256,7 +256,7 @@ fn plain_shapes_from_far_away() {
     let far = 126_111_067.163_475_57;
     let lens = perspective(9.086_558_868_057_237e-7, far - 10.0, far);
     let view = view([6e7, 4.8e7, 1e8], [0.0; 3], lens, [64, 48]);
-    let pixels = every_pixel(objects, view, 1);
+    let pixels = every_pixel(objects, view);
     assert!(pixels.hits > 500, "{pixels:?}");
 }
 

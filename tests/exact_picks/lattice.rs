@@ -2,8 +2,8 @@
 //! other and on the near and the far plane.
 
 use super::blocks::{
-    Sample, any_turn, box_mesh, chance, lattice_point, lattice_turn, one_mesh, placement, scene,
-    whole,
+    Layout, Sample, any_turn, box_mesh, chance, lattice_point, lattice_turn, one_mesh, placement,
+    scene, whole,
 };
 use crate::common::{Random, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
@@ -175,7 +175,7 @@ pub fn sample(scene: Scene, view: View, positions: Vec<DVec2>) -> Sample {
         scene,
         view,
         positions,
-        in_pairs: false,
+        layout: Layout::Anywhere,
     }
 }
 
@@ -240,7 +240,10 @@ pub fn planes(random: &mut Random) -> Sample {
     }
     let scene = scene(random, objects);
     let positions = all_pixels(&view);
-    sample(scene, view, positions)
+    Sample {
+        layout: Layout::Picture,
+        ..sample(scene, view, positions)
+    }
 }
 
 /// Something with a face in the plane through `centre` across `turn`'s third axis, about 4 wide.

@@ -10,18 +10,18 @@ mod by_hand;
 #[path = "../common/mod.rs"]
 mod common;
 mod compare;
+#[path = "../common/exact/mod.rs"]
+mod exact;
 mod families;
 mod findings;
 mod lattice;
-mod number;
 mod program;
-mod root;
-mod truth;
+mod rays;
 
-use blocks::Sample;
+use blocks::{Layout, Sample};
 use common::Random;
 use compare::{Case, Tally};
-use truth::World;
+use exact::truth::World;
 
 /// Positions of each family in an ordinary run.
 const POSITIONS: usize = 1000;
@@ -37,13 +37,17 @@ struct AtLeast {
     steps: usize,
 }
 
-fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeast) {
-    let wanted = std::env::var("SIGHTLINE_POSITIONS").map_or(POSITIONS, |count| {
+/// Positions of each family in this run.
+fn wanted() -> usize {
+    std::env::var("SIGHTLINE_POSITIONS").map_or(POSITIONS, |count| {
         count.parse().expect("SIGHTLINE_POSITIONS is a number")
-    });
+    })
+}
+
+fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeast) {
     let mut random = Random::new(seed);
     let mut tally = Tally::default();
-    while tally.positions < wanted {
+    while tally.positions < wanted() {
         let sample = make(&mut random);
         ask(&sample, &mut tally);
     }
@@ -84,8 +88,10 @@ fn ask(sample: &Sample, tally: &mut Tally) {
     for (i, (&px, before)) in sample.positions.iter().zip(before).enumerate() {
         case.recheck(px, (i % 8 == 0).then_some(before), tally);
     }
-    if sample.in_pairs {
-        tally.steps += case.steps(&sample.positions);
+    match sample.layout {
+        Layout::Anywhere => {}
+        Layout::Pairs => tally.steps += case.steps(&sample.positions),
+        Layout::Picture => case.check_pictures(&sample.positions, tally),
     }
 }
 
@@ -104,6 +110,7 @@ families! {
     condition, 3, families::condition, AtLeast { hits: 550, hairs: 50, ..AtLeast::default() };
     far_eyes, 4, families::far_eyes, AtLeast { hits: 550, hairs: 10, ..AtLeast::default() };
     sizes, 5, families::sizes, AtLeast { hits: 550, ..AtLeast::default() };
+    beyond_sizes, 14, families::beyond_sizes, AtLeast { hits: 550, ..AtLeast::default() };
     narrow_gaps, 6, families::narrow_gaps, AtLeast { hits: 550, hairs: 300, ..AtLeast::default() };
     borders, 7, borders::borders, AtLeast { hits: 600, steps: 300, ..AtLeast::default() };
     planes_nearly, 8, borders::planes_nearly, AtLeast { hits: 550, hairs: 900, ..AtLeast::default() };

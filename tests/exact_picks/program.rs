@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use sightline::{
     camera::View,
-    geometry::Ray,
+    geometry::{Ray, Sides},
     pick::{self, Pick, SceneHit},
     scene::{Scene, Shape},
 };
@@ -15,7 +15,7 @@ pub struct Answer {
     /// Index among the triangles of the mesh.
     pub triangle: Option<u32>,
     pub front: bool,
-    /// View depth.
+    /// View depth, or the parameter of a given ray.
     pub t: f64,
     /// Outward, in object space, of any length.
     pub normal_object: DVec3,
@@ -48,19 +48,47 @@ pub fn records(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     records.map(|record| by_depth(view, px, record)).collect()
 }
 
+/// Object and triangle, both from 1, of each pixel, row by row, as both kinds of whole pictures have them.
+pub fn pictures(scene: &Scene, view: &View) -> [Vec<(u32, u32)>; 2] {
+    let (cast, _) = pick::raycast(scene, view);
+    [pick::ids(scene, view), cast].map(|ids| {
+        let pixels = ids.pixels().iter();
+        pixels.map(|id| (id.object, id.triangle)).collect()
+    })
+}
+
+/// Every surface along a ray that is given by its numbers, in order, and the nearest.
+pub fn along(scene: &Scene, ray: &Ray, sides: Sides) -> (Vec<Answer>, Option<Answer>) {
+    let answer = |hit: &SceneHit| given_answer(scene, ray, hit);
+    let all = pick::all(scene, ray, sides);
+    let closest = pick::closest(scene, ray, sides);
+    (
+        all.iter().map(answer).collect(),
+        closest.as_ref().map(answer),
+    )
+}
+
 /// Where the triangles of a record's object begin among those of its mesh.
 pub fn first_triangle(shape: &Shape) -> u32 {
     shape.first_triangle()
 }
 
-fn answer(scene: &Scene, view: &View, ray: &Ray, SceneHit { object, hit }: &SceneHit) -> Answer {
+fn answer(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Answer {
+    let answer = given_answer(scene, ray, hit);
+    Answer {
+        t: answer.t * depth_per_t(view, ray),
+        ..answer
+    }
+}
+
+fn given_answer(scene: &Scene, ray: &Ray, SceneHit { object, hit }: &SceneHit) -> Answer {
     let placement = &scene.objects()[*object].placement;
     let local = placement.ray_to_object(ray);
     Answer {
         object: *object,
         triangle: hit.on_triangle.map(|at| at.triangle),
         front: hit.is_front(local.direction),
-        t: hit.t * depth_per_t(view, ray),
+        t: hit.t,
         normal_object: hit.normal,
         barycentric: hit.on_triangle.map(|at| at.barycentric),
     }

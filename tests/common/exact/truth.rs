@@ -5,10 +5,10 @@ use super::{
     number::{Dyadic, Vector, cross, dot, minus, plus, times, vector},
     root::Parameter,
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use sightline::{
     camera::{Projection, View},
-    geometry::Sides,
+    geometry::{Ray, Sides},
     scene::{Object, Scene, Shape},
 };
 use std::cmp::Ordering;
@@ -50,6 +50,38 @@ impl Line {
             near: Dyadic::of(lens.near),
             far: Dyadic::of(lens.far),
         }
+    }
+
+    /// A ray that is given by its numbers, all of them finite.
+    pub fn given(ray: &Ray) -> Self {
+        Self {
+            origin: vector(ray.origin),
+            direction: vector(ray.direction),
+            scale: Dyadic::whole(1),
+            near: Dyadic::of(ray.t_min),
+            far: Dyadic::of(ray.t_max),
+        }
+    }
+
+    /// The point at `t`.
+    pub fn point(&self, t: &Parameter) -> DVec3 {
+        t.rounded_point(&self.origin, &self.direction, &self.scale)
+            .into()
+    }
+
+    /// The largest coordinate of where it starts and of the point at `t`, over the direction's: in units of `t`.
+    pub fn reach(&self, t: &Parameter) -> f64 {
+        let rounded = |v: &Vector| DVec3::from(v.each_ref().map(|c| c.over(&self.scale)));
+        let start = rounded(&self.origin).abs().max_element();
+        let size = start.max(self.point(t).abs().max_element());
+        size / rounded(&self.direction).abs().max_element()
+    }
+
+    /// How far the point at `t` is from another, as nearly as `f64` has it.
+    pub fn distance(&self, from: DVec3, t: &Parameter) -> f64 {
+        let seen = minus(&self.origin, &times(&self.scale, &vector(from)));
+        let [x, y, z] = t.rounded_point(&seen, &self.direction, &self.scale);
+        x.hypot(y).hypot(z)
     }
 }
 
