@@ -1,7 +1,8 @@
 //! Positions where the answer changes: found by halving between two positions until they are one step of `f64` apart.
 
 use super::{
-    blocks::{Layout, Sample, aimed, chance},
+    aim::aimed,
+    blocks::{Layout, Sample, chance},
     compare::Case,
     families,
 };

@@ -2,9 +2,10 @@
 
 use crate::common::{Random, mesh, orthographic, perspective, view};
 use crate::exact::{
+    line::Line,
     number::{Dyadic, vector},
     root::Parameter,
-    truth::{Hit, Line, World},
+    truth::{Hit, World},
 };
 use glam::{DAffine3, DMat3, DVec3, dvec2, dvec3};
 use sightline::{

@@ -1,7 +1,10 @@
 //! Families of scenes that are nowhere special: shapes, placements, distances and sizes.
 
-use super::blocks::{
-    Sample, any_turn, chance, framed, parts, placement, power, sample, scene, some_mesh, some_shape,
+use super::{
+    aim::sample,
+    blocks::{
+        Sample, any_turn, chance, framed, parts, placement, power, scene, some_mesh, some_shape,
+    },
 };
 use crate::common::Random;
 use glam::{DAffine3, DMat3, DVec3, dvec3};

@@ -3,8 +3,9 @@
 use super::{
     Sample, ask,
     blocks::{Layout, box_mesh, one_mesh},
-    compare::{Case, Tally},
+    compare::Case,
     program,
+    tally::Tally,
 };
 use crate::common::{orthographic, perspective, view};
 use crate::exact::truth::World;

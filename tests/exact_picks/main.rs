@@ -4,6 +4,7 @@
 //! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
 //! positions of each family and prints a line for each.
 
+mod aim;
 mod blocks;
 mod borders;
 mod by_hand;
@@ -17,11 +18,14 @@ mod findings;
 mod lattice;
 mod program;
 mod rays;
+mod tally;
+mod ties;
 
 use blocks::{Layout, Sample};
 use common::Random;
-use compare::{Case, Tally};
+use compare::Case;
 use exact::truth::World;
+use tally::Tally;
 
 /// Positions of each family in an ordinary run.
 const POSITIONS: usize = 1000;
@@ -116,7 +120,7 @@ families! {
     planes_nearly, 8, borders::planes_nearly, AtLeast { hits: 550, hairs: 900, ..AtLeast::default() };
     exact_borders, 9, lattice::exact_borders, AtLeast { hits: 800, borders: 200, ties: 100, ..AtLeast::default() };
     planes, 10, lattice::planes, AtLeast { hits: 250, planes: 300, ..AtLeast::default() };
-    ties, 11, lattice::ties, AtLeast { hits: 800, ties: 500, borders: 200, ..AtLeast::default() };
-    ties_at_the_eye, 12, lattice::ties_at_the_eye, AtLeast { hits: 700, ties: 450, planes: 200, ..AtLeast::default() };
-    long_ties, 13, lattice::long_ties, AtLeast { hits: 550, ties: 300, ..AtLeast::default() };
+    ties, 11, ties::ties, AtLeast { hits: 800, ties: 500, borders: 200, ..AtLeast::default() };
+    ties_at_the_eye, 12, ties::ties_at_the_eye, AtLeast { hits: 700, ties: 450, planes: 200, ..AtLeast::default() };
+    long_ties, 13, ties::long_ties, AtLeast { hits: 550, ties: 300, ..AtLeast::default() };
 }

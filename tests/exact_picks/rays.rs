@@ -1,10 +1,13 @@
 //! Rays that are given by their numbers, which are taken as exact.
 
 use super::{
-    blocks::{chance, lattice_point, point_of},
-    compare::{Case, Tally},
+    aim::point_of,
+    blocks::{chance, lattice_point},
+    compare::Case,
     exact::truth::World,
-    families, lattice, wanted,
+    families, lattice,
+    tally::Tally,
+    wanted,
 };
 use crate::common::Random;
 use glam::DVec3;

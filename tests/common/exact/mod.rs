@@ -3,6 +3,8 @@
 
 #![allow(dead_code, reason = "each test uses its share")]
 
+pub mod flat;
+pub mod line;
 pub mod number;
 pub mod root;
 pub mod truth;

@@ -2,88 +2,16 @@
 //! numbers that camera, placements and meshes hold. Nothing here asks the program to compute.
 
 use super::{
+    flat::{Flat, faces},
+    line::Line,
     number::{Dyadic, Vector, cross, dot, minus, plus, times, vector},
     root::Parameter,
 };
-use glam::{DVec2, DVec3};
 use sightline::{
-    camera::{Projection, View},
-    geometry::{Ray, Sides},
+    geometry::Sides,
     scene::{Object, Scene, Shape},
 };
 use std::cmp::Ordering;
-
-/// The ray through a position. Its points are `(origin + t direction) / scale`.
-#[derive(Clone, Debug)]
-pub struct Line {
-    pub origin: Vector,
-    pub direction: Vector,
-    /// The picture's height, by which everything is multiplied so that nothing is divided.
-    pub scale: Dyadic,
-    pub near: Dyadic,
-    pub far: Dyadic,
-}
-
-impl Line {
-    pub fn of(view: &View, px: DVec2) -> Self {
-        let (camera, viewport) = (&view.camera, view.viewport);
-        let scale = Dyadic::of(viewport.height().into());
-        let twice = |at: f64, size: u32| &Dyadic::of(at).shifted(1) - &Dyadic::of(size.into());
-        let half = Dyadic::of(camera.half_height());
-        let right = &half * &twice(px.x, viewport.width());
-        let up = &half * &-&twice(px.y, viewport.height());
-        let aside = plus(
-            &times(&right, &vector(camera.right())),
-            &times(&up, &vector(camera.up())),
-        );
-        let eye = times(&scale, &vector(camera.eye()));
-        let forward = times(&scale, &vector(camera.forward()));
-        let lens = camera.lens();
-        let (origin, direction) = match lens.projection {
-            Projection::Perspective { .. } => (eye, plus(&forward, &aside)),
-            Projection::Orthographic { .. } => (plus(&eye, &aside), forward),
-        };
-        Self {
-            origin,
-            direction,
-            scale,
-            near: Dyadic::of(lens.near),
-            far: Dyadic::of(lens.far),
-        }
-    }
-
-    /// A ray that is given by its numbers, all of them finite.
-    pub fn given(ray: &Ray) -> Self {
-        Self {
-            origin: vector(ray.origin),
-            direction: vector(ray.direction),
-            scale: Dyadic::whole(1),
-            near: Dyadic::of(ray.t_min),
-            far: Dyadic::of(ray.t_max),
-        }
-    }
-
-    /// The point at `t`.
-    pub fn point(&self, t: &Parameter) -> DVec3 {
-        t.rounded_point(&self.origin, &self.direction, &self.scale)
-            .into()
-    }
-
-    /// The largest coordinate of where it starts and of the point at `t`, over the direction's: in units of `t`.
-    pub fn reach(&self, t: &Parameter) -> f64 {
-        let rounded = |v: &Vector| DVec3::from(v.each_ref().map(|c| c.over(&self.scale)));
-        let start = rounded(&self.origin).abs().max_element();
-        let size = start.max(self.point(t).abs().max_element());
-        size / rounded(&self.direction).abs().max_element()
-    }
-
-    /// How far the point at `t` is from another, as nearly as `f64` has it.
-    pub fn distance(&self, from: DVec3, t: &Parameter) -> f64 {
-        let seen = minus(&self.origin, &times(&self.scale, &vector(from)));
-        let [x, y, z] = t.rounded_point(&seen, &self.direction, &self.scale);
-        x.hypot(y).hypot(z)
-    }
-}
 
 /// One hit.
 #[derive(Clone, Debug)]
@@ -100,102 +28,6 @@ pub struct Hit {
     pub barycentric: Option<[f64; 3]>,
     /// Whether it lies on an edge, a rim or a silhouette.
     pub on_border: bool,
-}
-
-/// A corner and two sides from it: a triangle, or a parallelogram about its middle.
-struct Flat {
-    corner: Vector,
-    sides: [Vector; 2],
-    normal: Vector,
-}
-
-/// Where a line crosses a flat: parameter and share of each side, all three over `determinant`.
-struct Crossing {
-    t: Dyadic,
-    shares: [Dyadic; 2],
-    determinant: Dyadic,
-    /// Whether the line runs against the cross product of the sides.
-    against: bool,
-}
-
-impl Flat {
-    fn new(corner: Vector, sides: [Vector; 2]) -> Self {
-        let normal = cross(&sides[0], &sides[1]);
-        Self {
-            corner,
-            sides,
-            normal,
-        }
-    }
-
-    /// Cramer's rule for `origin + t direction = corner + u side + v side`; `None` within the plane or beside it.
-    fn crossing(&self, line: &Line) -> Option<Crossing> {
-        let along = dot(&self.normal, &line.direction);
-        if along.is_zero() {
-            return None;
-        }
-        // Seen from the corner; times `scale`, which the shares have to be divided by and t has not.
-        let from_corner = minus(&line.origin, &times(&line.scale, &self.corner));
-        let moment = cross(&line.direction, &from_corner);
-        let [a, b] = &self.sides;
-        let mut t = -&dot(&self.normal, &from_corner);
-        let mut shares = [dot(b, &moment), -&dot(a, &moment)];
-        let mut determinant = along.clone();
-        if along.sign().is_lt() {
-            t = -&t;
-            shares = shares.map(|share| -&share);
-            determinant = -&determinant;
-        }
-        Some(Crossing {
-            t,
-            shares,
-            determinant,
-            against: along.sign().is_lt(),
-        })
-    }
-}
-
-impl Crossing {
-    /// The determinant in the shares' unit, in which it is one whole side.
-    fn whole(&self, line: &Line) -> Dyadic {
-        &self.determinant * &line.scale
-    }
-
-    fn parameter(&self) -> Parameter {
-        Parameter::fraction(&self.t, &self.determinant)
-    }
-
-    /// In a triangle: whether on its border, and the weights of its corners.
-    fn in_triangle(&self, line: &Line) -> Option<(bool, [f64; 3])> {
-        let [u, v] = &self.shares;
-        if u.sign().is_lt() || v.sign().is_lt() {
-            return None;
-        }
-        let whole = self.whole(line);
-        let w = &(&whole - u) - v;
-        if w.sign().is_lt() {
-            return None;
-        }
-        let weights = [&w, u, v];
-        let on_border = weights.iter().any(|weight| weight.is_zero());
-        Some((on_border, weights.map(|weight| weight.over(&whole))))
-    }
-
-    /// In a parallelogram about its corner, half a side to each side: whether on its border.
-    fn in_parallelogram(&self, line: &Line) -> Option<bool> {
-        let whole = self.whole(line);
-        let mut on_border = false;
-        for share in &self.shares {
-            let twice = share.clone().shifted(1);
-            let size = if twice.sign().is_lt() { -&twice } else { twice };
-            match size.cmp(&whole) {
-                Ordering::Greater => return None,
-                Ordering::Equal => on_border = true,
-                Ordering::Less => {}
-            }
-        }
-        Some(on_border)
-    }
 }
 
 /// A shape where it stands in the world.
@@ -387,22 +219,6 @@ impl Placed {
             }
         }
     }
-}
-
-/// The faces of the unit cube, each about its middle, with sides whose cross product points outwards in object space.
-fn faces(axes: &[Vector; 3], centre: &Vector) -> Vec<(usize, i8, Flat)> {
-    let all = (0..3).flat_map(|axis| [-1_i8, 1].map(|side| (axis, side)));
-    let face = |(axis, side): (usize, i8)| {
-        let half = Dyadic::whole(side.into()).shifted(-1);
-        let middle = plus(centre, &times(&half, &axes[axis]));
-        let (mut a, mut b) = ((axis + 1) % 3, (axis + 2) % 3);
-        if side < 0 {
-            (a, b) = (b, a);
-        }
-        let flat = Flat::new(middle, [axes[a].clone(), axes[b].clone()]);
-        (axis, side, flat)
-    };
-    all.map(face).collect()
 }
 
 /// Entry and exit of a convex solid whose faces were met, in the order of axes: of each the first face that is met there
