@@ -1,6 +1,6 @@
 //! What families of scenes are made of: placements, shapes, views and positions, all from one seed.
 
-use crate::common::{Random, icosphere, mesh, orthographic, perspective};
+use crate::common::{Random, box_triangles, icosphere, mesh, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use sightline::{
     camera::{Camera, Lens, View, Viewport},
@@ -85,24 +85,6 @@ pub fn one_mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec
     }
 }
 
-/// The cube of side 1 about the origin as 12 triangles.
-pub fn box_mesh(factor: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let corner =
-        |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 } * factor);
-    let quads = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
-    let halves = quads
-        .iter()
-        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
-    ((0..8).map(corner).collect(), halves.collect())
-}
-
 /// Triangles that share corners, about 1 wide: a box, a ball of 20 or 80, or a crumpled strip of up to 60.
 pub fn some_mesh(random: &mut Random, factor: f64) -> Shape {
     let origin = match random.below(3) {
@@ -115,7 +97,7 @@ pub fn some_mesh(random: &mut Random, factor: f64) -> Shape {
     match random.below(4) {
         0 => {
             #[expect(clippy::cast_possible_truncation, reason = "as meshes keep them")]
-            let (positions, triangles) = box_mesh(factor as f32);
+            let (positions, triangles) = box_triangles(factor as f32);
             one_mesh(positions, triangles, origin)
         }
         1 => {

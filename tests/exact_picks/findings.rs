@@ -2,12 +2,12 @@
 
 use super::{
     Sample, ask,
-    blocks::{Layout, box_mesh, one_mesh},
+    blocks::{Layout, one_mesh},
     compare::Case,
     program,
     tally::Tally,
 };
-use crate::common::{orthographic, perspective, view};
+use crate::common::{box_triangles, orthographic, perspective, view};
 use crate::exact::truth::World;
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, EulerRot, dvec2, dvec3};
 use sightline::{
@@ -234,7 +234,7 @@ fn plain_shapes_from_far_away() {
         let turn = DQuat::from_euler(EulerRot::ZYX, z, y, x);
         DAffine3::from_scale_rotation_translation(scale, turn, at)
     };
-    let (positions, triangles) = box_mesh(1.0);
+    let (positions, triangles) = box_triangles(1.0);
     let small = DVec3::splat(0.6);
     let objects = vec![
         object(

@@ -1,10 +1,8 @@
 //! Scenes of short numbers, in which rays pass exactly through edges, corners and tangents, and faces lie exactly on each
 //! other and on the near and the far plane.
 
-use super::blocks::{
-    Layout, Sample, box_mesh, chance, lattice_point, lattice_turn, one_mesh, scene, whole,
-};
-use crate::common::{Random, orthographic, perspective};
+use super::blocks::{Layout, Sample, chance, lattice_point, lattice_turn, one_mesh, scene, whole};
+use crate::common::{Random, box_triangles, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
 use sightline::{
     camera::{Camera, Lens, Projection, View, Viewport},
@@ -90,7 +88,7 @@ pub fn lattice_object(random: &mut Random, centre: DVec3) -> Object {
         2 => Shape::Cube,
         3 => Shape::Square,
         4 => {
-            let (positions, triangles) = box_mesh(1.0);
+            let (positions, triangles) = box_triangles(1.0);
             one_mesh(positions, triangles, DVec3::ZERO)
         }
         _ => lattice_mesh(random),
@@ -120,7 +118,7 @@ pub fn exact_borders(random: &mut Random) -> Sample {
     let eye = lattice_point(random, 2) - 8.0 * forward;
     let view = short_view(random, eye, forward, 1.0, 64.0);
     let mut objects = Vec::new();
-    for _ in 0..1 + random.below(14) {
+    for _ in 0..=random.below(14) {
         let centre = lattice_point(random, 3);
         objects.push(lattice_object(random, centre));
     }
@@ -194,7 +192,7 @@ pub fn planes(random: &mut Random) -> Sample {
     let (width, height) = [(10, 8), (8, 8), (11, 7)][random.below(3)];
     view.viewport = Viewport::new(width, height).expect("a viewport");
     let mut objects = Vec::new();
-    for _ in 0..1 + random.below(4) {
+    for _ in 0..=random.below(4) {
         let depth = if chance(random, 2) { near } else { far };
         let on_plane = eye + depth * forward;
         let aside = |random: &mut Random| {

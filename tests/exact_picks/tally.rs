@@ -40,9 +40,8 @@ impl Tally {
     /// Each kind of mistake, how often, and the first one.
     pub fn mistakes(&self) -> String {
         let kinds = self.kinds.values();
-        kinds
-            .map(|(count, example)| format!("{count} times {example}\n"))
-            .collect()
+        let lines = kinds.map(|(count, example)| format!("{count} times {example}"));
+        lines.collect::<Vec<_>>().join("\n")
     }
 
     pub fn row(&self) -> String {

@@ -3,12 +3,12 @@
 use super::{
     aim,
     blocks::{
-        Sample, any_turn, box_mesh, chance, framed, lattice_point, lattice_turn, one_mesh,
-        placement, scene, whole,
+        Sample, any_turn, chance, framed, lattice_point, lattice_turn, one_mesh, placement, scene,
+        whole,
     },
     lattice::{lattice_object, sample, short_view, shown},
 };
-use crate::common::Random;
+use crate::common::{Random, box_triangles};
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
     geometry::Placement,
@@ -63,7 +63,7 @@ fn face_in_plane(random: &mut Random, centre: DVec3, turn: DMat3) -> Object {
                 [0, 1, 4],
                 [3, 2, 4],
             ];
-            let triangles = (0..1 + random.below(8))
+            let triangles = (0..=random.below(8))
                 .map(|_| all[random.below(6)])
                 .collect();
             let linear = linear * (1.0 / size);
@@ -128,7 +128,7 @@ pub fn ties_at_the_eye(random: &mut Random) -> Sample {
 pub fn long_ties(random: &mut Random) -> Sample {
     let centre = random.point(0.5);
     let shared = placement(random, 2.0, centre);
-    let (positions, triangles) = box_mesh(1.0);
+    let (positions, triangles) = box_triangles(1.0);
     let cube = one_mesh(positions, triangles, DVec3::ZERO);
     let corners = [
         [-0.5, -0.5, 0.0],

@@ -184,7 +184,7 @@ impl Placed {
                         ..hit(crossing.against != self.mirrored, crossing.parameter())
                     })
                 });
-                hits.extend(ends(met.collect()));
+                hits.extend(ends(&met.collect::<Vec<_>>()));
             }
             Solid::Sphere {
                 centre,
@@ -223,7 +223,7 @@ impl Placed {
 
 /// Entry and exit of a convex solid whose faces were met, in the order of axes: of each the first face that is met there
 /// from the right side. One entry where both coincide.
-fn ends(met: Vec<Hit>) -> Vec<Hit> {
+fn ends(met: &[Hit]) -> Vec<Hit> {
     let Some(first) = met.iter().min_by(|a, b| a.t.compare(&b.t)).cloned() else {
         return Vec::new();
     };
