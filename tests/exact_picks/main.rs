@@ -119,7 +119,7 @@ families! {
     borders, 7, borders::borders, AtLeast { hits: 600, steps: 300, ..AtLeast::default() };
     planes_nearly, 8, borders::planes_nearly, AtLeast { hits: 550, hairs: 900, ..AtLeast::default() };
     exact_borders, 9, lattice::exact_borders, AtLeast { hits: 800, borders: 200, ties: 100, ..AtLeast::default() };
-    planes, 10, lattice::planes, AtLeast { hits: 250, planes: 300, ..AtLeast::default() };
+    planes, 10, lattice::planes, AtLeast { hits: 180, planes: 220, ..AtLeast::default() };
     ties, 11, ties::ties, AtLeast { hits: 800, ties: 500, borders: 200, ..AtLeast::default() };
     ties_at_the_eye, 12, ties::ties_at_the_eye, AtLeast { hits: 700, ties: 450, planes: 200, ..AtLeast::default() };
     long_ties, 13, ties::long_ties, AtLeast { hits: 550, ties: 300, ..AtLeast::default() };
