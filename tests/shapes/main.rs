@@ -3,6 +3,9 @@
 mod borders;
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/exact/mod.rs"]
+mod exact;
+mod rims;
 
 use common::{Random, assert_close, assert_near, mesh, placements, ray_to, scene_of};
 use glam::{DAffine3, DMat3, DVec3, dvec3};
@@ -71,7 +74,9 @@ fn spheres_and_ellipsoids() {
             );
             let discriminant = b * b - a * c;
             if discriminant.abs() <= 1e-2 * b * b {
-                continue; // Near the outline the textbook's formula is the worse of the two.
+                // Near the outline the textbook's formula is the worse of the two.
+                rims::as_exact(&scene, &ray);
+                continue;
             }
             let root = discriminant.max(0.0).sqrt();
             let roots = [(-b - root) / a, (-b + root) / a];
@@ -135,7 +140,9 @@ fn cubes_and_boxes() {
                 }
             }
             if (enter.t - leave.t).abs() <= 1e-3 * leave.t.abs() {
-                continue; // Through an edge, as near as matters.
+                // Through an edge, or nearly.
+                rims::as_exact(&scene, &ray);
+                continue;
             }
             let truth: Vec<_> = [enter, leave].into_iter().collect();
             let passes = truth[0].t > truth[1].t;
@@ -152,20 +159,7 @@ fn cubes_and_boxes() {
 
 #[test]
 fn a_cube_is_its_twelve_triangles() {
-    let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 });
-    let quads = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
-    let triangles = quads
-        .iter()
-        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
-        .collect();
-    let mesh = mesh((0..8).map(corner).collect(), triangles, DVec3::ZERO);
+    let mesh = common::box_mesh();
     let mut hits = 0;
     for (kind, model) in placements() {
         let cube = scene_of(Shape::Cube, model);
@@ -180,6 +174,8 @@ fn a_cube_is_its_twelve_triangles() {
             let ours = pick::all(&cube, &ray, Sides::Both);
             let theirs = pick::all(&triangles, &ray, Sides::Both);
             if ours.len() == 2 && (ours[1].hit.t - ours[0].hit.t) <= 1e-3 * ours[1].hit.t {
+                rims::as_exact(&cube, &ray);
+                rims::as_exact(&triangles, &ray);
                 continue;
             }
             assert_eq!(ours.len(), theirs.len(), "{kind}: {ray:?}");
@@ -229,6 +225,8 @@ fn squares_and_triangles() {
             let (u, v, t) = (solved.x, solved.y, solved.z);
             let rim = (u.abs() - 0.5).abs().min((v.abs() - 0.5).abs());
             if rim < 1e-6 || (u + v).abs() < 1e-6 {
+                rims::as_exact(&square, &ray);
+                rims::as_exact(&triangle, &ray);
                 continue;
             }
             let truth = |inside: bool| {
