@@ -24,28 +24,25 @@ pub struct Answer {
 
 /// The nearest surface at a position.
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<Answer> {
-    let ray = view.ray(px);
-    let hit = pick::closest(scene, &ray, view.sides)?;
-    Some(answer(scene, view, &ray, &hit))
+    pick::closest(scene, view.ray(px), view.sides)
+        .as_ref()
+        .map(answer)
 }
 
 /// Every surface at a position, in order.
 pub fn all(scene: &Scene, view: &View, px: DVec2) -> Vec<Answer> {
-    let ray = view.ray(px);
-    let hits = pick::all(scene, &ray, view.sides);
-    let answers = hits.iter().map(|hit| answer(scene, view, &ray, hit));
-    answers.collect()
+    let hits = pick::all(scene, view.ray(px), view.sides);
+    hits.iter().map(answer).collect()
 }
 
 /// The record of the nearest surface at a position.
 pub fn record(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
-    pick::pick(scene, view, px).map(|record| by_depth(view, px, record))
+    pick::pick(scene, view, px)
 }
 
 /// The records of every surface at a position, in order.
 pub fn records(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
-    let records = pick::pick_all(scene, view, px).into_iter();
-    records.map(|record| by_depth(view, px, record)).collect()
+    pick::pick_all(scene, view, px)
 }
 
 /// Object and triangle, both from 1, of each pixel, row by row, as both kinds of whole pictures have them.
@@ -59,7 +56,6 @@ pub fn pictures(scene: &Scene, view: &View) -> [Vec<(u32, u32)>; 2] {
 
 /// Every surface along a ray that is given by its numbers, in order, and the nearest.
 pub fn along(scene: &Scene, ray: &Ray, sides: Sides) -> (Vec<Answer>, Option<Answer>) {
-    let answer = |hit: &SceneHit| given_answer(scene, ray, hit);
     let all = pick::all(scene, ray, sides);
     let closest = pick::closest(scene, ray, sides);
     (
@@ -73,37 +69,13 @@ pub fn first_triangle(shape: &Shape) -> u32 {
     shape.first_triangle()
 }
 
-fn answer(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Answer {
-    let answer = given_answer(scene, ray, hit);
-    Answer {
-        t: answer.t * depth_per_t(view, ray),
-        ..answer
-    }
-}
-
-fn given_answer(scene: &Scene, ray: &Ray, SceneHit { object, hit }: &SceneHit) -> Answer {
-    let placement = &scene.objects()[*object].placement;
-    let local = placement.ray_to_object(ray);
+fn answer(SceneHit { object, hit }: &SceneHit) -> Answer {
     Answer {
         object: *object,
         triangle: hit.on_triangle.map(|at| at.triangle),
-        front: hit.is_front(local.direction),
+        front: hit.front,
         t: hit.t,
         normal_object: hit.normal,
         barycentric: hit.on_triangle.map(|at| at.barycentric),
-    }
-}
-
-/// While a ray's direction is a unit vector, `t` is the distance from where the ray starts.
-fn depth_per_t(view: &View, ray: &Ray) -> f64 {
-    ray.direction.dot(view.camera.forward())
-}
-
-fn by_depth(view: &View, px: DVec2, record: Pick) -> Pick {
-    let scale = depth_per_t(view, &view.ray(px));
-    Pick {
-        t: record.t * scale,
-        gap: record.gap.map(|gap| gap * scale),
-        ..record
     }
 }

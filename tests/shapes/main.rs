@@ -36,7 +36,6 @@ fn rays(model: DAffine3, seed: u64) -> impl Iterator<Item = Ray> {
 fn same_hits(kind: &str, scene: &Scene, ray: &Ray, found: &[SceneHit], truth: &[Truth]) -> bool {
     assert_eq!(found.len(), truth.len(), "{kind}: {ray:?}");
     let placement = &scene.objects()[0].placement;
-    let local = placement.ray_to_object(ray);
     for (found, truth) in found.iter().zip(truth) {
         let normal = truth.normal.normalize();
         let cos = normal.dot(ray.direction);

@@ -26,7 +26,7 @@ pub fn as_exact(scene: &Scene, ray: &Ray) -> [usize; 2] {
         .iter()
         .map(|hit| {
             let triangle = hit.hit.on_triangle.map(|at| at.triangle);
-            (triangle, hit.hit.is_front(local.direction))
+            (triangle, hit.hit.front)
         })
         .collect();
     let exact: Vec<_> = truth.iter().map(|hit| (hit.triangle, hit.front)).collect();
