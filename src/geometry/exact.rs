@@ -210,7 +210,7 @@ fn integers(v: DVec3, unit: i64) -> IntegerVector {
 }
 
 /// A finite number as an odd integer (or 0) times a power of two, by its exponent.
-fn split(value: f64) -> (i64, i64) {
+pub(super) fn split(value: f64) -> (i64, i64) {
     const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
     let bits = value.to_bits();
     let fraction = bits & ((1 << FRACTION_BITS) - 1);
@@ -231,7 +231,7 @@ fn split(value: f64) -> (i64, i64) {
 }
 
 /// `value * 2^exponent`, in steps that a power of two in `f64` can take.
-fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
+pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
     while exponent != 0 && value != 0.0 && value.is_finite() {
         let step = exponent.clamp(-1000, 1000);
         value *= f64::from_bits((1023 + step).cast_unsigned() << (f64::MANTISSA_DIGITS - 1));

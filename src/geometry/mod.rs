@@ -16,6 +16,7 @@
 mod bounds;
 mod bvh;
 mod cuboid;
+pub(crate) mod dyadic;
 mod exact;
 mod mesh;
 mod normals;
