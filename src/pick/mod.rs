@@ -1,6 +1,7 @@
 //! What a pixel shows, by casting a ray: pure functions of scene, view and pixel.
 
 mod certainty;
+mod edge;
 mod picture;
 mod record;
 mod selection;
