@@ -101,6 +101,11 @@ impl Aabb {
     /// times the way there; the box grows by twice that.
     #[must_use]
     pub fn may_hit(&self, ray: &VertexRay, inverse: DVec3) -> bool {
+        self.may_hit_before(ray, inverse, ray.ray.t_max)
+    }
+
+    /// [`Aabb::may_hit`] no later than at `end`.
+    pub(super) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {
             return true;
@@ -117,7 +122,13 @@ impl Aabb {
             }
             ways = [ways[0] - room, ways[1] + room];
         }
-        entry(ways, inverse, [ray.ray.t_min, ray.ray.t_max], WIDEN).is_some()
+        entry(
+            ways,
+            inverse,
+            [ray.ray.t_min, ray.ray.t_max.min(end)],
+            WIDEN,
+        )
+        .is_some()
     }
 }
 

@@ -3,6 +3,9 @@
 use super::{Hit, Ray, U};
 use glam::DVec3;
 
+/// A parameter that is less certain than this, relatively, is worth exact arithmetic.
+pub(crate) const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
+
 /// A computed number and an upper bound on how far it is from the exact one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approximate {
@@ -60,6 +63,9 @@ impl Approximate {
     #[inline]
     pub fn hit(self, ray: &Ray, normal: DVec3, front: bool) -> Result<Option<Hit>, InDoubt> {
         let counts = self.is_within(ray)?;
+        if counts && !(self.error <= HALF_OF_THE_DIGITS * self.value.abs()) {
+            return Err(InDoubt);
+        }
         Ok(counts.then(|| Hit::analytic(self.value, self.error, normal, front)))
     }
 }

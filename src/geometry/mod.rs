@@ -35,7 +35,11 @@ pub use bounds::Aabb;
 pub(crate) use bounds::entry;
 pub use bvh::{Bvh, Simd, Visit};
 pub use cuboid::Cuboid;
-pub(crate) use exact::{Corners, Root, Surface, are_coplanar, compare_surfaces, parameter};
+pub(crate) use exact::dyadic;
+pub(crate) use exact::{
+    Corners, Root, Surface, are_coplanar, compare_surfaces, parameter, weights,
+};
+pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::LocalRay;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};

@@ -8,7 +8,10 @@
     reason = "what decides hits is one piece of code, a tenth faster than as three"
 )]
 
-use super::{Corners, Hit, OnTriangle, Ray, U, VertexRay, exact, interval::InDoubt};
+use super::{
+    Corners, Hit, OnTriangle, Ray, U, VertexRay, exact,
+    interval::{HALF_OF_THE_DIGITS, InDoubt},
+};
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -70,6 +73,9 @@ pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHi
 pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     settle(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
 }
+
+/// Weights that are less certain than this are worth exact arithmetic.
+const WORST_WEIGHT: f64 = f64::from_bits((1023 - 14) << 52);
 
 /// [`guarded_volume`], all of it by exact arithmetic.
 #[cold]
@@ -140,7 +146,9 @@ fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
         return Err(InDoubt);
     }
     let (t, t_error) = parameter(ray, edges, seen[0]);
-    if !(t_error <= HALF_OF_THE_DIGITS * t.abs()) {
+    let [u, v, w] = volumes;
+    let sum = u + v + w;
+    if !(t_error <= HALF_OF_THE_DIGITS * t.abs() && bound <= WORST_WEIGHT * sum.abs()) {
         return Err(InDoubt);
     }
     let Ray { t_min, t_max, .. } = ray.ray;
@@ -148,8 +156,6 @@ fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
     if high < t_min || low >= t_max {
         Ok(None)
     } else if low >= t_min && high < t_max {
-        let [u, v, w] = volumes;
-        let sum = u + v + w;
         Ok(Some(TriangleHit {
             t,
             t_error,
@@ -160,9 +166,6 @@ fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
         Err(InDoubt)
     }
 }
-
-/// A parameter that is less certain than this, relatively, is worth exact arithmetic.
-const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
 
 /// `t = N . a / N . d` with `N` the cross product of two edges, and a bound on its error; `a` is the first corner as
 /// seen from the ray.

@@ -1,7 +1,7 @@
 //! What a pixel shows, by casting a ray: pure functions of scene, view and pixel.
 
-mod certainty;
 mod differs;
+mod edge;
 mod nearest;
 mod order;
 mod picture;
@@ -19,7 +19,7 @@ use crate::{
     scene::Scene,
 };
 use glam::DVec2;
-use nearest::{is_in_doubt, nearest};
+use nearest::{is_in_doubt, is_tied, nearest};
 
 /// A hit on an object of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,8 +50,9 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let ray = view.ray(px);
     let hit = nearest(scene, &ray, view.sides, None)?;
     let next = nearest(scene, &ray, view.sides, Some(&hit));
-    let is_tied = next.is_some_and(|next| next.overlaps(&hit));
-    let exact = is_tied || is_in_doubt(scene, &ray, hit.limit());
+    let exact = next.is_some_and(|next| next.overlaps(&hit))
+        || is_tied(scene, &ray, view.sides, &hit)
+        || is_in_doubt(scene, &ray, hit.limit());
     let differs_px = differs::differs_px(scene, view, px, &hit);
     let at = record::At { scene, view, px };
     Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))

@@ -3,7 +3,9 @@
 
 use super::{SceneHit, order::order};
 use crate::{
-    geometry::{Cuboid, Hit, LocalRay, Sides, Sphere, Square, TriangleTest, WorldRay},
+    geometry::{
+        Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest, WorldRay,
+    },
     scene::{Scene, Shape},
 };
 use std::ops::Range;
@@ -102,6 +104,21 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
                 Shape::Square => Square::is_in_doubt(&local),
             };
         // Once is enough: nothing lies before this.
+        if found { f64::NEG_INFINITY } else { limit }
+    });
+    found
+}
+
+/// Whether `f64` leaves open which of a hit and some other one is nearer. The same with and without trees.
+pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHit) -> bool {
+    // What overlaps it is met no later than this, since no parameter is off by more than half of its digits.
+    let limit = hit.limit() + 8.0 * HALF_OF_THE_DIGITS * hit.limit().abs();
+    let mut found = false;
+    scene.visit_batches(ray, |batch| {
+        let placement = &scene.objects()[batch.start].placement;
+        let local = placement.local_ray(ray).until(limit);
+        let overlaps = |other: &SceneHit| other != hit && other.overlaps(hit);
+        found = found || in_batch(scene, batch, &local, sides, overlaps).is_some();
         if found { f64::NEG_INFINITY } else { limit }
     });
     found

@@ -2,7 +2,9 @@
 
 use super::SceneHit;
 use crate::{
-    geometry::{Corners, Mesh, Root, Surface, WorldRay, are_coplanar, compare_surfaces, parameter},
+    geometry::{
+        Corners, Mesh, Root, Surface, WorldRay, are_coplanar, compare_surfaces, parameter, weights,
+    },
     scene::{Object, Scene, Shape},
 };
 use std::{cmp::Ordering, sync::Arc};
@@ -30,6 +32,15 @@ pub(super) fn gap(scene: &Scene, ray: &WorldRay, hit: &SceneHit, next: &SceneHit
 /// The `t` of a hit, without rounding.
 pub(super) fn root(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<Root> {
     parameter(ray, &surface(scene, hit))
+}
+
+/// The weights of the corners of the triangle that was hit.
+pub(super) fn barycentric(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<[f64; 3]> {
+    let rounded = hit.hit.on_triangle?.barycentric;
+    let Surface::Triangle(triangle) = surface(scene, hit) else {
+        return None;
+    };
+    Some(weights(ray, &triangle).unwrap_or(rounded))
 }
 
 fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {

@@ -1,6 +1,6 @@
 //! All that is known about a pick, and its JSON.
 
-use super::{SceneHit, certainty, order};
+use super::{SceneHit, edge, order};
 use crate::{camera::View, scene::Scene};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -35,7 +35,7 @@ pub struct Pick {
     /// Weights of the triangle's corners; `None` for analytic shapes.
     pub barycentric: Option<[f64; 3]>,
     /// How far the pixel position is from the nearest edge of the triangle or face (of a sphere: from its outline),
-    /// in pixels. `None` where no edge is in front of the eye.
+    /// in pixels, to within 1e-6 or 1e-9 of it. `None` where none of it lies at or behind the near plane.
     pub edge_px: Option<f64>,
     /// How far behind the point the next surface lies, in `t`: the exact difference, rounded once. `None` when there is
     /// none.
@@ -106,8 +106,8 @@ impl Pick {
             normal_world: placement.normal_to_world(hit.normal),
             point_object: placement.ray_to_object(&ray).at(t),
             normal_object: (hit.normal / hit.normal.abs().max_element()).normalize(),
-            barycentric: hit.on_triangle.map(|at| at.barycentric),
-            edge_px: certainty::edge_px(object, view, px, &hit),
+            barycentric: order::barycentric(scene, &ray, found),
+            edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, found, next)),
             exact,
             differs_px,

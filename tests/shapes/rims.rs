@@ -21,7 +21,6 @@ pub fn as_exact(scene: &Scene, ray: &Ray) -> [usize; 2] {
     };
     let truth = World::of(scene).hits(&Line::given(ray), Sides::Both);
     let found = pick::all(scene, ray, Sides::Both);
-    let local = scene.objects()[0].placement.ray_to_object(ray);
     let said: Vec<_> = found
         .iter()
         .map(|hit| {

@@ -1,203 +1,176 @@
-//! Numbers and vectors that are integers times a power of two: every finite `f64`, and every sum and product of such.
+//! Numbers without rounding: an integer of any length times a power of two, as every finite `f64` is.
 
-use super::integer::Integer;
-use glam::DVec3;
-use num_bigint::BigInt;
-use std::cmp::Ordering;
+pub(crate) use super::number::times_power_of_two;
 
-/// `integer * 2^exponent`.
-#[derive(Clone, Debug)]
-pub(super) struct Number<I> {
-    pub integer: I,
-    pub exponent: i64,
+use super::number::split;
+use num_bigint::{BigInt, Sign};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An integer times a power of two. Sums, differences and products are exact; quotients and roots are cut off after as
+/// many bits as are asked for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Dyadic {
+    mantissa: BigInt,
+    exponent: i64,
 }
 
-/// Three integers times one power of two.
-#[derive(Clone, Debug)]
-pub(super) struct Vector<I> {
-    pub integers: [I; 3],
-    pub exponent: i64,
-}
+/// Three of them: a point or a direction.
+pub(crate) type DyadicVector = [Dyadic; 3];
 
-impl<I: Integer> Number<I> {
-    /// A finite number.
-    pub fn new(value: f64) -> Self {
+impl Dyadic {
+    /// The very number, which must be finite.
+    pub(crate) fn new(value: f64) -> Self {
+        debug_assert!(value.is_finite(), "{value}");
         let (mantissa, exponent) = split(value);
         Self {
-            integer: I::new(mantissa),
+            mantissa: mantissa.into(),
             exponent,
         }
     }
 
-    pub fn plus(&self, other: &Self) -> Self {
-        let ([a, b], exponent) = aligned(self, other);
+    pub(crate) fn vector(v: impl Into<[f64; 3]>) -> DyadicVector {
+        v.into().map(Self::new)
+    }
+
+    pub(crate) fn sign(&self) -> Sign {
+        self.mantissa.sign()
+    }
+
+    pub(crate) fn is_negative(&self) -> bool {
+        self.sign() == Sign::Minus
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.sign() == Sign::NoSign
+    }
+
+    pub(crate) fn abs(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+
+    pub(crate) fn squared(&self) -> Self {
+        self * self
+    }
+
+    /// The exponent of the least power of two above its size; `None` for 0.
+    pub(crate) fn magnitude(&self) -> Option<i64> {
+        (!self.is_zero()).then(|| bit_length(&self.mantissa) + self.exponent)
+    }
+
+    /// How often two to the power of `unit` goes into it, rounded down.
+    pub(crate) fn in_units(&self, unit: i64) -> BigInt {
+        shifted(&self.mantissa, self.exponent - unit)
+    }
+
+    /// Rounded down to a multiple of two to the power of `unit`.
+    pub(crate) fn cut_off(&self, unit: i64) -> Self {
         Self {
-            integer: a.plus(&b),
-            exponent,
+            mantissa: self.in_units(unit),
+            exponent: unit,
         }
     }
 
-    pub fn minus(&self, other: &Self) -> Self {
-        let ([a, b], exponent) = aligned(self, other);
+    /// Two to the power of `-unit` times it, rounded to within one unit in the last place.
+    pub(crate) fn to_f64_in(&self, unit: i64) -> f64 {
+        rounded(&self.mantissa, self.exponent - unit)
+    }
+
+    /// The square root, rounded down to so many bits or one more; 0 for what is negative.
+    pub(crate) fn sqrt(&self, bits: i64) -> Self {
+        if self.sign() != Sign::Plus {
+            return Self::default();
+        }
+        let surplus = bit_length(&self.mantissa) - 2 * bits;
+        // Roots are taken of even powers only.
+        let down = surplus + ((surplus + self.exponent) & 1);
         Self {
-            integer: a.minus(&b),
-            exponent,
+            mantissa: shifted(&self.mantissa, -down).sqrt(),
+            exponent: (self.exponent + down) >> 1,
         }
     }
 
-    pub fn times(&self, other: &Self) -> Self {
+    /// The quotient by a number that is not 0, cut off after so many bits or one more.
+    pub(crate) fn quotient(&self, by: &Self, bits: i64) -> Self {
+        let up = bits + 1 + bit_length(&by.mantissa) - bit_length(&self.mantissa);
         Self {
-            integer: self.integer.times(&other.integer),
+            mantissa: shifted(&self.mantissa, up) / &by.mantissa,
+            exponent: self.exponent - by.exponent - up,
+        }
+    }
+
+    /// The sum, or the difference, of it and another.
+    fn plus(mut self, mut other: Self, add: impl Fn(BigInt, BigInt) -> BigInt) -> Self {
+        if self.is_zero() {
+            self.exponent = other.exponent;
+        } else if other.is_zero() {
+            other.exponent = self.exponent;
+        }
+        let unit = self.exponent.min(other.exponent);
+        self.mantissa <<= self.exponent - unit;
+        other.mantissa <<= other.exponent - unit;
+        Self {
+            mantissa: add(self.mantissa, other.mantissa),
+            exponent: unit,
+        }
+    }
+}
+
+impl Add for Dyadic {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.plus(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Dyadic {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.plus(other, |a, b| a - b)
+    }
+}
+
+impl Neg for Dyadic {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            mantissa: -self.mantissa,
+            ..self
+        }
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+    fn mul(self, other: Self) -> Dyadic {
+        Dyadic {
+            mantissa: &self.mantissa * &other.mantissa,
             exponent: self.exponent + other.exponent,
         }
     }
-
-    /// Against 0.
-    pub fn sign(&self) -> Ordering {
-        self.integer.sign()
-    }
-
-    /// `self / other`, which must not be 0, to within three roundings.
-    pub fn ratio(&self, other: &Self) -> f64 {
-        if self.sign().is_eq() {
-            return 0.0;
-        }
-        let ((a, above), (b, below)) = (self.integer.rounded(), other.integer.rounded());
-        times_power_of_two(a / b, above + self.exponent - below - other.exponent)
-    }
-
-    pub fn to_big(&self) -> Number<BigInt> {
-        Number {
-            integer: self.integer.to_big(),
-            exponent: self.exponent,
-        }
-    }
 }
 
-/// Both integers in the smaller of the two units.
-fn aligned<I: Integer>(a: &Number<I>, b: &Number<I>) -> ([I; 2], i64) {
-    let exponent = a.exponent.min(b.exponent);
-    (
-        [a, b].map(|n| n.integer.shifted(difference(n.exponent, exponent))),
-        exponent,
-    )
+pub(crate) fn cross(p: &DyadicVector, q: &DyadicVector) -> DyadicVector {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &p[i] * &q[j] - &p[j] * &q[i])
 }
 
-/// `greater - less`.
-fn difference(greater: i64, less: i64) -> u32 {
-    u32::try_from(greater - less).unwrap_or(u32::MAX)
+pub(crate) fn dot(p: &DyadicVector, q: &DyadicVector) -> Dyadic {
+    &p[0] * &q[0] + &p[1] * &q[1] + &p[2] * &q[2]
 }
 
-impl<I: Integer> Vector<I> {
-    /// A finite vector.
-    pub fn new(v: DVec3) -> Self {
-        let parts = v.to_array().map(split);
-        let exponents = parts.iter().filter(|(mantissa, _)| *mantissa != 0);
-        let exponent = exponents.map(|(_, exponent)| *exponent).min().unwrap_or(0);
-        let integers = parts.map(|(mantissa, of_this)| {
-            let by = if mantissa == 0 {
-                0
-            } else {
-                difference(of_this, exponent)
-            };
-            I::new(mantissa).shifted(by)
-        });
-        Self { integers, exponent }
-    }
-
-    /// The same in a unit that is no larger than its own.
-    pub fn in_unit(&self, exponent: i64) -> Self {
-        let by = difference(self.exponent, exponent);
-        Self {
-            integers: self.integers.each_ref().map(|n| n.shifted(by)),
-            exponent,
-        }
-    }
-
-    /// Of three numbers, in a unit that is no larger than theirs.
-    pub fn from_numbers(numbers: &[Number<I>; 3], exponent: i64) -> Self {
-        let integers = numbers
-            .each_ref()
-            .map(|n| n.integer.shifted(difference(n.exponent, exponent)));
-        Self { integers, exponent }
-    }
-
-    pub fn plus(&self, other: &Self) -> Self {
-        self.by_component(other, I::plus)
-    }
-
-    pub fn minus(&self, other: &Self) -> Self {
-        self.by_component(other, I::minus)
-    }
-
-    fn by_component(&self, other: &Self, by: impl Fn(&I, &I) -> I) -> Self {
-        let exponent = self.exponent.min(other.exponent);
-        let (a, b) = (self.in_unit(exponent), other.in_unit(exponent));
-        Self {
-            integers: [0, 1, 2].map(|i| by(&a.integers[i], &b.integers[i])),
-            exponent,
-        }
-    }
-
-    pub fn times(&self, factor: &Number<I>) -> Self {
-        Self {
-            integers: self.integers.each_ref().map(|n| n.times(&factor.integer)),
-            exponent: self.exponent + factor.exponent,
-        }
-    }
-
-    pub fn dot(&self, other: &Self) -> Number<I> {
-        let [x, y, z] = [0, 1, 2].map(|i| self.integers[i].times(&other.integers[i]));
-        Number {
-            integer: x.plus(&y).plus(&z),
-            exponent: self.exponent + other.exponent,
-        }
-    }
-
-    pub fn cross(&self, other: &Self) -> Self {
-        let (a, b) = (&self.integers, &other.integers);
-        Self {
-            integers: [(1, 2), (2, 0), (0, 1)]
-                .map(|(i, j)| a[i].times(&b[j]).minus(&a[j].times(&b[i]))),
-            exponent: self.exponent + other.exponent,
-        }
-    }
-
-    pub fn component(&self, i: usize) -> Number<I> {
-        Number {
-            integer: self.integers[i].clone(),
-            exponent: self.exponent,
-        }
-    }
+/// An integer times a power of two as `f64`, rounded to within one unit in the last place.
+pub(crate) fn rounded(n: &BigInt, exponent: i64) -> f64 {
+    // 64 bits and a sign are left, more than `f64` keeps.
+    let surplus = (bit_length(n) - 64).max(0);
+    #[expect(clippy::cast_precision_loss, reason = "this is the rounding")]
+    let value = i128::try_from(n >> surplus).map_or(f64::NAN, |n| n as f64);
+    times_power_of_two(value, exponent + surplus)
 }
 
-/// A finite number as an odd integer (or 0) times a power of two, by its exponent.
-pub(super) fn split(value: f64) -> (i64, i64) {
-    const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
-    let bits = value.to_bits();
-    let fraction = bits & ((1 << FRACTION_BITS) - 1);
-    let biased = (bits >> FRACTION_BITS & 0x7FF).cast_signed();
-    // Subnormal numbers have no leading one and the exponent of the least normal ones.
-    let (mantissa, biased) = if biased == 0 {
-        (fraction, 1)
-    } else {
-        (fraction | 1 << FRACTION_BITS, biased)
-    };
-    if mantissa == 0 {
-        return (0, 0);
-    }
-    let zeros = mantissa.trailing_zeros();
-    let odd = (mantissa >> zeros).cast_signed();
-    let exponent = biased - 1023 - i64::from(FRACTION_BITS) + i64::from(zeros);
-    (if value < 0.0 { -odd } else { odd }, exponent)
+/// An integer times a power of two, rounded down.
+fn shifted(n: &BigInt, up: i64) -> BigInt {
+    if up >= 0 { n << up } else { n >> -up }
 }
 
-/// `value * 2^exponent`, in steps that a power of two in `f64` can take.
-pub(super) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
-    while exponent != 0 && value != 0.0 && value.is_finite() {
-        let step = exponent.clamp(-1000, 1000);
-        value *= f64::from_bits((1023 + step).cast_unsigned() << (f64::MANTISSA_DIGITS - 1));
-        exponent -= step;
-    }
-    value
+fn bit_length(n: &BigInt) -> i64 {
+    i64::try_from(n.bits()).unwrap_or(i64::MAX)
 }

@@ -8,9 +8,10 @@
 //! Integers have 256, 512 or 1024 bits where that is enough, which takes about a microsecond, and any number of them
 //! where it is not. (Floating-point expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
-mod dyadic;
+pub(crate) mod dyadic;
 mod integer;
 mod matrix;
+mod number;
 mod root;
 mod solids;
 mod triangle;
@@ -21,7 +22,7 @@ pub(crate) use root::Root;
 pub(super) use solids::{cube, sphere, square};
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
-pub(crate) use triangle::{Corners, are_coplanar};
+pub(crate) use triangle::{Corners, are_coplanar, weights};
 pub(super) use triangle::{compare, hit, reaches_plane};
 
 use super::{Placement, WorldRay, local_ray::Exactly, ray::Line};

@@ -1,6 +1,6 @@
 //! Ray parameters as they are: quotients and roots of quadratics, compared and rounded without error.
 
-use super::dyadic::{Number, split, times_power_of_two};
+use super::number::{Number, split, times_power_of_two};
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 

@@ -2,7 +2,7 @@
 
 use super::{
     super::{Cuboid, Hit, Ray, Sphere, Square, local_ray::Exactly},
-    dyadic::{Number, Vector},
+    number::{Number, Vector},
     root::Root,
     world::LocalLine,
 };

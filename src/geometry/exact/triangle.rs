@@ -1,9 +1,9 @@
 //! A ray and a triangle in integers.
 
 use super::{
-    super::{Placement, Ray, TriangleHit, local_ray::Exactly, ray::Line},
-    dyadic::{Number, Vector},
+    super::{Placement, Ray, TriangleHit, WorldRay, local_ray::Exactly, ray::Line},
     integer::{Bits, Formula, Integer, solve},
+    number::{Number, Vector},
     root::Root,
     world::{Adjugate, ExactLine, point},
 };
@@ -172,6 +172,29 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
     }
     let [numerator, denominator] = solve(&Plane(line, triangle));
     Root::quotient(numerator, denominator)
+}
+
+/// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` when it runs
+/// along it.
+pub(crate) fn weights(ray: &WorldRay, triangle: &Corners) -> Option<[f64; 3]> {
+    struct Weights<'a>(&'a Line, &'a Corners<'a>);
+    impl Formula for Weights<'_> {
+        type Numbers<I: Integer> = Volumes<I>;
+        type Answer = Option<[f64; 3]>;
+        fn numbers<I: Integer>(&self) -> Volumes<I> {
+            Volumes::new(self.0, self.1)
+        }
+        fn most_bits(numbers: &Volumes<Bits>) -> u32 {
+            numbers.most_bits()
+        }
+        fn answer<I: Integer>(&self, of: Volumes<I>) -> Self::Answer {
+            let weights = || of.volumes.each_ref().map(|volume| volume.ratio(&of.sum));
+            of.sum.sign().is_ne().then(weights)
+        }
+    }
+    let line = ray.line();
+    let is_finite = triangle.is_finite() && super::is_finite(line);
+    is_finite.then(|| solve(&Weights(line, triangle))).flatten()
 }
 
 /// Which of two triangles' planes a ray's line meets first; equal when it runs along one.

@@ -2,8 +2,8 @@
 
 use super::{
     super::{Placement, local_ray::Exactly, ray::Line},
-    dyadic::{Number, Vector},
     integer::Integer,
+    number::{Number, Vector},
 };
 use glam::{DMat3, DVec3};
 

@@ -157,7 +157,7 @@ impl Mesh {
         let mut visit = |triangle, corners: [DVec3; 3]| {
             found = found
                 || is_in_doubt(&local, corners)
-                    && Aabb::around(corners).may_hit(&local, inverse)
+                    && Aabb::around(corners).may_hit_before(&local, inverse, ray.limit)
                     && reaches_plane(&local, corners, ray.limit)
                     && accept(self.part_of(triangle));
             // Once is enough: nothing lies before this.
