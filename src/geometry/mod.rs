@@ -37,7 +37,7 @@ pub use bvh::{Bvh, Simd, Visit};
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
-    Corners, Root, Surface, are_coplanar, compare_surfaces, parameter, weights,
+    Corners, Root, Surface, are_coplanar, compare_surfaces, parameter, point_object, weights,
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::LocalRay;

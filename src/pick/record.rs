@@ -1,7 +1,11 @@
 //! All that is known about a pick, and its JSON.
 
 use super::{SceneHit, edge, order};
-use crate::{camera::View, scene::Scene};
+use crate::{
+    camera::View,
+    geometry::{Placement, Root, point_object},
+    scene::{Scene, Shape},
+};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
@@ -24,7 +28,7 @@ pub struct Pick {
     pub depth: f64,
     /// The point in normalised device coordinates, z by the depth mapping in use.
     pub ndc: DVec3,
-    /// The point in the world (the file's own coordinates, unless a model matrix moves it).
+    /// The point in the world (the file's own coordinates, unless a model matrix moves it), within three roundings.
     pub point_world: DVec3,
     /// Outward unit normal of the surface (of the triangle, not of the shading).
     pub normal_world: DVec3,
@@ -88,9 +92,16 @@ impl Pick {
         let object = &scene.objects()[index];
         let placement = &object.placement;
         let ray = view.ray(px);
+        let root = order::root(scene, &ray, found);
         // Rounded once, and in the interval still.
-        let t = order::root(scene, &ray, found).map_or(hit.t, |root| root.to_f64());
+        let t = root.as_ref().map_or(hit.t, Root::to_f64);
         let t = t.max(ray.t_min).min(ray.t_max.next_down());
+        let point = |placement| point_object(&ray, placement, root.as_ref()?);
+        let point_object = point(placement).unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
+        let normal = match object.shape {
+            Shape::Sphere => point_object,
+            _ => hit.normal,
+        };
         let ndc_xy = view.viewport.px_to_ndc(px);
         let first_triangle = object.shape.first_triangle();
         Self {
@@ -102,10 +113,10 @@ impl Pick {
             distance: length(view.from_eye(px, t)),
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
-            point_world: ray.at(t),
-            normal_world: placement.normal_to_world(hit.normal),
-            point_object: placement.ray_to_object(&ray).at(t),
-            normal_object: (hit.normal / hit.normal.abs().max_element()).normalize(),
+            point_world: point(&Placement::IDENTITY).unwrap_or_else(|| ray.at(t)),
+            normal_world: placement.normal_to_world(normal),
+            point_object,
+            normal_object: (normal / normal.abs().max_element()).normalize(),
             barycentric: order::barycentric(scene, &ray, found),
             edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, found, next)),

@@ -121,10 +121,12 @@ impl Case<'_> {
             .collect()
         };
         let mut mistakes = Mistakes::default();
-        if let Some(before) = before
-            && plain(before) != plain(records)
+        if let Some(before) = before.map(plain)
+            && let now = plain(records)
+            && before != now
         {
-            mistakes.add("another record with a tree", String::new());
+            let differ = before.iter().zip(&now).find(|(before, now)| before != now);
+            mistakes.add("another record with a tree", format!("{differ:?}"));
         }
         if again.wrong == 0 {
             self.report(&self.place(px), &self.truth(px), mistakes, &mut again);

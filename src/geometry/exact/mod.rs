@@ -51,6 +51,15 @@ pub(crate) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     }
 }
 
+/// The point at a parameter of a ray, in the object space of a placement: each coordinate to within three roundings.
+pub(crate) fn point_object(ray: &WorldRay, placement: &Placement, t: &Root) -> Option<glam::DVec3> {
+    let exactly = Exactly {
+        line: *ray.line(),
+        placement: Some(placement),
+    };
+    solids::point_at(&exactly, t)
+}
+
 /// Which of two surfaces a ray meets first; it must meet both.
 pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std::cmp::Ordering {
     if let (Surface::Triangle(a), Surface::Triangle(b)) = (a, b) {

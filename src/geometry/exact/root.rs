@@ -118,6 +118,12 @@ impl Root {
         })
     }
 
+    /// Numerator and denominator of a quotient that is it, or within `2^-400` of it, relative to what its parts are.
+    pub(super) fn quotient_near(&self) -> [BigInt; 2] {
+        let [low, _] = self.enclosed(400);
+        [low.numerator, low.denominator]
+    }
+
     /// Two quotients about it, which are one where the root is a whole number; else the root has so many bits behind the
     /// point.
     fn enclosed(&self, bits: u64) -> [Quotient; 2] {

@@ -12,7 +12,8 @@ use std::cmp::Ordering;
 
 type Integers = LocalLine<BigInt>;
 
-/// Where a ray's line enters a shape and leaves it, the same place where it touches it; with the face that it meets there.
+/// Where a ray's line enters a shape and leaves it, the same place where it touches it; with the normal of the face that it
+/// meets there, of a cube.
 struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),
@@ -44,7 +45,6 @@ fn sphere_crossing(line: &Integers) -> Option<Crossing> {
     }
     let [enter, leave] = Root::quadratic(&a, &b, &c)?;
     let touches = enter.compare(&leave).is_eq();
-    // The normal is the point, whose t is rounded: good enough to shade, and of no say in what is hit.
     Some(Crossing {
         enter: (enter, DVec3::ZERO),
         leave: (leave, DVec3::ZERO),
@@ -147,12 +147,14 @@ pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
 
 /// The hits of the sphere within the ray's interval. `ray` is the ray, rounded.
 pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
-    let crossing = local(exactly).and_then(|line| sphere_crossing(&line));
+    let Some(line) = local(exactly) else {
+        return [None, None];
+    };
     let Some(Crossing {
         enter,
         leave,
         touches,
-    }) = crossing
+    }) = sphere_crossing(&line)
     else {
         return [None, None];
     };
@@ -161,7 +163,7 @@ pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2]
         Some(Hit::analytic(
             t,
             4.0 * f64::EPSILON * t.abs(),
-            ray.at(t),
+            at(&line, root),
             front,
         ))
     };
@@ -208,6 +210,28 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
         DVec3::Z,
         front,
     ))
+}
+
+/// The point at a parameter in object space, each coordinate rounded once.
+fn at(line: &Integers, root: &Root) -> DVec3 {
+    let [numerator, denominator] = root.quotient_near().map(|integer| Number {
+        integer,
+        exponent: 0,
+    });
+    let one = line.one.times(&denominator);
+    let coordinate = |axis| {
+        let start = line.origin.component(axis).times(&denominator);
+        start
+            .plus(&line.direction.component(axis).times(&numerator))
+            .ratio(&one)
+    };
+    DVec3::new(coordinate(0), coordinate(1), coordinate(2))
+}
+
+/// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not
+/// finite.
+pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
+    Some(at(&local(exactly)?, root))
 }
 
 /// A parameter that counts, rounded, and within the interval still.
