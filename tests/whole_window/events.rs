@@ -110,7 +110,7 @@ fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
 }
 
 /// Distance from the eye to the front of the cube.
-fn eye_to_front(window: &sightline::viewer::offscreen::Offscreen) -> f64 {
+fn eye_to_front(window: &sightline::viewer::Offscreen) -> f64 {
     window.state().view().camera.eye().z - 2.5
 }
 

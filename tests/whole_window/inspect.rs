@@ -1,7 +1,7 @@
 //! Inspecting by keys and clipboard.
 
 use super::*;
-use sightline::viewer::overlay::Overlay;
+use sightline::viewer::model::Overlay;
 
 /// What F12 wrote, oldest first.
 fn screenshots(folder: &Path) -> Vec<PathBuf> {

@@ -12,7 +12,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Options, offscreen::Offscreen, stages::Stage},
+    viewer::{Offscreen, Options, model::Stage},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;

@@ -5,7 +5,7 @@ use super::{MIDDLE, click, drag, here, open, press_key, px, row};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use sightline::{
     image::{Image, Rgb},
-    viewer::offscreen::Offscreen,
+    viewer::Offscreen,
 };
 use std::path::Path;
 

@@ -4,7 +4,7 @@ use super::*;
 use sightline::{
     scene::gallery::{Exhibit, GALLERY},
     study::gallery::{BREAKS, Break},
-    viewer::exhibit::{Compared, Fault, Showing},
+    viewer::model::{Compared, Fault, Showing},
 };
 use std::path::Path;
 

@@ -5,7 +5,7 @@ use sightline::{
     camera::Lens,
     geometry::{ColourRun, Mesh, MeshData, Part, Trs},
     pick::Pick,
-    viewer::inspect::triangle,
+    viewer::model::triangle,
 };
 use std::sync::Arc;
 

@@ -1,0 +1,14 @@
+//! The program: what commands do, what jobs bring, and the one driver that every frame goes through.
+
+mod acting;
+mod checks;
+mod commands;
+mod exhibits;
+mod files;
+mod frame;
+mod program;
+mod wake;
+
+pub(super) use frame::Frame;
+pub(super) use program::{App, Telling};
+pub(super) use wake::{Wake, Waker};

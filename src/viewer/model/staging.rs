@@ -1,0 +1,90 @@
+//! The scene at a stage of the pipeline, a camera that is left standing, and the way back.
+
+use super::{
+    stages::{Stage, staged},
+    state::{Frozen, State},
+};
+use crate::camera::{Orbit, Projection, UpAxis};
+use glam::DVec3;
+
+impl State {
+    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one; back in the world
+    /// the view is that camera's again.
+    pub(super) fn show_stage(&mut self, stage: Stage) {
+        if stage == self.stage {
+            return;
+        }
+        let through = self.frozen.map_or(self.view, |frozen| frozen.view);
+        let (scene, through, controls) = (self.world.take())
+            .unwrap_or_else(|| (std::mem::take(&mut self.scene), through, self.controls));
+        self.stage = stage;
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.cursor = None;
+        if let Some(selection) = &mut self.selection {
+            selection.pick = None;
+        }
+        self.hits = None;
+        if stage == Stage::World {
+            self.scene = scene;
+            self.controls = controls;
+            self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
+            if let Projection::Orthographic { height } = through.camera.lens().projection {
+                self.height_per_distance = height / self.orbit.distance();
+            }
+            self.view.camera = through.camera;
+            self.fit();
+        } else {
+            self.scene = staged(&scene, &through, stage);
+            self.world = Some((scene, through, controls));
+            // The world's planes are nowhere here.
+            (self.controls.near, self.controls.far) = (None, None);
+            self.frame_stage();
+        }
+    }
+
+    /// The view that another stage than the world's opens with.
+    pub(super) fn frame_stage(&mut self) {
+        if matches!(self.stage, Stage::View | Stage::Ndc) {
+            // From the eye's side, a little to the right and above.
+            self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+        }
+        self.frame(self.shown_bounds());
+    }
+
+    pub(super) fn toggle_freeze(&mut self) {
+        // A camera stands in the world.
+        if self.stage != Stage::World {
+            return;
+        }
+        let pick = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let viewport = self.view.viewport;
+        let middle = viewport.size_px() / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
+    }
+
+    pub(super) fn reset_view(&mut self) {
+        if self.stage != Stage::World {
+            return self.frame_stage();
+        }
+        // The choices made a camera before; bounds and viewport cannot make them none.
+        if let Ok(camera) = self
+            .opened_with
+            .resolve(&self.scene.visible_bounds(), self.view.viewport)
+        {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.pivot_world = self.orbit.target();
+            self.moved();
+        }
+    }
+}
