@@ -7,6 +7,7 @@
 //!
 //! ```text
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
+//! a save:   State -> Snapshot -> scene::save -> scene file, meshes beside it
 //! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
 //! a pixel:  View::ray -> Scene::visit_batches -> Placement::ray_to_object -> shape or Mesh (Bvh) -> Hit -> Pick
@@ -46,6 +47,7 @@
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
 //! * **stage**: how far along M, V, P the window shows the scene ([`viewer::model::Stage`]).
+//! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add

@@ -27,5 +27,5 @@ mod options;
 mod screen;
 mod ui;
 
-pub use host::{Offscreen, run};
+pub use host::{Control, Offscreen, run};
 pub use options::{Options, ViewerError};

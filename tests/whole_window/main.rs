@@ -5,6 +5,7 @@ mod events;
 mod files;
 mod gallery;
 mod inspect;
+mod keeping;
 mod overlays;
 mod pictures;
 
@@ -12,7 +13,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Offscreen, Options, model::Stage},
+    viewer::{Control, Offscreen, Options, model::Stage},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -93,6 +94,36 @@ fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
     let press = [Event::PointerMoved(from), button(from, with, true)];
     window.send(press.into_iter().chain(moves));
     window.send([button(to, with, false)]);
+}
+
+/// Where a control is; named by what it says, or by what screen readers are told.
+#[track_caller]
+fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
+    let mut named = window
+        .controls()
+        .iter()
+        .filter(|control| control.name == name);
+    named.next().unwrap_or_else(|| {
+        let names: Vec<_> = window
+            .controls()
+            .iter()
+            .map(|control| &control.name)
+            .collect();
+        panic!("no {name:?} among {names:#?}")
+    })
+}
+
+fn has_control(window: &Offscreen, name: &str) -> bool {
+    window.controls().iter().any(|control| control.name == name)
+}
+
+/// Clicks a control.
+#[track_caller]
+fn click_on(window: &mut Offscreen, name: &str) {
+    let found = control(window, name);
+    assert!(found.is_enabled, "{name} can be used");
+    let at = found.rect.center();
+    click(window, at);
 }
 
 fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {

@@ -121,7 +121,7 @@ fn the_last_two_picks_are_so_far_apart() {
         (by(&state).z + 3.5).abs() < 1e-12,
         "nothing was picked beside them"
     );
-    state.open(row()).expect("a scene");
+    state.open(row(), Vec::new()).expect("a scene");
     assert!(state.landmarks().is_empty());
 }
 

@@ -7,6 +7,7 @@ mod lens;
 mod moving;
 mod picking;
 mod scenes;
+mod undo;
 
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{

@@ -1,6 +1,6 @@
 //! What actions do besides changing the state: trees, comparisons, what is printed.
 
-use super::program::{App, Telling};
+use super::program::{App, Host};
 use crate::{
     pick::PickLine,
     viewer::{
@@ -15,9 +15,9 @@ impl App {
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         let start = Instant::now();
-        let (method, stage) = (self.state.method(), self.state.stage());
+        let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
-        if self.state.stage() != stage {
+        if self.state.scene_revision() != scene {
             self.build_trees();
         }
         if self.state.method() != method {
@@ -27,13 +27,13 @@ impl App {
             };
         }
         if clicks {
-            if self.telling == Telling::Machine {
+            if self.host == Host::Window {
                 self.statistics.pick = Some(start.elapsed());
             }
             self.reveal_selection = true;
         }
         if let Some(line) = picked {
-            let command = pick_command(&self.state, &self.paths, line.px);
+            let command = pick_command(&self.state, line.px);
             log::info!("{command}");
             if self.options.print_picks {
                 print(&line);

@@ -62,7 +62,7 @@ impl App {
             let options = TextureOptions::NEAREST;
             self.marks = Some(self.context.load_texture("differences", image, options));
             if self.state.method().is_none() {
-                let command = verify_command(&self.state, &self.paths);
+                let command = verify_command(&self.state);
                 let differ = report.disagreements.len();
                 log::info!("{differ} pixels differ: {command}");
             }

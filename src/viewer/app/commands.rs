@@ -1,13 +1,16 @@
 //! What each command does.
 
-use super::{program::App, wake::Wake};
+use super::{
+    program::{App, Host, Purpose},
+    wake::Wake,
+};
 use crate::{
     camera::CameraChoice,
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
         model::{Action, pick_command},
-        ui::Command,
+        ui::{Command, Intent, Reply},
     },
 };
 
@@ -22,16 +25,16 @@ impl App {
     pub fn run_command(&mut self, command: Command) {
         match command {
             Command::Act(action) => self.act(action),
+            Command::OpenDialog if self.host == Host::Picture => {}
             Command::OpenDialog => {
                 let wake = self.wake.clone();
                 jobs::open_dialog(move |answer| wake(Wake::Answered(answer)));
             }
-            Command::SaveDialog => {
-                let wake = self.wake.clone();
-                jobs::save_dialog(move |answer| wake(Wake::Answered(answer)));
-            }
-            Command::Open(paths) => self.open(paths),
-            Command::Reload => self.reload(),
+            Command::SaveDialog => self.ask_where_to_save(None),
+            Command::Open(paths) => self.intend(Intent::Open(paths)),
+            Command::Add(paths) => self.load(paths, Purpose::Add),
+            Command::Reload => self.intend(Intent::Reload),
+            Command::Reply(reply) => self.reply(reply),
             Command::CopyCommandLine => {
                 self.copied = Some(self.view_command());
                 if self.state.edited() {
@@ -61,6 +64,7 @@ impl App {
                     .and_then(|selection| selection.pick.as_ref());
                 self.copied = line.and_then(|line| serde_json::to_string(line).ok());
             }
+            Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
             Command::Escape if self.loading.is_some() => self.loading = None,
             Command::Escape if self.floating.help => self.floating.help = false,
             Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
@@ -69,18 +73,20 @@ impl App {
             }
             Command::Escape => self.act(Action::Select(None)),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
-            Command::LeaveGallery => self.open(self.outside.clone()),
+            Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
+            // The gallery was opened first: what the program opens by itself is all that there is outside.
+            Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
-            Command::Quit => self.quit = true,
+            Command::Quit => self.intend(Intent::Quit),
         }
     }
 
     /// Takes what the user answered.
     pub fn answered(&mut self, answer: Answer) {
         match answer {
-            Answer::Open(paths) => self.open(paths),
+            Answer::Open(paths) => self.intend(Intent::Open(paths)),
             Answer::Save(path) => self.save(path),
             Answer::NoDialog => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
@@ -107,6 +113,6 @@ impl App {
         let viewport = self.state.world().1.viewport;
         let middle = viewport.size_px() / 2.0;
         let at_px = pick.map_or(middle, |pick| pick.px);
-        pick_command(&self.state, &self.paths, at_px)
+        pick_command(&self.state, at_px)
     }
 }

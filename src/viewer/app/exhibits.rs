@@ -1,6 +1,9 @@
 //! The gallery: from scene to scene, with the study's chart beside it.
 
-use super::{program::App, wake::Wake};
+use super::{
+    program::{App, Purpose},
+    wake::Wake,
+};
 use crate::{
     scene::gallery::{Exhibit, GALLERY},
     viewer::{jobs::Chart, model::Showing},
@@ -15,7 +18,7 @@ impl App {
         let step = if forward { 1 } else { GALLERY.len() - 1 };
         let next =
             (GALLERY.iter().position(on_screen)).map_or(0, |now| (now + step) % GALLERY.len());
-        self.open(vec![GALLERY[next].path()]);
+        self.load(vec![GALLERY[next].path()], Purpose::Open);
     }
 
     /// Takes the chart that the gallery shows, or begins it.

@@ -1,83 +1,93 @@
-//! What is open: loading it, loading it again, saving it.
+//! What is open: loading it, loading it again, adding to it, saving it.
 
 use super::{
-    program::{App, Reload, Telling},
+    program::{App, Host, Purpose},
     wake::{Wake, Waker},
 };
 use crate::{
-    scene::{self, Loaded, description},
+    scene::{self, Loaded},
     viewer::{
-        jobs::Loading,
-        model::{Action, Stage},
+        jobs::{self, Loading, Saving},
+        model::Source,
         options::Options,
+        ui::Intent,
     },
 };
 use std::path::PathBuf;
 
 impl App {
     /// Begins to load what the options name.
-    pub fn start(options: Options, wake: Waker, telling: Telling) -> Self {
-        let mut app = Self::new(options, wake, telling);
-        app.open(app.paths.clone());
+    pub fn start(options: Options, wake: Waker, host: Host) -> Self {
+        let paths = options.paths.clone();
+        let mut app = Self::new(options, wake, host);
+        app.load(paths, Purpose::Open);
         app
     }
 
-    /// Loads files in place of what is shown, once they are whole.
-    pub fn open(&mut self, paths: Vec<PathBuf>) {
-        self.load(paths, Reload(false));
+    /// Loads files: in place of what is shown, or beside it, once they are whole.
+    pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
+        let wake = self.wake.clone();
+        let wake = move || wake(Wake::Look);
+        self.loading = Some((Loading::start(paths.clone(), wake), paths, purpose));
     }
 
     /// Loads the files of what is shown again; those that nothing was shown of yet as if for the first time.
-    pub fn reload(&mut self) {
-        if self.loading.is_none() {
-            self.load(self.paths.clone(), Reload(!self.first));
+    pub(super) fn reload(&mut self) {
+        if self.loading.is_some() {
+            return;
+        }
+        if self.first {
+            self.load(self.options.paths.clone(), Purpose::Open);
+        } else {
+            self.load(self.state.source().paths.clone(), Purpose::Reload);
         }
     }
 
-    fn load(&mut self, paths: Vec<PathBuf>, reload: Reload) {
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        self.loading = Some((Loading::start(paths.clone(), wake), paths, reload));
-    }
-
     /// Takes what a load brought: the scene on screen stays until its successor is whole.
-    pub fn take_loaded(&mut self) {
+    pub(super) fn take_loaded(&mut self) {
         let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
             return;
         };
-        let Some((_, paths, reload)) = self.loading.take() else {
+        let Some((_, paths, purpose)) = self.loading.take() else {
             return;
         };
         let shown = result
             .map_err(|error| error.to_string())
-            .and_then(|loaded| self.show_scene(loaded, reload));
+            .and_then(|loaded| self.show_scene(loaded, paths, purpose));
         match shown {
-            Ok(()) => {
-                self.set_paths(paths);
-                self.build_trees();
-            }
+            Ok(()) => self.build_trees(),
             Err(text) => self.complain(text),
         }
     }
 
-    fn show_scene(&mut self, mut loaded: Loaded, reload: Reload) -> Result<(), String> {
-        let meshes = std::mem::take(&mut loaded.meshes);
+    fn show_scene(
+        &mut self,
+        mut loaded: Loaded,
+        paths: Vec<PathBuf>,
+        purpose: Purpose,
+    ) -> Result<(), String> {
         let warnings = std::mem::take(&mut loaded.warnings);
         let mut unused = Vec::new();
-        if reload.0 {
-            self.state.reload(loaded);
-        } else {
-            if self.first {
-                unused = self.apply_flags(&mut loaded);
+        match purpose {
+            Purpose::Add => {
+                self.state.add(loaded, paths);
+                self.warn(&warnings);
+                return Ok(());
             }
-            let file = loaded.camera_file.take();
-            self.state.open(loaded).map_err(|error| match file {
-                Some(file) => format!("{}: {error}", file.display()),
-                None => error.to_string(),
-            })?;
-            self.first = false;
+            Purpose::Reload => self.state.reload(loaded),
+            Purpose::Open => {
+                if self.first {
+                    unused = self.apply_flags(&mut loaded);
+                }
+                let file = loaded.camera_file.take();
+                let opened = self.state.open(loaded, paths);
+                opened.map_err(|error| match file {
+                    Some(file) => format!("{}: {error}", file.display()),
+                    None => error.to_string(),
+                })?;
+                self.first = false;
+            }
         }
-        self.meshes = meshes;
         self.notices.clear();
         for text in unused {
             self.complain(text);
@@ -101,44 +111,58 @@ impl App {
             .collect()
     }
 
-    /// The scene on screen is from these files.
-    fn set_paths(&mut self, paths: Vec<PathBuf>) {
-        if self.state.showing().is_none() {
-            self.outside.clone_from(&paths);
+    /// Asks where to save the scene as it is now, and does what is intended once it is saved.
+    pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
+        self.to_save = Some((self.state.snapshot(), then));
+        if self.host == Host::Window {
+            let wake = self.wake.clone();
+            jobs::save_dialog(move |answer| wake(Wake::Answered(answer)));
         }
-        self.paths = paths;
     }
 
-    /// Writes what is shown as a scene file, which from then on is what is shown.
-    pub fn save(&mut self, path: PathBuf) {
-        let path = match scene_file(path) {
-            Ok(path) => path,
-            Err(text) => return self.complain(text),
-        };
-        self.act(Action::Stage(Stage::World));
-        let text = description::to_toml(
-            self.state.scene(),
-            &self.state.camera_choice(),
-            &self.meshes,
-        );
-        let written = text.map_err(|error| error.to_string()).and_then(|text| {
-            let failed = |error| format!("cannot write {}: {error}", path.display());
-            std::fs::write(&path, text).map_err(failed)
-        });
-        match written {
-            Ok(()) => {
-                log::info!("saved {}", path.display());
-                let paths = vec![path];
-                self.state.saved_as(scene::title(&paths));
-                self.set_paths(paths);
+    /// Writes the scene as it was when somebody asked where to save it.
+    pub(super) fn save(&mut self, path: PathBuf) {
+        let asked = self.to_save.take();
+        let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
+        match scene_file(path) {
+            Ok(path) => {
+                let wake = self.wake.clone();
+                let saving = Saving::start(snapshot, path, move || wake(Wake::Look));
+                self.saving.push((saving, then));
+            }
+            Err(text) => self.complain(text),
+        }
+    }
+
+    /// Takes what became of saving: a scene that is saved is from then on its file's.
+    pub(super) fn take_saved(&mut self) {
+        let poll = |(saving, _): &(Saving, _)| saving.poll();
+        let done = self
+            .saving
+            .iter()
+            .enumerate()
+            .find_map(|(at, saving)| Some((at, poll(saving)?)));
+        let Some((at, result)) = done else { return };
+        let (_, then) = self.saving.remove(at);
+        match result {
+            Ok(saved) => {
+                self.say(format!("saved {}", saved.path.display()));
+                let source = Source {
+                    paths: vec![saved.path],
+                    meshes: saved.meshes,
+                };
+                self.state.saved(&saved.snapshot, source);
+                if let Some(intent) = then {
+                    self.intend(intent);
+                }
             }
             Err(text) => self.complain(text),
         }
     }
 }
 
-/// The file to write a scene to: by its ending it will be known as one. To add that is no consent to write over what has
-/// the name already.
+/// The file to write a scene to: by its ending it will be known as one. If we add the ending ourselves, no file that has the
+/// name already is written over.
 fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
     if scene::is_scene_file(&path) {
         return Ok(path);

@@ -1,7 +1,7 @@
 //! The driver: what a frame is, in the one order that a window and a picture of it share. What jobs brought is taken,
 //! egui's input shown to the panels, what that asks for done, the device seen to, and the frame drawn.
 
-use super::program::{App, Telling};
+use super::program::{App, Host};
 use crate::{
     render::GpuError,
     viewer::{
@@ -43,7 +43,7 @@ impl App {
         };
         let drawn = self.draw(&laid, screen);
         match &drawn {
-            Ok(true) if self.telling == Telling::Machine => self.statistics.frame = start.elapsed(),
+            Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
             Ok(_) => {}
             Err(error) => self.complain(error.to_string()),
         }
@@ -62,6 +62,7 @@ impl App {
     /// Takes what jobs have done by now.
     pub fn take_finished(&mut self) {
         self.take_loaded();
+        self.take_saved();
         self.take_checked();
         self.take_chart();
     }
@@ -81,6 +82,7 @@ impl App {
                 notices: &mut self.notices,
                 loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
                 floating: self.floating,
+                question: self.question.as_ref(),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
                 marks: self.marks.as_ref().map(egui::TextureHandle::id),
@@ -95,7 +97,12 @@ impl App {
         self.reveal_selection = false;
         self.textures.append(output.textures_delta);
         if !dropped.is_empty() {
-            commands.push(Command::Open(dropped));
+            let adds = context.input(|input| input.modifiers.shift);
+            commands.push(if adds {
+                Command::Add(dropped)
+            } else {
+                Command::Open(dropped)
+            });
         }
         let idle = |command: &Command| {
             matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
@@ -131,7 +138,7 @@ impl App {
             return Ok(false);
         };
         self.max_texture_side = Some(canvas.max_texture_side());
-        if self.telling == Telling::Machine {
+        if self.host == Host::Window {
             let gpu = &canvas.gpu;
             gpu.adapter_name().clone_into(&mut self.statistics.adapter);
             self.statistics.software = gpu.is_software();

@@ -6,9 +6,10 @@ mod commands;
 mod exhibits;
 mod files;
 mod frame;
+mod intents;
 mod program;
 mod wake;
 
 pub(super) use frame::Frame;
-pub(super) use program::{App, Telling};
+pub(super) use program::{App, Host};
 pub(super) use wake::{Wake, Waker};

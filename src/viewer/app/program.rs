@@ -3,21 +3,27 @@
 use super::wake::{Wake, Waker};
 use crate::{
     camera::{CameraChoice, Viewport},
-    geometry::Mesh,
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{Chart, Checking, Loading, TreeBuild},
-        model::State,
+        jobs::{Chart, Checking, Loading, Saving, TreeBuild},
+        model::{Snapshot, State},
         options::Options,
         screen::Textures,
-        ui::{self, Drag, Filter, Floating, Notice, Notices, Statistics},
+        ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
     },
 };
-use std::{path::PathBuf, sync::Arc};
+use std::path::PathBuf;
 
-/// Whether a load is of the files that are on screen already: then view, selection and visibility stay.
-#[derive(Clone, Copy)]
-pub(super) struct Reload(pub bool);
+/// What a load is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// In place of what is shown.
+    Open,
+    /// The files of what is shown, again: view, selection and visibility stay.
+    Reload,
+    /// Beside what is shown.
+    Add,
+}
 
 /// Screenshots that are asked for.
 #[derive(Default)]
@@ -28,11 +34,13 @@ pub(in crate::viewer) struct Screenshots {
     pub folder: PathBuf,
 }
 
-/// Whether the status line tells times and the adapter. Pictures that are compared do without: they differ by machine.
+/// Who shows the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::viewer) enum Telling {
-    Machine,
-    Nothing,
+pub(in crate::viewer) enum Host {
+    /// A window: the system's dialogs are asked, and the status line tells times and the adapter.
+    Window,
+    /// Pictures that are compared: nobody is asked, and what differs by machine is not told.
+    Picture,
 }
 
 /// All that outlives frames, devices and windows.
@@ -43,12 +51,14 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// What the scene was made from, for the command that makes it again.
-    pub paths: Vec<PathBuf>,
-    /// The files of its meshes, for the scene file that names them.
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
-    /// The load under way, of which files, and whether they are those on screen.
-    pub(super) loading: Option<(Loading, Vec<PathBuf>, Reload)>,
+    /// The load under way, of which files, and what for.
+    pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
+    /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
+    pub(super) to_save: Option<(Snapshot, Option<Intent>)>,
+    /// What is being written, and what is to be done then.
+    pub(super) saving: Vec<(Saving, Option<Intent>)>,
+    /// What would drop edits, and waits for an answer.
+    pub(super) question: Option<Intent>,
     /// What is being built for the scene on screen.
     pub trees: Option<TreeBuild>,
     /// Nothing was shown yet: the first scene takes the command line's camera.
@@ -61,13 +71,11 @@ pub(in crate::viewer) struct App {
     pub marks: Option<egui::TextureHandle>,
     pub chart: Option<Chart>,
     pub screenshots: Screenshots,
-    /// What was open before the gallery.
-    pub outside: Vec<PathBuf>,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
     /// The scene that the log spoke of last; none for the empty one before the first.
     announced: u64,
-    pub telling: Telling,
+    pub host: Host,
     pub statistics: Statistics,
     /// The largest side of a texture that the device has.
     pub max_texture_side: Option<usize>,
@@ -79,7 +87,7 @@ pub(in crate::viewer) struct App {
 
 impl App {
     /// With nothing to show yet.
-    pub(super) fn new(options: Options, wake: Waker, telling: Telling) -> Self {
+    pub(super) fn new(options: Options, wake: Waker, host: Host) -> Self {
         let state = State::new(
             Loaded::default(),
             CameraChoice::default(),
@@ -87,9 +95,10 @@ impl App {
             options.sides,
         );
         Self {
-            paths: options.paths.clone(),
-            meshes: Vec::new(),
             loading: None,
+            to_save: None,
+            saving: Vec::new(),
+            question: None,
             trees: None,
             first: true,
             notices: Notices::new(),
@@ -99,11 +108,10 @@ impl App {
             marks: None,
             chart: None,
             screenshots: Screenshots::default(),
-            outside: Vec::new(),
             reveal_selection: false,
             drag: None,
             announced: 0,
-            telling,
+            host,
             statistics: Statistics::default(),
             max_texture_side: None,
             copied: None,
@@ -123,7 +131,8 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        self.loading.is_some() || checks || studies || !self.state.scene().trees_are_built()
+        let files = self.loading.is_some() || !self.saving.is_empty();
+        files || checks || studies || !self.state.scene().trees_are_built()
     }
 
     /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
@@ -178,9 +187,14 @@ impl App {
         }));
     }
 
-    /// The window's title.
+    /// The window's title, with a mark before it while there are edits that no file has.
     pub fn title(&self) -> String {
-        format!("{} \u{2013} Sightline", self.state.name())
+        let mark = if self.state.unsaved() {
+            "\u{2022} "
+        } else {
+            ""
+        };
+        format!("{mark}{} \u{2013} Sightline", self.state.name())
     }
 
     /// Says once that a scene is on the screen.

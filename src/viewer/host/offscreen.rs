@@ -1,17 +1,20 @@
 //! The whole window without a window system: egui's events in, pictures out. Panels, keys, mouse and drawing are the
 //! window's own; what is missing is winit.
 
+use super::{
+    controls::{Control, controls},
+    page::Page,
+};
 use crate::{
     camera::Viewport,
     image::{Image, Rgb},
-    render::{Gpu, GpuError, read_rgb},
+    render::{GpuError, read_rgb},
     viewer::{
-        app::{App, Frame, Telling, Wake},
+        app::{App, Frame, Host, Wake},
         jobs::Answer,
         model::State,
         options::Options,
-        screen::{Canvas, Laid, Screen},
-        ui::Notice,
+        ui::{Command, Notice},
     },
 };
 use std::{
@@ -30,8 +33,6 @@ const LONGEST_WAIT: Duration = Duration::from_mins(2);
 
 /// Seconds between two passes.
 const FRAME_S: f64 = 1.0 / 60.0;
-
-const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 #[derive(Debug)]
 struct Dropped(PathBuf);
@@ -54,41 +55,8 @@ pub struct Offscreen {
     pixels_per_point: f32,
     time_s: f64,
     copied: Option<String>,
+    controls: Vec<Control>,
     at_rest: bool,
-}
-
-/// A picture in memory that frames are drawn onto.
-struct Page {
-    /// The device once there was something to draw, and the picture.
-    drawing: Option<(Canvas, wgpu::Texture)>,
-    size: Viewport,
-}
-
-impl Screen for Page {
-    fn restore(&mut self) -> Result<bool, GpuError> {
-        let works = |(canvas, _): &(Canvas, wgpu::Texture)| !canvas.gpu.is_lost();
-        if self.drawing.as_ref().is_some_and(works) {
-            return Ok(false);
-        }
-        let canvas = Canvas::new(Gpu::headless()?, FORMAT);
-        let texture = canvas.texture(self.size);
-        self.drawing = Some((canvas, texture));
-        Ok(true)
-    }
-
-    fn canvas(&mut self) -> Option<&mut Canvas> {
-        self.drawing.as_mut().map(|(canvas, _)| canvas)
-    }
-
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<bool, GpuError> {
-        let Some((canvas, texture)) = &mut self.drawing else {
-            return Ok(false);
-        };
-        if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
-            *texture = canvas.texture(self.size);
-        }
-        canvas.draw(texture, state, laid)
-    }
 }
 
 impl Offscreen {
@@ -100,7 +68,7 @@ impl Offscreen {
         // The receiver goes with the window: then nobody is to be woken.
         let wake = Arc::new(move |wake| drop(sender.send(wake)));
         let mut window = Self {
-            app: App::start(options, wake, Telling::Nothing),
+            app: App::start(options, wake, Host::Picture),
             wakes,
             page: Page {
                 drawing: None,
@@ -109,8 +77,10 @@ impl Offscreen {
             pixels_per_point,
             time_s: 0.0,
             copied: None,
+            controls: Vec::new(),
             at_rest: false,
         };
+        window.app.context.enable_accesskit();
         window.settle();
         window
     }
@@ -126,6 +96,12 @@ impl Offscreen {
     /// Drops a file on the window and waits for what comes of it.
     pub fn drop_file(&mut self, path: PathBuf) {
         self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        self.settle();
+    }
+
+    /// Closes the window, as the button of its frame does.
+    pub fn close(&mut self) {
+        self.app.run_command(Command::Quit);
         self.settle();
     }
 
@@ -145,6 +121,18 @@ impl Offscreen {
     pub fn resize(&mut self, size: Viewport) {
         self.page.size = size;
         self.settle();
+    }
+
+    /// What stands in the window's title.
+    #[must_use]
+    pub fn title(&self) -> String {
+        self.app.title()
+    }
+
+    /// What can be read and used, as the system's aids are told.
+    #[must_use]
+    pub fn controls(&self) -> &[Control] {
+        &self.controls
     }
 
     /// What it shows.
@@ -210,7 +198,7 @@ impl Offscreen {
     fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
         let input = self.input(events, Vec::new());
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
-        self.take_copied(&platform);
+        self.take_told(platform);
         drawn
     }
 
@@ -243,7 +231,7 @@ impl Offscreen {
     ) {
         let input = self.input(events, dropped);
         let platform = self.app.pass(input);
-        self.take_copied(&platform);
+        self.take_told(platform);
     }
 
     /// egui's input, a frame later than the one before.
@@ -271,11 +259,15 @@ impl Offscreen {
         input
     }
 
-    fn take_copied(&mut self, platform: &egui::PlatformOutput) {
-        for command in &platform.commands {
+    /// Takes what a window would tell the system.
+    fn take_told(&mut self, platform: egui::PlatformOutput) {
+        for command in platform.commands {
             if let egui::OutputCommand::CopyText(text) = command {
-                self.copied = Some(text.clone());
+                self.copied = Some(text);
             }
+        }
+        if let Some(update) = platform.accesskit_update {
+            self.controls = controls(&update);
         }
     }
 

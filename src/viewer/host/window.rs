@@ -2,8 +2,9 @@
 
 use super::shell::Shell;
 use crate::viewer::{
-    app::{App, Telling, Wake, Waker},
+    app::{App, Host, Wake, Waker},
     options::{Options, ViewerError},
+    ui::Command,
 };
 use std::{
     sync::Arc,
@@ -29,12 +30,12 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     let proxy = event_loop.create_proxy();
     // The loop is gone when the window is: then nobody is to be woken.
     let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
-    let app = App::start(options, Arc::clone(&wake), Telling::Machine);
+    let app = App::start(options, Arc::clone(&wake), Host::Window);
     app.context.set_request_repaint_callback(move |info| {
         let delay = info.delay.min(Duration::from_hours(1));
         wake(Wake::RepaintAt(Instant::now() + delay));
     });
-    let mut host = Host {
+    let mut host = Program {
         app,
         shell: None,
         failed: None,
@@ -46,7 +47,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
 }
 
 /// The program in its window.
-struct Host {
+struct Program {
     app: App,
     /// The window, once the event loop runs.
     shell: Option<Shell>,
@@ -54,7 +55,7 @@ struct Host {
     failed: Option<ViewerError>,
 }
 
-impl Host {
+impl Program {
     /// Shows egui what has happened since the last pass, without drawing.
     fn pass(&mut self, event_loop: &ActiveEventLoop) {
         let Some(shell) = &mut self.shell else { return };
@@ -88,7 +89,7 @@ impl Host {
     }
 }
 
-impl ApplicationHandler<Wake> for Host {
+impl ApplicationHandler<Wake> for Program {
     fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
         if let StartCause::ResumeTimeReached { .. } = cause {
             event_loop.set_control_flow(ControlFlow::Wait);
@@ -130,7 +131,11 @@ impl ApplicationHandler<Wake> for Host {
             return;
         };
         match &event {
-            WindowEvent::CloseRequested => return event_loop.exit(),
+            WindowEvent::CloseRequested => {
+                self.app.run_command(Command::Quit);
+                self.leave_if_done(event_loop);
+                return self.request_redraw();
+            }
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);

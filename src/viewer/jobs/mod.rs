@@ -3,11 +3,13 @@
 mod check;
 mod dialogs;
 mod loading;
+mod saving;
 mod study;
 mod trees;
 
 pub(super) use check::{Check, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use loading::Loading;
+pub(super) use saving::Saving;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;

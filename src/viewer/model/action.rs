@@ -85,8 +85,44 @@ pub enum Action {
         /// The next.
         forward: bool,
     },
+    /// Take back the last change of scene or view.
+    Undo,
+    /// Make again what was taken back last.
+    Redo,
+    /// The gesture is over: of what is slid or dragged, what comes next is undone by itself.
+    Release,
+    /// Back to what was open before the gallery, as it was; nothing where nothing was.
+    LeaveGallery,
     /// Leave the present camera standing in the world, as lines, or take it away; nothing at other stages.
     ToggleFreeze,
+}
+
+impl Action {
+    /// Whether the view leaps, or shows another stage: a step back leads to where it stood.
+    pub(super) fn jumps(&self) -> bool {
+        matches!(
+            self,
+            Self::FrameAll
+                | Self::FrameSelection
+                | Self::LookFrom(_)
+                | Self::ResetView
+                | Self::Pose(_)
+                | Self::Lens(_)
+                | Self::ToggleProjection
+                | Self::UpAxis(_)
+                | Self::Camera(_)
+                | Self::Recentre(_)
+                | Self::Stage(_)
+        )
+    }
+
+    /// Whether a slider or a drag may go on with it, or beside it.
+    pub(super) fn may_be_of_a_gesture(&self) -> bool {
+        matches!(
+            self,
+            Self::Lens(_) | Self::Place(..) | Self::Hover(_) | Self::Resize(_)
+        )
+    }
 }
 
 /// The lens as the panel holds it.

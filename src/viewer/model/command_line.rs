@@ -6,30 +6,25 @@ use crate::{
     geometry::Sides,
 };
 use glam::{DVec2, DVec3};
-use std::{fmt::Write, path::PathBuf};
+use std::fmt::Write;
 
-/// `sightline pick` with all that the window shows now, at a pixel position. `paths` is what was opened.
-pub(in crate::viewer) fn pick_command(state: &State, paths: &[PathBuf], at_px: DVec2) -> String {
-    format!(
-        "{} --at {},{}",
-        line(state, paths, "pick"),
-        at_px.x,
-        at_px.y
-    )
+/// `sightline pick` with all that the window shows now, at a pixel position.
+pub(in crate::viewer) fn pick_command(state: &State, at_px: DVec2) -> String {
+    format!("{} --at {},{}", line(state, "pick"), at_px.x, at_px.y)
 }
 
 /// `sightline verify` with all that the window shows now.
-pub(in crate::viewer) fn verify_command(state: &State, paths: &[PathBuf]) -> String {
-    line(state, paths, "verify")
+pub(in crate::viewer) fn verify_command(state: &State) -> String {
+    line(state, "verify")
 }
 
 /// A command about what the window shows now.
-fn line(state: &State, paths: &[PathBuf], command: &str) -> String {
+fn line(state: &State, command: &str) -> String {
     let (scene, view) = state.world();
     let camera = &view.camera;
     let lens = camera.lens();
     let mut line = format!("sightline {command}");
-    for path in paths {
+    for path in &state.source().paths {
         let _ = write!(line, " {}", quoted(&path.display().to_string()));
     }
     let mut flag = |name: &str, value: String| {

@@ -5,15 +5,16 @@ use super::{
     overlay::Overlays,
     showing::Showing,
     stages::Stage,
-    state::{Selection, State},
+    state::{Edits, Selection, Source, State, Step},
+    timeline::Timeline,
     viewing::perspective_height,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::Sides,
-    scene::Loaded,
+    geometry::{Mesh, Sides},
+    scene::{self, Loaded, Scene},
 };
-use std::collections::HashMap;
+use std::{collections::HashMap, path::PathBuf, sync::Arc};
 
 impl State {
     /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
@@ -56,7 +57,14 @@ impl State {
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
-            edited: false,
+            source: Source {
+                paths: Vec::new(),
+                meshes: loaded.meshes,
+            },
+            document: 0,
+            edits: Edits::default(),
+            filed: Edits::default(),
+            timeline: Timeline::default(),
             grid: true,
             overlays: Overlays::default(),
             frozen: None,
@@ -66,11 +74,12 @@ impl State {
         })
     }
 
-    /// Shows another scene; what the user set about the window stays.
+    /// Shows another scene, of these files; what the user set about the window stays. A scene of the gallery leaves a step
+    /// back to what was open; any other begins a history of its own.
     ///
     /// # Errors
     /// When the scene's own camera is none; then everything stays as it was.
-    pub fn open(&mut self, loaded: Loaded) -> Result<(), CameraError> {
+    pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
             up_axis: Some(self.up_axis),
             depth: Some(self.controls.depth),
@@ -78,13 +87,16 @@ impl State {
         };
         let choice = loaded.camera.or(inherited);
         let next = Self::new(loaded, choice, self.view.viewport, self.view.sides)?;
-        *self = Self {
-            scene_revision: self.scene_revision + 1,
-            visibility_revision: self.visibility_revision + 1,
-            grid: self.grid,
-            overlays: self.overlays,
-            ..next
-        };
+        let mut next = Box::new(next);
+        next.source.paths = paths;
+        let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
+        let before = self.exchange(next);
+        if goes_back {
+            self.record(Step::Open(before));
+        } else {
+            self.timeline = self.timeline.emptied();
+        }
+        self.document = self.timeline.mark();
         Ok(())
     }
 
@@ -123,13 +135,52 @@ impl State {
         self.cursor = None;
         self.hits = None;
         self.landmarks.clear();
-        self.edited = false;
+        self.source.meshes = loaded.meshes;
+        self.edits.matrices = self.filed.matrices;
+        if self.source.paths.is_empty() {
+            self.edits.objects = self.filed.objects;
+        }
+        self.forget_own_steps();
         self.fit();
     }
 
-    /// A file of this name holds what is shown, from now on.
-    pub(in crate::viewer) fn saved_as(&mut self, name: String) {
-        self.name = name;
-        self.edited = false;
+    /// The scene as it is now, to be saved.
+    pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
+        let world = self.world.as_ref();
+        let stand = world.map_or_else(|| self.stand(), |world| world.stand);
+        Snapshot {
+            scene: self.world().0.clone(),
+            camera: stand.camera_choice(),
+            meshes: self.source.meshes.clone(),
+            document: self.document,
+            edits: self.edits,
+        }
     }
+
+    /// Files hold what a snapshot had: its scene is theirs from now on, whether it is shown or was left for the gallery.
+    pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
+        let steps = self.timeline.all_mut();
+        let left = steps.filter_map(|step| match step {
+            Step::Open(state) if state.document == snapshot.document => Some(&mut **state),
+            _ => None,
+        });
+        let left: Vec<&mut State> = left.collect();
+        let state = match left.into_iter().next() {
+            Some(state) => state,
+            None if self.document == snapshot.document => self,
+            None => return,
+        };
+        state.name = scene::title(&source.paths);
+        state.filed = snapshot.edits;
+        state.source = source;
+    }
+}
+
+/// A scene as it was when somebody asked to save it.
+pub(in crate::viewer) struct Snapshot {
+    pub scene: Scene,
+    pub camera: CameraChoice,
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    document: u64,
+    edits: Edits,
 }

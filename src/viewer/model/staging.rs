@@ -2,21 +2,26 @@
 
 use super::{
     stages::{Stage, staged},
-    state::{Frozen, State},
+    state::{Frozen, Selection, State, World},
 };
-use crate::camera::{Orbit, Projection, UpAxis};
+use crate::camera::{Orbit, UpAxis};
 use glam::DVec3;
+use std::mem;
 
 impl State {
-    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one; back in the world
-    /// the view is that camera's again.
+    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one. Back in the world the
+    /// view stands where it stood, and what is still selected is picked again.
     pub(super) fn show_stage(&mut self, stage: Stage) {
         if stage == self.stage {
             return;
         }
-        let through = self.frozen.map_or(self.view, |frozen| frozen.view);
-        let (scene, through, controls) = (self.world.take())
-            .unwrap_or_else(|| (std::mem::take(&mut self.scene), through, self.controls));
+        let world = self.world.take().unwrap_or_else(|| World {
+            through: self.frozen.map_or(self.view, |frozen| frozen.view),
+            stand: self.stand(),
+            chosen: self.chosen(),
+            edits: self.edits,
+            scene: mem::take(&mut self.scene),
+        });
         self.stage = stage;
         self.scene_revision += 1;
         self.visibility_revision += 1;
@@ -26,20 +31,33 @@ impl State {
         }
         self.hits = None;
         if stage == Stage::World {
-            self.scene = scene;
-            self.controls = controls;
-            self.orbit = Orbit::of_camera(&through.camera, self.up_axis);
-            if let Projection::Orthographic { height } = through.camera.lens().projection {
-                self.height_per_distance = height / self.orbit.distance();
-            }
-            self.view.camera = through.camera;
-            self.fit();
+            self.come_back(world);
         } else {
-            self.scene = staged(&scene, &through, stage);
-            self.world = Some((scene, through, controls));
+            self.scene = staged(&world.scene, &world.through, stage);
+            self.world = Some(world);
             // The world's planes are nowhere here.
             (self.controls.near, self.controls.far) = (None, None);
             self.frame_stage();
+        }
+    }
+
+    fn come_back(&mut self, world: World) {
+        let (up_axis, opened_with) = (self.up_axis, self.opened_with);
+        self.scene = world.scene;
+        self.stand_at(&world.stand);
+        if up_axis != self.up_axis {
+            // It was turned meanwhile: the same camera about another axis.
+            (self.up_axis, self.opened_with) = (up_axis, opened_with);
+            self.orbit = Orbit::of_camera(&self.view.camera, up_axis);
+        }
+        let object = |selection: &Option<Selection>| Some(selection.as_ref()?.object);
+        if object(&self.selection) == object(&world.chosen.selection) {
+            self.selection = world.chosen.selection;
+            self.hits = world.chosen.hits;
+            if world.edits != self.edits {
+                // What was hidden or shown meanwhile is on its ray, or is not.
+                self.repick();
+            }
         }
     }
 

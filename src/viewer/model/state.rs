@@ -7,15 +7,17 @@ use super::{
     overlay::Overlays,
     showing::Showing,
     stages::Stage,
+    timeline::Timeline,
 };
 use crate::{
-    camera::{CameraChoice, Orbit, UpAxis, View},
-    geometry::Aabb,
+    camera::{Camera, CameraChoice, Orbit, UpAxis, View},
+    geometry::{Aabb, Mesh, Placement},
     pick::PickLine,
     scene::Scene,
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
+use std::{path::PathBuf, sync::Arc};
 
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -47,6 +49,85 @@ pub struct Frozen {
     pub px: DVec2,
 }
 
+/// Where the view stands: what a step back restores, all but what the scene decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stand {
+    pub opened_with: CameraChoice,
+    pub orbit: Orbit,
+    pub up_axis: UpAxis,
+    pub controls: LensControls,
+    pub height_per_distance: f64,
+    pub camera: Camera,
+    pub pivot_world: DVec3,
+}
+
+/// What is selected, and the ray that it was picked by.
+#[derive(Clone)]
+pub(super) struct Chosen {
+    pub selection: Option<Selection>,
+    pub hits: Option<RayHits>,
+}
+
+/// Which edits a scene has: numbers that change with each. The same numbers, the same scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Edits {
+    /// Of model matrices.
+    pub matrices: u64,
+    /// Of what is hidden.
+    pub visibility: u64,
+    /// Of which objects there are.
+    pub objects: u64,
+}
+
+/// The scene itself while a stage of it is shown.
+pub(super) struct World {
+    pub scene: Scene,
+    /// The view that the matrices are of.
+    pub through: View,
+    /// Where the user's own view stood.
+    pub stand: Stand,
+    pub chosen: Chosen,
+    /// Those that it had.
+    pub edits: Edits,
+}
+
+/// What takes a change back; see [`Timeline`].
+pub(super) enum Step {
+    /// An object had this placement.
+    Placed {
+        object: usize,
+        placement: Placement,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// These objects were the other way, hidden or shown.
+    Shown {
+        objects: Vec<usize>,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// There were these objects.
+    Composed {
+        scene: Scene,
+        source: Source,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// The view stood there, at this stage.
+    Stood(Stand, Stage),
+    /// All of this was open, in place of a scene of the gallery.
+    Open(Box<State>),
+}
+
+/// Where a scene is from.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    /// What was opened, for the command that opens it again.
+    pub paths: Vec<PathBuf>,
+    /// The files of its meshes, for the scene file that names them.
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+}
+
 /// The window's state.
 pub struct State {
     pub(super) scene: Scene,
@@ -71,14 +152,19 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
-    /// Whether a model matrix is not that of the files any more.
-    pub(super) edited: bool,
+    pub(super) source: Source,
+    /// Which scene this is among those that were open.
+    pub(super) document: u64,
+    pub(super) edits: Edits,
+    /// Those that its file has.
+    pub(super) filed: Edits,
+    pub(super) timeline: Timeline<Step>,
     pub(super) grid: bool,
     pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
     pub(super) stage: Stage,
-    /// The scene itself, the view that the matrices are of and its lens, while a stage of it is shown instead.
-    pub(super) world: Option<(Scene, View, LensControls)>,
+    /// The scene itself, while a stage of it is shown instead.
+    pub(super) world: Option<World>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
 }
@@ -141,10 +227,40 @@ impl State {
         self.selection.as_ref()
     }
 
-    /// Whether a model matrix is not that of the files any more.
+    /// Whether the scene is another than its files make, apart from what is hidden: a model matrix is not theirs any
+    /// more, or an object is from none of them.
     #[must_use]
     pub fn edited(&self) -> bool {
-        self.edited
+        self.edits.matrices != self.filed.matrices
+    }
+
+    /// Whether closing the window would lose edits, of this scene or of the one that was left for the gallery.
+    #[must_use]
+    pub fn unsaved(&self) -> bool {
+        let left = self.timeline.past().iter().any(|step| match step {
+            Step::Open(state) => state.edits != state.filed,
+            _ => false,
+        });
+        self.edits != self.filed || left
+    }
+
+    /// What a step back would take back, or a step forth make again, in a word or two; `None` where there is none.
+    #[must_use]
+    pub fn next_step(&self, back: bool) -> Option<&'static str> {
+        Some(match self.timeline.last(back)? {
+            Step::Placed { .. } => "model matrix",
+            Step::Shown { .. } => "hide and show",
+            Step::Composed { .. } => "objects added",
+            Step::Stood(_, stage) if *stage != self.stage => "stage",
+            Step::Stood(..) => "view",
+            Step::Open(_) => "gallery",
+        })
+    }
+
+    /// Where the scene is from.
+    #[must_use]
+    pub fn source(&self) -> &Source {
+        &self.source
     }
 
     /// The object under the cursor.
@@ -201,7 +317,30 @@ impl State {
     pub fn world(&self) -> (&Scene, &View) {
         self.world
             .as_ref()
-            .map_or((&self.scene, &self.view), |(scene, view, _)| (scene, view))
+            .map_or((&self.scene, &self.view), |world| {
+                (&world.scene, &world.through)
+            })
+    }
+
+    /// Where the view stands.
+    pub(super) fn stand(&self) -> Stand {
+        Stand {
+            opened_with: self.opened_with,
+            orbit: self.orbit,
+            up_axis: self.up_axis,
+            controls: self.controls,
+            height_per_distance: self.height_per_distance,
+            camera: self.view.camera,
+            pivot_world: self.pivot_world,
+        }
+    }
+
+    /// What is selected, and by which ray.
+    pub(super) fn chosen(&self) -> Chosen {
+        Chosen {
+            selection: self.selection.clone(),
+            hits: self.hits.clone(),
+        }
     }
 
     /// The world-space box about all that shows: visible objects and a frozen camera's frustum.

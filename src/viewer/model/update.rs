@@ -3,6 +3,7 @@
 use super::{
     action::{Action, LensControls},
     state::{Selection, State},
+    timeline::Gesture,
 };
 use crate::{
     camera::{Camera, Orbit, pixel_centre},
@@ -11,9 +12,27 @@ use crate::{
 };
 
 impl State {
-    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing.
+    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing. What can be undone leaves
+    /// a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
+        if !action.may_be_of_a_gesture() {
+            self.timeline.end_gesture();
+        }
+        let gesture = matches!(action, Action::Lens(_)).then_some(Gesture::Lens);
+        let stood = action.jumps().then(|| (self.stand(), self.stage));
+        let picked = self.perform(action);
+        if let Some(stood) = stood {
+            self.record_stand(gesture, &stood);
+        }
+        picked
+    }
+
+    fn perform(&mut self, action: Action) -> Option<PickLine> {
         match action {
+            Action::Undo => drop(self.step_in_time(true)),
+            Action::Redo => drop(self.step_in_time(false)),
+            Action::Release => {}
+            Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => {
                 self.view.viewport = viewport;
             }
@@ -77,19 +96,16 @@ impl State {
                 self.selection = object.map(|object| Selection { object, pick: None });
                 self.hits = None;
             }
-            Action::SetVisible(object, visible) => self.show(|index| index == object, visible),
-            Action::HideSelection => {
-                if let Some(selection) = self.selection.take() {
-                    self.show(|index| index == selection.object, false);
-                }
+            Action::SetVisible(object, visible) => {
+                self.show(|index| (index == object).then_some(visible));
             }
+            Action::HideSelection => self.hide_selection(),
             Action::Isolate => {
                 if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
-                    self.show(|index| index != object, false);
-                    self.show(|index| index == object, true);
+                    self.show(|index| Some(index == object));
                 }
             }
-            Action::ShowAll => self.show(|_| true, true),
+            Action::ShowAll => self.show(|_| Some(true)),
             Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
             Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
             Action::ToggleGrid => self.grid = !self.grid,

@@ -2,7 +2,7 @@
 
 use super::{
     action::{Action, LensControls},
-    state::State,
+    state::{Stand, State},
 };
 use crate::{
     camera::{Camera, CameraChoice, CameraError, Lens, Orbit, Projection, fit_near_far},
@@ -25,11 +25,10 @@ pub enum CannotBe {
     Placement(#[from] PlacementError),
 }
 
-impl State {
+impl Stand {
     /// The camera, all of it, as a scene file keeps it.
-    #[must_use]
     pub fn camera_choice(&self) -> CameraChoice {
-        let camera = &self.view.camera;
+        let camera = &self.camera;
         let ortho = match camera.lens().projection {
             Projection::Orthographic { height } => Some(height),
             Projection::Perspective { .. } => None,
@@ -46,6 +45,14 @@ impl State {
             depth: Some(self.controls.depth),
             up_axis: Some(self.up_axis),
         }
+    }
+}
+
+impl State {
+    /// The camera, all of it, as a scene file keeps it.
+    #[must_use]
+    pub fn camera_choice(&self) -> CameraChoice {
+        self.stand().camera_choice()
     }
 
     /// What a typed value would do: nothing when it can be, the reason when it cannot.
@@ -185,6 +192,18 @@ impl State {
         self.height_per_distance = perspective_height(self.controls.fov_deg);
         self.pivot_world = self.orbit.target();
         self.moved();
+    }
+
+    /// Goes back to where the view stood.
+    pub(super) fn stand_at(&mut self, stand: &Stand) {
+        self.opened_with = stand.opened_with;
+        self.orbit = stand.orbit;
+        self.up_axis = stand.up_axis;
+        self.controls = stand.controls;
+        self.height_per_distance = stand.height_per_distance;
+        self.pivot_world = stand.pivot_world;
+        self.view.camera = stand.camera;
+        self.fit();
     }
 
     /// The orbit changed: the camera follows.

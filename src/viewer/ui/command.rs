@@ -12,8 +12,10 @@ pub(in crate::viewer) enum Command {
     OpenDialog,
     /// Ask for a file and write the scene to it.
     SaveDialog,
-    /// Load these.
+    /// Load these in place of what is shown.
     Open(Vec<PathBuf>),
+    /// Load these beside what is shown.
+    Add(Vec<PathBuf>),
     /// Load the files on screen again.
     Reload,
     /// Put the view as a command line on the clipboard.
@@ -35,7 +37,9 @@ pub(in crate::viewer) enum Command {
     },
     /// Open again what was open before the gallery.
     LeaveGallery,
-    /// Stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
+    /// An answer to the question whether edits may go.
+    Reply(Reply),
+    /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
     /// nothing.
     Escape,
     /// Show or hide the help.
@@ -44,4 +48,28 @@ pub(in crate::viewer) enum Command {
     TogglePipeline,
     /// Close the window.
     Quit,
+}
+
+/// What would drop edits that no file has.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::viewer) enum Intent {
+    /// Open these.
+    Open(Vec<PathBuf>),
+    /// Read the files again.
+    Reload,
+    /// Close the window.
+    Quit,
+}
+
+/// What the user answers to that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) enum Reply {
+    /// Save first.
+    Save,
+    /// Do it; the edits may go.
+    GoOn,
+    /// Open the files beside what is shown.
+    Add,
+    /// Do not.
+    Stay,
 }

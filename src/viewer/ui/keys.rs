@@ -132,6 +132,18 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::SaveDialog,
     },
     Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(CTRL.plus(SHIFT), Key::Z), (CTRL, Key::Y)],
+        command: Command::Act(Action::Redo),
+    },
+    Binding {
+        keys: "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
+        does: "undo; redo, by either",
+        shortcuts: &[(CTRL, Key::Z)],
+        command: Command::Act(Action::Undo),
+    },
+    Binding {
         keys: "R",
         does: "read the files again",
         shortcuts: &[(NONE, Key::R)],
@@ -297,10 +309,14 @@ const fn look(to_eye: DVec3) -> Command {
     Command::Act(Action::LookFrom(to_eye))
 }
 
-/// What the keys that were pressed ask for, unless somebody is typing.
-pub(in crate::viewer) fn pressed(ctx: &egui::Context) -> Vec<Command> {
+/// What the keys that were pressed ask for, unless somebody is typing. While a question waits for an answer, only Esc does.
+pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Command> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
+    }
+    if is_asked {
+        let escapes = ctx.input_mut(|input| input.count_and_consume_key(NONE, Key::Escape));
+        return vec![Command::Escape; escapes.min(1)];
     }
     ctx.input_mut(|input| {
         let mut asked = Vec::new();

@@ -7,7 +7,7 @@ mod notice;
 mod panels;
 mod theme;
 
-pub(super) use command::Command;
+pub(super) use command::{Command, Intent, Reply};
 pub(super) use mouse::Drag;
 pub(super) use notice::{Notice, Notices};
 pub(super) use panels::{Filter, Floating, Shown, Statistics, show};

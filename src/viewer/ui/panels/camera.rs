@@ -1,6 +1,6 @@
 //! The camera: lens, planes and pose.
 
-use super::field;
+use super::{field, gesture::Gesture};
 use crate::{
     camera::{CameraChoice, DepthMapping, Projection, UpAxis},
     geometry::Sides,
@@ -23,16 +23,14 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
     });
     let controls = state.controls();
-    let mut next = controls;
+    let (mut next, mut gesture) = (controls, Gesture::default());
     Grid::new("lens").num_columns(3).show(ui, |ui| {
         projection(ui, &mut next);
-        fov(ui, state, &mut next);
-        planes(ui, state, &mut next);
+        fov(ui, state, &mut next, &mut gesture);
+        planes(ui, state, &mut next, &mut gesture);
         depth(ui, &mut next);
     });
-    if next != controls {
-        commands.push(Command::Act(Action::Lens(next)));
-    }
+    gesture.push((next != controls).then_some(Action::Lens(next)), commands);
     ui.add_space(4.0);
     pose(ui, state, commands);
     ui.add_space(4.0);
@@ -65,7 +63,7 @@ fn projection(ui: &mut Ui, next: &mut LensControls) {
     ui.end_row();
 }
 
-fn fov(ui: &mut Ui, state: &State, next: &mut LensControls) {
+fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     ui.label("fov")
         .on_hover_text("vertical field of view, in degrees");
     let typed = |fov_deg| {
@@ -81,10 +79,9 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls) {
     ui.add_enabled_ui(!next.orthographic, |ui| {
         ui.horizontal(|ui| {
             let mut slid = next.fov_deg;
-            if ui
-                .add(Slider::new(&mut slid, 1.0..=170.0).show_value(false))
-                .changed()
-            {
+            let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
+            gesture.note(&slider);
+            if slider.changed() {
                 next.fov_deg = slid;
             }
             if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, field::WIDTH, typed) {
@@ -100,7 +97,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls) {
 
 /// Near and far: a slider over decades of the scene's size, which therefore does not jump while it is in use; a
 /// typed value; and a box that hands the plane back to the fit.
-fn planes(ui: &mut Ui, state: &State, next: &mut LensControls) {
+fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
     let bounds = state.scene().visible_bounds();
     let size = if bounds.is_empty() {
@@ -130,7 +127,9 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls) {
             let slider = Slider::new(&mut slid, 1e-6 * size..=1e4 * size)
                 .logarithmic(true)
                 .show_value(false);
-            if ui.add(slider).changed() && typed(slid).is_ok() {
+            let slider = ui.add(slider);
+            gesture.note(&slider);
+            if slider.changed() && typed(slid).is_ok() {
                 *which(next) = Some(slid);
             }
             if let (_, Some(number)) = field::number(ui, name, value, field::WIDTH, typed) {

@@ -1,7 +1,7 @@
 //! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves.
 
 use super::{
-    banner, camera, corners, differences, exhibit, help, marks, objects, pick, pipeline,
+    banner, camera, corners, differences, exhibit, help, marks, objects, pick, pipeline, question,
     shown::Shown, status, toolbar,
 };
 use crate::viewer::{
@@ -57,7 +57,10 @@ pub(in crate::viewer) fn show(
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
     }
-    commands.extend(keys::pressed(ui.ctx()));
+    if let Some(intent) = shown.question {
+        question::show(ui.ctx(), intent, &mut commands);
+    }
+    commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
     (place.inner, commands)
 }
 

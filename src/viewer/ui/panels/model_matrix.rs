@@ -1,6 +1,9 @@
 //! The selected object's model matrix in parts, to be edited while picks follow.
 
-use super::field::{self, short};
+use super::{
+    field::{self, short},
+    gesture::Gesture,
+};
 use crate::{
     geometry::Trs,
     viewer::{
@@ -8,7 +11,7 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{CollapsingHeader, CursorIcon, Grid, Label, Sense, Ui};
+use egui::{CollapsingHeader, CursorIcon, Grid, Label, Response, Sense, Ui};
 use glam::{DAffine3, DVec3};
 
 /// A part of the matrix.
@@ -86,7 +89,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         Action::Place(object, model)
     };
     let size = state.scene().bounds_of(object).radius();
-    let mut asked = None;
+    let (mut asked, mut gesture) = (None, Gesture::default());
     Grid::new("parts").num_columns(4).show(ui, |ui| {
         for (part, name, hint) in PARTS {
             if part != Part::Translation && trs.is_none() {
@@ -102,7 +105,9 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                         Part::Rotation => 1.0,
                         Part::Scale => 0.01 * value.abs(),
                     };
-                    let moved = handle(ui, letter, hint) * step;
+                    let label = handle(ui, letter, hint);
+                    gesture.note(&label);
+                    let moved = f64::from(label.drag_delta().x) * step;
                     if moved != 0.0 {
                         asked = Some(with(part, axis, value + moved));
                     }
@@ -130,14 +135,12 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.");
     }
-    commands.extend(asked.map(Command::Act));
+    gesture.push(asked, commands);
 }
 
-/// A letter to drag at; returns by how many points it was.
-fn handle(ui: &mut Ui, letter: &str, hint: &str) -> f64 {
+/// A letter to drag at.
+fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
     let label = ui.add(Label::new(letter).selectable(false).sense(Sense::drag()));
     let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);
-    let by = f64::from(label.drag_delta().x);
-    label.on_hover_text(format!("{hint}; drag sideways"));
-    by
+    label.on_hover_text(format!("{hint}; drag sideways"))
 }

@@ -1,6 +1,9 @@
 //! The matrices, live, and the pick's point on its way through them.
 
-use super::field::{short, value_text};
+use super::{
+    field::{short, value_text},
+    names::named,
+};
 use crate::{
     camera::{DepthMapping, Projection, View},
     viewer::{
@@ -78,7 +81,9 @@ fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("show the scene with");
         for (stage, name) in Stage::ALL {
-            if ui.selectable_label(state.stage() == stage, name).clicked() {
+            let label = ui.selectable_label(state.stage() == stage, name);
+            named(&label, &format!("show with {name}"));
+            if label.clicked() {
                 commands.push(Command::Act(Action::Stage(stage)));
             }
         }

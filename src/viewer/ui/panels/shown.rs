@@ -4,7 +4,7 @@ use super::{objects::Filter, status::Statistics};
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
-    ui::notice::Notices,
+    ui::{command::Intent, notice::Notices},
 };
 use egui::TextureId;
 
@@ -27,6 +27,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub loading: Option<f32>,
     /// Which windows are open over the scene.
     pub floating: Floating,
+    /// What would drop edits, and waits for an answer.
+    pub question: Option<&'a Intent>,
     /// The study's chart of what breaks, in the gallery.
     pub chart: Option<&'a Chart>,
     /// The comparison of drawn and picked.

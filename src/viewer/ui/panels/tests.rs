@@ -45,6 +45,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 notices: &mut Notices::new(),
                 loading: None,
                 floating: Floating::default(),
+                question: None,
                 chart: None,
                 checking: &Checking::Off,
                 marks: None,

@@ -29,6 +29,15 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         );
         button(ui, "Reload", "read the files again (R)", Command::Reload);
         ui.separator();
+        for (name, back, key) in [("Undo", true, "Ctrl+Z"), ("Redo", false, "Ctrl+Shift+Z, Ctrl+Y")] {
+            let step = state.next_step(back);
+            let hint = format!("{} ({key})", step.unwrap_or("nothing"));
+            ui.add_enabled_ui(step.is_some(), |ui| {
+                let action = if back { Action::Undo } else { Action::Redo };
+                button(ui, name, &hint, Command::Act(action));
+            });
+        }
+        ui.separator();
         button(ui, "Frame all", "(A)", Command::Act(Action::FrameAll));
         button(
             ui,
