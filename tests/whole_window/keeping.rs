@@ -4,8 +4,6 @@ use super::*;
 use glam::DVec3;
 use sightline::scene::{self, Object, Progress, Shape};
 
-const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
-
 /// Hides the cube: an edit that everybody can make by keys.
 fn edit(window: &mut Offscreen) {
     click(window, MIDDLE);

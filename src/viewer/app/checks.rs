@@ -6,12 +6,12 @@ use crate::{
     verify::{self, Report},
     viewer::{
         jobs::{Check, Checking},
-        model::{OnScreen, verify_command},
+        model::{OnScreen, State, verify_command},
         screen::Canvas,
         ui::color32,
     },
 };
-use egui::{Color32, ColorImage, TextureOptions};
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 
 impl App {
     /// Asks for a comparison of what will be on screen, or puts away the one that is.
@@ -34,6 +34,7 @@ impl App {
                 let wake = self.wake.clone();
                 let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
                 self.checking = Checking::On(Box::new(check));
+                self.marks = None;
                 self.context.request_repaint();
             }
             Ok(None) => {}
@@ -58,9 +59,8 @@ impl App {
         } else if check.poll()
             && let Some(report) = &check.report
         {
-            let image = marks(self.state.view(), report);
-            let options = TextureOptions::NEAREST;
-            self.marks = Some(self.context.load_texture("differences", image, options));
+            // A pass finds out how large the result is, the next one puts it in its place.
+            self.context.request_repaint();
             if self.state.method().is_none() {
                 let command = verify_command(&self.state);
                 let differ = report.disagreements.len();
@@ -70,8 +70,27 @@ impl App {
     }
 }
 
-/// The pixels that differ, painted; transparent elsewhere.
-fn marks(view: &View, report: &Report) -> ColorImage {
+/// The pixels in which a comparison found differences as a texture, made within the pass that first shows them: only there
+/// egui knows how large a texture may be.
+pub(super) fn painted(
+    context: &Context,
+    state: &State,
+    checking: &Checking,
+    marks: &mut Option<TextureHandle>,
+) -> Option<TextureId> {
+    let Checking::On(check) = checking else {
+        return None;
+    };
+    let report = check.report.as_ref()?;
+    let marks = marks.get_or_insert_with(|| {
+        let image = picture_of(state.view(), report);
+        context.load_texture("differences", image, TextureOptions::NEAREST)
+    });
+    Some(marks.id())
+}
+
+/// The pixels that differ; transparent elsewhere.
+fn picture_of(view: &View, report: &Report) -> ColorImage {
     let size = [view.viewport.width(), view.viewport.height()].map(|side| side as usize);
     let mut image = ColorImage::filled(size, Color32::TRANSPARENT);
     for ([x, y], colour) in verify::marks(view.viewport, &report.disagreements) {

@@ -1,7 +1,10 @@
 //! The driver: what a frame is, in the one order that a window and a picture of it share. What jobs brought is taken,
 //! egui's input shown to the panels, what that asks for done, the device seen to, and the frame drawn.
 
-use super::program::{App, Host};
+use super::{
+    checks::painted,
+    program::{App, Host},
+};
 use crate::{
     render::GpuError,
     viewer::{
@@ -85,7 +88,7 @@ impl App {
                 question: self.question.as_ref(),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
-                marks: self.marks.as_ref().map(egui::TextureHandle::id),
+                marks: painted(&context, &self.state, &self.checking, &mut self.marks),
                 statistics: &self.statistics,
                 filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,
@@ -145,8 +148,19 @@ impl App {
         }
         canvas.take_textures(self.textures.news());
         let drawn = screen.draw(&self.state, laid);
-        if let Ok(true) = drawn {
-            self.announce();
+        match &drawn {
+            Ok(anew) => {
+                self.state.accepted();
+                if *anew {
+                    self.announce();
+                }
+            }
+            // The scene before it is there still.
+            Err(GpuError::SceneTooLarge { .. }) if self.state.refused() => {
+                self.build_trees();
+                self.context.request_repaint();
+            }
+            Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
             self.follow_up(canvas, laid);

@@ -2,14 +2,14 @@
 
 use egui::{
     Rect, Role,
-    accesskit::{Node, NodeId, Toggled, TreeUpdate},
+    accesskit::{Action, Node, NodeId, Toggled, TreeUpdate},
     pos2,
 };
 
 /// A button, a field, a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
-    /// What it is called; of a text, what it says.
+    /// What it is called; of a text, what it says; empty where it has no name.
     pub name: String,
     /// What it is.
     pub role: Role,
@@ -27,13 +27,13 @@ pub struct Control {
     pub rect: Rect,
 }
 
-/// The named ones of a tree, in its order.
+/// Those of a tree that are named or can be used, in its order.
 pub(super) fn controls(update: &TreeUpdate) -> Vec<Control> {
     let control = |(id, node): &(NodeId, Node)| {
         let value = node.value().unwrap_or_default();
-        let name = node
-            .label()
-            .or((node.role() == Role::Label).then_some(value))?;
+        let said = (node.role() == Role::Label).then_some(value);
+        let is_of_use = node.supports_action(Action::Click) || node.supports_action(Action::Focus);
+        let name = node.label().or(said).or(is_of_use.then_some(""))?;
         let bounds = node.bounds()?;
         #[expect(clippy::cast_possible_truncation, reason = "egui made them of f32")]
         let [left, top, right, bottom] =

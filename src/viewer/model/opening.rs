@@ -7,14 +7,14 @@ use super::{
     stages::Stage,
     state::{Edits, Selection, Source, State, Step},
     timeline::Timeline,
-    viewing::perspective_height,
+    viewing::height_per_distance,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
     geometry::{Mesh, Sides},
     scene::{self, Loaded, Scene},
 };
-use std::{collections::HashMap, path::PathBuf, sync::Arc};
+use std::{collections::HashMap, mem, path::PathBuf, sync::Arc};
 
 impl State {
     /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
@@ -32,19 +32,18 @@ impl State {
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
-        let fov_deg = controls.fov_deg;
         Ok(Self {
             scene: loaded.scene,
             scene_revision: 0,
             visibility_revision: 0,
             name: loaded.title,
             opened_with: choice,
+            opened_at: None,
+            replaced: None,
             orbit,
             up_axis,
             controls,
-            height_per_distance: choice.ortho.map_or(perspective_height(fov_deg), |height| {
-                height / orbit.distance()
-            }),
+            height_per_distance: height_per_distance(&choice, &orbit),
             view: View {
                 camera,
                 viewport,
@@ -94,10 +93,57 @@ impl State {
         if goes_back {
             self.record(Step::Open(before));
         } else {
-            self.timeline = self.timeline.emptied();
+            let mut before = before;
+            let fresh = self.timeline.fresh();
+            before.timeline = mem::replace(&mut self.timeline, fresh);
+            // What was never drawn, or is empty, is nothing to go back to.
+            let drawn = before.replaced.take().unwrap_or(before);
+            self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
         }
         self.document = self.timeline.mark();
+        self.opened_at = Some(self.stand());
         Ok(())
+    }
+
+    /// The picture has another size. A scene that nobody has moved or edited yet is opened anew for it: it is whole in
+    /// view, whatever size the window turns out to have.
+    pub(super) fn resize(&mut self, viewport: Viewport) {
+        let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
+        let is_another = self.view.viewport != viewport;
+        self.view.viewport = viewport;
+        if !(is_as_opened && is_another && self.stage == Stage::World) {
+            return;
+        }
+        // The choices made a camera before; another viewport cannot make them none.
+        let bounds = self.scene.visible_bounds();
+        if let Ok(camera) = self.opened_with.resolve(&bounds, viewport) {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.height_per_distance = height_per_distance(&self.opened_with, &self.orbit);
+            self.pivot_world = self.orbit.target();
+            self.view.camera = camera;
+            self.opened_at = Some(self.stand());
+        }
+    }
+
+    /// The scene is drawn: there is no way back to the one before it but by opening that.
+    pub(in crate::viewer) fn accepted(&mut self) {
+        self.replaced = None;
+    }
+
+    /// The scene cannot be drawn: back to what was shown before. Returns whether there was something.
+    pub(in crate::viewer) fn refused(&mut self) -> bool {
+        if let Some(mut before) = self.replaced.take() {
+            let timeline = mem::take(&mut before.timeline);
+            self.exchange(before);
+            self.timeline = timeline;
+            return true;
+        }
+        let made_it = match self.timeline.last(true) {
+            Some(Step::Open(_) | Step::Composed { .. }) => true,
+            Some(Step::Stood(_, stage)) => *stage != self.stage,
+            _ => false,
+        };
+        made_it && self.step_in_time(true)
     }
 
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.

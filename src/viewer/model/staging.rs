@@ -103,6 +103,7 @@ impl State {
             self.orbit = Orbit::of_camera(&camera, self.up_axis);
             self.pivot_world = self.orbit.target();
             self.moved();
+            self.free_planes_for(&self.scene.visible_bounds());
         }
     }
 }

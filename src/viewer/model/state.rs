@@ -137,6 +137,10 @@ pub struct State {
     pub(super) visibility_revision: u64,
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
+    /// Where the view stood when the scene was opened, or framed anew for a picture of another size.
+    pub(super) opened_at: Option<Stand>,
+    /// What was shown before, until this is known to be drawn.
+    pub(super) replaced: Option<Box<State>>,
     pub(super) orbit: Orbit,
     /// The world's.
     pub(super) up_axis: UpAxis,

@@ -1,7 +1,5 @@
 //! Steps back and steps forth: what was done and can be undone, what was undone and can be done again.
 
-use std::mem;
-
 /// Steps beyond these are forgotten, the oldest first.
 const MOST: usize = 256;
 
@@ -111,11 +109,10 @@ impl<S> Timeline<S> {
         self.gesture = None;
     }
 
-    /// The same without steps: marks go on counting.
-    pub fn emptied(&mut self) -> Self {
-        let marks = mem::take(self).marks;
+    /// One without steps, whose marks go on counting.
+    pub fn fresh(&self) -> Self {
         Self {
-            marks,
+            marks: self.marks,
             ..Self::default()
         }
     }

@@ -33,9 +33,7 @@ impl State {
             Action::Redo => drop(self.step_in_time(false)),
             Action::Release => {}
             Action::LeaveGallery => self.leave_gallery(),
-            Action::Resize(viewport) => {
-                self.view.viewport = viewport;
-            }
+            Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
                 if let Some(hit) = pick::closest(&self.scene, &self.view.ray(px), self.view.sides) {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);

@@ -113,11 +113,11 @@ impl State {
             ..LensControls::of(&choice)
         };
         self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
-        self.height_per_distance = choice
-            .ortho
-            .map_or(perspective_height(self.controls.fov_deg), |height| {
-                height / self.orbit.distance()
-            });
+        let choice = CameraChoice {
+            fov: Some(self.controls.fov_deg),
+            ..choice
+        };
+        self.height_per_distance = height_per_distance(&choice, &self.orbit);
         self.pivot_world = self.orbit.target();
         self.view.camera = camera;
     }
@@ -185,6 +185,15 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
+    /// Planes that were set by hand follow the scene again where they would leave nothing of a box in view.
+    pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
+        let is_set = self.controls.near.is_some() || self.controls.far.is_some();
+        if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {
+            (self.controls.near, self.controls.far) = (None, None);
+            self.fit();
+        }
+    }
+
     pub(super) fn frame(&mut self, bounds_world: Aabb) {
         let fov_y = self.controls.fov_deg.to_radians();
         self.orbit
@@ -192,6 +201,7 @@ impl State {
         self.height_per_distance = perspective_height(self.controls.fov_deg);
         self.pivot_world = self.orbit.target();
         self.moved();
+        self.free_planes_for(&bounds_world);
     }
 
     /// Goes back to where the view stood.
@@ -225,4 +235,11 @@ impl State {
 /// Height of the picture over the distance at which perspective shows it.
 pub(super) fn perspective_height(fov_deg: f64) -> f64 {
     2.0 * (0.5 * fov_deg.to_radians()).tan()
+}
+
+/// Height of the orthographic picture over the orbit's distance: as chosen, or else as perspective has it.
+pub(super) fn height_per_distance(choice: &CameraChoice, orbit: &Orbit) -> f64 {
+    let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
+    let as_chosen = |height| height / orbit.distance();
+    choice.ortho.map_or(perspective_height(fov_deg), as_chosen)
 }

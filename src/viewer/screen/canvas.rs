@@ -23,6 +23,8 @@ pub(in crate::viewer) struct Canvas {
     /// Of the texture that was drawn onto last.
     size: Viewport,
     scene: Option<Uploaded>,
+    /// The scene that does not fit, and why: it is not tried again.
+    unfit: Option<(u64, GpuError)>,
     /// What the targets hold.
     drawn: Option<Drawn>,
     targets: Option<Targets>,
@@ -90,6 +92,7 @@ impl Canvas {
             panels,
             size: Viewport::DEFAULT,
             scene: None,
+            unfit: None,
             drawn: None,
             targets: None,
             stale: Vec::new(),
@@ -148,10 +151,12 @@ impl Canvas {
         let format = self.format;
         let size_px = [texture.width(), texture.height()];
         self.size = Viewport::new(size_px[0], size_px[1]).unwrap_or(self.size);
-        let mut anew = false;
+        let mut scene = Ok(false);
         if let Some(place) = laid.place {
             self.renderer.scale_factor = laid.pixels_per_point;
-            anew = self.draw_scene(state, place.viewport)?;
+            scene = self.draw_scene(state, place.viewport);
+        }
+        if let (Some(place), Ok(_)) = (laid.place, &scene) {
             let selection = state.selection().map(|selection| selection.object);
             if let (Some(scene), Some(targets)) = (&self.scene, &self.targets) {
                 self.renderer.composite(
@@ -174,13 +179,14 @@ impl Canvas {
         }
         self.gpu.check()?;
         // egui blends in sRGB values, so it draws through a view that does not convert them.
-        self.draw_panels(&view_as(format), size_px, laid);
+        // Where the scene could not be drawn, they say so.
+        self.draw_panels(&view_as(format), size_px, laid, scene.is_ok());
         if self.gpu.is_software() {
             // The frame time that is shown is the frame's, then, and not that of handing it over.
             self.gpu.wait()?;
         }
         self.gpu.check()?;
-        Ok(anew)
+        scene
     }
 
     /// The frame that was drawn last, as a picture.
@@ -293,7 +299,13 @@ impl Canvas {
                 }
             }
             _ => {
-                let buffers = SceneBuffers::upload(&self.gpu, state.scene())?;
+                if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
+                    return Err(error.clone());
+                }
+                let buffers = SceneBuffers::upload(&self.gpu, state.scene());
+                let buffers = buffers.inspect_err(|error| {
+                    self.unfit = Some((revision, error.clone()));
+                })?;
                 self.scene = Some(Uploaded {
                     buffers,
                     revision,
@@ -304,7 +316,13 @@ impl Canvas {
         Ok(())
     }
 
-    fn draw_panels(&mut self, view: &wgpu::TextureView, size_px: [u32; 2], laid: &Laid) {
+    fn draw_panels(
+        &mut self,
+        view: &wgpu::TextureView,
+        size_px: [u32; 2],
+        laid: &Laid,
+        has_scene: bool,
+    ) {
         let screen = ScreenDescriptor {
             size_in_pixels: size_px,
             pixels_per_point: laid.pixels_per_point,
@@ -320,7 +338,7 @@ impl Canvas {
                 depth_slice: None,
                 resolve_target: None,
                 ops: wgpu::Operations {
-                    load: if laid.place.is_some() {
+                    load: if has_scene && laid.place.is_some() {
                         wgpu::LoadOp::Load
                     } else {
                         wgpu::LoadOp::Clear(wgpu::Color::BLACK)

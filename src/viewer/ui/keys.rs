@@ -1,6 +1,6 @@
 //! Keys to commands, as one table that the help is made from.
 
-use super::command::Command;
+use super::{command::Command, focus::Focus};
 use crate::viewer::model::{Action, Overlay};
 use egui::{Event, Key, Modifiers};
 use glam::DVec3;
@@ -309,20 +309,25 @@ const fn look(to_eye: DVec3) -> Command {
     Command::Act(Action::LookFrom(to_eye))
 }
 
-/// What the keys that were pressed ask for, unless somebody is typing. While a question waits for an answer, only Esc does.
+/// What the keys that were pressed ask for. While a text is edited, nothing; while a question waits for an answer, only Esc
+/// does. Enter and Esc are first of all for what was reached by Tab.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Command> {
-    if ctx.egui_wants_keyboard_input() {
+    let now = Focus::now(ctx);
+    let focus = Focus::before(ctx).or(now);
+    now.keep(ctx);
+    if focus.types {
         return Vec::new();
     }
     if is_asked {
         let escapes = ctx.input_mut(|input| input.count_and_consume_key(NONE, Key::Escape));
         return vec![Command::Escape; escapes.min(1)];
     }
+    let is_taken = |key: Key| focus.any && matches!(key, Key::Enter | Key::Escape);
     ctx.input_mut(|input| {
         let mut asked = Vec::new();
         for binding in BINDINGS {
             // What was pressed twice within a slow frame is done twice.
-            let times = (binding.shortcuts.iter())
+            let times = (binding.shortcuts.iter().filter(|(_, key)| !is_taken(*key)))
                 .map(|(modifiers, key)| input.count_and_consume_key(*modifiers, *key))
                 .sum();
             asked.extend(std::iter::repeat_n(binding.command.clone(), times));

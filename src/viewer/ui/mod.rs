@@ -1,6 +1,7 @@
 //! What the user sees beside the scene, and how keys, mouse and buttons become commands.
 
 mod command;
+mod focus;
 mod keys;
 mod mouse;
 mod notice;

@@ -38,7 +38,12 @@ pub(in crate::viewer) fn scene(
     place: SceneRect,
     drag: &mut Option<Drag>,
 ) -> Vec<Action> {
-    let response = ui.interact(rect, ui.scope_id().with("scene"), Sense::click_and_drag());
+    // Tab does not stop here: there is nothing to type.
+    let response = ui.interact(
+        rect,
+        ui.scope_id().with("scene"),
+        Sense::CLICK | Sense::DRAG,
+    );
     let mut actions = vec![Action::Resize(place.viewport)];
     let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
 

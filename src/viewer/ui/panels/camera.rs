@@ -1,6 +1,10 @@
 //! The camera: lens, planes and pose.
 
-use super::{field, gesture::Gesture};
+use super::{
+    field::{AXES, Field, WIDTH, short},
+    gesture::Gesture,
+    names::named,
+};
 use crate::{
     camera::{CameraChoice, DepthMapping, Projection, UpAxis},
     geometry::Sides,
@@ -15,6 +19,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
         let copy = ui.small_button("copy");
+        named(&copy, "copy camera");
         if copy
             .on_hover_text("as a scene file writes it (Shift+C); Ctrl+V takes over a copied one")
             .clicked()
@@ -37,7 +42,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.label("up axis");
         for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
-            if ui.selectable_label(state.up_axis() == axis, name).clicked() {
+            let label = ui.selectable_label(state.up_axis() == axis, name);
+            named(&label, &format!("{name} points up"));
+            if label.clicked() {
                 commands.push(Command::Act(Action::UpAxis(axis)));
             }
         }
@@ -80,16 +87,26 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
         ui.horizontal(|ui| {
             let mut slid = next.fov_deg;
             let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
+            named(&slider, "fov, slid");
             gesture.note(&slider);
             if slider.changed() {
                 next.fov_deg = slid;
             }
-            if let (_, Some(number)) = field::number(ui, "fov", next.fov_deg, field::WIDTH, typed) {
+            let field = Field {
+                name: "fov",
+                of: state.scene_revision(),
+                value: next.fov_deg,
+                width: WIDTH,
+                step: 1.0,
+            };
+            if let Some(number) = field.show(ui, typed) {
                 next.fov_deg = number;
             }
         });
     });
-    if ui.small_button("45").on_hover_text("the default").clicked() {
+    let default = ui.small_button("45").on_hover_text("the default");
+    named(&default, "fov of 45 degrees");
+    if default.clicked() {
         next.fov_deg = CameraChoice::FOV;
     }
     ui.end_row();
@@ -128,20 +145,28 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 .logarithmic(true)
                 .show_value(false);
             let slider = ui.add(slider);
+            named(&slider, &format!("{name}, slid"));
             gesture.note(&slider);
             if slider.changed() && typed(slid).is_ok() {
                 *which(next) = Some(slid);
             }
-            if let (_, Some(number)) = field::number(ui, name, value, field::WIDTH, typed) {
+            let field = Field {
+                name,
+                of: state.scene_revision(),
+                value,
+                width: WIDTH,
+                step: 0.01 * size,
+            };
+            if let Some(number) = field.show(ui, typed) {
                 *which(next) = Some(number);
             }
         });
         let mut fitted = which(next).is_none();
-        if ui
+        let fit = ui
             .checkbox(&mut fitted, "fit")
-            .on_hover_text("follow the scene")
-            .changed()
-        {
+            .on_hover_text("follow the scene");
+        named(&fit, &format!("fit {name}"));
+        if fit.changed() {
             *which(next) = if fitted { None } else { Some(value) };
         }
         ui.end_row();
@@ -165,7 +190,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let pose = [camera.eye(), camera.target(), camera.up()];
     Grid::new("pose").num_columns(4).show(ui, |ui| {
         ui.label("");
-        for axis in ["x", "y", "z"] {
+        for axis in AXES {
             ui.weak(axis);
         }
         ui.end_row();
@@ -182,10 +207,18 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                         .check(&with(number))
                         .map_err(|error| error.to_string())
                 };
-                let salt = format!("{name}{axis}");
-                if let (_, Some(number)) =
-                    field::number(ui, &salt, pose[row][axis], field::WIDTH, check)
-                {
+                let field = Field {
+                    name: &format!("{name} {}", AXES[axis]),
+                    of: state.scene_revision(),
+                    value: pose[row][axis],
+                    width: WIDTH,
+                    step: if row == 2 {
+                        0.01
+                    } else {
+                        0.01 * (pose[0] - pose[1]).length()
+                    },
+                };
+                if let Some(number) = field.show(ui, check) {
                     commands.push(Command::Act(with(number)));
                 }
             }
@@ -193,6 +226,6 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
     });
     if let Projection::Orthographic { height } = camera.lens().projection {
-        ui.label(format!("height {} units", field::short(height)));
+        ui.label(format!("height {} units", short(height)));
     }
 }

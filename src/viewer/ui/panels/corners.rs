@@ -1,8 +1,8 @@
 //! What lies over the picture: the axes' directions, messages, progress.
 
-use super::{banner, shown::Shown};
+use super::{banner, names::named, shown::Shown};
 use crate::viewer::{
-    model::State,
+    model::{Action, State},
     screen::AXES,
     ui::{command::Command, notice::Notices, theme::color32},
 };
@@ -66,14 +66,20 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
                     });
                 });
             });
-    } else if let Some(hint) = hint(shown.state) {
-        ui.painter().text(
-            rect.center(),
-            Align2::CENTER_CENTER,
-            hint,
-            FontId::proportional(16.0),
-            ui.visuals().weak_text_color(),
-        );
+    } else if let Some((text, button, command)) = hint(shown.state) {
+        Area::new(Id::unique("hint"))
+            .fixed_pos(rect.center())
+            .pivot(Align2::CENTER_CENTER)
+            .show(&ctx, |ui| {
+                Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.vertical_centered(|ui| {
+                        ui.label(text);
+                        if ui.button(button).clicked() {
+                            commands.push(command);
+                        }
+                    });
+                });
+            });
     }
 }
 
@@ -96,7 +102,9 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 } else {
                     ui.visuals().warn_fg_color
                 };
-                if ui.button("\u{d7}").on_hover_text("dismiss").clicked() {
+                let dismiss = ui.button("\u{d7}").on_hover_text("dismiss");
+                named(&dismiss, "dismiss");
+                if dismiss.clicked() {
                     dismissed = Some(index);
                 }
                 ui.add(egui::Label::new(RichText::new(&notice.text).color(colour)).wrap());
@@ -108,14 +116,18 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     }
 }
 
-/// Why the picture is empty.
-fn hint(state: &State) -> Option<&'static str> {
-    if state.scene().objects().is_empty() {
-        return Some("Drop an OBJ or scene file here, or press Ctrl+O");
-    }
+/// Why the picture is empty, and what helps.
+fn hint(state: &State) -> Option<(&'static str, &'static str, Command)> {
     let bounds = state.scene().visible_bounds();
-    if bounds.is_empty() {
-        return Some("Everything is hidden: press U to show all");
+    if state.scene().objects().is_empty() {
+        let text = "Drop an OBJ or scene file here";
+        return Some((text, "Open\u{2026} (Ctrl+O)", Command::OpenDialog));
     }
-    (!state.view().may_see(&bounds)).then_some("Nothing in view: press A to frame all")
+    if bounds.is_empty() {
+        let show = Command::Act(Action::ShowAll);
+        return Some(("Everything is hidden", "Show all (U)", show));
+    }
+    let frame = Command::Act(Action::FrameAll);
+    let is_out = !state.view().may_see(&bounds);
+    is_out.then_some(("Nothing in view", "Frame all (A)", frame))
 }

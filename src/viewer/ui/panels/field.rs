@@ -1,56 +1,103 @@
 //! A number that can be typed: red with the reason while it cannot be, and then the last good value stays.
 
-use egui::{Color32, Id, Key, Response, RichText, TextEdit, Ui};
+use super::names::{described, named};
+use egui::{Color32, Id, Key, Modifiers, Response, RichText, TextEdit, Ui};
 
 /// What is typed but not, or not yet, in force.
 #[derive(Clone, Default)]
 struct Typed(String);
 
-/// Shows `value` and returns what was typed instead, once Enter or leaving the field confirms it and `check` has
-/// nothing against it. Esc gives up. `salt` tells fields apart.
-pub(super) fn number(
-    ui: &mut Ui,
-    salt: &str,
-    value: f64,
-    width: f32,
-    check: impl Fn(f64) -> Result<(), String>,
-) -> (Response, Option<f64>) {
-    let id = ui.scope_id().with(salt);
-    let shown = short(value);
-    let typed = ui.data(|data| data.get_temp::<Typed>(id));
-    let mut text = typed.clone().map_or_else(|| shown.clone(), |typed| typed.0);
-    let parsed = parse(&text, value, &shown).and_then(|number| check(number).map(|()| number));
-    let mut edit = TextEdit::singleline(&mut text).id(id).clip_text(false);
-    if parsed.is_err() {
-        edit = edit.text_color(ui.visuals().error_fg_color);
-    }
-    let height = ui.spacing().interact_size.y;
-    let mut response = ui.add_sized([width, height], edit);
-    if response.changed() {
-        ui.data_mut(|data| data.insert_temp(id, Typed(text.clone())));
-    }
-    if let Err(reason) = &parsed {
-        response = response.on_hover_text(RichText::new(reason).color(Color32::LIGHT_RED));
-        if !response.has_focus() {
-            ui.colored_label(ui.visuals().error_fg_color, "!")
-                .on_hover_text(reason);
+/// Names of axes.
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A number and how it is shown.
+pub(super) struct Field<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// What it is of: what is typed for one is not another's.
+    pub of: u64,
+    /// What is in force.
+    pub value: f64,
+    /// In points.
+    pub width: f32,
+    /// What an arrow key adds or takes away; with Shift ten times as much.
+    pub step: f64,
+}
+
+impl Field<'_> {
+    /// Shows the field and returns what was typed instead, once Enter or leaving the field confirms it and `check` has
+    /// nothing against it, or what the arrows made of it. Esc gives up. What cannot be is red, with the reason and
+    /// with what stays in force.
+    pub fn show(&self, ui: &mut Ui, check: impl Fn(f64) -> Result<(), String>) -> Option<f64> {
+        let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
+        let shown = short(value);
+        let typed = ui.data(|data| data.get_temp::<Typed>(id));
+        let mut text = typed.clone().map_or_else(|| shown.clone(), |typed| typed.0);
+        let parse = |text: &str| {
+            let number = parse(text, value, &shown)?;
+            check(number).map(|()| number)
+        };
+        if let Some(stepped) = self.stepped(ui, id, parse(&text).ok())
+            && check(stepped).is_ok()
+        {
+            forget(ui, id);
+            self.edit(ui, id, &mut short(stepped), None);
+            return Some(stepped);
         }
-    } else {
-        response = response.on_hover_text(value.to_string());
+        let parsed = parse(&text);
+        let wrong = parsed.as_ref().err();
+        let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
+        let response = self.edit(ui, id, &mut text, wrong.as_deref());
+        if response.changed() {
+            ui.data_mut(|data| data.insert_temp(id, Typed(text)));
+        }
+        let given_up = ui.input(|input| input.key_pressed(Key::Escape))
+            && (response.has_focus() || response.lost_focus());
+        if given_up {
+            forget(ui, id);
+        } else if response.lost_focus()
+            && typed.is_some()
+            && let Ok(number) = parsed
+        {
+            forget(ui, id);
+            return Some(number);
+        }
+        None
     }
-    let given_up = ui.input(|input| input.key_pressed(Key::Escape))
-        && (response.has_focus() || response.lost_focus());
-    let mut result = None;
-    if given_up {
-        forget(ui, id);
-    } else if response.lost_focus()
-        && typed.is_some()
-        && let Ok(number) = parsed
-    {
-        forget(ui, id);
-        result = Some(number);
+
+    /// What the arrow keys make of a number, where the field has the focus.
+    fn stepped(&self, ui: &Ui, id: Id, from: Option<f64>) -> Option<f64> {
+        let from = from.filter(|_| ui.memory(|memory| memory.has_focus(id)))?;
+        let count = |modifiers, key| {
+            let times = ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
+            u32::try_from(times).map_or(0.0, f64::from)
+        };
+        let steps = |modifiers| count(modifiers, Key::ArrowUp) - count(modifiers, Key::ArrowDown);
+        let by = 10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE);
+        (by != 0.0).then_some(from + by * self.step)
     }
-    (response, result)
+
+    fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
+        let red = ui.visuals().error_fg_color;
+        let mut edit = TextEdit::singleline(text).id(id).clip_text(false);
+        if wrong.is_some() {
+            edit = edit.text_color(red);
+        }
+        let height = ui.spacing().interact_size.y;
+        let response = ui.add_sized([self.width, height], edit);
+        named(&response, self.name);
+        let Some(wrong) = wrong else {
+            return response.on_hover_text(self.value.to_string());
+        };
+        described(&response, wrong);
+        let text = RichText::new(wrong).color(Color32::LIGHT_RED);
+        if response.has_focus() {
+            response.show_tooltip_text(text);
+            return response;
+        }
+        ui.colored_label(red, "!").on_hover_text(text.clone());
+        response.on_hover_text(text)
+    }
 }
 
 fn forget(ui: &Ui, id: Id) {

@@ -1,7 +1,7 @@
 //! The selected object's model matrix in parts, to be edited while picks follow.
 
 use super::{
-    field::{self, short},
+    field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
 };
 use crate::{
@@ -96,7 +96,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                 continue;
             }
             ui.label(name).on_hover_text(hint);
-            for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+            for (axis, letter) in AXES.into_iter().enumerate() {
                 let value = part.value(&parts)[axis];
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
@@ -115,9 +115,14 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                         let action = with(part, axis, number);
                         state.check(&action).map_err(|error| error.to_string())
                     };
-                    let salt = format!("{name}{axis}");
-                    let typed = field::number(ui, &salt, value, field::WIDTH - 12.0, check);
-                    if let (_, Some(number)) = typed {
+                    let field = Field {
+                        name: &format!("{name} {letter}"),
+                        of: state.scene_revision() ^ (object as u64).rotate_left(32),
+                        value,
+                        width: WIDTH - 12.0,
+                        step,
+                    };
+                    if let Some(number) = field.show(ui, check) {
                         asked = Some(with(part, axis, number));
                     }
                 });
@@ -140,7 +145,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
 
 /// A letter to drag at.
 fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
-    let label = ui.add(Label::new(letter).selectable(false).sense(Sense::drag()));
+    let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
     let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);
     label.on_hover_text(format!("{hint}; drag sideways"))
 }

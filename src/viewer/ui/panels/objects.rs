@@ -1,5 +1,6 @@
 //! The list of objects: visibility and selection.
 
+use super::names::named;
 use crate::viewer::{
     model::{Action, State},
     ui::command::Command,
@@ -79,7 +80,8 @@ pub(super) fn show(
     let search = egui::TextEdit::singleline(&mut filter.text)
         .hint_text("search")
         .desired_width(f32::INFINITY);
-    ui.add(search);
+    let search = ui.add(search);
+    named(&search, "search");
     filter.apply(state);
     ui.separator();
     let row_height = ui
@@ -99,11 +101,10 @@ pub(super) fn show(
             let object = &objects[index];
             ui.horizontal(|ui| {
                 let mut visible = object.visible;
-                if ui
-                    .checkbox(&mut visible, "")
-                    .on_hover_text("visible; hidden is not picked")
-                    .changed()
-                {
+                let tick = ui.checkbox(&mut visible, "");
+                let tick = tick.on_hover_text("visible; hidden is not picked");
+                named(&tick, &format!("show {}", object.name));
+                if tick.changed() {
                     commands.push(Command::Act(Action::SetVisible(index, visible)));
                 }
                 let is_selected = selected == Some(index);

@@ -1,6 +1,6 @@
 //! The row of buttons at the top.
 
-use super::exhibit;
+use super::{exhibit, names::named};
 use crate::viewer::{
     model::{Action, Overlay, Stage, State},
     ui::command::Command,
@@ -112,7 +112,9 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
         ui.label(format!("tree level: {shown}")).on_hover_text(hint);
         for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
-            if ui.small_button(name).on_hover_text(hint).clicked() {
+            let button = ui.small_button(name).on_hover_text(hint);
+            named(&button, if deeper { "a level deeper" } else { "a level less deep" });
+            if button.clicked() {
                 commands.push(Command::Act(Action::TreeLevel { deeper }));
             }
         }
