@@ -9,6 +9,8 @@ mod load;
 pub mod obj;
 mod problem;
 mod progress;
+mod replace;
+mod save;
 mod tree;
 mod warning;
 
@@ -18,6 +20,7 @@ pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
+pub use save::save;
 pub use warning::Warning;
 
 use crate::{
