@@ -92,7 +92,7 @@ fn spaces(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
 fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
     let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
     let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
-    let gap = hit.gap.map(|gap| format!("{gap:.places$} further"));
+    let gap = hit.gap.map(|gap| format!("{gap:.places$} deeper"));
     let decided = if hit.exact {
         "exact arithmetic"
     } else {
