@@ -1,5 +1,5 @@
-//! What picks promise and what their lines hold, for the help of `pick`: at most 80 columns. The crate's page says the same
-//! in [`crate::pick`].
+//! What picks promise and what their lines hold, for the help of `pick`, which is to fit into 80 columns. [`crate::pick`]
+//! says the same at length.
 
 /// What a position shows.
 pub(super) const CONTRACT: &str = "\
@@ -7,18 +7,18 @@ What a pick is:
   A pick is what exact arithmetic says for the numbers that are stored. The
   camera stores the eye, the axes R (right), U (up) and F (forward), half the
   picture's height h (in perspective at depth 1), near, far and the size W x H.
-  Each object stores the 12 numbers of its matrix, each mesh its vertices, f32
-  about an f64 origin. --stored prints them. With
-    a = (h / H) ((2 X - W) R + (H - 2 Y) U)
-  the ray of a position X,Y is
+  Each object stores the 12 numbers of its matrix M; each mesh its vertices, f32
+  about an f64 origin, which lie at M (origin + vertex). --stored prints them.
+  With a = (h / H) ((2 X - W) R + (H - 2 Y) U) the ray of a position X,Y is
     eye + t (F + a)      in perspective
     eye + a + t F        with --ortho
   F + a is not made a unit vector, so t is depth along F.
   A hit counts where near <= t < far; with --cull only if it is a front one.
-  The pick is the hit with the least t on the visible objects; of equal ones that
-  on the first object, then the first triangle. --all-hits lists all, in order.
+  The pick is the hit with the least t on the visible objects; of equal ones
+  that on the first object, then on the first triangle. --all-hits lists all of
+  them in this order.
 
-What a hit is:
+What a hit is, in the object's own space:
   Edges, corners and rims belong to their shape.
   triangle  its corners run counter-clockwise, seen from outside. A ray in its
             plane misses. One without area is never hit.
@@ -30,7 +30,7 @@ What a hit is:
             lowest axis is named.
   sphere    radius 1/2 about 0,0,0: the ray enters (front) and leaves (back). A
             ray that only touches it hits it once, and not from the front.
-  Front and back are what they are in object space, mirrored or not. A matrix
+  Front and back stay what they are there under a matrix that mirrors. A matrix
   without an inverse is refused.";
 
 /// What the fields of a pick's line mean.

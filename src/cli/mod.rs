@@ -77,9 +77,7 @@ pub enum Command {
 /// What every command takes.
 #[derive(Clone, Debug, clap::Args)]
 pub struct SceneArgs {
-    /// .obj or scene .toml files, or gallery:NAME [default: the demo]
-    ///
-    /// Several make one scene, in which ids run on in this order.
+    /// .obj or .toml files, or gallery:NAME; ids run on [default: the demo]
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
     /// Say on stderr what is being done
