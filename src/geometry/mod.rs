@@ -1,14 +1,15 @@
-//! Rays against shapes, in object space and in `f64`. Knows no scene, no camera and no GPU.
+//! Rays against shapes: in object space by `f64`, and where that cannot decide by exact arithmetic, from the numbers that
+//! are stored. Knows no scene, no camera and no GPU.
 //!
 //! The definitions that everything else leans on:
 //!
 //! * **t** is the ray parameter of `origin + t * direction`. `direction` need not be a unit vector; a ray
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
 //! * A hit counts when `t_min <= t < t_max`; nothing else clips.
-//! * **The given ray** of a decision is the `f64` ray in object space. Of triangles, [`guarded_volume`] and [`Mesh`]
-//!   decide as exact arithmetic would for that ray and the stored `f32` vertices: hit or miss, front or back, in the
-//!   interval or not, which is nearest. Triangles are closed; rays within their plane miss them; those without area
-//!   are never hit; of those hit at the same `t` the lowest counts as first.
+//! * **The exact ray** of a decision is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`]
+//!   holds the numbers that a pixel's ray is made of ([`PixelGrid`]), a [`LocalRay`] also the model matrix that it went
+//!   through; both carry bounds on how far their rounded numbers are off. Shapes decide as exact arithmetic would for the
+//!   exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the contract).
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.

@@ -1,4 +1,53 @@
 //! What a pixel shows, by casting a ray: pure functions of scene, view and pixel.
+//!
+//! # What a pick is
+//!
+//! A pick is what exact arithmetic says for the numbers that are stored. `f64` decides only where a derived bound shows
+//! that its rounding cannot matter. Whatever it leaves open goes to exact arithmetic.
+//!
+//! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
+//! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
+//! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. All of them are taken
+//! as they stand: the axes as they were rounded, h in place of the angle that it came from, the matrix in place of its
+//! inverse. `sightline pick --stored` prints them with all digits.
+//!
+//! **The ray** of a position x, y in pixels, with nothing rounded:
+//!
+//! ```text
+//! a = (h / H) ((2 x - W) R + (H - 2 y) U)
+//! perspective:   eye + t (F + a)
+//! orthographic:  eye + a + t F
+//! ```
+//!
+//! F + a is not normalised, so t is view depth ([`PixelGrid::ray`](crate::geometry::PixelGrid::ray)). A ray that is
+//! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
+//!
+//! **The answer.** A hit counts where `near <= t < far`, each hit for itself: where the near plane cuts a sphere, its
+//! exit counts and its entry does not. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits count. The
+//! pick is the hit with the least t on the visible objects; of equal ones that on the first object, and then on the
+//! first triangle. [`all`] has every hit in this order, of a solid the entry before the exit.
+//!
+//! **The shapes** are closed: edges, corners and rims belong to them.
+//!
+//! * A triangle's corners run counter-clockwise seen from outside. A ray within its plane misses it. Without area it is
+//!   never hit.
+//! * The square of side 1 lies about the origin in the plane z = 0 and faces +z. A ray within its plane misses it.
+//! * The cube of side 1 about the origin is solid. The ray enters it (front) and leaves it (back). Where both are one
+//!   point, at an edge or corner that it touches, that is one hit: the entry. Where it enters by several faces at once,
+//!   the one across the lowest axis is named; the same where it leaves. It does not enter by a face whose plane it lies
+//!   in.
+//! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A ray that only
+//!   touches it hits it once, and not from the front.
+//!
+//! **Front** is what it is in object space: the ray runs against the outward normal there, also under a matrix that
+//! mirrors. A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! ([`PlacementError`](crate::geometry::PlacementError)).
+//!
+//! # What a record adds
+//!
+//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once, and so is `gap`, the
+//! difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
+//! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
 
 mod differs;
 mod edge;

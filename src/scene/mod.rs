@@ -14,6 +14,7 @@ mod save;
 mod tree;
 mod warning;
 
+pub(crate) use entry::matrix_rows;
 pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
 pub(crate) use load::{is_scene_file, title};
@@ -204,6 +205,12 @@ impl Scene {
     #[must_use]
     pub fn objects(&self) -> &[Object] {
         &self.objects
+    }
+
+    /// Each mesh of the objects once, in the order in which they first use it.
+    #[must_use]
+    pub fn meshes(&self) -> &[Arc<Mesh>] {
+        &self.meshes
     }
 
     /// The world-space box about an object; see [`Object::bounds_world`].
