@@ -126,17 +126,17 @@ mod tests {
             let (in_doubt, found, truth) = match shape {
                 0 => (
                     Sphere::is_in_doubt(&local),
-                    Sphere::hits(&local),
+                    Sphere::hits(local),
                     exact::sphere(&exactly, ray),
                 ),
                 1 => (
                     Cuboid::is_in_doubt(&local),
-                    Cuboid::hits(&local),
+                    Cuboid::hits(local),
                     exact::cube(&exactly, ray),
                 ),
                 _ => {
                     let [found, truth] =
-                        [Square::hit(&local), exact::square(&exactly, ray)].map(|hit| [hit, None]);
+                        [Square::hit(local), exact::square(&exactly, ray)].map(|hit| [hit, None]);
                     (Square::is_in_doubt(&local), found, truth)
                 }
             };

@@ -229,10 +229,10 @@ mod tests {
         let mut linear = DMat3::from_cols(random.point(), random.point(), random.point());
         let stretch = [1.0, 1e3, 1e-7, 1e14][i as usize % 4];
         linear.x_axis *= stretch;
-        if i % 3 == 0 {
+        if i.is_multiple_of(3) {
             linear = DMat3::from_rotation_y(random.next()) * linear;
         }
-        if i % 5 == 0 {
+        if i.is_multiple_of(5) {
             // Nearly flat: two columns that differ in their last digits.
             linear.y_axis = linear.z_axis + 1e-12 * random.point();
         }

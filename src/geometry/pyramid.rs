@@ -17,7 +17,7 @@ impl Pyramid {
     ///
     /// That pixel is the room for rounding: `None` where it is less than `2^12` times what the planes and the way to a point
     /// may be off, as it is through the longest lenses.
-    pub fn new(corners: [LocalRay; 4], side_px: f64) -> Option<Self> {
+    pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
         const ROOM: f64 = 4096.0;
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];
         for (i, plane) in planes.iter_mut().enumerate() {

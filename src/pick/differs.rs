@@ -46,7 +46,7 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
     let differs = |centre: DVec2| {
         let ray = view.ray(centre);
         let Some(rivals) = &rivals else {
-            let there = closest(scene, &ray, view.sides);
+            let there = closest(scene, ray, view.sides);
             return there.is_none_or(|there| {
                 let triangle = there.hit.on_triangle.map(|at| at.triangle);
                 (there.object, triangle) != (shown.object, shown.triangle)
@@ -85,7 +85,7 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
         .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)));
     let pyramid_in = |placement: &Placement| {
         let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-        Pyramid::new(local, 2.0 * ASIDE)
+        Pyramid::new(&local, 2.0 * ASIDE)
     };
     let mut rivals = Vec::new();
     let mut is_complete = true;

@@ -47,7 +47,7 @@ pub fn closest_by(
         let found = match &first.shape {
             Shape::Mesh { mesh, part } => {
                 let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                let hit = mesh.closest_by(&local, sides, test, accept);
+                let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
             _ => in_batch(scene, batch, &local, sides, |_| true),
@@ -115,7 +115,7 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
             || match &first.shape {
                 Shape::Mesh { mesh, part } => {
                     let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                    mesh.is_in_doubt(&local, accept)
+                    mesh.is_in_doubt(local, accept)
                 }
                 _ if !first.visible => false,
                 Shape::Sphere => Sphere::is_in_doubt(&local),

@@ -128,7 +128,7 @@ fn pivot_px(view: &View, placement: &Placement) -> DVec2 {
 fn base_depth(view: &View, placement: &Placement, px: DVec2) -> f64 {
     let ray = view.ray(px);
     let local = placement.local_ray(&ray);
-    let mut hits = Sphere::hits(&local).into_iter().flatten();
+    let mut hits = Sphere::hits(local).into_iter().flatten();
     let shown = hits.find(|hit| view.sides.shows(hit));
     let Ray {
         origin, direction, ..

@@ -13,6 +13,7 @@ use std::cmp::Ordering;
 
 /// A triangle by its corners about an origin, in the space of a placement.
 #[derive(Clone, Copy)]
+#[expect(clippy::struct_field_names, reason = "what they are")]
 pub(crate) struct Corners<'a> {
     pub placement: Option<&'a Placement>,
     pub origin: DVec3,
@@ -26,6 +27,7 @@ impl Corners<'_> {
 }
 
 /// The volumes that a ray spans with a triangle's edges, and where it meets its plane.
+#[expect(clippy::struct_field_names, reason = "what they are")]
 struct Volumes<I> {
     /// `d . (p x q)` for each edge, the first opposite to the first corner.
     volumes: [Number<I>; 3],
@@ -264,7 +266,7 @@ fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
     for (integers, point) in integers.iter_mut().zip(points) {
         for (integer, c) in integers.iter_mut().zip((point * scale).to_array()) {
             // Written so that NaN is refused.
-            if !(c.abs() <= MOST && c == c.trunc()) {
+            if !(c.abs() <= MOST && c.fract() == 0.0) {
                 return None;
             }
             #[expect(clippy::cast_possible_truncation, reason = "a whole number of 40 bits")]

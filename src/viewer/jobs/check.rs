@@ -53,7 +53,7 @@ impl Check {
                 }
                 match method {
                     Some(method) => Some(method.pick(&scene, &of.view, px)?.hit),
-                    None => pick::closest(&scene, &of.view.ray(px), of.view.sides),
+                    None => pick::closest(&scene, of.view.ray(px), of.view.sides),
                 }
             });
             if !stop.load(Ordering::Relaxed) {

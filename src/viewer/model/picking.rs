@@ -28,7 +28,7 @@ impl State {
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
         let ray = self.view.ray(px);
-        let hit = pick::closest(&self.scene, &ray, self.view.sides);
+        let hit = pick::closest(&self.scene, ray, self.view.sides);
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))

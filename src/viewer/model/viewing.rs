@@ -161,7 +161,7 @@ impl State {
 
     pub(super) fn recentre(&mut self, px: DVec2) {
         let ray = self.view.ray(px);
-        let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) else {
+        let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) else {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = ray.at(hit.hit.t);
@@ -172,7 +172,7 @@ impl State {
     /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
-        if let Some(hit) = pick::closest(&self.scene, &ray, self.view.sides) {
+        if let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) {
             return ray.at(hit.hit.t);
         }
         let depth = self.view.camera.to_view(self.pivot_world).z;

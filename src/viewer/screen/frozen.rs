@@ -33,7 +33,7 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
         to: ray.at(ray.t_max),
         colour: RAY,
     });
-    for hit in pick::all(scene, &ray, frozen.view.sides) {
+    for hit in pick::all(scene, ray, frozen.view.sides) {
         let point = ray.at(hit.hit.t);
         let placement: &Placement = &scene.objects()[hit.object].placement;
         let normal = placement.normal_to_world(hit.hit.normal);
