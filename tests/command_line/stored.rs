@@ -363,10 +363,8 @@ fn picks_can_be_checked_from_the_stored_numbers_alone() {
     let positions: Vec<[f64; 2]> = (0..28)
         .flat_map(|y| (0..40).map(move |x| [5.0 * f64::from(x) + 0.3, 5.0 * f64::from(y) + 0.7]))
         .collect();
-    let input: String = positions
-        .iter()
-        .map(|[x, y]| format!("{x},{y}\n"))
-        .collect();
+    let lines: Vec<String> = positions.iter().map(|[x, y]| format!("{x},{y}")).collect();
+    let input = lines.join("\n");
     let flags = "--size 200x140 --stored --all-hits --at -";
     for view in ["", "--cull --hide 5", "--ortho 7 --near -20 --far 40"] {
         let lines = json(&folder.run_with(&format!("pick scene.toml {view} {flags}"), &input));

@@ -1,0 +1,187 @@
+//! What decides picks, how often and at what cost: `cargo bench --bench decisions`. First over whole pictures: how many
+//! picks, and how many tests of a ray and a triangle, `f64` settles, and how many it leaves to exact arithmetic. Then what
+//! one decision takes, of the kinds in `doubt`.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod doubt;
+
+use common::{box_mesh, mesh, orthographic, view};
+use glam::{DAffine3, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::{View, Viewport},
+    cli::ViewArgs,
+    geometry::{Mesh, Placement},
+    pick,
+    scene::{self, Object, Progress, Scene, Shape, gallery::GALLERY},
+};
+use std::{collections::HashMap, hint::black_box, path::PathBuf, sync::Arc, time::Instant};
+
+/// Of the pictures of ordinary scenes, in pixels.
+const SIZE: [u32; 2] = [160, 120];
+const ROUNDS: usize = 15;
+
+fn main() {
+    println!("A pick at each position:");
+    let demo = opened(&[]);
+    count("demo", &demo.0, &demo.1, &centres(&demo.1));
+    for exhibit in &GALLERY {
+        let (scene, view) = opened(&[exhibit.path()]);
+        count(exhibit.name, &scene, &view, &centres(&view));
+    }
+    let lattice = along_the_axes([0.0, 0.5, 1.0]);
+    count("lattice", &lattice.0, &lattice.1, &corners(&lattice.1));
+    let ties = along_the_axes([0.0, 0.0, 0.0]);
+    count("ties", &ties.0, &ties.1, &centres(&ties.1));
+
+    println!("\nOne decision, medians of {ROUNDS} passes over some hundred rays:");
+    doubt::report();
+    println!("\nA ray of the demo, medians of {ROUNDS} passes over its picture:");
+    let (scene, view) = demo;
+    let positions = centres(&view);
+    let nearest = |px: &DVec2| pick::closest(&scene, view.ray(*px), view.sides);
+    say("what is hit", time(&positions, nearest));
+    let few: Vec<DVec2> = positions.iter().step_by(37).copied().collect();
+    say(
+        "the whole record",
+        time(&few, |px| pick::pick(&scene, &view, *px)),
+    );
+}
+
+/// Nanoseconds a call: the median over passes of one pass's mean.
+fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
+    let pass = || {
+        let start = Instant::now();
+        for input in inputs {
+            black_box(answer(black_box(input)));
+        }
+        let calls = u32::try_from(inputs.len()).expect("few inputs");
+        1e9 * start.elapsed().as_secs_f64() / f64::from(calls)
+    };
+    let mut passes: Vec<f64> = (0..ROUNDS).map(|_| pass()).collect();
+    passes.sort_by(f64::total_cmp);
+    passes[ROUNDS / 2]
+}
+
+fn say(what: &str, nanoseconds: f64) {
+    println!("{what:52} {nanoseconds:9.0} ns");
+}
+
+/// A scene as a window of this size opens it.
+fn opened(paths: &[PathBuf]) -> (Scene, View) {
+    let mut loaded =
+        scene::load(paths, &Progress::default()).expect("a scene of the program's own");
+    let size = Viewport::new(SIZE[0], SIZE[1]).expect("a viewport");
+    let flags = ViewArgs {
+        size: Some(size),
+        ..ViewArgs::default()
+    };
+    let view = flags.apply(&mut loaded).expect("a view");
+    loaded.scene.build_trees();
+    (loaded.scene, view)
+}
+
+/// Squares, cubes and box meshes of side 1 side by side, with the nearest faces of each kind at a depth of its own, seen
+/// along z with four pixels to a unit.
+fn along_the_axes(depths: [f64; 3]) -> (Scene, View) {
+    let box_of_triangles = box_mesh();
+    let at = |shape: Shape, centre: DVec3| {
+        let placement = Placement::new(DAffine3::from_translation(centre)).expect("a translation");
+        Object::new("", shape, placement)
+    };
+    let mut objects = Vec::new();
+    for y in -4..=4_i8 {
+        for x in -6..=6_i8 {
+            let place = |depth: f64| dvec3(x.into(), y.into(), -depth);
+            let half = 0.5 * DVec3::Z;
+            objects.push(at(Shape::Square, place(depths[0])));
+            objects.push(at(Shape::Cube, place(depths[1]) - half));
+            let shape = Shape::Mesh {
+                mesh: Arc::clone(&box_of_triangles),
+                part: 0,
+            };
+            objects.push(at(shape, place(depths[2]) - half));
+        }
+    }
+    let lens = orthographic(12.0, 0.0, 20.0);
+    let view = view([0.0, 0.0, 10.0], [0.0; 3], lens, [64, 48]);
+    (Scene::new(objects), view)
+}
+
+/// The centre of each pixel.
+fn centres(view: &View) -> Vec<DVec2> {
+    corners(view).into_iter().map(|px| px + 0.5).collect()
+}
+
+/// The top left corner of each pixel.
+fn corners(View { viewport, .. }: &View) -> Vec<DVec2> {
+    let columns = || (0..viewport.width()).map(f64::from);
+    let rows = (0..viewport.height()).map(f64::from);
+    rows.flat_map(|y| columns().map(move |x| dvec2(x, y)))
+        .collect()
+}
+
+/// Counts and prints what is exact among the picks, and in doubt among the tests of triangles.
+fn count(name: &str, scene: &Scene, view: &View, positions: &[DVec2]) {
+    let (mut hits, mut exact, mut tests, mut in_doubt) = (0, 0, 0, 0);
+    let triangles = Triangles::of(scene);
+    for &px in positions {
+        let pick = pick::pick(scene, view, px);
+        hits += usize::from(pick.is_some());
+        exact += usize::from(pick.is_some_and(|pick| pick.exact));
+        tests += triangles.count();
+        in_doubt += triangles.in_doubt(view, px);
+    }
+    let rays = positions.len();
+    println!(
+        "{name:20} {rays:6} rays, {hits:6} hit, {exact:5} of them exact; {tests:8} triangle tests, {in_doubt:5} exact"
+    );
+    assert!(hits > 0, "{name} is empty");
+}
+
+/// Each visible triangle as a mesh of its own, which tells whether it is in doubt.
+struct Triangles<'a>(Vec<(&'a Placement, Arc<Mesh>)>);
+
+impl<'a> Triangles<'a> {
+    fn of(scene: &'a Scene) -> Self {
+        let mut singles: HashMap<_, Arc<Mesh>> = HashMap::new();
+        let mut all = Vec::new();
+        for object in scene.objects().iter().filter(|object| object.visible) {
+            let (Shape::Mesh { mesh: of, .. }, Some(range)) =
+                (&object.shape, object.shape.triangles())
+            else {
+                continue;
+            };
+            for triangle in range {
+                let single = singles
+                    .entry((Arc::as_ptr(of), triangle))
+                    .or_insert_with(|| single(of, triangle));
+                all.push((&object.placement, Arc::clone(single)));
+            }
+        }
+        Self(all)
+    }
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// How many `f64` leaves open, whether in the ray's interval or because of it.
+    fn in_doubt(&self, view: &View, px: DVec2) -> usize {
+        let ray = view.ray(px);
+        let whole = view.camera.pixel_grid(view.viewport);
+        let whole = whole.ray(px, [f64::MIN, f64::MAX]);
+        let is_in_doubt = |(placement, mesh): &&(&Placement, Arc<Mesh>)| {
+            [&ray, &whole]
+                .iter()
+                .any(|ray| mesh.is_in_doubt(placement.local_ray(ray), |_| true))
+        };
+        self.0.iter().filter(is_in_doubt).count()
+    }
+}
+
+fn single(of: &Mesh, triangle: u32) -> Arc<Mesh> {
+    let data = of.data();
+    let corners = data.triangles[triangle as usize].map(|vertex| data.positions[vertex as usize]);
+    mesh(corners.to_vec(), vec![[0, 1, 2]], data.origin)
+}

@@ -1,0 +1,361 @@
+//! Rays that `f64` settles and rays that it cannot, against each shape: of short numbers, of pixels, under general model
+//! matrices, and as long as numbers of models get.
+
+use crate::{
+    common::{Random, mesh, perspective, view},
+    say, time,
+};
+use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::View,
+    geometry::{
+        Cuboid, LocalRay, Mesh, Placement, Ray, Sides, Sphere, Square, VertexRay, WorldRay,
+        guarded_volume,
+    },
+    pick,
+    scene::{Object, Scene, Shape},
+};
+
+const CASES: usize = 400;
+
+/// A ray, and one shape where it stands.
+struct Case {
+    /// Where [`pixel_view`] has this ray.
+    px: Option<DVec2>,
+    ray: WorldRay,
+    placement: Placement,
+    shape: Shape,
+}
+
+/// Makes a case of each kind, with whether `f64` settles it.
+type Make = fn(&mut Random) -> Case;
+
+const TRIANGLES: [(&str, bool, Make); 6] = [
+    ("triangle by f64, missed", true, missed),
+    ("triangle by f64, hit", true, hit),
+    ("triangle, exact, short numbers", false, short_triangle),
+    ("triangle, exact, a pixel's ray", false, pixel_triangle),
+    (
+        "triangle, exact, a pixel's ray, any model matrix",
+        false,
+        placed_triangle,
+    ),
+    ("triangle, exact, the longest numbers", false, long_triangle),
+];
+
+const SOLIDS: [(&str, Make); 6] = [
+    ("square, exact, short numbers", |random| {
+        short_solid(random, Shape::Square)
+    }),
+    ("square, exact, a pixel's ray, any model matrix", |random| {
+        placed_solid(random, Shape::Square)
+    }),
+    ("cube, exact, short numbers", |random| {
+        short_solid(random, Shape::Cube)
+    }),
+    ("cube, exact, a pixel's ray, any model matrix", |random| {
+        placed_solid(random, Shape::Cube)
+    }),
+    ("sphere, exact, short numbers", |random| {
+        short_solid(random, Shape::Sphere)
+    }),
+    ("sphere, exact, a pixel's ray, any model matrix", |random| {
+        placed_solid(random, Shape::Sphere)
+    }),
+];
+
+/// Measures and prints all of them.
+pub fn report() {
+    for (name, settled, make) in TRIANGLES {
+        let cases = cases(make, |case| is_in_doubt(case) != settled);
+        let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+        let inputs: Vec<_> = cases
+            .iter()
+            .zip(&locals)
+            .map(|(case, local)| {
+                let mesh = case.mesh();
+                (VertexRay::new(local, mesh.data().origin), corners(mesh))
+            })
+            .collect();
+        say(
+            name,
+            time(&inputs, |(ray, corners)| guarded_volume(ray, *corners)),
+        );
+    }
+    for (name, make) in SOLIDS {
+        let cases = cases(make, is_exact);
+        let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+        let cost = match cases[0].shape {
+            Shape::Sphere => time(&locals, |local| Sphere::hits(local)),
+            Shape::Cube => time(&locals, |local| Cuboid::hits(local)),
+            _ => time(&locals, |local| Square::hit(local)),
+        };
+        say(name, cost);
+    }
+}
+
+/// Cases that are of the wanted kind, as most that are made must be.
+fn cases(make: Make, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
+    let mut random = Random::new(13);
+    let made = (0..20 * CASES).map(|_| make(&mut random));
+    let cases: Vec<Case> = made.filter(is_wanted).take(CASES).collect();
+    assert_eq!(cases.len(), CASES, "too few of the kind");
+    cases
+}
+
+impl Case {
+    fn local(&self) -> LocalRay<'_> {
+        self.placement.local_ray(&self.ray)
+    }
+
+    fn hits(&self) -> bool {
+        self.mesh()
+            .closest(self.local(), Sides::Both, |_| true)
+            .is_some()
+    }
+
+    fn mesh(&self) -> &Mesh {
+        match &self.shape {
+            Shape::Mesh { mesh, .. } => mesh,
+            _ => unreachable!("a case of triangles"),
+        }
+    }
+}
+
+/// Of a mesh of one triangle, about its origin.
+fn corners(mesh: &Mesh) -> [DVec3; 3] {
+    let corner = |i: usize| DVec3::from(mesh.data().positions[i].map(f64::from));
+    [0, 1, 2].map(corner)
+}
+
+fn is_in_doubt(case: &Case) -> bool {
+    case.mesh().is_in_doubt(case.local(), |_| true)
+}
+
+/// Whether a pick in a scene of this shape alone says so, which only one that hits does. A ray of short numbers runs exactly
+/// through a rim or touches exactly, which no bound on rounding settles.
+fn is_exact(case: &Case) -> bool {
+    let Some(px) = case.px else {
+        return true;
+    };
+    let scene = Scene::new(vec![Object::new("", case.shape.clone(), case.placement)]);
+    pick::pick(&scene, &pixel_view(), px).is_some_and(|pick| pick.exact)
+}
+
+/// As the demo is seen.
+fn pixel_view() -> View {
+    let lens = perspective(33.0, 5.1, 12.5);
+    view([3.7, 3.4, 7.6], [0.1, 0.6, 0.1], lens, [1280, 720])
+}
+
+/// A ray of [`pixel_view`], and a point on it.
+fn pixel_ray(random: &mut Random) -> (DVec2, WorldRay, DVec3) {
+    let px = dvec2(random.within(0.0, 1280.0), random.within(0.0, 720.0));
+    let ray = pixel_view().ray(px);
+    let point = ray.at(random.within(6.0, 12.0));
+    (px, ray, point)
+}
+
+/// Any model matrix of an ordinary size.
+fn any_placement(random: &mut Random) -> Placement {
+    loop {
+        let [x, y, z] = [(); 3].map(|()| random.point(1.0));
+        let linear = DMat3::from_cols(x, y, z);
+        if linear.determinant().abs() > 0.1 {
+            let model = DAffine3::from_mat3_translation(linear, random.point(3.0));
+            return Placement::new(model).expect("invertible");
+        }
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rounded to what meshes hold"
+)]
+fn triangle(corners: [DVec3; 3], origin: DVec3) -> Shape {
+    let positions = corners.map(|corner| corner.to_array().map(|c| c as f32));
+    Shape::Mesh {
+        mesh: mesh(positions.to_vec(), vec![[0, 1, 2]], origin),
+        part: 0,
+    }
+}
+
+/// A triangle with an edge through its mesh's origin, which is a point on the ray as `f64` rounds it.
+fn edge_through(
+    random: &mut Random,
+    origin: DVec3,
+    mut corner: impl FnMut(&mut Random) -> DVec3,
+) -> Shape {
+    let edge = corner(random).as_vec3().as_dvec3();
+    triangle([edge, -edge, corner(random)], origin)
+}
+
+/// A triangle of the size of the picture's distance, somewhere about the ray.
+fn ordinary(random: &mut Random, spread: f64) -> Case {
+    let (px, ray, point) = pixel_ray(random);
+    let placement = any_placement(random);
+    let middle = placement.point_to_object(point) + random.point(spread);
+    let corners = [(); 3].map(|()| middle + random.point(1.0));
+    Case {
+        px: Some(px),
+        ray,
+        placement,
+        shape: triangle(corners, DVec3::ZERO),
+    }
+}
+
+fn missed(random: &mut Random) -> Case {
+    loop {
+        let case = ordinary(random, 3.0);
+        if !case.hits() {
+            return case;
+        }
+    }
+}
+
+fn hit(random: &mut Random) -> Case {
+    loop {
+        let case = ordinary(random, 0.0);
+        if case.hits() {
+            return case;
+        }
+    }
+}
+
+fn lattice_point(random: &mut Random, half: f64) -> DVec3 {
+    random.point(half).round()
+}
+
+/// Whole numbers up to 8, and a ray through a corner or the middle of an edge.
+fn short_triangle(random: &mut Random) -> Case {
+    let corners = [(); 3].map(|()| 2.0 * lattice_point(random, 4.0));
+    let through = corners[0].midpoint(corners[random.below(2)]);
+    Case {
+        px: None,
+        ray: lattice_ray(random, through),
+        placement: Placement::IDENTITY,
+        shape: triangle(corners, DVec3::ZERO),
+    }
+}
+
+fn lattice_ray(random: &mut Random, through: DVec3) -> WorldRay {
+    let direction = loop {
+        let direction = lattice_point(random, 4.0);
+        if direction.abs().min_element() > 0.0 {
+            break direction;
+        }
+    };
+    let ray = Ray {
+        origin: through - 8.0 * direction,
+        direction,
+        t_min: 0.0,
+        t_max: 64.0,
+    };
+    ray.into()
+}
+
+fn pixel_triangle(random: &mut Random) -> Case {
+    let (px, ray, point) = pixel_ray(random);
+    Case {
+        px: Some(px),
+        ray,
+        placement: Placement::IDENTITY,
+        shape: edge_through(random, point, |random| random.point(1.0)),
+    }
+}
+
+fn placed_triangle(random: &mut Random) -> Case {
+    let (px, ray, point) = pixel_ray(random);
+    let placement = any_placement(random);
+    let origin = placement.point_to_object(point);
+    Case {
+        px: Some(px),
+        ray,
+        placement,
+        shape: edge_through(random, origin, |random| random.point(1.0)),
+    }
+}
+
+/// A number of any sign, and of any size between two powers of ten.
+fn of_size(random: &mut Random, least: f64, most: f64) -> f64 {
+    let size = 10_f64.powf(random.within(least, most));
+    if random.below(2) == 0 { size } else { -size }
+}
+
+/// An eye a billion sizes away that looks almost along an axis, a matrix with leftovers of rounding in it, and vertices
+/// from `1e-30` to 1.
+fn long_triangle(random: &mut Random) -> Case {
+    let mut spread = |least, most| DVec3::from([(); 3].map(|()| of_size(random, least, most)));
+    let (eye, towards) = (spread(0.0, 9.0), spread(-17.0, -9.0) - DVec3::Z);
+    let linear = DMat3::from_cols(
+        spread(-17.0, 0.0) + 2.0 * DVec3::X,
+        spread(-17.0, 0.0) + 2.0 * DVec3::Y,
+        spread(-17.0, 0.0) + 4.0 * DVec3::Z,
+    );
+    let model = DAffine3::from_mat3_translation(linear, spread(-9.0, 9.0));
+    let placement = Placement::new(model).expect("invertible");
+    let lens = perspective(1e-7, 1e8, 1e10);
+    let view = view(
+        eye.to_array(),
+        (eye + 1e9 * towards).to_array(),
+        lens,
+        [1280, 720],
+    );
+    let px = dvec2(random.within(0.0, 1280.0), random.within(0.0, 720.0));
+    let ray = view.ray(px);
+    let origin = placement.point_to_object(ray.at(1e9));
+    let vertex = |random: &mut Random| DVec3::from([(); 3].map(|()| of_size(random, -30.0, 0.0)));
+    Case {
+        px: None,
+        ray,
+        placement,
+        shape: edge_through(random, origin, vertex),
+    }
+}
+
+/// A point where a ray along `direction` runs along the rim of a square or cube, or touches a sphere; `along` from -1/2 to
+/// 1/2.
+fn rim(shape: &Shape, direction: DVec3, along: f64) -> DVec3 {
+    match shape {
+        Shape::Sphere => 0.5 * direction.cross(dvec3(along, 1.0, 0.2)).normalize(),
+        Shape::Cube => dvec3(0.5, along, -0.5),
+        _ => dvec3(0.5, along, 0.0),
+    }
+}
+
+fn short_solid(random: &mut Random, shape: Shape) -> Case {
+    let eighths = (8.0 * random.within(-0.4, 0.4)).round() / 8.0;
+    let ray = match shape {
+        Shape::Sphere => {
+            let direction = lattice_ray(random, DVec3::ZERO).direction.with_x(0.0);
+            let ray = Ray {
+                origin: dvec3(0.5, 0.0, 0.0) - 8.0 * direction,
+                direction,
+                t_min: 0.0,
+                t_max: 64.0,
+            };
+            ray.into()
+        }
+        _ => lattice_ray(random, rim(&shape, DVec3::ZERO, eighths)),
+    };
+    Case {
+        px: None,
+        ray,
+        placement: Placement::IDENTITY,
+        shape,
+    }
+}
+
+fn placed_solid(random: &mut Random, shape: Shape) -> Case {
+    let (px, ray, point) = pixel_ray(random);
+    let linear = any_placement(random).model().matrix3;
+    let direction = linear.inverse() * ray.direction;
+    let on_rim = rim(&shape, direction, random.within(-0.4, 0.4));
+    let model = DAffine3::from_mat3_translation(linear, point - linear * on_rim);
+    Case {
+        px: Some(px),
+        ray,
+        placement: Placement::new(model).expect("invertible"),
+        shape,
+    }
+}
