@@ -2,7 +2,8 @@
 
 use super::{
     GRID_PX,
-    surface::{Outline, Source, Surface, ViewRay, nearness},
+    bound::{self, Cut, Outline, Reason, Stored},
+    surface::{Source, Surface, ViewRay, nearness, stored_per_depth, stored_step},
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
@@ -49,32 +50,30 @@ pub(super) fn surfaces(
             };
             let corners = data.triangles[index as usize]
                 .map(|i| DVec3::from_array(data.positions[i as usize].map(f64::from)));
-            vec![of(data.origin, &corners)]
+            of(data.origin, &corners).into_iter().collect()
         }
-        Shape::Square => vec![of(DVec3::ZERO, &Square::corners())],
+        Shape::Square => of(DVec3::ZERO, &Square::corners()).into_iter().collect(),
         Shape::Cube => {
             let ray = object.placement.ray_to_object(&view.ray(px));
             let shown = Cuboid::NORMALS
                 .into_iter()
                 .filter(|normal| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0);
             shown
-                .map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
+                .filter_map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
                 .collect()
         }
     }
 }
 
-/// A flat convex polygon at a pixel.
-fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Surface {
+/// A flat convex polygon at a pixel; `None` when all of it lies before the near plane.
+fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Option<Surface> {
     let near = view.camera.lens().near;
     let ray = ViewRay::new(view, px);
     let [a, b, c] = [0, 1, 2].map(|i| corners[i].view);
     let normal = (b - a).cross(c - a);
     let depth = ray.depth_on(a, normal);
-    let slope = ray.slope(view, depth, normal);
     let rounded = clipping_error(view, corners);
     let error = rounded + corners.iter().fold(DVec3::ZERO, |e, at| e.max(at.error));
-    let covers = covers(&ray, corners);
     let cut_error = error.z + near_error(view);
     // All that may be behind the near plane; but the eye's plane has no place in the picture.
     let nearest = match view.camera.lens().projection {
@@ -82,31 +81,64 @@ fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Surfac
         Projection::Orthographic { .. } => near - cut_error,
     };
     let seen = clip_near(corners, nearest);
+    let ends = depths(&seen)?;
+    let border = border(view, px, corners, shift_px(view, px, depth, rounded));
     let edges = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let edges = edges.filter(|[from, to]| !(from.is_cut && to.is_cut));
     let edges = edges.map(|ends| edge(view, px, ends, rounded));
-    let moved_px = [GRID_PX, shift_px(view, px, depth, error)];
-    let cut = covers.then(|| Outline::cut(view, depth, slope, cut_error, moved_px));
-    let (nearness, mut nearness_error) = nearness(view, depth, error.z);
-    // Vertices that move take the plane along.
-    let per_depth = match view.camera.lens().projection {
-        Projection::Perspective { .. } => view.camera.lens().depth_row().1 / (depth * depth),
-        Projection::Orthographic { .. } => view.camera.lens().depth_row().0,
+    let outlines: Vec<Outline> = edges.chain([border]).collect();
+    // Seen edge-on it may be as deep as any of it.
+    let slope = ray.slope(view, depth, normal).length();
+    let at = if depth.is_finite() { depth } else { ends[0] };
+    let f32_px = shift_px(view, px, at.clamp(ends[0], ends[1]), error);
+    let aside = slope * (GRID_PX + f32_px);
+    let may_be = if aside.is_finite() {
+        [depth - aside, depth + aside].map(|end| end.clamp(ends[0], ends[1]))
+    } else {
+        ends
     };
-    nearness_error += (per_depth * slope).length() * (moved_px[0] + moved_px[1])
-        + interpolation_error(view, &seen);
-    let border = border(view, px, corners, shift_px(view, px, depth, rounded));
-    Surface {
-        outlines: [
-            edges.fold(border, Outline::or),
-            cut.unwrap_or(Outline::NONE),
-        ],
+    let interpolated = interpolation_error(view, &seen);
+    let [(nearest, near_rounding), (farthest, far_rounding)] =
+        may_be.map(|end| nearness(view, end, error.z));
+    let rounding = near_rounding.max(far_rounding) + interpolated;
+    let steps = rounding
+        / may_be
+            .map(|end| stored_step(view, end))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, steps);
+    let covers = covers(&ray, corners);
+    let cut = Cut {
+        gap: (depth - near).abs(),
+        grid: slope * GRID_PX,
+        f32: slope * f32_px + cut_error,
+    };
+    // Corners are cut off before anything is interpolated.
+    let cut_steps = cut_error * stored_per_depth(view, near) / stored_step(view, near);
+    let cut_beyond = bound::beyond_f32(GRID_PX + f32_px, cut_steps);
+    let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
+    let reasons = outlines.iter().filter_map(|outline| outline.reason());
+    Some(Surface {
+        loose: reasons.chain(cut).reduce(Reason::or),
+        outline: outlines.into_iter().fold(Outline::NONE, Outline::nearer),
         covers: covers && depth >= near,
         depth,
-        nearness,
-        nearness_error,
+        stored: Stored {
+            nearness: nearness(view, at.clamp(ends[0], ends[1]), 0.0).0,
+            nearest: nearest + rounding,
+            farthest: farthest - rounding,
+            rounding,
+            beyond_f32,
+        },
         source,
-    }
+    })
+}
+
+/// The least and the largest view depth of corners; `None` of none.
+fn depths(corners: &[Corner]) -> Option<[f64; 2]> {
+    let depths = corners.iter().map(|corner| corner.view.z);
+    let least = depths.clone().reduce(f64::min)?;
+    Some([least, depths.reduce(f64::max)?])
 }
 
 /// Whether a line passes through a convex polygon: on one side of all its edges.

@@ -1,6 +1,9 @@
 //! Spheres at a pixel.
 
-use super::surface::{Outline, Source, Surface, ViewRay, nearness};
+use super::{
+    bound::{self, Cut, Outline, Reason, Stored},
+    surface::{Source, Surface, nearness, stored_step},
+};
 use crate::{
     camera::{Projection, View},
     geometry::{Placement, Sides, Sphere},
@@ -35,24 +38,34 @@ pub(super) fn surfaces(view: &View, placement: &Placement, px: DVec2) -> Vec<Sur
     let [entry, exit] = [middle - root, middle + root];
     let opened = entry < lens.near + error.depth[0];
     let shown = [(entry, true), (exit, opened && view.sides == Sides::Both)];
-    let ray = ViewRay::new(view, px);
     let shown = shown
         .into_iter()
         .zip(error.depth)
         .filter(|((_, shown), _)| *shown);
     shown
         .map(|((depth, _), depth_error)| {
-            let normal = placement.normal_to_world(o + depth * d);
-            let slope = ray.slope(view, depth, view.camera.rotation() * normal);
-            let near_error = depth_error + 2.0 * U * lens.near.abs();
-            let cut = Outline::cut(view, depth, slope, near_error, [0.0; 2]);
-            let (nearness, nearness_error) = nearness(view, depth, depth_error);
+            let (nearness, rounding) = nearness(view, depth, depth_error);
+            let steps = rounding / stored_step(view, depth);
+            // No grid, and the rim by itself: at the centre nothing moves the surface aside.
+            let beyond_f32 = bound::beyond_f32(0.0, steps);
+            let cut = Cut {
+                gap: (depth - lens.near).abs(),
+                grid: 0.0,
+                f32: depth_error + 2.0 * U * lens.near.abs(),
+            };
+            let reasons = rim.reason().into_iter().chain(cut.reason(beyond_f32));
             Surface {
-                outlines: [rim, cut],
+                loose: reasons.reduce(Reason::or),
+                outline: rim,
                 covers: discriminant >= 0.0 && depth >= lens.near,
                 depth,
-                nearness,
-                nearness_error,
+                stored: Stored {
+                    nearness,
+                    nearest: nearness + rounding,
+                    farthest: nearness - rounding,
+                    rounding,
+                    beyond_f32,
+                },
                 source: Source::Sphere(*placement),
             }
         })

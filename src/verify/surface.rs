@@ -1,6 +1,9 @@
 //! One surface at a pixel, and whether two of them explain a difference.
 
-use super::{Class, GRID_PX};
+use super::{
+    Class,
+    bound::{Outline, Reason, Stored},
+};
 use crate::{
     camera::{DepthMapping, Projection, View},
     geometry::Placement,
@@ -8,31 +11,19 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// An outline near a pixel's centre; lengths in pixels.
-#[derive(Clone, Copy, Debug)]
-#[expect(clippy::struct_field_names, reason = "the unit")]
-pub(super) struct Outline {
-    /// From the centre, in pixels; never more than it really is.
-    pub distance_px: f64,
-    /// What the rasteriser's grid moves it by, in pixels: nothing where no vertices make it.
-    pub grid_px: f64,
-    /// What `f32` moves it by, in pixels.
-    pub f32_px: f64,
-}
-
 /// What an id may have shown at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Its outlines: edges or rim, and where the near plane cuts it.
-    pub outlines: [Outline; 2],
+    /// Why it may be there for one side only: an outline or the near plane's cut is near enough.
+    pub loose: Option<Reason>,
+    /// Its nearest outline, near enough or not.
+    pub outline: Outline,
     /// Whether it really covers the centre, behind the near plane.
     pub covers: bool,
-    /// View depth at the centre, of the surface or its continuation.
+    /// View depth at the centre; NaN where there is none.
     pub depth: f64,
-    /// What the depth buffer stores for that, or its negative: more is nearer.
-    pub nearness: f64,
-    /// How far that may be off.
-    pub nearness_error: f64,
+    /// What the depth buffer may hold for that.
+    pub stored: Stored,
     /// What the GPU makes it from.
     pub source: Source,
 }
@@ -48,130 +39,55 @@ pub(super) enum Source {
     Sphere(Placement),
 }
 
-impl Outline {
-    /// None there.
-    pub const NONE: Self = Self {
-        distance_px: f64::INFINITY,
-        grid_px: 0.0,
-        f32_px: 0.0,
-    };
-
-    /// Where the near plane cuts a surface of this depth and slope (depth for a pixel) at the centre, when drawing may
-    /// see the depth wrong by `depth_error`; `moved_px` is what grid and `f32` move the surface aside by.
-    pub fn cut(
-        view: &View,
-        depth: f64,
-        slope: DVec2,
-        depth_error: f64,
-        moved_px: [f64; 2],
-    ) -> Self {
-        // A surface along the near plane is cut nowhere or everywhere: what counts is the depths, and their ratio stays.
-        let slope = slope.length().max(f64::EPSILON * depth_error);
-        Self {
-            distance_px: (depth - view.camera.lens().near).abs() / slope,
-            grid_px: moved_px[0],
-            f32_px: moved_px[1] + depth_error / slope,
-        }
-    }
-
-    /// The one of two that explains more: of the better class, with less strain.
-    pub fn or(self, other: Self) -> Self {
-        if (other.class(), other.strain()) < (self.class(), self.strain()) {
-            other
-        } else {
-            self
-        }
-    }
-
-    /// How far drawing may move it, in pixels.
-    pub fn error_px(&self) -> f64 {
-        self.grid_px + self.f32_px
-    }
-
-    /// Its distance over how far drawing may move it.
-    fn strain(&self) -> f64 {
-        let strain = self.distance_px / self.error_px();
-        // Exactly on an outline that nothing moves.
-        if strain.is_nan() { 0.0 } else { strain }
-    }
-
-    fn class(&self) -> Class {
-        if !(self.strain() <= 1.0) {
-            Class::Unexplained
-        } else if self.f32_px <= GRID_PX {
-            Class::Edge
-        } else {
-            Class::F32Limit
-        }
-    }
-}
-
 impl Surface {
     /// The empty depth buffer.
     pub fn background(view: &View) -> Self {
+        let nearness = match view.camera.lens().depth {
+            DepthMapping::Reversed => 0.0,
+            DepthMapping::Standard => -1.0,
+        };
         Self {
-            outlines: [Outline::NONE; 2],
+            loose: None,
+            outline: Outline::NONE,
             covers: true,
             depth: f64::NAN,
-            nearness: match view.camera.lens().depth {
-                DepthMapping::Reversed => 0.0,
-                DepthMapping::Standard => -1.0,
+            stored: Stored {
+                nearness,
+                nearest: nearness,
+                farthest: nearness,
+                rounding: 0.0,
+                beyond_f32: false,
             },
-            nearness_error: 0.0,
             source: Source::Empty,
         }
     }
-
-    fn outline(&self) -> Outline {
-        self.outlines[0].or(self.outlines[1])
-    }
-
-    /// Whether it may come before `other` in the depth buffer; true where either depth makes no sense, as for the
-    /// continuation of a triangle that is seen edge-on.
-    fn may_hide(&self, other: &Self) -> bool {
-        !(self.nearness + self.nearness_error < other.nearness - other.nearness_error)
-    }
 }
 
-/// The best explanation for one surface having been drawn and the other picked: class, strain and the outline it rests
-/// on or would have to.
+/// The best explanation for one surface having been drawn and the other picked; `None` when nothing explains it.
 ///
 /// A surface whose outline is far covers the centre, or not, for both sides alike; then the other one is there for one
 /// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
 /// which of them shows is settled by their order, and nothing excuses another answer.
-pub(super) fn explain(drawn: &Surface, picked: &Surface) -> (Class, f64, Outline) {
+pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.source == picked.source {
-        return (Class::Unexplained, f64::INFINITY, Outline::NONE);
+        return None;
     }
-    let [of_drawn, of_picked] = [drawn.outline(), picked.outline()];
-    let (loose_drawn, loose_picked) = (of_drawn.strain() <= 1.0, of_picked.strain() <= 1.0);
-    // Each outline counts if its surface would win the pixel, or the other one is loose as well.
-    let counts = [
-        (
-            of_drawn,
-            loose_picked || picked.covers && drawn.may_hide(picked),
-        ),
-        (
-            of_picked,
-            loose_drawn || drawn.covers && picked.may_hide(drawn),
-        ),
-    ];
-    let by_outline = (counts.into_iter().filter(|(_, counts)| *counts))
-        .map(|(outline, _)| (outline.class(), outline.strain(), outline));
-    let gap = (drawn.nearness - picked.nearness).abs();
-    let strain = gap / (drawn.nearness_error + picked.nearness_error);
-    let by_depth = (drawn.covers && picked.covers).then(|| {
-        let class = if gap <= drawn.nearness_error + picked.nearness_error {
-            Class::Depth
-        } else {
-            Class::Unexplained
-        };
-        (class, if gap == 0.0 { 0.0 } else { strain }, Outline::NONE)
-    });
-    let best = by_outline
-        .chain(by_depth)
-        .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    best.unwrap_or((Class::Unexplained, f64::INFINITY, Outline::NONE))
+    let missing = |surface: &Surface| surface.loose.map(|reason| reason.class);
+    // For drawing it comes first, or the other one is not there.
+    let first = || drawn.stored.hides(&picked.stored);
+    let hides = picked.covers.then(first).flatten();
+    let drawn_only = (hides.into_iter().chain(missing(picked)).min())
+        .and_then(|class| Some(drawn.loose?.and(class)));
+    // The same for the pick.
+    let precedes = drawn.covers && picked.stored.precedes(&drawn.stored);
+    let hides = precedes.then_some(Class::Edge);
+    let picked_only = (hides.into_iter().chain(missing(drawn)).min())
+        .and_then(|class| Some(picked.loose?.and(class)));
+    let by_depth = (drawn.covers && picked.covers)
+        .then(|| drawn.stored.reason(&picked.stored))
+        .flatten();
+    let all = [drawn_only, picked_only, by_depth];
+    all.into_iter().flatten().reduce(Reason::or)
 }
 
 /// The ray through a pixel position in view space: where it starts at depth 0 and its step for one unit of depth; and
@@ -217,14 +133,39 @@ impl ViewRay {
 pub(super) fn nearness(view: &View, depth: f64, depth_error: f64) -> (f64, f64) {
     let lens = view.camera.lens();
     let (a, b) = lens.depth_row();
-    let (terms, per_depth) = match lens.projection {
-        Projection::Perspective { .. } => (a.abs() + (b / depth).abs(), b.abs() / (depth * depth)),
-        Projection::Orthographic { .. } => ((a * (depth - depth_origin(view))).abs(), a.abs()),
+    let terms = match lens.projection {
+        Projection::Perspective { .. } => a.abs() + (b / depth).abs(),
+        Projection::Orthographic { .. } => (a * (depth - depth_origin(view))).abs(),
     };
     let ndc = lens.ndc_depth(depth);
-    let error = 4.0 * U * (ndc.abs() + terms) + per_depth * depth_error;
+    let error = 4.0 * U * (ndc.abs() + terms) + stored_per_depth(view, depth) * depth_error;
     match lens.depth {
         DepthMapping::Reversed => (ndc, error),
         DepthMapping::Standard => (-ndc, error),
     }
+}
+
+/// How fast what the depth buffer holds changes with depth.
+pub(super) fn stored_per_depth(view: &View, depth: f64) -> f64 {
+    let lens = view.camera.lens();
+    let (a, b) = lens.depth_row();
+    match lens.projection {
+        Projection::Perspective { .. } => b.abs() / (depth * depth),
+        Projection::Orthographic { .. } => a.abs(),
+    }
+}
+
+/// A step of depth, by what the buffer stores: what one unit in the last place of an `f32` is there of the stored number,
+/// or of the depth, or of the distance between near and far where that is less.
+///
+/// Of these the largest: a depth that is stored as nearly 0 is not known as finely as the number could tell.
+pub(super) fn stored_step(view: &View, depth: f64) -> f64 {
+    let lens = view.camera.lens();
+    let range = lens.far - lens.near;
+    let known = match lens.projection {
+        Projection::Perspective { .. } => range.min(depth.abs()),
+        Projection::Orthographic { .. } => range,
+    };
+    let stored = lens.ndc_depth(depth).abs();
+    2.0 * U * stored.max(stored_per_depth(view, depth) * known)
 }
