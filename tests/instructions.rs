@@ -201,12 +201,17 @@ fn all(
     truth: &[Option<TriangleHit>],
 ) -> Vec<usize> {
     let mut found = Vec::new();
-    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |triangle: u32, corners| {
-        let triangle = triangle as usize;
-        assert_eq!(corners, case.corners(triangle));
-        found.extend(truth[triangle].is_some().then_some(triangle));
-        ray.t_max
-    });
+    tree.visit_by(
+        simd,
+        &ray.into(),
+        &DVec3::ZERO,
+        &mut |triangle: u32, corners| {
+            let triangle = triangle as usize;
+            assert_eq!(corners, case.corners(triangle));
+            found.extend(truth[triangle].is_some().then_some(triangle));
+            ray.t_max
+        },
+    );
     found.sort_unstable();
     found
 }
@@ -215,7 +220,7 @@ fn all(
 fn nearest(tree: &Bvh, simd: Simd, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
     let mut end = ray.t_max;
     let mut best: Option<f64> = None;
-    tree.visit_by(simd, ray, &DVec3::ZERO, &mut |triangle: u32, _| {
+    tree.visit_by(simd, &ray.into(), &DVec3::ZERO, &mut |triangle: u32, _| {
         if let Some(hit) = truth[triangle as usize] {
             best = Some(best.map_or(hit.t, |best| best.min(hit.t)));
             end = end.min(hit.t + hit.t_error);

@@ -197,7 +197,7 @@ fn of_thousands_few_are_asked() {
         let closest = pick::closest(&scene, ray, Sides::Both);
         hit += usize::from(closest.is_some());
         let end = closest.map_or(f64::INFINITY, |hit| hit.hit.t);
-        scene.visit_batches(ray, |_| {
+        scene.visit_batches(&ray.into(), |_| {
             asked += 1;
             end
         });
@@ -220,20 +220,26 @@ fn degenerate_scenes_are_searched_too() {
             Placement::new(model).expect("invertible"),
         )
     };
-    let ray = |x: f64| Ray {
-        origin: DVec3::new(x, 0.0, 1.0),
+    let ray = |x: f64, z: f64| Ray {
+        origin: DVec3::new(x, 0.0, z),
         direction: DVec3::new(-0.0, 0.0, -1.0),
-        t_min: 0.0,
+        t_min: -2.0,
         t_max: f64::INFINITY,
     };
-    let same = Scene::new((0..64).map(|_| at(0.0, 1.0)).collect());
-    let hits = pick::all(&same, &ray(0.0), Sides::Both);
-    assert_eq!(hits.len(), 64);
-    assert!(hits.is_sorted_by_key(|hit| hit.object));
-    assert_eq!(
-        pick::closest(&same, &ray(0.0), Sides::Both).map(|hit| hit.object),
-        Some(0)
-    );
+    // Of one size, and of many, so that the tree has the last ones first.
+    let sizes = [|_| 1.0, |i| f64::from(1 + 29 * i % 64)];
+    for size in sizes {
+        let same = Scene::new((0..64_u32).map(|i| at(0.0, size(i))).collect());
+        // Before them, on them, behind them, and from far away.
+        for z in [1.0, 0.0, -1.0, 1e9] {
+            let ray = ray(0.1, z);
+            let hits = pick::all(&same, &ray, Sides::Both);
+            assert_eq!(hits.len(), 64, "z = {z}");
+            assert!(hits.is_sorted_by_key(|hit| hit.object), "z = {z}");
+            let closest = pick::closest(&same, &ray, Sides::Both);
+            assert_eq!(closest.map(|hit| hit.object), Some(0), "z = {z}");
+        }
+    }
     let apart = Scene::new(
         (-30..30)
             .map(|i| at(10_f64.powi(i / 3), 10_f64.powi(i / 3)))
@@ -241,7 +247,7 @@ fn degenerate_scenes_are_searched_too() {
     );
     let alone = alone(&apart);
     for i in -30..30 {
-        let ray = ray(1.2 * 10_f64.powi(i / 3));
+        let ray = ray(1.2 * 10_f64.powi(i / 3), 1.0);
         let expected = one_by_one(&alone, &ray);
         assert!(!expected.is_empty());
         assert_eq!(pick::all(&apart, &ray, Sides::Both), expected);

@@ -8,7 +8,7 @@ use sightline::{
     geometry::{
         Aabb, ColourRun, Mesh, MeshData, Part, Placement, Ray, Sides, VertexRay, guarded_volume,
     },
-    pick,
+    pick::{self, SceneHit},
     scene::{Object, Scene, Shape},
 };
 use std::sync::Arc;
@@ -93,35 +93,54 @@ fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
     let corners = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0_f32]];
     // Enough of one triangle that a tree is built.
     let many = mesh(corners, vec![[0, 1, 2]; 600], DVec3::ZERO);
-    let scene = |shape: &Shape| {
-        let objects =
-            (0..5).map(|i| Object::new(i.to_string(), shape.clone(), Placement::IDENTITY));
+    // Few objects, and enough that the scene has a tree, in which the larger ones of every third come first or last.
+    let scene = |shape: &Shape, count: i32| {
+        let objects = (0..count).map(|i| {
+            let size = if i % 3 == 0 { 8.0 } else { 1.0 };
+            let model = DAffine3::from_scale(dvec3(size, size, 1.0));
+            Object::new(i.to_string(), shape.clone(), Placement::new(model).unwrap())
+        });
         let mut scene = Scene::new(objects.collect());
         scene.set_visible(0, false);
         scene
     };
-    let ray = ray_to(dvec3(0.1, 0.2, 3.0), dvec3(0.1, 0.2, 0.0));
-    for with_tree in [false, true] {
-        let scene = scene(&Shape::Mesh {
-            mesh: many.clone(),
-            part: 0,
-        });
+    // Before it, from its plane, and from behind it.
+    let rays = [3.0, 0.0, -1.0].map(|z| Ray {
+        t_min: -2.0,
+        direction: DVec3::NEG_Z,
+        ..ray_to(dvec3(0.1, 0.2, z), DVec3::ZERO)
+    });
+    for (with_tree, count) in [(false, 5), (true, 5), (false, 20), (true, 20)] {
+        let scene = scene(
+            &Shape::Mesh {
+                mesh: many.clone(),
+                part: 0,
+            },
+            count,
+        );
         if with_tree {
             scene.build_trees();
         }
-        let hit = pick::closest(&scene, &ray, Sides::Both).unwrap();
-        assert_eq!((hit.object, hit.hit.on_triangle.unwrap().triangle), (1, 0));
-        let hits = pick::all(&scene, &ray, Sides::Both);
-        let order: Vec<_> = hits
-            .iter()
-            .map(|hit| (hit.object, hit.hit.on_triangle.unwrap().triangle))
-            .collect();
-        let expected = (1..5).flat_map(|object| (0..600).map(move |triangle| (object, triangle)));
-        assert_eq!(order, expected.collect::<Vec<_>>());
+        for ray in rays {
+            let case = format!("{count} objects, z = {}", ray.origin.z);
+            let hit = pick::closest(&scene, &ray, Sides::Both).expect(&case);
+            let surface = |hit: &SceneHit| (hit.object, hit.hit.on_triangle.unwrap().triangle);
+            let hits = pick::all(&scene, &ray, Sides::Both);
+            let order: Vec<_> = hits.iter().map(surface).collect();
+            let objects = 1..usize::try_from(count).unwrap();
+            let expected = objects.flat_map(|object| (0..600).map(move |i| (object, i)));
+            assert!(order == expected.collect::<Vec<_>>(), "{case}");
+            assert_eq!(surface(&hit), (1, 0), "{case}");
+        }
     }
-    for shape in [Shape::Sphere, Shape::Cube, Shape::Square] {
-        let hit = pick::closest(&scene(&shape), &ray, Sides::Both).unwrap();
-        assert_eq!(hit.object, 1);
+    for shape in [Shape::Cube, Shape::Square] {
+        for (count, ray) in [5, 20]
+            .into_iter()
+            .flat_map(|count| rays.map(|ray| (count, ray)))
+        {
+            let hit = pick::closest(&scene(&shape, count), &ray, Sides::Both).unwrap();
+            assert_eq!(hit.object, 1, "{count} of {shape:?}, z = {}", ray.origin.z);
+        }
     }
 }
 

@@ -17,7 +17,7 @@ pub use lens::{DepthMapping, Lens, Projection};
 pub use orbit::{Orbit, UpAxis};
 pub use view::{View, Viewport, pixel_centre};
 
-use crate::geometry::Ray;
+use crate::geometry::{PixelGrid, WorldRay};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 /// Where the eye stands, where it looks and through which lens. Always valid: axes are orthonormal, near lies
@@ -226,28 +226,26 @@ impl Camera {
         )
     }
 
-    /// The ray through a pixel position, in world space. Its direction is a unit vector, so `t` is the distance
-    /// from where it starts: the eye in perspective, the eye's plane in orthographic projection. `t_min` and
-    /// `t_max` lie on the near and the far *plane*.
-    ///
-    /// Eye basis: `F + sx aspect tan R + sy tan U`, with no point in space from which the eye would have to be
-    /// subtracted again.
+    /// The numbers that make rays through the pixels of a picture.
     #[must_use]
-    pub fn ray(&self, viewport: Viewport, px: DVec2) -> Ray {
-        let ndc = viewport.px_to_ndc(px);
-        let half = self.half_extent(viewport);
-        let aside = ndc.x * half.x * self.right + ndc.y * half.y * self.up;
-        let (origin, direction) = match self.lens.projection {
-            Projection::Perspective { .. } => (self.eye, (self.forward + aside).normalize()),
-            Projection::Orthographic { .. } => (self.eye + aside, self.forward),
-        };
-        let depth_per_t = direction.dot(self.forward);
-        Ray {
-            origin,
-            direction,
-            t_min: self.lens.near / depth_per_t,
-            t_max: self.lens.far / depth_per_t,
+    pub fn pixel_grid(&self, viewport: Viewport) -> PixelGrid {
+        PixelGrid {
+            eye: self.eye,
+            right: self.right,
+            up: self.up,
+            forward: self.forward,
+            half_height: self.half_height,
+            size_px: [viewport.width(), viewport.height()],
+            is_orthographic: self.lens.is_orthographic(),
         }
+    }
+
+    /// The ray through a pixel position, in world space; see [`PixelGrid::ray`]. Its `t` is view depth, and its interval
+    /// is that between the near and the far plane.
+    #[must_use]
+    pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay {
+        let Lens { near, far, .. } = self.lens;
+        self.pixel_grid(viewport).ray(px, [near, far])
     }
 
     /// [`Lens::half_extent`].

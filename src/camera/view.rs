@@ -1,7 +1,7 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Projected};
-use crate::geometry::{Aabb, Ray, Sides};
+use crate::geometry::{Aabb, Sides, WorldRay};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -109,8 +109,20 @@ impl View {
 
     /// The world-space ray through a pixel position; see [`Camera::ray`].
     #[must_use]
-    pub fn ray(&self, px: DVec2) -> Ray {
+    pub fn ray(&self, px: DVec2) -> WorldRay {
         self.camera.ray(self.viewport, px)
+    }
+
+    /// From the eye to the point at view depth `t` on the ray through a pixel position, in world space.
+    #[must_use]
+    pub fn from_eye(&self, px: DVec2, t: f64) -> DVec3 {
+        let grid = self.camera.pixel_grid(self.viewport);
+        let aside = grid.aside(px);
+        if grid.is_orthographic {
+            aside + t * grid.forward
+        } else {
+            t * (grid.forward + aside)
+        }
     }
 
     /// Where the picture shows a world point; see [`Camera::project`].

@@ -2,10 +2,12 @@
 //!
 //! Results go to stdout and nothing else does; errors and warnings go to stderr, a line each.
 
+mod contract;
 mod error;
 mod list;
 mod pick;
 mod render;
+mod stored;
 mod study;
 mod terminal;
 mod value;
@@ -24,14 +26,16 @@ pub use window::WindowArgs;
 
 use crate::scene::{self, Loaded, Progress};
 use clap::{Parser, Subcommand};
+use contract::{CONTRACT, FIELDS, NUMBERS};
 use std::{ffi::OsString, path::PathBuf, process::ExitCode, time::Instant};
 use terminal::start_log;
 
 /// How many warnings are printed before the rest is only counted.
 const WARNINGS_SHOWN: usize = 20;
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 verify found a defect, 2 usage, 3 a file, 4 no graphics adapter, \
-                          5 no display.";
+const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 verify found a defect, 2 usage, 3 a file,
+            4 no graphics adapter, 5 no display.";
 
 /// A 3D viewer in which what you see is what you pick, to the pixel.
 ///
@@ -56,7 +60,7 @@ pub enum Command {
     #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
     /// Say what is at a position of the picture: one line of JSON a pick
-    #[command(after_long_help = format!("{}\n\n{EXIT_CODES}", pick::FIELDS))]
+    #[command(after_long_help = [CONTRACT, FIELDS, NUMBERS, EXIT_CODES].join("\n\n"))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     #[command(after_long_help = EXIT_CODES)]
@@ -73,7 +77,7 @@ pub enum Command {
 /// What every command takes.
 #[derive(Clone, Debug, clap::Args)]
 pub struct SceneArgs {
-    /// .obj or scene .toml files, or gallery:NAME; ids run on in this order [default: the demo]
+    /// .obj or .toml files, or gallery:NAME; ids run on [default: the demo]
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
     /// Say on stderr what is being done

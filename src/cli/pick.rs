@@ -1,6 +1,6 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, load, stored, value};
 use crate::{
     camera::{View, Viewport},
     pick::{self, PickLine, PickLines},
@@ -9,40 +9,30 @@ use crate::{
 use glam::DVec2;
 use std::io::{BufRead, StdoutLock, Write};
 
-/// What the fields of a pick's line mean, for its help.
-pub(super) const FIELDS: &str = "\
-Fields of \"hit\", null where the picture shows the background; with --all-hits of each of \"hits\":
-  object, id       name, and number from 1
-  triangle         of the object, from 0; null for sphere, cube and square
-  front            whether the surface is seen from outside
-  t                parameter of the ray, whose direction has length 1 and which starts where view depth is 0
-  distance         from the eye to the point
-  depth            of the point along the line of sight
-  ndc              the point in normalised device coordinates, z by --depth
-  point_world, normal_world, point_object, normal_object
-                   the point and the surface's outward unit normal in the world and in the object's own space
-  barycentric      weights of the triangle's corners; null for sphere, cube and square
-  edge_px          pixels to the nearest edge of the triangle or face, of a sphere to its outline; null where none lies
-                   behind the near plane
-  gap              to the next surface along the ray; null where there is none
-  exact            whether f64 left open what is hit, or which of two hits is nearer, and exact arithmetic decided
-  differs_px       pixels to the nearest pixel with another answer; null where none within 8 has one";
-
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
 pub struct PickArgs {
     /// What to look at.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Where to pick, from the picture's top left corner; - reads X,Y lines from standard input
+    /// Where to pick, in pixels from the top left; - reads lines of X,Y
     ///
-    /// The ray goes through this very position: 0,0 is the top left corner of the top left pixel and 0.5,0.5 its
-    /// centre, which is what a click on that pixel picks. Several positions may follow one --at.
+    /// The ray goes through this very position: 0,0 is the top left corner
+    /// of the top left pixel and 0.5,0.5 its centre, which is what a click
+    /// on that pixel picks. Several positions may follow one --at. A single
+    /// - reads them from standard input.
     #[arg(long, value_name = "X,Y", required = true, num_args = 1.., value_parser = at)]
+    #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
     /// Give every surface along the ray, from front to back
     #[arg(long)]
     pub all_hits: bool,
+    /// Print first, as a line of JSON, the numbers that picks are made of
+    ///
+    /// With all digits, so that anyone can check an answer with arithmetic of
+    /// their own; see below.
+    #[arg(long, verbatim_doc_comment)]
+    pub stored: bool,
     /// How to look at it.
     #[command(flatten)]
     pub view: ViewArgs,
@@ -86,12 +76,16 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
+    let mut out = std::io::stdout().lock();
+    if args.stored {
+        stored::write(&mut out, &loaded.scene, &view)?;
+    }
     build_trees(&loaded.scene);
     let mut picker = Picker {
         scene: &loaded.scene,
         view: &view,
         all_hits: args.all_hits,
-        out: std::io::stdout().lock(),
+        out,
     };
     for &at in &args.at {
         match at {

@@ -96,14 +96,39 @@ impl Aabb {
     /// Widening by `12 U` covers that and the rounding of the widening (after Ize, "Robust BVH Ray Traversal", JCGT
     /// 2(2), 2013, whose `2 ulp` leaves the subtraction to padded boxes). A ray along a slab is on the right side of
     /// its planes, or upon them, where `0 * inf` is NaN and loses every comparison.
+    ///
+    /// A ray that is itself inexact is near the given one by its origin's error and, as far as the box, by its direction's
+    /// times the way there; the box grows by twice that.
     #[must_use]
     pub fn may_hit(&self, ray: &VertexRay, inverse: DVec3) -> bool {
+        self.may_hit_before(ray, inverse, ray.ray.t_max)
+    }
+
+    /// [`Aabb::may_hit`] no later than at `end`.
+    pub(super) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {
             return true;
         }
-        let ways = [ray.to(self.min), ray.to(self.max)];
-        entry(ways, inverse, [ray.ray.t_min, ray.ray.t_max], WIDEN).is_some()
+        let [of_origin, of_direction] = ray.errors;
+        let mut ways = [ray.to(self.min), ray.to(self.max)];
+        if of_origin + of_direction > 0.0 {
+            let way = ways[0].abs().max(ways[1].abs()).max_element() + of_origin;
+            let per_direction = of_direction / ray.ray.direction.abs().max_element();
+            let room = DVec3::splat(2.0 * (of_origin + way * per_direction));
+            // Written so that NaN is in doubt.
+            if !(per_direction < 0.1 && room.x.is_finite()) {
+                return true;
+            }
+            ways = [ways[0] - room, ways[1] + room];
+        }
+        entry(
+            ways,
+            inverse,
+            [ray.ray.t_min, ray.ray.t_max.min(end)],
+            WIDEN,
+        )
+        .is_some()
     }
 }
 

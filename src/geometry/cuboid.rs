@@ -1,6 +1,9 @@
 //! The cube of side 1 about the origin.
 
-use super::{Aabb, Hit, Ray};
+use super::{
+    Aabb, Hit, LocalRay, Ray, U, exact,
+    interval::{Approximate, InDoubt},
+};
 use glam::DVec3;
 
 /// The cube of side 1 about the origin; other boxes are this one under a model matrix.
@@ -39,45 +42,105 @@ impl Cuboid {
             .map(|(x, y)| Self::HALF_SIDE * (normal + x * right + y * up))
     }
 
-    /// Where `ray` enters and leaves it, nearest first, as far as the ray's interval reaches; its faces belong
-    /// to it.
+    /// Where `ray` enters (front) and leaves it, nearest first, as far as the ray's interval reaches. The cube is closed: a
+    /// ray that touches an edge or corner enters there, and nowhere leaves. Of several faces at one place that across the
+    /// lowest axis is named.
     ///
-    /// Slabs (Kay & Kajiya 1986) with the branch for rays along a slab, which is exact: such a ray is inside
-    /// that slab or misses, and no `0 / 0` arises.
+    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
     #[must_use]
-    pub fn hits(ray: &Ray) -> [Option<Hit>; 2] {
-        let Ray {
-            origin, direction, ..
-        } = *ray;
-        let mut enter = (f64::NEG_INFINITY, DVec3::ZERO);
-        let mut leave = (f64::INFINITY, DVec3::ZERO);
-        for axis in 0..3 {
-            let (o, d) = (origin[axis], direction[axis]);
-            if d == 0.0 {
-                if o.abs() > Self::HALF_SIDE {
-                    return [None, None];
-                }
-                continue;
-            }
-            let outward = DVec3::AXES[axis] * d.signum();
-            let half = Self::HALF_SIDE.copysign(d);
-            let (near, far) = ((-half - o) / d, (half - o) / d);
-            if near > enter.0 {
-                enter = (near, -outward);
-            }
-            if far < leave.0 {
-                leave = (far, outward);
-            }
-        }
-        if !(enter.0 <= leave.0) {
-            return [None, None];
-        }
-        [enter, leave].map(|(t, normal)| {
-            ray.contains(t).then_some(Hit {
-                t,
-                normal,
-                on_triangle: None,
-            })
-        })
+    pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
+        let ray = ray.into();
+        filter(&ray).unwrap_or_else(|InDoubt| exact::cube(&ray.exactly(), &ray.ray))
     }
+
+    /// Whether `f64` leaves [`Cuboid::hits`] to exact arithmetic.
+    pub(crate) fn is_in_doubt(ray: &LocalRay) -> bool {
+        filter(ray).is_err()
+    }
+}
+
+/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), each plane's parameter with its bound. A coordinate to a
+/// plane rounds once, and is off by the origin's error.
+#[inline]
+fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
+    let Ray {
+        origin, direction, ..
+    } = ray.ray;
+    let mut enter: [Option<Approximate>; 3] = [None; 3];
+    let mut leave: [Option<Approximate>; 3] = [None; 3];
+    let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..3 {
+        let (o, d) = (origin[axis], direction[axis]);
+        let (o_error, d_error) = (ray.error.origin[axis], ray.error.direction[axis]);
+        if d == 0.0 && d_error == 0.0 {
+            if o.abs() - o_error > Cuboid::HALF_SIDE {
+                return Ok([None, None]);
+            }
+            if !(o.abs() + o_error <= Cuboid::HALF_SIDE) {
+                return Err(InDoubt);
+            }
+            continue;
+        }
+        let half = Cuboid::HALF_SIDE.copysign(d);
+        let at = |plane: f64| {
+            let way = plane - o;
+            let way = Approximate {
+                value: way,
+                error: U * way.abs() + o_error,
+            };
+            way.over(Approximate {
+                value: d,
+                error: d_error,
+            })
+        };
+        let (near, far) = (at(-half)?, at(half)?);
+        enters = enters.max(near.low());
+        leaves = leaves.min(far.high());
+        enter[axis] = Some(near);
+        leave[axis] = Some(far);
+    }
+    // What it enters after it left another slab, it misses.
+    if enters > leaves {
+        return Ok([None, None]);
+    }
+    let (entry, exit) = (last(enter)?, first(leave)?);
+    if !(entry.1.high() < exit.1.low()) {
+        return Err(InDoubt);
+    }
+    let outward = |axis: usize| DVec3::AXES[axis] * direction[axis].signum();
+    Ok([
+        entry.1.hit(&ray.ray, -outward(entry.0), true)?,
+        exit.1.hit(&ray.ray, outward(exit.0), false)?,
+    ])
+}
+
+/// Which is certainly the greatest, with its axis.
+#[inline]
+fn last(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
+    let mut best: Option<(usize, Approximate)> = None;
+    let mut others = f64::NEG_INFINITY;
+    for (axis, at) in of.into_iter().enumerate() {
+        let Some(at) = at else { continue };
+        match best {
+            Some((_, greatest)) if !(at.value > greatest.value) => others = others.max(at.high()),
+            _ => {
+                others = best.map_or(others, |(_, less)| others.max(less.high()));
+                best = Some((axis, at));
+            }
+        }
+    }
+    // Written so that NaN is in doubt.
+    best.filter(|(_, greatest)| greatest.low() > others)
+        .ok_or(InDoubt)
+}
+
+/// Which is certainly the least, with its axis.
+#[inline]
+fn first(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
+    let negative = |at: Approximate| Approximate {
+        value: -at.value,
+        ..at
+    };
+    let (axis, at) = last(of.map(|at| at.map(negative)))?;
+    Ok((axis, negative(at)))
 }

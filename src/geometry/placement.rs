@@ -1,7 +1,7 @@
 //! Model matrices: where a shape stands in the world.
 
-use super::Ray;
-use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles};
+use super::{LocalRay, Ray, RayError, U, WorldRay, exact};
+use glam::{DAffine3, DMat3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
 /// An invertible affine model matrix with its inverse: translation, rotation, non-uniform scale, mirroring
@@ -10,12 +10,19 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Placement {
     model: DAffine3,
     inverse_linear: DMat3,
+    /// The sum of the sizes in each row of the inverse.
+    row_sums: DVec3,
+    /// How far a component of inverse times vector may be off, over its row's sum and the vector's largest component:
+    /// for the inverse's own error and the product's roundings.
+    error: f64,
+    mirrors: bool,
+    is_identity: bool,
 }
 
 /// Why a model matrix was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PlacementError {
-    /// It flattens space within rounding, or its inverse does not fit into `f64`.
+    /// It flattens space, or its inverse does not fit into `f64`.
     #[error("the model matrix has no inverse (is a scale zero?)")]
     Singular,
     /// An entry is NaN or infinite.
@@ -23,51 +30,54 @@ pub enum PlacementError {
     NotFinite,
 }
 
-/// The determinant's sum of products with every sign positive: what its rounding is relative to.
-fn permanent(m: DMat3) -> f64 {
-    let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis];
-    x.dot(y.yzx() * z.zxy() + y.zxy() * z.yzx())
-}
+/// What a matrix's inverse may err by, over its row sums, before it is made by exact arithmetic: no more than the rounding
+/// of products with it. Rotations with ordinary scales stay below it.
+const GOOD_INVERSE: f64 = 128.0 * U;
 
 impl Placement {
     /// Object space is world space.
     pub const IDENTITY: Self = Self {
         model: DAffine3::IDENTITY,
         inverse_linear: DMat3::IDENTITY,
+        row_sums: DVec3::ONE,
+        error: 0.0,
+        mirrors: false,
+        is_identity: true,
     };
 
     /// Takes the matrix from object to world space.
     ///
     /// # Errors
-    /// When an entry is not finite or the matrix has, within rounding, no inverse.
+    /// When an entry is not finite, the matrix is singular (as exact arithmetic says), or its inverse does not fit into
+    /// `f64`.
     pub fn new(model: DAffine3) -> Result<Self, PlacementError> {
         if !model.is_finite() {
             return Err(PlacementError::NotFinite);
         }
-        // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows.
-        let linear = model.matrix3;
-        let scale = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| axis.abs().max_element())
-            .map(|size| if size > 0.0 { 1.0 / size } else { f64::NAN });
-        let unit = DMat3::from_cols(
-            linear.x_axis * scale[0],
-            linear.y_axis * scale[1],
-            linear.z_axis * scale[2],
-        );
-        // What is below the rounding of its own sum of products is no determinant. Checked before dividing by it:
-        // glam's inverse asserts.
-        let rounding = 8.0 * f64::EPSILON * permanent(unit.abs());
-        let determinant = unit.determinant();
-        if !(determinant.is_finite() && determinant.abs() > rounding) {
-            return Err(PlacementError::Singular);
+        if model == DAffine3::IDENTITY {
+            return Ok(Self::IDENTITY);
         }
-        let inverse_linear = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();
+        let linear = model.matrix3;
+        let (inverse_linear, inverse_error, mirrors) = match rounded_inverse(linear) {
+            Some((inverse, error)) if error <= GOOD_INVERSE => {
+                (inverse, error, inverse.determinant() < 0.0)
+            }
+            _ => {
+                let inverse = exact::inverse(linear).ok_or(PlacementError::Singular)?;
+                (inverse, U, exact::mirrors(linear))
+            }
+        };
         if !inverse_linear.is_finite() {
             return Err(PlacementError::Singular);
         }
         Ok(Self {
             model,
             inverse_linear,
+            row_sums: row_sums(inverse_linear),
+            // Three products and two sums; the vector is one rounded difference.
+            error: inverse_error + 6.0 * U,
+            mirrors,
+            is_identity: false,
         })
     }
 
@@ -86,7 +96,12 @@ impl Placement {
     /// Whether it mirrors: turns counter-clockwise into clockwise.
     #[must_use]
     pub fn mirrors(&self) -> bool {
-        self.inverse_linear.determinant() < 0.0
+        self.mirrors
+    }
+
+    /// Whether object space is world space.
+    pub(crate) fn is_identity(&self) -> bool {
+        self.is_identity
     }
 
     /// A world-space point in object space. The translation goes first, which keeps its digits.
@@ -101,7 +116,35 @@ impl Placement {
         self.model.transform_point3(point_object)
     }
 
-    /// A world-space ray in object space, with the same `t`.
+    /// A world-space ray in object space as picks take it, with the same `t`.
+    ///
+    /// Bounds: a component of inverse times vector errs by the placement's own error (see its field) and by what the
+    /// vector itself may be off, times the row's sum.
+    #[inline]
+    #[must_use]
+    pub fn local_ray<'a>(&'a self, world: &'a WorldRay) -> LocalRay<'a> {
+        let error = world.error();
+        if self.is_identity {
+            return LocalRay::new(**world, error, world, self);
+        }
+        let from_translation = world.origin - self.model.translation;
+        let ray = Ray {
+            origin: self.inverse_linear * from_translation,
+            direction: self.inverse_linear * world.direction,
+            ..**world
+        };
+        let of = |vector: DVec3, error: DVec3| {
+            let rounded = self.error * vector.abs().max_element();
+            self.row_sums * (1.01 * (rounded + error.max_element()))
+        };
+        let error = RayError {
+            origin: of(from_translation, error.origin),
+            direction: of(world.direction, error.direction),
+        };
+        LocalRay::new(ray, error, world, self)
+    }
+
+    /// A world-space ray in object space, rounded, with the same `t`.
     #[must_use]
     pub fn ray_to_object(&self, ray_world: &Ray) -> Ray {
         Ray {
@@ -122,6 +165,45 @@ impl Placement {
     }
 }
 
+/// The inverse in `f64` with a bound on how far its product with a vector is off, over the row's sum and the vector's
+/// largest component; `None` where there is neither.
+///
+/// With `X` the inverse as computed and `E = A X - I`, the exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
+/// `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off by its
+/// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
+/// three sums of it round.
+fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64)> {
+    // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows.
+    let scale = [matrix.x_axis, matrix.y_axis, matrix.z_axis]
+        .map(|axis| axis.abs().max_element())
+        .map(|size| if size > 0.0 { 1.0 / size } else { f64::NAN });
+    let unit = DMat3::from_cols(
+        matrix.x_axis * scale[0],
+        matrix.y_axis * scale[1],
+        matrix.z_axis * scale[2],
+    );
+    // Checked before dividing by it: glam's inverse asserts.
+    let determinant = unit.determinant();
+    if !(determinant.is_finite() && determinant != 0.0) {
+        return None;
+    }
+    let inverse = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();
+    let largest = |m: DMat3| {
+        m.to_cols_array()
+            .into_iter()
+            .fold(0.0, |a: f64, b| if b.abs() <= a { a } else { b.abs() })
+    };
+    let residual = largest(matrix * inverse - DMat3::IDENTITY);
+    let error = residual + 4.0 * U * largest(matrix.abs() * inverse.abs());
+    // Written so that NaN is refused. Rows of a sum below 2^-1000 could underflow.
+    let is_bounded = 3.0 * error < 0.5 && row_sums(inverse).min_element() > 1e-280;
+    is_bounded.then(|| (inverse, 3.0 * error / (1.0 - 3.0 * error)))
+}
+
+fn row_sums(matrix: DMat3) -> DVec3 {
+    matrix.x_axis.abs() + matrix.y_axis.abs() + matrix.z_axis.abs()
+}
+
 /// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that what is turned by them
 /// stays along the axes.
 #[must_use]
@@ -133,5 +215,86 @@ pub fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
         2.0 => (-sin, -cos),
         3.0 => (-cos, sin),
         _ => (sin, cos),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{PixelGrid, exact, random::Random};
+    use glam::DVec2;
+
+    /// Any numbers that a file may hold as a model matrix: turned, stretched, sheared, small and large ones.
+    fn matrix(random: &mut Random, i: u32) -> DAffine3 {
+        let mut linear = DMat3::from_cols(random.point(), random.point(), random.point());
+        let stretch = [1.0, 1e3, 1e-7, 1e14][i as usize % 4];
+        linear.x_axis *= stretch;
+        if i % 3 == 0 {
+            linear = DMat3::from_rotation_y(random.next()) * linear;
+        }
+        if i % 5 == 0 {
+            // Nearly flat: two columns that differ in their last digits.
+            linear.y_axis = linear.z_axis + 1e-12 * random.point();
+        }
+        let size = [1.0, 1e-30, 1e30][i as usize % 3];
+        DAffine3 {
+            matrix3: linear * size,
+            translation: [1.0, 1e6][i as usize % 2] * size * random.point(),
+        }
+    }
+
+    /// The bounds of [`PixelGrid::ray`] and [`Placement::local_ray`], held against exact arithmetic.
+    #[test]
+    fn local_rays_are_within_their_bounds() {
+        let mut random = Random(11);
+        let mut worst = [0.0_f64; 2];
+        let mut by_exact = 0;
+        for i in 0..60_000_u32 {
+            let placed = matrix(&mut random, i);
+            let placement = if i % 7 == 0 {
+                Placement::IDENTITY
+            } else {
+                Placement::new(placed).expect("random matrices are invertible")
+            };
+            by_exact += u32::from(placement.error < 8.0 * U && !placement.is_identity);
+            let away = 10_f64.powi(i32::from((i % 13) as u8)) * placed.matrix3.x_axis.length();
+            let camera = PixelGrid {
+                eye: away * random.point(),
+                right: random.point(),
+                up: random.point(),
+                forward: random.point(),
+                half_height: 10_f64.powi(i32::from((i % 9) as u8) - 8) * (1.5 + random.next()),
+                size_px: [1280, 721],
+                is_orthographic: i % 2 == 0,
+            };
+            let px = DVec2::new(640.0, 360.0) + 640.0 * random.point().truncate();
+            // The middle, where nothing is added to F, too.
+            let px = if i % 11 == 0 {
+                DVec2::new(640.0, 360.5)
+            } else {
+                px
+            };
+            let world = camera.ray(px, [0.0, 1.0]);
+            let local = placement.local_ray(&world);
+            let errors = exact::errors(&local);
+            let bounds = [local.error.origin, local.error.direction];
+            for (of, (error, bound)) in errors.into_iter().zip(bounds).enumerate() {
+                for axis in 0..3 {
+                    let (error, bound) = (error[axis], bound[axis]);
+                    assert!(
+                        error <= bound,
+                        "{error:e} is more than {bound:e}: {camera:?} {placed:?}"
+                    );
+                    if bound > 0.0 {
+                        worst[of] = worst[of].max(error / bound);
+                    }
+                }
+            }
+        }
+        println!(
+            "worst errors over their bounds: {worst:.2?}; {by_exact} inverses by exact arithmetic"
+        );
+        assert!(worst.iter().all(|worst| *worst > 0.15), "{worst:?}");
+        assert!((5_000..55_000).contains(&by_exact), "{by_exact}");
     }
 }

@@ -1,6 +1,9 @@
 //! The sphere of radius 0.5 about the origin.
 
-use super::{Aabb, Hit, Ray};
+use super::{
+    Aabb, Hit, LocalRay, Ray, U, exact,
+    interval::{Approximate, InDoubt},
+};
 use glam::DVec3;
 
 /// The sphere of radius 0.5 about the origin; other spheres and ellipsoids are this one under a model matrix.
@@ -20,42 +23,85 @@ impl Sphere {
         }
     }
 
-    /// Where `ray` enters and leaves it, nearest first, as far as the ray's interval reaches; a ray that just
-    /// touches it hits once.
+    /// Where `ray` enters (front) and leaves it, nearest first, as far as the ray's interval reaches; a ray that just
+    /// touches it hits once, and not a front.
     ///
-    /// The discriminant is taken from the point of the line nearest to the centre instead of `b^2 - 4ac`
-    /// (Hearn & Baker; Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems
-    /// 2019, ch. 7), the roots from the sum that does not cancel (Press et al., Numerical Recipes 5.6).
+    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
     #[must_use]
-    pub fn hits(ray: &Ray) -> [Option<Hit>; 2] {
-        let Ray {
-            origin, direction, ..
-        } = *ray;
-        let a = direction.dot(direction);
-        let b = -origin.dot(direction);
-        let nearest = origin + (b / a) * direction;
-        let discriminant = Self::RADIUS * Self::RADIUS - nearest.dot(nearest);
-        // Written so that NaN misses.
-        if !(discriminant >= 0.0) {
-            return [None, None];
-        }
-        let distance = origin.length();
-        let c = (distance - Self::RADIUS) * (distance + Self::RADIUS);
-        let q = b + (a * discriminant).sqrt().copysign(b);
-        // A ray that just touches has both roots in one place, which their two formulas need not find.
-        let (r1, r2) = if discriminant > 0.0 {
-            (c / q, q / a)
-        } else {
-            (b / a, b / a)
-        };
-        let (near, far) = if r1 <= r2 { (r1, r2) } else { (r2, r1) };
-        let hit = |t: f64| {
-            ray.contains(t).then(|| Hit {
-                t,
-                normal: ray.at(t),
-                on_triangle: None,
-            })
-        };
-        [hit(near), if near < far { hit(far) } else { None }]
+    pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
+        let ray = ray.into();
+        filter(&ray).unwrap_or_else(|InDoubt| exact::sphere(&ray.exactly(), &ray.ray))
     }
+
+    /// Whether `f64` leaves [`Sphere::hits`] to exact arithmetic.
+    pub(crate) fn is_in_doubt(ray: &LocalRay) -> bool {
+        filter(ray).is_err()
+    }
+}
+
+/// The hits as `f64` sees them.
+///
+/// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at
+/// `t = (-o.d -+ sqrt(r^2 d.d - c.c)) / d.d`: nothing is divided before it is decided, and nothing cancels far away as it
+/// does in `b^2 - a c` (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 2019, ch. 7).
+///
+/// Bounds. With `O` and `D` the largest components of `o` and `d`, and `p` and `f` their errors, a component of `c` errs by
+/// `4 U O D` (two products, and a difference of at most `2 O D`) and by `2 (O f + D p + p f)`: together `e`. The square of
+/// `c` then errs by `2 |c|_1 e + 3 e^2` and rounds by `3 U` of itself; `d.d` by `2 |d|_1 f + 3 f^2` and `3 U`; `o.d` by
+/// `|o|_1 f + |d|_1 p + 3 p f` and `3 U |o|_1 D`. A root of a number that is above its error `g` errs by less than
+/// `g / root`. Each sum is taken with a little more than that, for its own roundings.
+#[inline]
+fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
+    /// Squares of a direction above this are not short of digits.
+    const LEAST: f64 = f64::from_bits((1023 - 500) << 52);
+    let Ray {
+        origin: o,
+        direction: d,
+        ..
+    } = ray.ray;
+    let [p, f] = ray.errors();
+    let (o_abs, d_abs) = (o.abs(), d.abs());
+    let (o_max, d_max) = (o_abs.max_element(), d_abs.max_element());
+    let moment = o.cross(d);
+    let moment_error = 5.0 * U * o_max * d_max + 2.1 * (o_max * f + (d_max + f) * p);
+    let moment_squared = moment.dot(moment);
+    let squared = d.dot(d);
+    let squared_error = 4.0 * U * squared + (2.1 * d_abs.element_sum() + 3.1 * f) * f;
+    let r2 = Sphere::RADIUS * Sphere::RADIUS;
+    let discriminant = r2 * squared - moment_squared;
+    let discriminant_error = r2 * squared_error
+        + 5.0 * U * (moment_squared + r2 * squared)
+        + (2.1 * moment.abs().element_sum() + 3.1 * moment_error) * moment_error;
+    // Written so that NaN, and what is short of digits, is in doubt.
+    if !(squared > LEAST) {
+        return Err(InDoubt);
+    }
+    if discriminant < -discriminant_error {
+        return Ok([None, None]);
+    }
+    if !(discriminant > discriminant_error) {
+        return Err(InDoubt);
+    }
+    let root = discriminant.sqrt();
+    let middle = -o.dot(d);
+    let error = 4.0 * U * o_abs.element_sum() * d_max
+        + 1.1 * (o_abs.element_sum() * f + (d_abs.element_sum() + 3.0 * f) * p)
+        + discriminant_error / root
+        + 3.0 * U * root;
+    let squared = Approximate {
+        value: squared,
+        error: squared_error,
+    };
+    let at = |value: f64| {
+        let numerator = Approximate {
+            value,
+            error: error + U * value.abs(),
+        };
+        numerator.over(squared)
+    };
+    let (near, far) = (at(middle - root)?, at(middle + root)?);
+    Ok([
+        near.hit(&ray.ray, ray.ray.at(near.value), true)?,
+        far.hit(&ray.ray, ray.ray.at(far.value), false)?,
+    ])
 }

@@ -1,6 +1,9 @@
 //! The unit square in the xy plane.
 
-use super::{Aabb, Hit, Ray};
+use super::{
+    Aabb, Hit, LocalRay, Ray, U, exact,
+    interval::{Approximate, InDoubt},
+};
 use glam::DVec3;
 
 /// The square of side 1 about the origin in the xy plane, facing +z; other rectangles and parallelograms are
@@ -31,16 +34,59 @@ impl Square {
 
     /// Where `ray` meets it within the ray's interval; its rim belongs to it. A ray within its plane misses.
     ///
-    /// The plane's `t = N . (S - o) / N . d` with N = +z and S the origin.
+    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
     #[must_use]
-    pub fn hit(ray: &Ray) -> Option<Hit> {
-        let t = -ray.origin.z / ray.direction.z;
-        let point = ray.at(t);
-        let inside = point.x.abs() <= Self::HALF_SIDE && point.y.abs() <= Self::HALF_SIDE;
-        (inside && ray.contains(t)).then_some(Hit {
-            t,
-            normal: DVec3::Z,
-            on_triangle: None,
-        })
+    pub fn hit<'a>(ray: impl Into<LocalRay<'a>>) -> Option<Hit> {
+        let ray = ray.into();
+        filter(&ray).unwrap_or_else(|InDoubt| exact::square(&ray.exactly(), &ray.ray))
     }
+
+    /// Whether `f64` leaves [`Square::hit`] to exact arithmetic.
+    pub(crate) fn is_in_doubt(ray: &LocalRay) -> bool {
+        filter(ray).is_err()
+    }
+}
+
+/// The hit as `f64` sees it.
+///
+/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared undivided. Two products and their
+/// difference round by `2 U` of their sizes; an error `p` of `o` and `f` of `d` adds what each product takes of it.
+#[inline]
+fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
+    let Ray {
+        origin: o,
+        direction: d,
+        ..
+    } = ray.ray;
+    let (p, f) = (ray.error.origin, ray.error.direction);
+    if d.z == 0.0 && f.z == 0.0 {
+        return Ok(None);
+    }
+    let rim = Square::HALF_SIDE * d.z.abs();
+    let mut is_inside = true;
+    for axis in 0..2 {
+        let (a, b) = (o[axis] * d.z, o.z * d[axis]);
+        let point = (a - b).abs();
+        let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();
+        let across = (o.z.abs() + p.z) * f[axis] + p.z * d[axis].abs();
+        // Slack for underflow.
+        let error =
+            4.0 * U * (a.abs() + b.abs()) + 1.01 * (through + across) + f.z + f64::MIN_POSITIVE;
+        if point > rim + error {
+            return Ok(None);
+        }
+        is_inside &= point < rim - error;
+    }
+    if !is_inside {
+        return Err(InDoubt);
+    }
+    let way = Approximate {
+        value: -o.z,
+        error: p.z,
+    };
+    let at = way.over(Approximate {
+        value: d.z,
+        error: f.z,
+    })?;
+    at.hit(&ray.ray, DVec3::Z, d.z < 0.0)
 }

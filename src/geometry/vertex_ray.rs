@@ -1,10 +1,7 @@
 //! A ray as the triangles of a mesh see it.
 
-use super::Ray;
+use super::{LocalRay, Ray, U, local_ray::Exactly};
 use glam::DVec3;
-
-/// The unit roundoff of `f64`: no operation errs by more than this, relative to its result.
-pub(super) const U: f64 = 0.5 * f64::EPSILON;
 
 /// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
 const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
@@ -14,7 +11,7 @@ const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 /// `ray.origin - vertex_origin` rounds. What that takes is kept, so that decisions are about the ray in object space:
 /// here it starts at `ray.origin + tail`.
 #[derive(Clone, Copy, Debug)]
-pub struct VertexRay {
+pub struct VertexRay<'a> {
     /// The ray, its origin rounded.
     pub ray: Ray,
     /// What rounding took from the origin: in each component at most half a unit in the last place.
@@ -24,13 +21,19 @@ pub struct VertexRay {
     /// The sum of the direction's components without their signs; infinite where products could overflow, and the bounds
     /// on rounding therefore do not hold.
     pub(super) taxicab: f64,
+    /// How far a component of origin and tail, and of the direction, may be from the exact ray's.
+    pub(super) errors: [f64; 2],
+    local: LocalRay<'a>,
+    vertex_origin: DVec3,
 }
 
-impl VertexRay {
-    /// `ray` of object space, as vertices about `vertex_origin` see it.
+impl<'a> VertexRay<'a> {
+    /// A ray of object space, as vertices about `vertex_origin` see it.
     #[inline]
     #[must_use]
-    pub fn new(ray: &Ray, vertex_origin: DVec3) -> Self {
+    pub fn new(ray: impl Into<LocalRay<'a>>, vertex_origin: DVec3) -> Self {
+        let local = ray.into();
+        let ray = &local.ray;
         let origin = ray.origin - vertex_origin;
         // Knuth's two-difference: the error of a difference is an f64 (Shewchuk 1997, theorem 7).
         let from_ray = ray.origin - origin;
@@ -43,7 +46,20 @@ impl VertexRay {
             tail,
             tail_as_length: tail.abs().max_element() / U,
             taxicab: if is_moderate { taxicab } else { f64::INFINITY },
+            errors: local.errors(),
+            local,
+            vertex_origin,
         }
+    }
+
+    /// Where the vertices' (0, 0, 0) lies in object space.
+    pub(super) fn vertex_origin(&self) -> DVec3 {
+        self.vertex_origin
+    }
+
+    /// What the ray is exactly.
+    pub(super) fn exactly(&self) -> Exactly<'a> {
+        self.local.exactly()
     }
 
     /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then

@@ -1,21 +1,74 @@
 //! What a pixel shows, by casting a ray: pure functions of scene, view and pixel.
+//!
+//! # What a pick is
+//!
+//! A pick is what exact arithmetic says for the numbers that are stored. `f64` decides only where a derived bound shows
+//! that its rounding cannot matter. Whatever it leaves open goes to exact arithmetic.
+//!
+//! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
+//! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
+//! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. All of them are taken
+//! as they stand: the axes as they were rounded, h in place of the angle that it came from, the matrix in place of its
+//! inverse. `sightline pick --stored` prints them with all digits.
+//!
+//! **The ray** of a position x, y in pixels, with nothing rounded:
+//!
+//! ```text
+//! a = (h / H) ((2 x - W) R + (H - 2 y) U)
+//! perspective:   eye + t (F + a)
+//! orthographic:  eye + a + t F
+//! ```
+//!
+//! F + a is not normalised, so t is view depth ([`PixelGrid::ray`](crate::geometry::PixelGrid::ray)). A ray that is
+//! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
+//!
+//! **The answer.** A hit counts where `near <= t < far`, each hit for itself: where the near plane cuts a sphere, its
+//! exit counts and its entry does not. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits count. The
+//! pick is the hit with the least t on the visible objects; of equal ones that on the first object, and then on the
+//! first triangle. [`all`] has every hit in this order, of a solid the entry before the exit.
+//!
+//! **The shapes** are closed: edges, corners and rims belong to them.
+//!
+//! * A triangle's corners run counter-clockwise seen from outside. A ray within its plane misses it. Without area it is
+//!   never hit.
+//! * The square of side 1 lies about the origin in the plane z = 0 and faces +z. A ray within its plane misses it.
+//! * The cube of side 1 about the origin is solid. The ray enters it (front) and leaves it (back). Where both are one
+//!   point, at an edge or corner that it touches, that is one hit: the entry. Where it enters by several faces at once,
+//!   the one across the lowest axis is named; the same where it leaves. It does not enter by a face whose plane it lies
+//!   in.
+//! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A ray that only
+//!   touches it hits it once, and not from the front.
+//!
+//! **Front** is what it is in object space: the ray runs against the outward normal there, also under a matrix that
+//! mirrors. A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! ([`PlacementError`](crate::geometry::PlacementError)).
+//!
+//! # What a record adds
+//!
+//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once, and so is `gap`, the
+//! difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
+//! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
 
-mod certainty;
+mod differs;
+mod edge;
+mod nearest;
+mod order;
 mod picture;
 mod record;
 mod selection;
 
+pub use nearest::{all, closest, closest_by};
 pub use picture::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Ray, Sides, Sphere, Square, TriangleTest, overlap},
-    scene::{Scene, Shape},
+    geometry::{Hit, overlap},
+    scene::Scene,
 };
 use glam::DVec2;
-use std::ops::Range;
+use nearest::{is_in_doubt, is_tied, nearest};
 
 /// A hit on an object of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,200 +80,67 @@ pub struct SceneHit {
 }
 
 impl SceneHit {
-    /// Whether it comes before a hit of another batch: of equal distances the lower object, which is drawn first. Within
-    /// a batch a mesh orders its hits, exactly; between batches the `t` of `f64` decides, since each has a ray of its
-    /// own, rounded into its space.
-    fn is_before(&self, other: &Self) -> bool {
-        (self.hit.t, self.object) < (other.hit.t, other.object)
-    }
-
     /// Whether `f64` leaves open which of the two is nearer.
     fn overlaps(&self, other: &Self) -> bool {
-        let t = |hit: &Hit| Some((hit.t, hit.on_triangle?.t_error));
-        matches!((t(&self.hit), t(&other.hit)), (Some(a), Some(b)) if overlap(a, b))
+        let t = |hit: &Hit| (hit.t, hit.t_error);
+        overlap(t(&self.hit), t(&other.hit))
     }
-}
 
-/// A parameter that lies behind every hit whose `t`, as `f64` rounds it, is not behind `t`: triangles keep half of
-/// its digits at least, everything else more.
-fn just_behind(t: f64) -> f64 {
-    t + 2.0 * f64::EPSILON.sqrt() * t.abs()
+    /// Nothing that may come before it begins behind this `t`.
+    fn limit(&self) -> f64 {
+        self.hit.t + self.hit.t_error
+    }
 }
 
 /// What a click at a pixel position picks: the surface nearest to the eye at that very position. `None` where the
 /// picture shows the background.
 #[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
-    let hits = all(scene, &view.ray(px), view.sides);
-    hits.first()?;
-    let differs_px = certainty::differs_px(scene, view, px);
-    Some(Pick::of(scene, view, px, &hits, 0, differs_px))
+    let ray = view.ray(px);
+    let hit = nearest(scene, &ray, view.sides, None)?;
+    let next = nearest(scene, &ray, view.sides, Some(&hit));
+    let exact = next.is_some_and(|next| next.overlaps(&hit))
+        || is_tied(scene, &ray, view.sides, &hit)
+        || is_in_doubt(scene, &ray, hit.limit());
+    let differs_px = differs::differs_px(scene, view, px, &hit);
+    let at = record::At { scene, view, px };
+    Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))
 }
 
 /// Every surface at a pixel position, from front to back.
 #[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
-    let hits = all(scene, &view.ray(px), view.sides);
-    if hits.is_empty() {
+    let ray = view.ray(px);
+    let hits = all(scene, &ray, view.sides);
+    let Some(first) = hits.first() else {
         return Vec::new();
-    }
-    let differs_px = certainty::differs_px(scene, view, px);
-    let picks = (0..hits.len()).map(|i| Pick::of(scene, view, px, &hits, i, differs_px));
+    };
+    let differs_px = differs::differs_px(scene, view, px, first);
+    let tied = tied(&hits);
+    // What is in doubt is for all hits from some one on.
+    let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));
+    let at = record::At { scene, view, px };
+    let picks = hits.iter().enumerate().map(|(i, hit)| {
+        let exact = tied[i] || i >= sure;
+        Pick::of(&at, hit, hits.get(i + 1), exact, differs_px)
+    });
     picks.collect()
 }
 
-/// The nearest hit of a world-space ray on the visible objects.
-#[must_use]
-pub fn closest(scene: &Scene, ray: &Ray, sides: Sides) -> Option<SceneHit> {
-    nearest(scene, ray, sides, None)
-}
-
-/// [`closest`] by another triangle test.
-#[must_use]
-pub fn closest_by(scene: &Scene, ray: &Ray, sides: Sides, test: TriangleTest) -> Option<SceneHit> {
-    nearest(scene, ray, sides, Some(test))
-}
-
-fn nearest(scene: &Scene, ray: &Ray, sides: Sides, test: Option<TriangleTest>) -> Option<SceneHit> {
-    let mut best: Option<SceneHit> = None;
-    let mut within = *ray;
-    let mut visit = |batch: &Range<usize>| {
-        let found = closest_in_batch(scene, batch, &within, sides, test);
-        best = match (best, found) {
-            (Some(best), Some(found)) if best.is_before(&found) => Some(best),
-            (best, found) => found.or(best),
-        };
-        if let Some(best) = &best {
-            within = ray.until(just_behind(best.hit.t));
-        }
-        within.t_max
-    };
-    if test.is_none() {
-        scene.visit_batches(ray, visit);
-    } else {
-        // Another test may hit what the ray misses.
-        for batch in scene.batches() {
-            visit(batch);
-        }
+/// Of hits from front to back: whether `f64` leaves open which of each and some other one is nearer.
+fn tied(hits: &[SceneHit]) -> Vec<bool> {
+    let [low, high] =
+        [-1.0, 1.0].map(|sign| move |hit: &SceneHit| hit.hit.t + sign * hit.hit.t_error);
+    let mut tied = vec![false; hits.len()];
+    let mut before = f64::NEG_INFINITY;
+    for (hit, tied) in hits.iter().zip(&mut tied) {
+        *tied |= before >= low(hit);
+        before = before.max(high(hit));
     }
-    best
-}
-
-/// All hits of a world-space ray on the visible objects, from front to back.
-#[must_use]
-pub fn all(scene: &Scene, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let mut met = Vec::new();
-    scene.visit_batches(ray, |batch| {
-        met.push(batch.clone());
-        ray.t_max
-    });
-    // Lists are merged in the order of the objects.
-    met.sort_unstable_by_key(|batch| batch.start);
-    let lists = met
-        .iter()
-        .map(|batch| all_in_batch(scene, batch, ray, sides));
-    lists.fold(Vec::new(), merged)
-}
-
-/// Two lists of hits as one, each in its own order.
-fn merged(a: Vec<SceneHit>, b: Vec<SceneHit>) -> Vec<SceneHit> {
-    if a.is_empty() || b.is_empty() {
-        return if a.is_empty() { b } else { a };
+    let mut behind = f64::INFINITY;
+    for (hit, tied) in hits.iter().zip(&mut tied).rev() {
+        *tied |= behind <= high(hit);
+        behind = behind.min(low(hit));
     }
-    let mut both = Vec::with_capacity(a.len() + b.len());
-    let (mut a, mut b) = (a.into_iter().peekable(), b.into_iter().peekable());
-    while let (Some(first), Some(second)) = (a.peek(), b.peek()) {
-        both.extend(if first.is_before(second) {
-            a.next()
-        } else {
-            b.next()
-        });
-    }
-    both.extend(a);
-    both.extend(b);
-    both
-}
-
-fn all_in_batch(scene: &Scene, batch: &Range<usize>, ray: &Ray, sides: Sides) -> Vec<SceneHit> {
-    let first = &scene.objects()[batch.start];
-    let local = first.placement.ray_to_object(ray);
-    match &first.shape {
-        Shape::Mesh { mesh, part } => {
-            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-            let found = mesh.all(&local, sides, accept).into_iter();
-            let hits = found.filter_map(|hit| {
-                let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
-                Some(SceneHit { object, hit })
-            });
-            hits.collect()
-        }
-        shape if first.visible => {
-            let found = analytic_hits(shape, &local).into_iter().flatten();
-            let shown = found.filter(|hit| sides.shows(local.direction, hit.normal));
-            let object = batch.start;
-            shown.map(|hit| SceneHit { object, hit }).collect()
-        }
-        _ => Vec::new(),
-    }
-}
-
-/// Whether `f64` alone leaves open if a world-space ray hits one of the visible triangles in its interval.
-fn is_in_doubt(scene: &Scene, ray: &Ray) -> bool {
-    let mut found = false;
-    scene.visit_batches(ray, |batch| {
-        let first = &scene.objects()[batch.start];
-        if let (false, Shape::Mesh { mesh, part }) = (found, &first.shape) {
-            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-            found = mesh.is_in_doubt(&first.placement.ray_to_object(ray), accept);
-        }
-        // Once is enough: nothing lies before this.
-        if found { f64::NEG_INFINITY } else { ray.t_max }
-    });
-    found
-}
-
-fn closest_in_batch(
-    scene: &Scene,
-    batch: &Range<usize>,
-    ray: &Ray,
-    sides: Sides,
-    test: Option<TriangleTest>,
-) -> Option<SceneHit> {
-    let first = &scene.objects()[batch.start];
-    let local = first.placement.ray_to_object(ray);
-    match &first.shape {
-        Shape::Mesh { mesh, part } => {
-            let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-            let hit = match test {
-                None => mesh.closest(&local, sides, accept),
-                Some(test) => mesh.closest_by(&local, sides, test, accept),
-            }?;
-            let object = batch.start + mesh.part_of(hit.on_triangle?.triangle) - part;
-            Some(SceneHit { object, hit })
-        }
-        shape => {
-            let found = analytic_hits(shape, &local).into_iter().flatten();
-            let mut shown =
-                found.filter(|hit| first.visible && sides.shows(local.direction, hit.normal));
-            shown.next().map(|hit| SceneHit {
-                object: batch.start,
-                hit,
-            })
-        }
-    }
-}
-
-/// Whether a part of a batch's mesh is one of its objects, and visible.
-fn shows_part(scene: &Scene, batch: &Range<usize>, first_part: usize, part: usize) -> bool {
-    let object = part.checked_sub(first_part).map(|i| batch.start + i);
-    object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
-}
-
-fn analytic_hits(shape: &Shape, local: &Ray) -> [Option<Hit>; 2] {
-    match shape {
-        Shape::Sphere => Sphere::hits(local),
-        Shape::Cube => Cuboid::hits(local),
-        Shape::Square => [Square::hit(local), None],
-        Shape::Mesh { .. } => [None, None],
-    }
+    tied
 }

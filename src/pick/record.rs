@@ -1,7 +1,11 @@
 //! All that is known about a pick, and its JSON.
 
-use super::{SceneHit, certainty};
-use crate::{camera::View, scene::Scene};
+use super::{SceneHit, edge, order};
+use crate::{
+    camera::View,
+    geometry::{Placement, Root, point_object},
+    scene::{Scene, Shape},
+};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
@@ -16,15 +20,15 @@ pub struct Pick {
     pub triangle: Option<u32>,
     /// Whether the surface is seen from outside.
     pub front: bool,
-    /// Parameter of the ray, whose direction has length 1.
+    /// Parameter of the ray, whose direction is not normalised: view depth.
     pub t: f64,
     /// From the eye to the point.
     pub distance: f64,
-    /// View depth of the point: distance along F.
+    /// View depth of the point, along F: `t`.
     pub depth: f64,
     /// The point in normalised device coordinates, z by the depth mapping in use.
     pub ndc: DVec3,
-    /// The point in the world (the file's own coordinates, unless a model matrix moves it).
+    /// The point in the world (the file's own coordinates, unless a model matrix moves it), within three roundings.
     pub point_world: DVec3,
     /// Outward unit normal of the surface (of the triangle, not of the shading).
     pub normal_world: DVec3,
@@ -35,16 +39,17 @@ pub struct Pick {
     /// Weights of the triangle's corners; `None` for analytic shapes.
     pub barycentric: Option<[f64; 3]>,
     /// How far the pixel position is from the nearest edge of the triangle or face (of a sphere: from its outline),
-    /// in pixels. `None` where no edge is in front of the eye.
+    /// in pixels, to within 1e-6 or 1e-9 of it. `None` where none of it lies at or behind the near plane.
     pub edge_px: Option<f64>,
-    /// How far behind the point the next surface lies along the ray; `None` when there is none.
+    /// How far behind the point the next surface lies, in `t`: the exact difference, rounded once. `None` when there is
+    /// none.
     pub gap: Option<f64>,
-    /// Whether exact arithmetic had to decide: because the ray passes an edge of a triangle, this one's or one's in
-    /// front of it, within the rounding of `f64`, or because another triangle's hit lies as near to this one.
+    /// Whether exact arithmetic had to decide: because `f64` left open whether a surface up to here is hit, or which of this
+    /// one and another is nearer.
     pub exact: bool,
-    /// How far the nearest pixel lies, in pixels from centre to centre and up to 8, in which the picture shows another
-    /// object, another triangle or the background; `None` when there is none, or while trees are still being built. One
-    /// number for all surfaces at a position.
+    /// How far from the position the centre of the nearest pixel lies, in pixels and up to 8, in which the picture shows
+    /// another object, another triangle or the background; its own pixel's too. `None` when there is none, or while trees
+    /// are still being built. One number for all surfaces at a position.
     pub differs_px: Option<f64>,
 }
 
@@ -66,45 +71,67 @@ pub struct PickLines {
     pub hits: Vec<Pick>,
 }
 
+/// Where a pick is made.
+pub(super) struct At<'a> {
+    pub scene: &'a Scene,
+    pub view: &'a View,
+    pub px: DVec2,
+}
+
 impl Pick {
-    /// The record of hit `i` of those on the ray through `px`, all of which `hits` holds from front to back.
+    /// The record of a hit on the ray through a position, of which `next` is the one behind it.
     pub(super) fn of(
-        scene: &Scene,
-        view: &View,
-        px: DVec2,
-        hits: &[SceneHit],
-        i: usize,
+        at: &At,
+        found: &SceneHit,
+        next: Option<&SceneHit>,
+        exact: bool,
         differs_px: Option<f64>,
     ) -> Self {
-        let next = hits.get(i + 1);
-        let SceneHit { object: index, hit } = hits[i];
+        let At { scene, view, px } = *at;
+        let SceneHit { object: index, hit } = *found;
         let object = &scene.objects()[index];
         let placement = &object.placement;
         let ray = view.ray(px);
-        let local = placement.ray_to_object(&ray);
-        let point_world = ray.at(hit.t);
-        let depth = hit.t * ray.direction.dot(view.camera.forward());
+        let root = order::root(scene, &ray, found);
+        // Rounded once, and in the interval still.
+        let t = root.as_ref().map_or(hit.t, Root::to_f64);
+        let t = t.max(ray.t_min).min(ray.t_max.next_down());
+        let point = |placement| point_object(&ray, placement, root.as_ref()?);
+        let point_object = point(placement).unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
+        let normal = match object.shape {
+            Shape::Sphere => point_object,
+            _ => hit.normal,
+        };
         let ndc_xy = view.viewport.px_to_ndc(px);
         let first_triangle = object.shape.first_triangle();
         Self {
             object: object.name.clone(),
             id: index + 1,
             triangle: hit.on_triangle.map(|at| at.triangle - first_triangle),
-            front: hit.is_front(local.direction),
-            t: hit.t,
-            distance: point_world.distance(view.camera.eye()),
-            depth,
-            ndc: ndc_xy.extend(view.camera.lens().ndc_depth(depth)),
-            point_world,
-            normal_world: placement.normal_to_world(hit.normal),
-            point_object: local.at(hit.t),
-            normal_object: (hit.normal / hit.normal.abs().max_element()).normalize(),
-            barycentric: hit.on_triangle.map(|at| at.barycentric),
-            edge_px: certainty::edge_px(object, view, px, &hit),
-            // Of hits whose order is exact, the rounded parameters may be out of it.
-            gap: next.map(|next| (next.hit.t - hit.t).max(0.0)),
-            exact: certainty::needs_exact(scene, &ray, hits, i),
+            front: hit.front,
+            t,
+            distance: length(view.from_eye(px, t)),
+            depth: t,
+            ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
+            point_world: point(&Placement::IDENTITY).unwrap_or_else(|| ray.at(t)),
+            normal_world: placement.normal_to_world(normal),
+            point_object,
+            normal_object: (normal / normal.abs().max_element()).normalize(),
+            barycentric: order::barycentric(scene, &ray, found),
+            edge_px: edge::edge_px(object, view, px, &hit),
+            gap: next.map(|next| order::gap(scene, &ray, found, next)),
+            exact,
             differs_px,
         }
+    }
+}
+
+/// The length of a vector, also where its square would vanish or overflow.
+fn length(v: DVec3) -> f64 {
+    let size = v.abs().max_element();
+    if size > 0.0 {
+        size * (v / size).length()
+    } else {
+        size
     }
 }

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     camera::{Projection, View, pixel_centre},
-    geometry::{Placement, Sphere},
+    geometry::{Placement, Ray, Sphere},
 };
 use glam::{DVec2, DVec3, DVec4};
 
@@ -127,12 +127,14 @@ fn pivot_px(view: &View, placement: &Placement) -> DVec2 {
 /// the point nearest to the centre.
 fn base_depth(view: &View, placement: &Placement, px: DVec2) -> f64 {
     let ray = view.ray(px);
-    let depth_per_t = ray.direction.dot(view.camera.forward());
-    let local = placement.ray_to_object(&ray);
+    let local = placement.local_ray(&ray);
     let mut hits = Sphere::hits(&local).into_iter().flatten();
-    let shown = hits.find(|hit| view.sides.shows(local.direction, hit.normal));
-    let nearest = -local.origin.dot(local.direction) / local.direction.length_squared();
-    shown.map_or(nearest, |hit| hit.t) * depth_per_t
+    let shown = hits.find(|hit| view.sides.shows(hit));
+    let Ray {
+        origin, direction, ..
+    } = local.ray;
+    let nearest = -origin.dot(direction) / direction.length_squared();
+    shown.map_or(nearest, |hit| hit.t)
 }
 
 /// Top left and bottom right of a rectangle, in pixels, with all pixels that may show the sphere; `None` when none may.

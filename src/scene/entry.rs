@@ -240,7 +240,7 @@ impl Entry {
             .is_ok_and(|placement| bits(placement.model()) == bits(model));
         if !same {
             (entry.position, entry.scale) = (None, None);
-            entry.matrix = Some(rows(model));
+            entry.matrix = Some(Rows(matrix_rows(model).map(Row)));
         }
         Ok(entry)
     }
@@ -254,13 +254,14 @@ fn from_rows(Rows([Row(x), Row(y), Row(z)]): Rows) -> DAffine3 {
     }
 }
 
-fn rows(model: DAffine3) -> Rows {
+/// A model matrix's upper three rows, as scene files have them.
+pub(crate) fn matrix_rows(model: DAffine3) -> [[f64; 4]; 3] {
     let DAffine3 {
         matrix3,
         translation,
     } = model;
-    Rows(std::array::from_fn(|i| {
+    std::array::from_fn(|i| {
         let row = matrix3.row(i);
-        Row([row.x, row.y, row.z, translation[i]])
-    }))
+        [row.x, row.y, row.z, translation[i]]
+    })
 }

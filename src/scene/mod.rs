@@ -9,20 +9,24 @@ mod load;
 pub mod obj;
 mod problem;
 mod progress;
+mod replace;
+mod save;
 mod tree;
 mod warning;
 
+pub(crate) use entry::matrix_rows;
 pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
 pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
+pub use save::save;
 pub use warning::Warning;
 
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Ray, Sphere, Square},
+    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Pyramid, Sphere, Square, WorldRay},
 };
 use glam::DVec3;
 use std::{
@@ -203,6 +207,12 @@ impl Scene {
         &self.objects
     }
 
+    /// Each mesh of the objects once, in the order in which they first use it.
+    #[must_use]
+    pub fn meshes(&self) -> &[Arc<Mesh>] {
+        &self.meshes
+    }
+
     /// The world-space box about an object; see [`Object::bounds_world`].
     #[must_use]
     pub fn bounds_of(&self, object: usize) -> Aabb {
@@ -262,13 +272,32 @@ impl Scene {
 
     /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
     /// returns the new end of the ray's interval. What is passed over has no hit in it.
-    pub fn visit_batches(&self, ray: &Ray, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        if self.tree.is_empty() {
+    pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
+        // A ray without bounds may be anywhere.
+        let error = ray.error();
+        let is_known = (error.origin + error.direction).is_finite();
+        if self.tree.is_empty() || !is_known {
             for batch in &self.batches {
                 visit(batch);
             }
         } else {
             self.tree.visit(ray, |batch| visit(&self.batches[batch]));
+        }
+    }
+
+    /// Calls `visit` with every batch that may be inside a world-space pyramid.
+    pub(crate) fn visit_batches_within(
+        &self,
+        pyramid: &Pyramid,
+        mut visit: impl FnMut(&Range<usize>),
+    ) {
+        if self.tree.is_empty() {
+            for batch in &self.batches {
+                visit(batch);
+            }
+        } else {
+            self.tree
+                .visit_within(pyramid, |batch| visit(&self.batches[batch]));
         }
     }
 

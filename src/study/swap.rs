@@ -146,9 +146,9 @@ fn nearest<Hits: IntoIterator<Item = Hit>>(
         .filter(|(_, o)| o.visible && is_about(&o.shape));
     let met = met.flat_map(|(object, about)| {
         let local = about.placement.ray_to_object(ray);
-        let hits = meet(about, &local).into_iter().filter(move |hit| {
-            view.sides.shows(local.direction, hit.normal) && ray.contains(hit.t)
-        });
+        let hits = meet(about, &local)
+            .into_iter()
+            .filter(move |hit| view.sides.shows(hit) && ray.contains(hit.t));
         hits.map(move |hit| SceneHit { object, hit })
     });
     let all = others.chain(met);
@@ -263,15 +263,13 @@ fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
     let point = local.at(t);
     let weight =
         |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();
+    let on_triangle = OnTriangle {
+        triangle,
+        barycentric: [weight(b, c), weight(c, a), weight(a, b)],
+    };
     Hit {
-        t,
-        normal,
-        on_triangle: Some(OnTriangle {
-            triangle,
-            barycentric: [weight(b, c), weight(c, a), weight(a, b)],
-            front: local.direction.dot(normal) < 0.0,
-            t_error: 0.0,
-        }),
+        on_triangle: Some(on_triangle),
+        ..analytic(local, t, normal)
     }
 }
 
@@ -280,7 +278,7 @@ impl Step for SphereCase {
         let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
         nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
             let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
-            Some(analytic(t, local.at(t)))
+            Some(analytic(local, t, local.at(t)))
         })
     }
 }
@@ -295,7 +293,7 @@ impl Step for BoxCase {
                 let depth = |axis: &DVec3| point.dot(*axis).abs();
                 depth(a).total_cmp(&depth(b))
             })?;
-            Some(analytic(t, face * point.dot(face).signum()))
+            Some(analytic(local, t, face * point.dot(face).signum()))
         })
     }
 }
@@ -307,15 +305,18 @@ impl Step for PlaneCase {
         nearest(scene, view, &ray, is_square, |object, local| {
             let t = run(&Self::of_object(&object.placement, &ray));
             let beside = local.at(t).truncate().abs().max_element();
-            (beside <= Square::HALF_SIDE).then(|| analytic(t, DVec3::Z))
+            (beside <= Square::HALF_SIDE).then(|| analytic(local, t, DVec3::Z))
         })
     }
 }
 
-fn analytic(t: f64, normal: DVec3) -> Hit {
+/// A hit that a method says there is, on a surface with this outward normal.
+fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
     Hit {
         t,
+        t_error: 0.0,
         normal,
+        front: local.direction.dot(normal) < 0.0,
         on_triangle: None,
     }
 }
@@ -326,10 +327,10 @@ impl Step for ClipCase {
         let endless = Ray {
             t_min: f64::NEG_INFINITY,
             t_max: f64::INFINITY,
-            ..ray
+            ..*ray
         };
-        let hits = pick::all(scene, &endless, view.sides);
-        let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, ray, hit.hit.t));
+        let hits = pick::all(scene, endless, view.sides);
+        let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, *ray, hit.hit.t));
         let hit = hits.into_iter().find(shown)?;
         Some(Found::of(scene, &ray, hit))
     }

@@ -38,7 +38,7 @@ fn main() {
         });
         let hits = rays
             .iter()
-            .filter(|ray| pick::closest(&scene, ray, Sides::Both).is_some());
+            .filter(|ray| pick::closest(&scene, *ray, Sides::Both).is_some());
         println!(
             "{houses:6} houses: {tree:9.3} us a ray, one after the other {each:9.3} us ({} of {RAYS} rays hit)",
             hits.count()

@@ -1,7 +1,10 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
+#[path = "../common/exact/mod.rs"]
+mod exact;
 mod pictures;
 mod refusals;
+mod stored;
 
 use serde_json::Value;
 use std::{
@@ -330,6 +333,11 @@ fn help_and_version_go_to_standard_output() {
         let words = help.split(|c: char| c != '_' && !c.is_alphanumeric());
         assert!(words.into_iter().any(|word| word == field), "{field}");
     }
+    // It fits into a terminal as terminals open.
+    assert!(
+        help.lines().all(|line| line.chars().count() <= 80),
+        "{help}"
+    );
     let version = String::from_utf8(folder.run("--version").stdout).unwrap();
     assert_eq!(
         version.trim(),

@@ -184,6 +184,29 @@ pub fn mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec3) -
     Arc::new(Mesh::new(data).expect("a mesh"))
 }
 
+/// The cube of side 1 about the origin as 12 triangles.
+pub fn box_mesh() -> Arc<Mesh> {
+    let (positions, triangles) = box_triangles(1.0);
+    mesh(positions, triangles, DVec3::ZERO)
+}
+
+/// The corners and triangles of a cube about the origin.
+pub fn box_triangles(side: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
+    let corner = |i: u32| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -0.5 } else { 0.5 } * side);
+    let quads = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let halves = quads
+        .iter()
+        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    ((0..8).map(corner).collect(), halves.collect())
+}
+
 /// A scene of one visible object.
 pub fn scene_of(shape: Shape, model: DAffine3) -> Scene {
     let placement = Placement::new(model).expect("an invertible matrix");

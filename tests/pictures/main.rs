@@ -2,12 +2,15 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/images.rs"]
+mod images;
 mod marks;
 #[path = "../common/scenes.rs"]
 mod scenes;
 
 use common::{orthographic, perspective, view};
 use glam::DVec3;
+use images::apart;
 use scenes::{gpu, shapes};
 use sightline::{
     camera::View,
@@ -51,10 +54,6 @@ fn draw(
         targets.read_colours(gpu).expect("colours"),
         picture.expect("a picture"),
     )
-}
-
-fn far_apart(a: Rgb, b: Rgb, by: u8) -> bool {
-    a.iter().zip(b).any(|(&a, b)| a.abs_diff(b) > by)
 }
 
 /// In how many pixels two pictures differ.
@@ -110,7 +109,7 @@ fn drawn_colours_equal_cast_colours() {
         {
             let (drawn, cast) = (colours.at(x, y), cast.at(x, y));
             assert!(
-                !far_apart(drawn, cast, 1),
+                !apart(drawn, cast, 1),
                 "({x}, {y}): drawn {drawn:?}, cast {cast:?}"
             );
             compared += 1;
@@ -199,7 +198,7 @@ fn culling_hides_what_faces_away() {
         for (x, y) in agree {
             let (drawn, cast) = (colours.at(x, y), cast.at(x, y));
             assert!(
-                !far_apart(drawn, cast, 1),
+                !apart(drawn, cast, 1),
                 "({x}, {y}): drawn {drawn:?}, cast {cast:?}, {:?}",
                 front.at(x, y)
             );
@@ -228,7 +227,7 @@ fn several_samples_smooth_every_outline() {
                 .iter()
                 .any(|&(x, y)| ids.at(x, y).object != object)
         };
-        let mixed = |&(x, y): &(u32, u32)| far_apart(hard.at(x, y), smooth.at(x, y), 4);
+        let mixed = |&(x, y): &(u32, u32)| apart(hard.at(x, y), smooth.at(x, y), 4);
         let rim: Vec<_> = own().filter(|&(x, y)| at_rim(x, y)).collect();
         let share = rim.iter().filter(|px| mixed(px)).count() * 100 / rim.len();
         assert!(
@@ -271,5 +270,5 @@ fn an_empty_scene_is_all_background() {
     let (cast_ids, cast) = pick::raycast(&Scene::default(), &view);
     assert_eq!(differing(&ids, &cast_ids), 0);
     let pairs = colours.pixels().iter().zip(cast.pixels());
-    assert!(pairs.into_iter().all(|(&a, &b)| !far_apart(a, b, 1)));
+    assert!(pairs.into_iter().all(|(&a, &b)| !apart(a, b, 1)));
 }

@@ -2,7 +2,9 @@
 
 use crate::{
     common::orthographic,
-    differing, draw, far_apart, overview,
+    differing, draw,
+    images::apart,
+    overview,
     scenes::{gpu, shapes},
     show,
 };
@@ -37,8 +39,8 @@ fn the_selection_is_outlined_through_what_hides_it() {
             let shows = |x: u32, y: u32| ids.at(x.min(639), y.min(399)).object;
             let [mut tinted, mut outlined, mut through] = [0; 3];
             for (x, y) in ids.positions() {
-                let changed = far_apart(plain.at(x, y), picture.at(x, y), 2);
-                let line = !far_apart(picture.at(x, y), look::SELECTION.0, 12);
+                let changed = apart(plain.at(x, y), picture.at(x, y), 2);
+                let line = !apart(picture.at(x, y), look::SELECTION.0, 12);
                 tinted += u32::from(shows(x, y) == selected && changed);
                 outlined += u32::from(line);
                 // Not at the rim of what is seen of it: within what hides it.

@@ -11,7 +11,8 @@ use sightline::{
 #[test]
 fn only_what_lies_in_the_interval_counts() {
     let along_x = |t_min, t_max| Ray {
-        origin: dvec3(-2.0, 0.1, 0.2),
+        // Through the middle, where the sphere's parameters are no roots and `f64` holds them.
+        origin: dvec3(-2.0, 0.0, 0.0),
         direction: DVec3::X,
         t_min,
         t_max,
@@ -63,7 +64,7 @@ fn from_inside_the_way_out_is_hit() {
     for shape in [Shape::Sphere, Shape::Cube] {
         let hits = pick::all(&scene_of(shape, DAffine3::IDENTITY), &ray, Sides::Both);
         assert_eq!(hits.len(), 1);
-        assert!(!hits[0].hit.is_front(ray.direction), "seen from inside");
+        assert!(!hits[0].hit.front, "seen from inside");
     }
     // On the surface: in as well as out.
     let ray = ray_to(dvec3(-0.5, 0.0, 0.0), DVec3::ZERO);
@@ -135,8 +136,9 @@ fn axis_parallel_rays_within_a_face_hit_the_cube() {
                             leave = leave.min((0.5 * d.signum() - o) / d);
                         }
                     }
+                    // Where it only touches, it enters and nowhere leaves.
                     let expected = if enter <= leave {
-                        [Some(enter), Some(leave)]
+                        [Some(enter), Some(leave).filter(|leave| enter < *leave)]
                     } else {
                         [None, None]
                     };

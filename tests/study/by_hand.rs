@@ -4,7 +4,7 @@ use sightline::study::{
     exact::{Exact, Exact3, angle},
     methods::{
         boxes::{BoxCase, RayBox},
-        clipping::Clip,
+        clipping::ClipCase,
         normals::{NormalCase, Tilted},
         object_space::{Placed, PlacedCase},
         planes::{PlaneCase, RayPlane},
@@ -117,18 +117,12 @@ fn truth_agrees_with_hand_cases() {
     };
     assert_eq!(truth::planes::truth(&plane), 3.0);
 
-    let clip = |t: f64| {
-        let hit = Clip {
-            t,
-            direction: v(0.6, 0.0, 0.8),
-            forward: v(0.0, 0.0, 1.0),
-            near: 0.8,
-            far: 8.0,
-        };
-        truth::clipping::truth(&hit).inside
+    let clip = |depth: f64| {
+        let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
+        truth::clipping::truth(&case).inside
     };
     assert_eq!(
-        [1.0, 1.0_f64.next_down(), 10.0, 10.0_f64.next_down()].map(clip),
+        [0.8, 0.8_f64.next_down(), 8.0, 8.0_f64.next_down()].map(clip),
         [true, false, false, true]
     );
 

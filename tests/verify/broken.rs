@@ -66,10 +66,11 @@ fn near_and_far_by_distance_in_place_of_depth() {
     let view = common::view([3.5, 2.8, 5.6], [0.0, 0.0, 0.0], lens, SIZE);
     let lens = *view.camera.lens();
     found_out(&scene, &view, 500, |px| {
+        let along = view.ray(px).direction;
         let ray = Ray {
-            t_min: lens.near,
-            t_max: lens.far,
-            ..view.ray(px)
+            t_min: lens.near / along.length(),
+            t_max: lens.far / along.length(),
+            ..*view.ray(px)
         };
         closest(&scene, &ray, view.sides)
     });
@@ -83,7 +84,7 @@ fn no_near_plane() {
     found_out(&scene, &view, 500, |px| {
         let ray = Ray {
             t_min: 0.0,
-            ..view.ray(px)
+            ..*view.ray(px)
         };
         closest(&scene, &ray, view.sides)
     });

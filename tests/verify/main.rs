@@ -8,6 +8,8 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod conditions;
+#[path = "../common/images.rs"]
+mod images;
 mod models;
 #[path = "../common/scenes.rs"]
 mod scenes;

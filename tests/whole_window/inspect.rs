@@ -1,7 +1,7 @@
 //! Inspecting by keys and clipboard.
 
 use super::*;
-use sightline::viewer::overlay::Overlay;
+use sightline::viewer::model::Overlay;
 
 /// What F12 wrote, oldest first.
 fn screenshots(folder: &Path) -> Vec<PathBuf> {
@@ -23,7 +23,7 @@ fn f12_saves_what_is_on_screen_and_never_over_a_file() {
     let shown = window.picture().expect("a picture");
     let files = screenshots(folder.path());
     assert_eq!(files, [folder.path().join("sightline-1.png")]);
-    let saved = pictures::read(&files[0]);
+    let saved = images::read(&files[0]);
     assert_eq!(saved.size(), shown.size());
     // The message that it was saved is all that is new.
     let differ = (saved.pixels().iter().zip(shown.pixels()))
@@ -76,7 +76,7 @@ fn a_camera_is_copied_and_pasted_by_keys() {
         assert_eq!(*window.state().view(), turned, "{bad}");
     }
     // While somebody types, a text is for the field.
-    click(&mut window, SEARCH);
+    click_on(&mut window, "search");
     press_key(&mut window, Modifiers::NONE, Key::Num1);
     let before = *window.state().view();
     window.send([Event::Paste(text)]);

@@ -1,11 +1,15 @@
 //! Panels as they were when somebody last looked at them (`goldens/*.png`), and README's pictures. After a wanted change,
 //! run with `SIGHTLINE_GOLDENS=write` and look at each.
 
-use super::{MIDDLE, click, drag, here, open, press_key, px, row};
+use super::{
+    MIDDLE, click, drag, here,
+    images::{apart, read},
+    open, press_key, px, row,
+};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use sightline::{
     image::{Image, Rgb},
-    viewer::offscreen::Offscreen,
+    viewer::Offscreen,
 };
 use std::path::Path;
 
@@ -40,22 +44,6 @@ fn crop(picture: &Image<Rgb>, [left, top, width, height]: [u32; 4]) -> Image<Rgb
     Image::new(px([width, height], 1.0), pixels.collect())
 }
 
-pub fn read(path: &Path) -> Image<Rgb> {
-    let file = std::fs::File::open(path).unwrap_or_else(|error| {
-        panic!(
-            "{}: {error}; SIGHTLINE_GOLDENS=write makes it",
-            path.display()
-        )
-    });
-    let mut reader = png::Decoder::new(std::io::BufReader::new(file))
-        .read_info()
-        .expect("a PNG");
-    let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
-    let info = reader.next_frame(&mut bytes).expect("pixels");
-    let pixels = bytes.as_chunks().0.to_vec();
-    Image::new(px([info.width, info.height], 1.0), pixels)
-}
-
 /// Fails unless a picture is what the file at `path` holds, but for `most` pixels. Drivers blend a level apart; another
 /// digit is dozens.
 fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
@@ -64,9 +52,8 @@ fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
     }
     let golden = read(path);
     assert_eq!(picture.size(), golden.size(), "{}", path.display());
-    let apart = |(a, b): (&Rgb, &Rgb)| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 8);
     let pairs = picture.pixels().iter().zip(golden.pixels());
-    let differ = pairs.filter(|&pair| apart(pair)).count();
+    let differ = pairs.filter(|&(&a, &b)| apart(a, b, 8)).count();
     if differ > most {
         let seen = std::env::temp_dir().join(path.file_name().expect("a name"));
         picture.write_png(&seen).expect("a writable folder");

@@ -4,7 +4,7 @@ use super::*;
 use sightline::{
     scene::gallery::{Exhibit, GALLERY},
     study::gallery::{BREAKS, Break},
-    viewer::exhibit::{Compared, Fault, Showing},
+    viewer::model::{Compared, Fault, Showing},
 };
 use std::path::Path;
 
@@ -75,7 +75,7 @@ fn a_method_s_miss_selects_nothing_and_its_phantom_something() {
     // The plain quadratic in f32 hits a far ball beside its outline.
     let mut state = opened("small_and_far");
     let broken = the_break("small_and_far", "plain quadratic");
-    let beside = DVec2::new(30.0, 300.0);
+    let beside = DVec2::new(150.0, 300.0);
     let compared = compare(&mut state, broken, beside);
     assert_eq!(compared.fault(), Some(Fault::Phantom));
     assert_eq!(selected(&state), Some("Ball"), "the wrong pick is shown");
@@ -121,7 +121,7 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     assert_eq!(state.method(), None, "other stages know no other method");
     state.apply(Action::Stage(Stage::World));
     assert_eq!(state.method(), broken.swap());
-    state.open(row()).expect("a scene");
+    state.open(row(), Vec::new()).expect("a scene");
     assert_eq!((state.showing(), state.method()), (None, None));
     state.apply(Action::PickBy(broken.swap()));
     assert_eq!(state.method(), None, "outside the gallery there is none");
@@ -130,12 +130,15 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     state.apply(Action::PickBy(broken.swap()));
     let same = opened("far_over_near");
     state
-        .open(Loaded {
-            scene: same.scene().clone(),
-            exhibit: same.showing().map(|showing| showing.exhibit),
-            camera,
-            ..Loaded::default()
-        })
+        .open(
+            Loaded {
+                scene: same.scene().clone(),
+                exhibit: same.showing().map(|showing| showing.exhibit),
+                camera,
+                ..Loaded::default()
+            },
+            Vec::new(),
+        )
         .expect("a scene");
     assert_eq!(state.method(), None, "opened anew");
 }
@@ -153,8 +156,8 @@ fn while_another_method_picks_no_pick_is_sightline_s() {
     for action in [
         Action::Click(MIDDLE, 9.0),
         Action::Step { forward: true },
-        Action::SetVisible(1, false),
-        Action::SetVisible(1, true),
+        Action::SetVisible(0, false),
+        Action::SetVisible(0, true),
     ] {
         assert_eq!(state.apply(action), None, "{action:?}");
         assert_eq!(pick(&state), None, "{action:?}");

@@ -12,8 +12,10 @@
 //! largest are taken as that; it moves a point by less than any of these and makes each reciprocal finite, so that neither
 //! 0 / 0 nor a sign of zero ever arises.
 //!
+//! A ray that is inexact itself ([`LocalRay`]) adds to `far` its origin's error and, times the way, its direction's.
+//!
 //! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved; then
-//! `far / u` is added, so that `u D` has room for it (a near eye's is below `2^-26 u D`).
+//! `far / u` is added, so that `u D` has room for it (a near eye's is below `2^-26 u D`, and with errors of the ray itself below `2^-3 u D`).
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the
@@ -34,7 +36,7 @@
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
 
-use crate::geometry::{Aabb, Ray, entry};
+use crate::geometry::{Aabb, LocalRay, Ray, entry};
 use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
@@ -110,14 +112,20 @@ pub(super) enum Unplaced {
 impl TreeRay {
     /// `ray`, of the caller's lengths, as the tree sees it about `center`.
     #[inline(always)]
-    pub fn prepare(ray: &Ray, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+    pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+        /// Errors up to this, over the way, disappear in what the bounds have to spare.
+        const NOTHING: f64 = f64::from_bits((1023 - 30) << 52);
+        let ray = &local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
         let is_near = away <= NEAR * frame.most;
-        let placed = if is_near && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
+        let [of_origin, of_direction] = local.errors();
+        let is_exact = of_origin * frame.scale <= NOTHING * f64::from(frame.most)
+            && of_direction <= NOTHING * f64::from(size);
+        let placed = if is_near && is_exact && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
             Placed {
                 origin,
                 direction,
@@ -127,7 +135,7 @@ impl TreeRay {
             }
         } else {
             // One by one: as a whole it would come through memory, for near rays as well, and cost them a quarter.
-            let far = Placed::far(ray, center, frame)?;
+            let far = Placed::far(local, center, frame)?;
             Placed {
                 origin: far.origin,
                 direction: far.direction,
@@ -212,7 +220,9 @@ impl TreeRay {
 impl Placed {
     /// A ray whose eye is to be moved, or its direction to be scaled.
     #[cold]
-    fn far(ray: &Ray, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+    fn far(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
+        let ray = &local.ray;
+        let [of_origin, of_direction] = local.errors();
         let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
         let mut origin = (ray.origin - *center) * frame.scale;
         let mut direction = ray.direction;
@@ -224,7 +234,8 @@ impl Placed {
             t_scale *= by;
         }
         let away = origin.abs().max_element();
-        let far = 8.0 * U64 * (away + most);
+        let of_way = of_direction / ray.direction.abs().max_element() * (away + most);
+        let far = 8.0 * U64 * (away + most) + 2.0 * (of_origin * frame.scale + of_way);
         // Written so that NaN is false.
         if !(far < most && size <= 1.0 / least && t_scale.is_normal()) {
             return Err(Unplaced::BeyondF32);
@@ -319,7 +330,7 @@ mod tests {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let Ok(prepared) = TreeRay::prepare(&ray, &DVec3::ZERO, &frame) else {
+            let Ok(prepared) = TreeRay::prepare(&ray.into(), &DVec3::ZERO, &frame) else {
                 continue;
             };
             for axis in 0..3 {

@@ -6,7 +6,7 @@ use super::{
     ray::{ShearedRay, TreeRay, Unplaced},
     simd::{Eight, Lanes, Stack, StackRoom, Work},
 };
-use crate::geometry::Ray;
+use crate::geometry::LocalRay;
 use glam::DVec3;
 
 /// Hands the triangles that a ray may hit to `visit`, nearer boxes first; `visit` returns the new end of the ray's
@@ -15,7 +15,7 @@ use glam::DVec3;
 /// Where `SIFT` is false, triangles are judged by their boxes alone.
 pub(super) struct Walk<'a, V, const SIFT: bool> {
     pub tree: &'a Bvh,
-    pub ray: &'a Ray,
+    pub ray: &'a LocalRay<'a>,
     /// Where the vertices' (0, 0, 0) lies for the ray.
     pub center: &'a DVec3,
     pub visit: &'a mut V,
@@ -32,7 +32,7 @@ impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
             center,
             visit,
         } = self;
-        let t_max = ray.t_max;
+        let t_max = ray.limit;
         let ray = match TreeRay::prepare(ray, center, &tree.frame) {
             Ok(ray) => ray,
             Err(Unplaced::Misses) => return,

@@ -161,7 +161,8 @@ impl Mesh {
         std::array::from_fn(|i| own[i] * sum[i])
     }
 
-    fn vertex_corners(&self, triangle: u32) -> [DVec3; 3] {
+    /// The corners of a triangle, about the mesh's origin.
+    pub(crate) fn vertex_corners(&self, triangle: u32) -> [DVec3; 3] {
         self.data.triangles[triangle as usize].map(|i| wide(self.data.positions[i as usize]))
     }
 }

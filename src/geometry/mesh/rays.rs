@@ -6,8 +6,9 @@
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Hit, Ray, Sides, TriangleHit, TriangleTest, VertexRay, Visit, guarded_volume,
-    triangle::{compare_t, is_in_doubt, settled_volume},
+    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, TriangleHit, TriangleTest, VertexRay, Visit,
+    guarded_volume,
+    triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
 use glam::DVec3;
 use std::{cmp::Ordering, sync::atomic::AtomicBool};
@@ -62,10 +63,26 @@ impl Mesh {
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
     /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
     #[must_use]
-    pub fn closest(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Option<Hit> {
+    pub fn closest<'a>(
+        &self,
+        ray: impl Into<LocalRay<'a>>,
+        sides: Sides,
+        accept: impl Fn(usize) -> bool,
+    ) -> Option<Hit> {
+        self.closest_of(&ray.into(), sides, |part, _: &Hit| accept(part))
+    }
+
+    /// [`Mesh::closest`] of the hits that `accept` takes, each with its part.
+    #[must_use]
+    pub(crate) fn closest_of(
+        &self,
+        ray: &LocalRay,
+        sides: Sides,
+        accept: impl Fn(usize, &Hit) -> bool,
+    ) -> Option<Hit> {
         let center = &self.data.origin;
         match self.tree.get() {
-            // What the tree has sifted need not be filtered again.
+            // What the tree has filtered need not be filtered again.
             Some(tree) => Nearest::of(self, ray, sides, Settled, accept, |nearest| {
                 tree.visit(ray, center, nearest);
             }),
@@ -77,13 +94,15 @@ impl Mesh {
 
     /// [`Mesh::closest`] by another triangle test, which is asked about every triangle whose box the ray may meet.
     #[must_use]
-    pub fn closest_by(
+    pub fn closest_by<'a>(
         &self,
-        ray: &Ray,
+        ray: impl Into<LocalRay<'a>>,
         sides: Sides,
         test: TriangleTest,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
+        let ray = &ray.into();
+        let accept = |part, _: &Hit| accept(part);
         Nearest::of(self, ray, sides, test, accept, |nearest| {
             self.visit::<false>(ray, nearest);
         })
@@ -91,7 +110,26 @@ impl Mesh {
 
     /// All hits of an object-space ray on the parts that `accept` names, in the order of [`Mesh::closest`].
     #[must_use]
-    pub fn all(&self, ray: &Ray, sides: Sides, accept: impl Fn(usize) -> bool) -> Vec<Hit> {
+    pub fn all<'a>(
+        &self,
+        ray: impl Into<LocalRay<'a>>,
+        sides: Sides,
+        accept: impl Fn(usize) -> bool,
+    ) -> Vec<Hit> {
+        let ray = &ray.into();
+        let local = VertexRay::new(ray, self.data.origin);
+        let mut all = self.each(ray, sides, accept);
+        all.sort_by(|a, b| self.order(a, b, &local));
+        all
+    }
+
+    /// [`Mesh::all`] in no order.
+    pub(crate) fn each(
+        &self,
+        ray: &LocalRay,
+        sides: Sides,
+        accept: impl Fn(usize) -> bool,
+    ) -> Vec<Hit> {
         let local = VertexRay::new(ray, self.data.origin);
         let mut all = Vec::new();
         self.visit::<true>(ray, &mut |triangle, corners| {
@@ -101,25 +139,52 @@ impl Mesh {
             {
                 all.push(hit.on(triangle, corners));
             }
-            ray.t_max
+            ray.limit
         });
-        all.sort_by(|a, b| self.order(a, b, &local));
         all
     }
 
-    /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and
-    /// whose parts `accept` names. The same with and without a tree.
-    pub fn is_in_doubt(&self, ray: &Ray, accept: impl Fn(usize) -> bool) -> bool {
+    /// Where an object-space ray meets one triangle.
+    pub(crate) fn hit(&self, ray: &LocalRay, triangle: u32) -> Option<Hit> {
+        let corners = self.vertex_corners(triangle);
+        let hit = guarded_volume(&VertexRay::new(ray, self.data.origin), corners)?;
+        Some(hit.on(triangle, corners))
+    }
+
+    /// Calls `visit` with every triangle that may be inside a pyramid of object space, and its corners about the mesh's
+    /// origin.
+    pub(crate) fn within(&self, pyramid: &Pyramid, mut visit: impl FnMut(u32, [DVec3; 3])) {
+        let pyramid = pyramid.about(self.data.origin);
+        match self.tree.get() {
+            Some(tree) => tree.visit_pyramid(&pyramid, visit),
+            None => self.every_triangle(&mut |triangle, corners: [DVec3; 3]| {
+                if pyramid.may_hold(&corners) {
+                    visit(triangle, corners);
+                }
+                f64::INFINITY
+            }),
+        }
+    }
+
+    /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and before
+    /// its limit, and whose parts `accept` names. The same with and without a tree.
+    pub fn is_in_doubt<'a>(
+        &self,
+        ray: impl Into<LocalRay<'a>>,
+        accept: impl Fn(usize) -> bool,
+    ) -> bool {
+        let ray = &ray.into();
         let local = VertexRay::new(ray, self.data.origin);
-        let inverse = ray.direction.recip();
+        let inverse = ray.ray.direction.recip();
         let mut found = false;
         let mut visit = |triangle, corners: [DVec3; 3]| {
             found = found
                 || is_in_doubt(&local, corners)
-                    && Aabb::around(corners).may_hit(&local, inverse)
+                    && Aabb::around(corners).may_hit_before(&local, inverse, ray.limit)
+                    && reaches_plane(&local, corners, ray.limit)
                     && accept(self.part_of(triangle));
             // Once is enough: nothing lies before this.
-            if found { f64::NEG_INFINITY } else { ray.t_max }
+            if found { f64::NEG_INFINITY } else { ray.limit }
         };
         if local.is_bounded() {
             self.visit::<false>(ray, &mut visit);
@@ -136,14 +201,14 @@ impl Mesh {
         };
         let triangles = [on_a.triangle, on_b.triangle];
         let corners = || triangles.map(|triangle| self.vertex_corners(triangle));
-        compare_t(local, (a.t, on_a.t_error), (b.t, on_b.t_error), corners)
+        compare_t(local, (a.t, a.t_error), (b.t, b.t_error), corners)
             .then(triangles[0].cmp(&triangles[1]))
     }
 
     /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
     /// false, a tree leaves out none whose box the ray may meet.
     #[inline]
-    fn visit<const SIFT: bool>(&self, ray: &Ray, visit: &mut impl Visit) {
+    fn visit<const SIFT: bool>(&self, ray: &LocalRay, visit: &mut impl Visit) {
         let center = &self.data.origin;
         match self.tree.get() {
             Some(tree) if SIFT => tree.visit(ray, center, visit),
@@ -184,22 +249,22 @@ impl Test for Settled {
 /// The nearest hit among the triangles seen so far.
 struct Nearest<'a, T, A> {
     mesh: &'a Mesh,
-    ray: &'a Ray,
+    ray: &'a LocalRay<'a>,
     sides: Sides,
     test: T,
     accept: A,
     /// Most rays meet nothing and need none.
-    local: Option<VertexRay>,
+    local: Option<VertexRay<'a>>,
     end: f64,
     best: Option<Hit>,
 }
 
-impl<'a, T: Test, A: Fn(usize) -> bool> Nearest<'a, T, A> {
+impl<'a, T: Test, A: Fn(usize, &Hit) -> bool> Nearest<'a, T, A> {
     /// The nearest hit among those that `visit` shows it.
     #[inline]
     fn of(
         mesh: &'a Mesh,
-        ray: &'a Ray,
+        ray: &'a LocalRay<'a>,
         sides: Sides,
         test: T,
         accept: A,
@@ -212,7 +277,7 @@ impl<'a, T: Test, A: Fn(usize) -> bool> Nearest<'a, T, A> {
             test,
             accept,
             local: None,
-            end: ray.t_max,
+            end: ray.limit,
             best: None,
         };
         visit(&mut nearest);
@@ -220,7 +285,7 @@ impl<'a, T: Test, A: Fn(usize) -> bool> Nearest<'a, T, A> {
     }
 }
 
-impl<T: Test, A: Fn(usize) -> bool> Visit for Nearest<'_, T, A> {
+impl<T: Test, A: Fn(usize, &Hit) -> bool> Visit for Nearest<'_, T, A> {
     #[inline(always)]
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64 {
         let local = self
@@ -228,16 +293,14 @@ impl<T: Test, A: Fn(usize) -> bool> Visit for Nearest<'_, T, A> {
             .get_or_insert_with(|| VertexRay::new(self.ray, self.mesh.data.origin));
         if let Some(hit) = self.test.test(local, corners)
             && (self.sides == Sides::Both || hit.front)
-            && (self.accept)(self.mesh.part_of(triangle))
         {
-            let is_first = self.best.is_none_or(|best| {
-                let hit = hit.on(triangle, corners);
-                self.mesh.order(&hit, &best, local).is_lt()
-            });
-            if is_first {
+            let hit = hit.on(triangle, corners);
+            let is_first =
+                (self.best).is_none_or(|best| self.mesh.order(&hit, &best, local).is_lt());
+            if is_first && (self.accept)(self.mesh.part_of(triangle), &hit) {
                 // The exact parameter may be this much further, and nearer or equal ones may lie before it.
-                self.end = hit.t + hit.t_error;
-                self.best = Some(hit.on(triangle, corners));
+                self.end = self.end.min(hit.t + hit.t_error);
+                self.best = Some(hit);
             }
         }
         self.end

@@ -38,14 +38,16 @@ pub struct ClipCase {
     pub narrow: Clip<f32>,
     /// As given.
     pub wide: Clip<f64>,
-    /// The ray as a click casts it.
+    /// The ray as a click casts it, whose parameter is view depth.
     pub ray: Ray,
+    /// That of the hit.
+    pub depth: f64,
 }
 
 impl ClipCase {
-    /// A hit at `t` on the ray through a position of a picture of 1920 x 1080. The camera stands at the origin.
+    /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080. The camera stands at the origin.
     #[must_use]
-    pub fn new(tan: f64, near: f64, far: f64, px: [f64; 2], t: f64) -> Option<Self> {
+    pub fn new(tan: f64, near: f64, far: f64, px: [f64; 2], depth: f64) -> Option<Self> {
         let lens = Lens {
             projection: Projection::Perspective {
                 fov_y: 2.0 * tan.atan(),
@@ -57,24 +59,21 @@ impl ClipCase {
         let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, lens).ok()?;
         let viewport = Viewport::new(1920, 1080).ok()?;
         let ray = camera.ray(viewport, DVec2::from(px));
-        Some(Self::of_camera(&camera, ray, t))
+        Some(Self::of_camera(&camera, *ray, depth))
     }
 
-    /// A hit at `t` on a ray that a camera cast.
+    /// A hit at a view depth on a ray that a camera cast.
     #[must_use]
-    pub fn of_camera(camera: &Camera, ray: Ray, t: f64) -> Self {
+    pub fn of_camera(camera: &Camera, ray: Ray, depth: f64) -> Self {
         let lens = camera.lens();
+        let length = ray.direction.length();
         let wide = Clip {
-            t,
-            direction: ray.direction.into(),
+            t: depth * length,
+            direction: (ray.direction / length).into(),
             forward: camera.forward().into(),
             near: lens.near,
             far: lens.far,
         };
-        Self::of_ray(wide, ray)
-    }
-
-    fn of_ray(wide: Clip<f64>, ray: Ray) -> Self {
         Self {
             narrow: Clip {
                 t: f32::of(wide.t),
@@ -85,6 +84,7 @@ impl ClipCase {
             },
             wide,
             ray,
+            depth,
         }
     }
 }
@@ -111,8 +111,8 @@ impl Case for ClipCase {
         Method::ours(
             "Sightline's",
             F64,
-            "camera::Camera::ray: planes over d . F, once a ray",
-            |c| c.ray.contains(c.wide.t),
+            "geometry::PixelGrid::ray: a direction of depth 1, so that t is view depth",
+            |c| c.ray.contains(c.depth),
         ),
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::clipping::FAMILIES;
@@ -122,7 +122,7 @@ impl Case for ClipCase {
     }
 
     fn truth(&self) -> Truth {
-        truth::truth(&self.wide)
+        truth::truth(self)
     }
 
     fn judge(&self, truth: &Truth, answer: &bool) -> Verdict {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Mesh, Ray},
+    geometry::{Mesh, Ray, Sides},
     image::{Id, Image},
     pick::{self, SceneHit},
     render::{Renderer, SceneBuffers, Targets},
@@ -218,10 +218,16 @@ impl PickCase {
         let scene = &self.world.treeless;
         let sides = self.world.view.sides;
         let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
+        // The planes are at view depths, which the method's direction need not be 1 long along.
+        let direction_world = DVec3::from(sight.along);
+        let view = &self.world.view;
+        let depth_per_t = direction_world.dot(view.camera.forward());
+        let ray = view.ray(self.px);
         let world = Ray {
             origin: sight.from.into(),
-            direction: sight.along.into(),
-            ..self.world.view.ray(self.px)
+            direction: direction_world,
+            t_min: ray.t_min / depth_per_t,
+            t_max: ray.t_max / depth_per_t,
         };
         let mut best: Option<(f64, usize, Option<u32>)> = None;
         for (index, object) in scene
@@ -258,7 +264,7 @@ impl PickCase {
                 let normal = || DVec3::from(((b - a).cross(c - a) * outward).wide());
                 if let Some(t) = test(&case)
                     && world.contains(t)
-                    && sides.shows(world.direction, normal())
+                    && (sides == Sides::Both || world.direction.dot(normal()) < 0.0)
                     && best.is_none_or(|best| t < best.0)
                 {
                     best = Some((t, index, Some(triangle - triangles.start)));

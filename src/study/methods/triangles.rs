@@ -34,7 +34,7 @@ pub struct TriangleCase {
     /// As given.
     pub wide: RayTriangle<f64>,
     /// The ray as this program's test wants it: made once for all triangles of a mesh.
-    pub ray: VertexRay,
+    pub ray: VertexRay<'static>,
     /// What Baldwin & Weber keep for the triangle.
     pub world_to_unit: (BaldwinWeber<f32>, BaldwinWeber<f64>),
     /// An angle that is one pixel wide, in radians.

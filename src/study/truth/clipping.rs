@@ -1,9 +1,8 @@
 //! Which hits lie between the planes.
 
-use super::UNIT;
 use crate::study::{
-    exact::{Exact, Exact3},
-    methods::clipping::Clip,
+    exact::Exact,
+    methods::clipping::{Clip, ClipCase},
     step::{Bound, Verdict},
 };
 
@@ -16,15 +15,17 @@ pub struct Truth {
     pub off: f64,
 }
 
-/// By the exact view depth.
+/// By the view depth, which is given.
 #[must_use]
-pub fn truth(case: &Clip<f64>) -> Truth {
-    let depth = &Exact::new(case.t) * &Exact3::new(case.direction).dot(&Exact3::new(case.forward));
-    let (near, far) = (Exact::new(case.near), Exact::new(case.far));
-    let off = |plane: &Exact| (&(&depth - plane) / plane).abs().to_f64();
+pub fn truth(case: &ClipCase) -> Truth {
+    let Clip { near, far, .. } = case.wide;
+    let off = |plane: f64| {
+        let plane = &Exact::new(plane);
+        (&(&Exact::new(case.depth) - plane) / plane).abs().to_f64()
+    };
     Truth {
-        inside: depth >= near && depth < far,
-        off: off(&near).min(off(&far)),
+        inside: near <= case.depth && case.depth < far,
+        off: off(near).min(off(far)),
     }
 }
 
@@ -40,12 +41,11 @@ impl Truth {
     }
 }
 
-/// Bound of `t < plane / (d . F)` in `f64`: products and sums of unit vectors 3u, the quotient u, with u = 2^-53 and
-/// d . F at least 1/2 of the sum of its terms' magnitudes in views below 179 degrees: 8u.
+/// Nothing is computed, and nothing rounds.
 #[must_use]
 pub fn bound() -> Bound {
     Bound {
         error: 0.0,
-        wrong: 8.0 * UNIT,
+        wrong: 0.0,
     }
 }

@@ -1,5 +1,5 @@
-//! The nearest surface on a pixel's ray in a whole scene, decided without rounding for the `f64` ray and the stored
-//! vertices.
+//! The nearest surface on a pixel's ray in a whole scene, decided without rounding for the stored numbers of camera,
+//! placements and vertices.
 
 use crate::{
     camera::View,
@@ -14,8 +14,15 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
-/// A ray in an object's space, times the model's determinant, so that nothing is divided: `origin / det` is where it
-/// starts.
+/// A pixel's ray, times the picture's height: nothing is divided, and nothing rounds.
+struct Line {
+    origin: Exact3,
+    direction: Exact3,
+    height: Exact,
+}
+
+/// A ray in an object's space, times the model's determinant and the picture's height, so that nothing is divided: `origin / det`
+/// is where it starts.
 struct Local {
     origin: Exact3,
     direction: Exact3,
@@ -34,13 +41,13 @@ struct Meeting {
 /// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
 #[must_use]
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
-    let ray = view.ray(px);
+    let (ray, line) = (view.ray(px), Line::new(view, px));
     let mut best: Option<(Exact, usize, Option<u32>)> = None;
     for (index, object) in scene.objects().iter().enumerate() {
         if !object.visible || !may_hit(&scene.bounds_of(index), &ray) {
             continue;
         }
-        let local = Local::new(object, &ray);
+        let local = Local::new(object, &line, &ray);
         let mut consider = |Meeting { t, front }: Meeting, triangle: Option<u32>| {
             let shown = front || view.sides == Sides::Both;
             let nearer = best.as_ref().is_none_or(|(known, _, _)| t < *known);
@@ -88,7 +95,8 @@ fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
 /// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.
 fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     let center = bounds.center() - ray.origin;
-    let aside = center - center.dot(ray.direction) * ray.direction;
+    let along = ray.direction.normalize();
+    let aside = center - center.dot(along) * along;
     aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
 }
 
@@ -102,8 +110,34 @@ fn near_triangle(direction: DVec3, corners: [DVec3; 3], grain: f64) -> bool {
     volumes.iter().all(|&v| v >= -slack) || volumes.iter().all(|&v| v <= slack)
 }
 
+impl Line {
+    /// `eye + t (F + a)` or `eye + a + t F`, with `a = (h / H) ((2 px - W) R + (H - 2 py) U)`.
+    fn new(view: &View, px: DVec2) -> Self {
+        let camera = &view.camera;
+        let [eye, right, up, forward] =
+            [camera.eye(), camera.right(), camera.up(), camera.forward()]
+                .map(|v| Exact3::new(V3::from(v)));
+        let size = view.viewport.size_px();
+        let [x, y] = [px.x, px.y].map(|at| &Exact::int(2) * &Exact::new(at));
+        let [width, height] = [size.x, size.y].map(Exact::new);
+        let aside = &right.times(&(&x - &width)) + &up.times(&(&height - &y));
+        let aside = aside.times(&Exact::new(camera.half_height()));
+        let (eye, forward) = (eye.times(&height), forward.times(&height));
+        let (origin, direction) = if camera.lens().is_orthographic() {
+            (&eye + &aside, forward)
+        } else {
+            (eye, &forward + &aside)
+        };
+        Self {
+            origin,
+            direction,
+            height,
+        }
+    }
+}
+
 impl Local {
-    fn new(object: &Object, ray: &Ray) -> Self {
+    fn new(object: &Object, line: &Line, ray: &Ray) -> Self {
         let model = object.placement.model();
         let exact = |v: DVec3| Exact3::new(V3::from(v));
         let m = model.matrix3;
@@ -111,11 +145,11 @@ impl Local {
         let rows = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let det = a.dot(&rows[0]);
         let adjugate = |v: &Exact3| Exact3(rows.each_ref().map(|row| row.dot(v)));
-        let from = &exact(ray.origin) - &exact(model.translation);
+        let from = &line.origin - &exact(model.translation).times(&line.height);
         Self {
             origin: adjugate(&from),
-            direction: adjugate(&exact(ray.direction)),
-            det,
+            direction: adjugate(&line.direction),
+            det: &det * &line.height,
             t_min: Exact::new(ray.t_min),
             t_max: ray.t_max.is_finite().then(|| Exact::new(ray.t_max)),
         }

@@ -41,12 +41,8 @@ fn make(random: &mut Random, tan: f64, off: f64) -> ClipCase {
         let px = [random.unit() * 1920.0, random.unit() * 1080.0];
         let px = px.map(|at| at.floor() + 0.5);
         let plane = if random.sign() < 0.0 { near } else { far };
-        let [x, y] = [
-            (2.0 * px[0] / 1920.0 - 1.0) * tan * 16.0 / 9.0,
-            (1.0 - 2.0 * px[1] / 1080.0) * tan,
-        ];
-        let t = plane * (1.0 + off) * (1.0 + x * x + y * y).sqrt();
-        if let Some(case) = ClipCase::new(tan, near, far, px, narrow(t)) {
+        let depth = plane * (1.0 + off);
+        if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {
             return case;
         }
     }

@@ -49,7 +49,7 @@ impl SceneRays {
             .map(|_| DVec2::new(inside(size.width()), inside(size.height())))
             .collect();
         let hit = |px: &DVec2| {
-            let ray = view.ray(*px);
+            let ray = *view.ray(*px);
             Some((ray, pick::closest(&world.scene, &ray, view.sides)?))
         };
         let hits = at.iter().filter_map(hit).collect();

@@ -1,0 +1,71 @@
+//! What picks promise and what their lines hold, for the help of `pick`, which is to fit into 80 columns. [`crate::pick`]
+//! says the same at length.
+
+/// What a position shows.
+pub(super) const CONTRACT: &str = "\
+What a pick is:
+  A pick is what exact arithmetic says for the numbers that are stored. The
+  camera stores the eye, the axes R (right), U (up) and F (forward), half the
+  picture's height h (in perspective at depth 1), near, far and the size W x H.
+  Each object stores the 12 numbers of its matrix M; each mesh its vertices, f32
+  about an f64 origin, which lie at M (origin + vertex). --stored prints them.
+  With a = (h / H) ((2 X - W) R + (H - 2 Y) U) the ray of a position X,Y is
+    eye + t (F + a)      in perspective
+    eye + a + t F        with --ortho
+  F + a is not made a unit vector, so t is depth along F.
+  A hit counts where near <= t < far; with --cull only if it is a front one.
+  The pick is the hit with the least t on the visible objects; of equal ones
+  that on the first object, then on the first triangle. --all-hits lists all of
+  them in this order.
+
+What a hit is, in the object's own space:
+  Edges, corners and rims belong to their shape.
+  triangle  its corners run counter-clockwise, seen from outside. A ray in its
+            plane misses. One without area is never hit.
+  square    side 1 about 0,0,0 in the plane z = 0, facing +z. A ray in its
+            plane misses.
+  cube      side 1 about 0,0,0, solid: the ray enters (front) and leaves (back).
+            Where both are one point, that is one hit: the entry. Where it
+            enters, or leaves, by several faces at once, the one across the
+            lowest axis is named.
+  sphere    radius 1/2 about 0,0,0: the ray enters (front) and leaves (back). A
+            ray that only touches it hits it once, and not from the front.
+  Front and back stay what they are there under a matrix that mirrors. A matrix
+  without an inverse is refused.";
+
+/// What the fields of a pick's line mean.
+pub(super) const FIELDS: &str = "\
+Fields of \"hit\", null where the picture shows the background; with --all-hits
+of each of \"hits\":
+  object, id       name, and number from 1
+  triangle         of the object, from 0; null for sphere, cube and square
+  front            whether the surface is seen from outside
+  t, depth         where on the ray: depth along F, from the eye; rounded once
+  distance         from the eye to the point
+  ndc              the point in normalised device coordinates, z by --depth
+  point_world, normal_world, point_object, normal_object
+                   the point and the surface's outward unit normal, in the world
+                   and in the object's own space
+  barycentric      weights of the triangle's corners; null for other shapes
+  edge_px          pixels from the position to the nearest edge of the triangle
+                   or face, of a sphere to its outline, as far as these lie at
+                   or behind the near plane; null where nothing does
+  gap              exact difference in t to the next hit, rounded once: 0 on an
+                   edge that two triangles share; null where there is no next
+  exact            whether f64 left open what is hit up to here, or which of two
+                   hits is nearer, and exact arithmetic decided
+  differs_px       pixels from the position to the nearest centre of a pixel,
+                   its own too, that shows another object, another triangle or
+                   the background; null where there is none within 8";
+
+/// What the line of `--stored` holds.
+pub(super) const NUMBERS: &str = "\
+The line of --stored, {\"stored\":{\"camera\",\"meshes\",\"objects\"}}:
+  camera           eye, right (R), up (U), forward (F), half_height (h),
+                   orthographic, near, far, size [W,H], cull
+  meshes           each once: origin; positions, relative to it; triangles, by
+                   the places of their corners in positions, from 0
+  objects          id, name, shape, visible; matrix, the upper three rows, as in
+                   scene files; mesh, its place in meshes from 0, and triangles
+                   [start,end) in that mesh; null for other shapes
+Read as f64, each number is the stored one to the bit.";

@@ -1,0 +1,264 @@
+//! Integers of a width that fits: the same formulas in 256, 512 or 1024 bits, or any number of them.
+//!
+//! Fixed widths need no memory of their own and are ten times as fast. Which one suffices is found by running a formula on
+//! [`Bits`], which only counts how long each number may become.
+
+use bnum::BInt;
+use num_bigint::{BigInt, Sign};
+use std::cmp::Ordering;
+
+/// What formulas are made of. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
+pub(super) trait Integer: Clone {
+    fn new(value: i64) -> Self;
+    fn plus(&self, other: &Self) -> Self;
+    fn minus(&self, other: &Self) -> Self;
+    fn times(&self, other: &Self) -> Self;
+    /// Times `2^by`.
+    fn shifted(&self, by: u32) -> Self;
+    /// Against 0.
+    fn sign(&self) -> Ordering;
+    fn to_big(&self) -> BigInt;
+    /// A number times a power of two, by its exponent: the value, to within one rounding.
+    fn rounded(&self) -> (f64, i64);
+}
+
+impl<const N: usize> Integer for BInt<N> {
+    #[inline]
+    fn new(value: i64) -> Self {
+        Self::from(value)
+    }
+
+    #[inline]
+    fn plus(&self, other: &Self) -> Self {
+        self.wrapping_add(*other)
+    }
+
+    #[inline]
+    fn minus(&self, other: &Self) -> Self {
+        self.wrapping_sub(*other)
+    }
+
+    #[inline]
+    fn times(&self, other: &Self) -> Self {
+        self.wrapping_mul(*other)
+    }
+
+    #[inline]
+    fn shifted(&self, by: u32) -> Self {
+        self.wrapping_shl(by)
+    }
+
+    fn sign(&self) -> Ordering {
+        self.cmp(&Self::ZERO)
+    }
+
+    fn to_big(&self) -> BigInt {
+        let bytes: Vec<u8> = self
+            .unsigned_abs()
+            .digits()
+            .iter()
+            .flat_map(|digit| digit.to_le_bytes())
+            .collect();
+        let sign = if self.is_negative() {
+            Sign::Minus
+        } else {
+            Sign::Plus
+        };
+        BigInt::from_bytes_le(sign, &bytes)
+    }
+
+    fn rounded(&self) -> (f64, i64) {
+        let size = self.unsigned_abs();
+        let drop = size.bits().saturating_sub(64);
+        let leading = size.wrapping_shr(drop).digits().first().copied();
+        scaled(leading.unwrap_or(0), drop.into(), self.is_negative())
+    }
+}
+
+impl Integer for BigInt {
+    fn new(value: i64) -> Self {
+        value.into()
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        self * other
+    }
+
+    fn shifted(&self, by: u32) -> Self {
+        self << by
+    }
+
+    fn sign(&self) -> Ordering {
+        match Self::sign(self) {
+            Sign::Minus => Ordering::Less,
+            Sign::NoSign => Ordering::Equal,
+            Sign::Plus => Ordering::Greater,
+        }
+    }
+
+    fn to_big(&self) -> BigInt {
+        self.clone()
+    }
+
+    fn rounded(&self) -> (f64, i64) {
+        let drop = self.bits().saturating_sub(64);
+        let leading = (self.magnitude() >> drop).iter_u64_digits().next();
+        let drop = i64::try_from(drop).unwrap_or(i64::MAX);
+        scaled(leading.unwrap_or(0), drop, Self::sign(self) == Sign::Minus)
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "this is the rounding")]
+fn scaled(leading: u64, exponent: i64, is_negative: bool) -> (f64, i64) {
+    let value = leading as f64;
+    (if is_negative { -value } else { value }, exponent)
+}
+
+/// How many bits a number may have, and how many any number had on the way to it; signs apart.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bits {
+    here: u32,
+    most: u32,
+}
+
+impl Bits {
+    fn of(here: u32, made_of: [Self; 2]) -> Self {
+        let most = here.max(made_of[0].most).max(made_of[1].most);
+        Self { here, most }
+    }
+
+    /// The most bits that any of the numbers had.
+    pub fn most(numbers: impl IntoIterator<Item = Self>) -> u32 {
+        let most = numbers.into_iter().map(|number| number.most);
+        most.max().unwrap_or(0)
+    }
+}
+
+impl Integer for Bits {
+    fn new(value: i64) -> Self {
+        let here = u64::BITS - value.unsigned_abs().leading_zeros();
+        Self { here, most: here }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let both = self.here > 0 && other.here > 0;
+        Self::of(
+            self.here.max(other.here).saturating_add(u32::from(both)),
+            [*self, *other],
+        )
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self.plus(other)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let product = self.here.saturating_add(other.here);
+        let is_zero = self.here == 0 || other.here == 0;
+        Self::of(if is_zero { 0 } else { product }, [*self, *other])
+    }
+
+    fn shifted(&self, by: u32) -> Self {
+        let shifted = self.here.saturating_add(by);
+        Self::of(if self.here == 0 { 0 } else { shifted }, [*self; 2])
+    }
+
+    fn sign(&self) -> Ordering {
+        unreachable!("lengths decide nothing")
+    }
+
+    fn to_big(&self) -> BigInt {
+        unreachable!("lengths decide nothing")
+    }
+
+    fn rounded(&self) -> (f64, i64) {
+        unreachable!("lengths decide nothing")
+    }
+}
+
+/// A formula, whose numbers can be had in any integers, and what is read off them.
+pub(super) trait Formula {
+    /// The formula's numbers.
+    type Numbers<I: Integer>;
+    /// What is read off them.
+    type Answer;
+
+    /// The formula, without a decision.
+    fn numbers<I: Integer>(&self) -> Self::Numbers<I>;
+
+    /// The most bits of any number that [`Formula::numbers`] makes.
+    fn most_bits(numbers: &Self::Numbers<Bits>) -> u32;
+
+    /// What the numbers say, by their signs and values.
+    fn answer<I: Integer>(&self, numbers: Self::Numbers<I>) -> Self::Answer;
+}
+
+/// The answer of a formula, in the narrowest integers that hold it.
+pub(super) fn solve<F: Formula>(formula: &F) -> F::Answer {
+    fn by<I: Integer, F: Formula>(formula: &F) -> F::Answer {
+        formula.answer(formula.numbers::<I>())
+    }
+    // One bit for the sign.
+    match F::most_bits(&formula.numbers::<Bits>()) {
+        ..=255 => by::<BInt<4>, F>(formula),
+        ..=511 => by::<BInt<8>, F>(formula),
+        ..=1023 => by::<BInt<16>, F>(formula),
+        _ => by::<BigInt, F>(formula),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Random;
+
+    /// The same sums and products in every width, whenever [`Bits`] says that they fit.
+    #[test]
+    fn what_fits_is_the_same_in_every_width() {
+        struct Determinant([i64; 4], [u32; 4]);
+        impl Formula for Determinant {
+            type Numbers<I: Integer> = I;
+            type Answer = BigInt;
+            fn numbers<I: Integer>(&self) -> I {
+                let [a, b, c, d] = [0, 1, 2, 3].map(|i| I::new(self.0[i]).shifted(self.1[i]));
+                a.times(&d).minus(&b.times(&c)).plus(&a).shifted(1)
+            }
+            fn most_bits(numbers: &Bits) -> u32 {
+                Bits::most([*numbers])
+            }
+            fn answer<I: Integer>(&self, numbers: I) -> BigInt {
+                let big = numbers.to_big();
+                assert_eq!(numbers.sign(), Integer::sign(&big));
+                big
+            }
+        }
+        let mut random = Random(5);
+        let mut widths = [0; 4];
+        for i in 0..20_000_u32 {
+            let longest = [60.0, 180.0, 450.0, 700.0][i as usize % 4];
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "small"
+            )]
+            let formula = Determinant(
+                [(); 4].map(|()| (random.next() * 9e18) as i64),
+                [(); 4].map(|()| (random.next().abs() * longest) as u32),
+            );
+            let bits = Determinant::most_bits(&formula.numbers::<Bits>());
+            widths[[255, 511, 1023].iter().filter(|most| bits > **most).count()] += 1;
+            let big = formula.answer(formula.numbers::<BigInt>());
+            assert!(big.bits() <= u64::from(bits), "{big} {bits}");
+            assert_eq!(solve(&formula), big);
+        }
+        assert!(widths.iter().all(|cases| *cases > 1000), "{widths:?}");
+    }
+}

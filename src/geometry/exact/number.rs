@@ -1,0 +1,203 @@
+//! Numbers and vectors that are integers times a power of two: every finite `f64`, and every sum and product of such.
+
+use super::integer::Integer;
+use glam::DVec3;
+use num_bigint::BigInt;
+use std::cmp::Ordering;
+
+/// `integer * 2^exponent`.
+#[derive(Clone, Debug)]
+pub(super) struct Number<I> {
+    pub integer: I,
+    pub exponent: i64,
+}
+
+/// Three integers times one power of two.
+#[derive(Clone, Debug)]
+pub(super) struct Vector<I> {
+    pub integers: [I; 3],
+    pub exponent: i64,
+}
+
+impl<I: Integer> Number<I> {
+    /// A finite number.
+    pub fn new(value: f64) -> Self {
+        let (mantissa, exponent) = split(value);
+        Self {
+            integer: I::new(mantissa),
+            exponent,
+        }
+    }
+
+    pub fn plus(&self, other: &Self) -> Self {
+        let ([a, b], exponent) = aligned(self, other);
+        Self {
+            integer: a.plus(&b),
+            exponent,
+        }
+    }
+
+    pub fn minus(&self, other: &Self) -> Self {
+        let ([a, b], exponent) = aligned(self, other);
+        Self {
+            integer: a.minus(&b),
+            exponent,
+        }
+    }
+
+    pub fn times(&self, other: &Self) -> Self {
+        Self {
+            integer: self.integer.times(&other.integer),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+
+    /// Against 0.
+    pub fn sign(&self) -> Ordering {
+        self.integer.sign()
+    }
+
+    /// `self / other`, which must not be 0, to within three roundings.
+    pub fn ratio(&self, other: &Self) -> f64 {
+        if self.sign().is_eq() {
+            return 0.0;
+        }
+        let ((a, above), (b, below)) = (self.integer.rounded(), other.integer.rounded());
+        times_power_of_two(a / b, above + self.exponent - below - other.exponent)
+    }
+
+    pub fn to_big(&self) -> Number<BigInt> {
+        Number {
+            integer: self.integer.to_big(),
+            exponent: self.exponent,
+        }
+    }
+}
+
+/// Both integers in the smaller of the two units.
+fn aligned<I: Integer>(a: &Number<I>, b: &Number<I>) -> ([I; 2], i64) {
+    let exponent = a.exponent.min(b.exponent);
+    (
+        [a, b].map(|n| n.integer.shifted(difference(n.exponent, exponent))),
+        exponent,
+    )
+}
+
+/// `greater - less`.
+fn difference(greater: i64, less: i64) -> u32 {
+    u32::try_from(greater - less).unwrap_or(u32::MAX)
+}
+
+impl<I: Integer> Vector<I> {
+    /// A finite vector.
+    pub fn new(v: DVec3) -> Self {
+        let parts = v.to_array().map(split);
+        let exponents = parts.iter().filter(|(mantissa, _)| *mantissa != 0);
+        let exponent = exponents.map(|(_, exponent)| *exponent).min().unwrap_or(0);
+        let integers = parts.map(|(mantissa, of_this)| {
+            let by = if mantissa == 0 {
+                0
+            } else {
+                difference(of_this, exponent)
+            };
+            I::new(mantissa).shifted(by)
+        });
+        Self { integers, exponent }
+    }
+
+    /// The same in a unit that is no larger than its own.
+    pub fn in_unit(&self, exponent: i64) -> Self {
+        let by = difference(self.exponent, exponent);
+        Self {
+            integers: self.integers.each_ref().map(|n| n.shifted(by)),
+            exponent,
+        }
+    }
+
+    /// Of three numbers, in a unit that is no larger than theirs.
+    pub fn from_numbers(numbers: &[Number<I>; 3], exponent: i64) -> Self {
+        let integers = numbers
+            .each_ref()
+            .map(|n| n.integer.shifted(difference(n.exponent, exponent)));
+        Self { integers, exponent }
+    }
+
+    pub fn plus(&self, other: &Self) -> Self {
+        self.by_component(other, I::plus)
+    }
+
+    pub fn minus(&self, other: &Self) -> Self {
+        self.by_component(other, I::minus)
+    }
+
+    fn by_component(&self, other: &Self, by: impl Fn(&I, &I) -> I) -> Self {
+        let exponent = self.exponent.min(other.exponent);
+        let (a, b) = (self.in_unit(exponent), other.in_unit(exponent));
+        Self {
+            integers: [0, 1, 2].map(|i| by(&a.integers[i], &b.integers[i])),
+            exponent,
+        }
+    }
+
+    pub fn times(&self, factor: &Number<I>) -> Self {
+        Self {
+            integers: self.integers.each_ref().map(|n| n.times(&factor.integer)),
+            exponent: self.exponent + factor.exponent,
+        }
+    }
+
+    pub fn dot(&self, other: &Self) -> Number<I> {
+        let [x, y, z] = [0, 1, 2].map(|i| self.integers[i].times(&other.integers[i]));
+        Number {
+            integer: x.plus(&y).plus(&z),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+
+    pub fn cross(&self, other: &Self) -> Self {
+        let (a, b) = (&self.integers, &other.integers);
+        Self {
+            integers: [(1, 2), (2, 0), (0, 1)]
+                .map(|(i, j)| a[i].times(&b[j]).minus(&a[j].times(&b[i]))),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+
+    pub fn component(&self, i: usize) -> Number<I> {
+        Number {
+            integer: self.integers[i].clone(),
+            exponent: self.exponent,
+        }
+    }
+}
+
+/// A finite number as an odd integer (or 0) times a power of two, by its exponent.
+pub(super) fn split(value: f64) -> (i64, i64) {
+    const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+    let bits = value.to_bits();
+    let fraction = bits & ((1 << FRACTION_BITS) - 1);
+    let biased = (bits >> FRACTION_BITS & 0x7FF).cast_signed();
+    // Subnormal numbers have no leading one and the exponent of the least normal ones.
+    let (mantissa, biased) = if biased == 0 {
+        (fraction, 1)
+    } else {
+        (fraction | 1 << FRACTION_BITS, biased)
+    };
+    if mantissa == 0 {
+        return (0, 0);
+    }
+    let zeros = mantissa.trailing_zeros();
+    let odd = (mantissa >> zeros).cast_signed();
+    let exponent = biased - 1023 - i64::from(FRACTION_BITS) + i64::from(zeros);
+    (if value < 0.0 { -odd } else { odd }, exponent)
+}
+
+/// `value * 2^exponent`, in steps that a power of two in `f64` can take.
+pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
+    while exponent != 0 && value != 0.0 && value.is_finite() {
+        let step = exponent.clamp(-1000, 1000);
+        value *= f64::from_bits((1023 + step).cast_unsigned() << (f64::MANTISSA_DIGITS - 1));
+        exponent -= step;
+    }
+    value
+}

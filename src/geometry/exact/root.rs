@@ -1,0 +1,268 @@
+//! Ray parameters as they are: quotients and roots of quadratics, compared and rounded without error.
+
+use super::number::{Number, split, times_power_of_two};
+use num_bigint::{BigInt, Sign};
+use std::cmp::Ordering;
+
+/// `(p + s sqrt(q)) / r` with integers `p`, `q >= 0` and `r > 0`, and `s` of 1 or -1: where a ray meets a plane (`q` is 0) or
+/// a quadric.
+#[derive(Clone, Debug)]
+pub(crate) struct Root {
+    p: BigInt,
+    minus: bool,
+    q: BigInt,
+    r: BigInt,
+}
+
+impl Root {
+    /// `numerator / denominator`; `None` for a denominator of 0.
+    pub(super) fn quotient(numerator: Number<BigInt>, denominator: Number<BigInt>) -> Option<Self> {
+        let (mut p, mut r) = (numerator.integer, denominator.integer);
+        match r.sign() {
+            Sign::NoSign => return None,
+            Sign::Minus => (p, r) = (-p, -r),
+            Sign::Plus => {}
+        }
+        match numerator.exponent - denominator.exponent {
+            shift @ 0.. => p <<= shift,
+            shift => r <<= -shift,
+        }
+        Some(Self {
+            p,
+            minus: false,
+            q: BigInt::ZERO,
+            r,
+        })
+    }
+
+    /// The roots of `a t^2 + 2 b t + c`, the lesser first; the same one twice where they meet, `None` where there are none.
+    /// `a` must be above 0.
+    pub(super) fn quadratic(
+        a: &Number<BigInt>,
+        b: &Number<BigInt>,
+        c: &Number<BigInt>,
+    ) -> Option<[Self; 2]> {
+        let discriminant = b.times(b).minus(&a.times(c));
+        if discriminant.integer.sign() == Sign::Minus {
+            return None;
+        }
+        // In units of which the square is that of the discriminant.
+        let unit = b.exponent.min(discriminant.exponent.div_euclid(2));
+        let mut p = -(&b.integer << (b.exponent - unit));
+        let mut q = discriminant.integer << (discriminant.exponent - 2 * unit);
+        let mut r = a.integer.clone();
+        match unit - a.exponent {
+            shift @ 0.. => {
+                p <<= shift;
+                q <<= 2 * shift;
+            }
+            shift => r <<= -shift,
+        }
+        Some([true, false].map(|minus| Self {
+            p: p.clone(),
+            minus,
+            q: q.clone(),
+            r: r.clone(),
+        }))
+    }
+
+    /// A finite number.
+    fn number(value: f64) -> Self {
+        let (mantissa, exponent) = split(value);
+        let mut root = Self {
+            p: mantissa.into(),
+            minus: false,
+            q: BigInt::ZERO,
+            r: 1.into(),
+        };
+        match exponent {
+            0.. => root.p <<= exponent,
+            _ => root.r <<= -exponent,
+        }
+        root
+    }
+
+    /// Against a number that is not NaN.
+    pub(super) fn compare_to(&self, value: f64) -> Ordering {
+        if value.is_infinite() {
+            return 0.0_f64.total_cmp(&value);
+        }
+        self.compare(&Self::number(value))
+    }
+
+    /// Which is less.
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let signed = |root: &Self, by: &BigInt| if root.minus { -by.clone() } else { by.clone() };
+        let rational = &self.p * &other.r - &other.p * &self.r;
+        sign_of_sum(
+            &rational,
+            (&signed(self, &other.r), &self.q),
+            (&-signed(other, &self.r), &other.q),
+        )
+    }
+
+    /// The nearest `f64` (of two equally near ones the even one); infinite beyond the range of `f64`.
+    pub fn to_f64(&self) -> f64 {
+        rounded(|bits| self.enclosed(bits))
+    }
+
+    /// How far `self` lies behind `before`: the exact difference, rounded once.
+    pub fn behind(&self, before: &Self) -> f64 {
+        if self.compare(before).is_eq() {
+            return 0.0;
+        }
+        rounded(|bits| {
+            let ([low, high], [before_low, before_high]) =
+                (self.enclosed(bits), before.enclosed(bits));
+            [low.minus(&before_high), high.minus(&before_low)]
+        })
+    }
+
+    /// Numerator and denominator of a quotient that is it, or within `2^-400` of it, relative to what its parts are.
+    pub(super) fn quotient_near(&self) -> [BigInt; 2] {
+        let [low, _] = self.enclosed(400);
+        [low.numerator, low.denominator]
+    }
+
+    /// Two quotients about it, which are one where the root is a whole number; else the root has so many bits behind the
+    /// point.
+    fn enclosed(&self, bits: u64) -> [Quotient; 2] {
+        let scaled = &self.q << (2 * bits);
+        let floor = scaled.sqrt();
+        let is_whole = &floor * &floor == scaled;
+        let ceil = if is_whole { floor.clone() } else { &floor + 1 };
+        let (least, most) = if self.minus {
+            (-ceil, -floor)
+        } else {
+            (floor, ceil)
+        };
+        let p = &self.p << bits;
+        [least, most].map(|root| Quotient {
+            numerator: &p + root,
+            denominator: &self.r << bits,
+        })
+    }
+}
+
+/// The sign of `x + a sqrt(q) + b sqrt(r)`.
+fn sign_of_sum(x: &BigInt, (a, q): (&BigInt, &BigInt), (b, r): (&BigInt, &BigInt)) -> Ordering {
+    let first = sign_with_root(x, a, q);
+    let second = sign(&(b * r));
+    if first == second || second.is_eq() {
+        return first;
+    }
+    if first.is_eq() {
+        return second;
+    }
+    // Opposite signs: the larger square decides. (x + a sqrt(q))^2 - b^2 r has one root only.
+    let squares = sign_with_root(&(x * x + a * a * q - b * b * r), &(x * a * 2), q);
+    match squares {
+        Ordering::Equal => Ordering::Equal,
+        Ordering::Greater => first,
+        Ordering::Less => second,
+    }
+}
+
+/// The sign of `x + a sqrt(q)`.
+fn sign_with_root(x: &BigInt, a: &BigInt, q: &BigInt) -> Ordering {
+    let (first, second) = (sign(x), sign(&(a * q)));
+    if first == second || second.is_eq() {
+        return first;
+    }
+    if first.is_eq() {
+        return second;
+    }
+    match (x * x).cmp(&(a * a * q)) {
+        Ordering::Equal => Ordering::Equal,
+        Ordering::Greater => first,
+        Ordering::Less => second,
+    }
+}
+
+fn sign(n: &BigInt) -> Ordering {
+    n.sign().cmp(&Sign::NoSign)
+}
+
+/// A quotient of integers; the denominator is positive.
+struct Quotient {
+    numerator: BigInt,
+    denominator: BigInt,
+}
+
+impl Quotient {
+    fn minus(&self, other: &Self) -> Self {
+        Self {
+            numerator: &self.numerator * &other.denominator - &other.numerator * &self.denominator,
+            denominator: &self.denominator * &other.denominator,
+        }
+    }
+
+    /// The nearest `f64`, of two equally near ones the even one.
+    fn to_f64(&self) -> f64 {
+        let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
+        if self.numerator.sign() == Sign::NoSign {
+            return 0.0;
+        }
+        let magnitude = self.numerator.magnitude();
+        let denominator = self.denominator.magnitude();
+        // So scaled that the quotient has 65 or 66 bits; fewer where that would pass below the least f64, so that it is
+        // rounded only once.
+        let shift = (65 + bits(&self.denominator) - bits(&self.numerator)).min(1074 + 2);
+        let (dividend, divisor) = match shift {
+            0.. => (magnitude << shift, denominator.clone()),
+            _ => (magnitude.clone(), denominator << -shift),
+        };
+        let (quotient, rest) = (&dividend / &divisor, &dividend % &divisor);
+        // What is left makes it lie above the middle, should it seem to be there.
+        let sticky = quotient << 1 | num_bigint::BigUint::from(u8::from(rest.bits() > 0));
+        let value = match u128::try_from(sticky) {
+            Ok(value) => round_scaled(value, -shift - 1),
+            Err(_) => f64::INFINITY,
+        };
+        if self.numerator.sign() == Sign::Minus {
+            -value
+        } else {
+            value
+        }
+    }
+}
+
+/// `value * 2^exponent`, rounded once.
+fn round_scaled(value: u128, exponent: i64) -> f64 {
+    let bits = i64::from(u128::BITS - value.leading_zeros());
+    // The unit of the last place that the result has.
+    let unit = (bits + exponent - 53).max(-1074);
+    let drop = unit - exponent;
+    let (kept, unit) = if drop <= 0 {
+        (value, exponent)
+    } else if drop > 127 {
+        (0, unit)
+    } else {
+        let kept = value >> drop;
+        let rest = value & ((1 << drop) - 1);
+        let half = 1_u128 << (drop - 1);
+        let up = rest > half || rest == half && kept & 1 == 1;
+        (kept + u128::from(up), unit)
+    };
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "at most 53 bits, or a power of two"
+    )]
+    let result = kept as f64;
+    times_power_of_two(result, unit)
+}
+
+/// What both ends of an enclosure round to, which is made narrower until they agree (Ziv, "Fast evaluation of elementary
+/// mathematical functions with correctly rounded last bit", 1991). A number in the middle between two `f64` is rational,
+/// and then the enclosure is a point.
+fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
+    let mut bits = 128;
+    loop {
+        let [low, high] = enclosure(bits).map(|end| end.to_f64());
+        #[expect(clippy::float_cmp, reason = "to the bit")]
+        if low == high {
+            return low;
+        }
+        bits *= 2;
+    }
+}

@@ -1,0 +1,241 @@
+//! Rays against spheres, cubes and squares in integers of any length.
+
+use super::{
+    super::{Cuboid, Hit, Ray, Sphere, Square, local_ray::Exactly},
+    number::{Number, Vector},
+    root::Root,
+    world::LocalLine,
+};
+use glam::DVec3;
+use num_bigint::BigInt;
+use std::cmp::Ordering;
+
+type Integers = LocalLine<BigInt>;
+
+/// Where a ray's line enters a shape and leaves it, the same place where it touches it; with the normal of the face that it
+/// meets there, of a cube.
+struct Crossing {
+    enter: (Root, DVec3),
+    leave: (Root, DVec3),
+    touches: bool,
+}
+
+/// A ray in object space, turned about where the placement mirrors; `None` where a number is not finite.
+fn local(exactly: &Exactly) -> Option<Integers> {
+    if !super::is_finite(&exactly.line) {
+        return None;
+    }
+    let mut line = Integers::new(exactly);
+    if line.one.sign().is_lt() {
+        for vector in [&mut line.origin, &mut line.direction] {
+            vector.integers = vector.integers.each_ref().map(|n| -n);
+        }
+        line.one.integer = -line.one.integer;
+    }
+    Some(line)
+}
+
+fn sphere_crossing(line: &Integers) -> Option<Crossing> {
+    let a = line.direction.dot(&line.direction);
+    let b = line.origin.dot(&line.direction);
+    let radius = line.one.times(&Number::new(Sphere::RADIUS));
+    let c = line.origin.dot(&line.origin).minus(&radius.times(&radius));
+    if a.sign().is_eq() {
+        return None;
+    }
+    let [enter, leave] = Root::quadratic(&a, &b, &c)?;
+    let touches = enter.compare(&leave).is_eq();
+    Some(Crossing {
+        enter: (enter, DVec3::ZERO),
+        leave: (leave, DVec3::ZERO),
+        touches,
+    })
+}
+
+fn cube_crossing(line: &Integers) -> Option<Crossing> {
+    let half = line.one.times(&Number::new(Cuboid::HALF_SIDE));
+    let mut enter: Option<(Root, DVec3)> = None;
+    let mut leave: Option<(Root, DVec3)> = None;
+    for axis in 0..3 {
+        let (o, d) = (line.origin.component(axis), line.direction.component(axis));
+        let backwards = match d.sign() {
+            Ordering::Equal if magnitude(&o).minus(&half).sign().is_gt() => return None,
+            Ordering::Equal => continue,
+            sign => sign.is_lt(),
+        };
+        // Towards greater coordinates: from -half to half.
+        let (from, to) = (negative(&half).minus(&o), half.minus(&o));
+        let (near, far) = if backwards { (to, from) } else { (from, to) };
+        let outward = DVec3::AXES[axis] * if backwards { -1.0 } else { 1.0 };
+        let (near, far) = (Root::quotient(near, d.clone())?, Root::quotient(far, d)?);
+        // Of several planes at one t the lowest axis names the face.
+        if enter
+            .as_ref()
+            .is_none_or(|(at, _)| near.compare(at).is_gt())
+        {
+            enter = Some((near, -outward));
+        }
+        if leave.as_ref().is_none_or(|(at, _)| far.compare(at).is_lt()) {
+            leave = Some((far, outward));
+        }
+    }
+    let (enter, leave) = (enter?, leave?);
+    let order = enter.0.compare(&leave.0);
+    (order.is_le()).then_some(Crossing {
+        enter,
+        leave,
+        touches: order.is_eq(),
+    })
+}
+
+fn square_crossing(line: &Integers) -> Option<Root> {
+    let half = line.one.times(&Number::new(Square::HALF_SIDE));
+    let Vector { .. } = line.origin;
+    let [o, d] = [&line.origin, &line.direction].map(|v| [0, 1, 2].map(|i| v.component(i)));
+    if d[2].sign().is_eq() {
+        return None;
+    }
+    let rim = magnitude(&d[2]).times(&half);
+    let inside = |i: usize| {
+        let point = o[i].times(&d[2]).minus(&o[2].times(&d[i]));
+        magnitude(&point).minus(&rim).sign().is_le()
+    };
+    if !(inside(0) && inside(1)) {
+        return None;
+    }
+    Root::quotient(negative(&o[2]), d[2].clone())
+}
+
+fn magnitude(n: &Number<BigInt>) -> Number<BigInt> {
+    Number {
+        integer: n.integer.magnitude().clone().into(),
+        exponent: n.exponent,
+    }
+}
+
+fn negative(n: &Number<BigInt>) -> Number<BigInt> {
+    Number {
+        integer: -&n.integer,
+        exponent: n.exponent,
+    }
+}
+
+/// Where the line of `exactly` meets the sphere; `exit` on its way out.
+pub(super) fn sphere_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
+    let crossing = sphere_crossing(&local(exactly)?)?;
+    Some(if exit {
+        crossing.leave.0
+    } else {
+        crossing.enter.0
+    })
+}
+
+/// Where the line of `exactly` meets the cube; `exit` on its way out.
+pub(super) fn cube_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
+    let crossing = cube_crossing(&local(exactly)?)?;
+    Some(if exit {
+        crossing.leave.0
+    } else {
+        crossing.enter.0
+    })
+}
+
+/// Where the line of `exactly` meets the square.
+pub(super) fn square_parameter(exactly: &Exactly) -> Option<Root> {
+    square_crossing(&local(exactly)?)
+}
+
+/// The hits of the sphere within the ray's interval. `ray` is the ray, rounded.
+pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
+    let Some(line) = local(exactly) else {
+        return [None, None];
+    };
+    let Some(Crossing {
+        enter,
+        leave,
+        touches,
+    }) = sphere_crossing(&line)
+    else {
+        return [None, None];
+    };
+    let hit = |root: &Root, front: bool| {
+        let t = within(root, ray)?;
+        Some(Hit::analytic(
+            t,
+            4.0 * f64::EPSILON * t.abs(),
+            at(&line, root),
+            front,
+        ))
+    };
+    // A tangent touches, and does not enter.
+    if touches {
+        [hit(&leave.0, false), None]
+    } else {
+        [hit(&enter.0, true), hit(&leave.0, false)]
+    }
+}
+
+/// The hits of the cube within the ray's interval.
+pub(in super::super) fn cube(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
+    let crossing = local(exactly).and_then(|line| cube_crossing(&line));
+    let Some(Crossing {
+        enter,
+        leave,
+        touches,
+    }) = crossing
+    else {
+        return [None, None];
+    };
+    let hit = |(root, normal): (Root, DVec3), front: bool| {
+        let t = within(&root, ray)?;
+        Some(Hit::analytic(
+            t,
+            4.0 * f64::EPSILON * t.abs(),
+            normal,
+            front,
+        ))
+    };
+    let exit = if touches { None } else { hit(leave, false) };
+    [hit(enter, true), exit]
+}
+
+/// The hit of the square within the ray's interval.
+pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
+    let line = local(exactly)?;
+    let t = within(&square_crossing(&line)?, ray)?;
+    let front = line.direction.component(2).sign().is_lt();
+    Some(Hit::analytic(
+        t,
+        4.0 * f64::EPSILON * t.abs(),
+        DVec3::Z,
+        front,
+    ))
+}
+
+/// The point at a parameter in object space, each coordinate rounded once.
+fn at(line: &Integers, root: &Root) -> DVec3 {
+    let [numerator, denominator] = root.quotient_near().map(|integer| Number {
+        integer,
+        exponent: 0,
+    });
+    let one = line.one.times(&denominator);
+    let coordinate = |axis| {
+        let start = line.origin.component(axis).times(&denominator);
+        start
+            .plus(&line.direction.component(axis).times(&numerator))
+            .ratio(&one)
+    };
+    DVec3::new(coordinate(0), coordinate(1), coordinate(2))
+}
+
+/// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not
+/// finite.
+pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
+    Some(at(&local(exactly)?, root))
+}
+
+/// A parameter that counts, rounded, and within the interval still.
+fn within(root: &Root, ray: &Ray) -> Option<f64> {
+    let counts = root.compare_to(ray.t_min).is_ge() && root.compare_to(ray.t_max).is_lt();
+    counts.then(|| root.to_f64().max(ray.t_min).min(ray.t_max.next_down()))
+}

@@ -1,0 +1,146 @@
+//! Rays and points of the world in integers.
+
+#[cfg(test)]
+use super::super::LocalRay;
+use super::{
+    super::{Placement, local_ray::Exactly, ray::Line},
+    integer::Integer,
+    number::{Number, Vector},
+};
+use glam::{DMat3, DVec3};
+
+/// A ray: `(origin + t direction) / weight`, which spares the division by the picture's height.
+pub(super) struct ExactLine<I> {
+    pub origin: Vector<I>,
+    pub direction: Vector<I>,
+    pub weight: Number<I>,
+}
+
+impl<I: Integer> ExactLine<I> {
+    pub fn new(line: &Line) -> Self {
+        match line {
+            Line::Given { origin, direction } => Self {
+                origin: Vector::new(*origin),
+                direction: Vector::new(*direction),
+                weight: Number::new(1.0),
+            },
+            Line::Pixel { grid, px } => {
+                let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
+                let two = Number::new(2.0);
+                let [x, y] = [px.x, px.y].map(|at| two.times(&Number::new(at)));
+                let right = Vector::new(grid.right).times(&x.minus(&width));
+                let up = Vector::new(grid.up).times(&height.minus(&y));
+                let aside = right.plus(&up).times(&Number::new(grid.half_height));
+                let [eye, forward] =
+                    [grid.eye, grid.forward].map(|v| Vector::new(v).times(&height));
+                let (origin, direction) = if grid.is_orthographic {
+                    (eye.plus(&aside), forward)
+                } else {
+                    (eye, forward.plus(&aside))
+                };
+                Self {
+                    origin,
+                    direction,
+                    weight: height,
+                }
+            }
+        }
+    }
+
+    /// From the ray's origin to a point, times the weight.
+    pub fn to(&self, point: &Vector<I>) -> Vector<I> {
+        point.times(&self.weight).minus(&self.origin)
+    }
+}
+
+/// The sum of two vectors of object space, where the placement puts it.
+pub(super) fn point<I: Integer>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
+    let object = match sum_of {
+        [DVec3::ZERO, point] => Vector::new(point),
+        [a, b] => Vector::new(a).plus(&Vector::new(b)),
+    };
+    let Some(placement) = placement.filter(|placement| !placement.is_identity()) else {
+        return object;
+    };
+    let model = placement.model();
+    columns(model.matrix3)
+        .iter()
+        .enumerate()
+        .map(|(i, column)| column.times(&object.component(i)))
+        .fold(Vector::new(model.translation), |sum, part| sum.plus(&part))
+}
+
+fn columns<I: Integer>(matrix: DMat3) -> [Vector<I>; 3] {
+    [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(Vector::new)
+}
+
+/// A ray in object space, times a positive number; `|volume|` stands for 1 there.
+pub(super) struct LocalLine<I> {
+    pub origin: Vector<I>,
+    pub direction: Vector<I>,
+    /// What 1 has become: the ray's weight times the determinant; its sign is that of the determinant, by which origin and
+    /// direction have to be turned about.
+    pub one: Number<I>,
+}
+
+impl<I: Integer> LocalLine<I> {
+    pub fn new(exactly: &Exactly) -> Self {
+        let line = ExactLine::<I>::new(&exactly.line);
+        let Some(placement) = exactly
+            .placement
+            .filter(|placement| !placement.is_identity())
+        else {
+            return Self {
+                origin: line.origin,
+                direction: line.direction,
+                one: line.weight,
+            };
+        };
+        let model = placement.model();
+        let Adjugate { rows, determinant } = Adjugate::new(model.matrix3);
+        let translation = Vector::new(model.translation).times(&line.weight);
+        let from_translation = line.origin.minus(&translation);
+        Self {
+            origin: product(&rows, &from_translation),
+            direction: product(&rows, &line.direction),
+            one: determinant.times(&line.weight),
+        }
+    }
+}
+
+/// A matrix's inverse times its determinant, by rows.
+pub(super) struct Adjugate<I> {
+    pub rows: [Vector<I>; 3],
+    pub determinant: Number<I>,
+}
+
+impl<I: Integer> Adjugate<I> {
+    pub fn new(matrix: DMat3) -> Self {
+        let [x, y, z] = &columns(matrix);
+        let rows = [y.cross(z), z.cross(x), x.cross(y)];
+        let determinant = x.dot(&rows[0]);
+        Self { rows, determinant }
+    }
+}
+
+/// A matrix, by rows, times a vector.
+fn product<I: Integer>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
+    let parts = rows.each_ref().map(|row| row.dot(v));
+    let exponent = parts.iter().map(|part| part.exponent).min().unwrap_or(0);
+    Vector::from_numbers(&parts, exponent)
+}
+
+/// How far a local ray's numbers are from the exact ones, by component: of its origin and its direction.
+#[cfg(test)]
+pub(in super::super) fn errors(ray: &LocalRay) -> [DVec3; 2] {
+    use num_bigint::BigInt;
+    let LocalLine {
+        origin,
+        direction,
+        one,
+    } = LocalLine::<BigInt>::new(&ray.exactly());
+    [(origin, ray.ray.origin), (direction, ray.ray.direction)].map(|(exact, rounded)| {
+        let error = exact.minus(&Vector::new(rounded).times(&one));
+        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&one).abs()))
+    })
+}

@@ -1,0 +1,213 @@
+//! Rays: the numbers of one, and what a pixel's ray is made of.
+
+use super::U;
+use glam::{DVec2, DVec3};
+use std::ops::Deref;
+
+/// A half-line with the interval of its parameter that counts. Its numbers are taken as exact.
+///
+/// In whichever space its user says; lengths in that space's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where `t = 0` lies.
+    pub origin: DVec3,
+    /// Step for one unit of `t`; any finite, non-zero length.
+    pub direction: DVec3,
+    /// Hits before this do not count.
+    pub t_min: f64,
+    /// Hits at or beyond this do not count.
+    pub t_max: f64,
+}
+
+impl Ray {
+    /// The point at parameter `t`.
+    #[must_use]
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.origin + t * self.direction
+    }
+
+    /// Whether a hit at `t` counts. False for NaN.
+    #[must_use]
+    pub fn contains(&self, t: f64) -> bool {
+        self.t_min <= t && t < self.t_max
+    }
+}
+
+/// Upper bounds on how far a ray's rounded numbers are from the exact ones, by component. Infinite where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RayError {
+    /// Of the origin.
+    pub origin: DVec3,
+    /// Of the direction.
+    pub direction: DVec3,
+}
+
+/// The camera's numbers that, with a position, make a ray. All are taken as exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelGrid {
+    /// World position of the eye.
+    pub eye: DVec3,
+    /// R: to the right in the picture.
+    pub right: DVec3,
+    /// U: upwards in the picture.
+    pub up: DVec3,
+    /// F: into the picture.
+    pub forward: DVec3,
+    /// h: half the picture's height, at view depth 1 in perspective.
+    pub half_height: f64,
+    /// W and H: the picture's size in pixels.
+    pub size_px: [u32; 2],
+    /// Whether all rays run along F.
+    pub is_orthographic: bool,
+}
+
+/// What a ray is exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Line {
+    /// `origin + t direction`.
+    Given { origin: DVec3, direction: DVec3 },
+    /// The ray of a grid through a position; see [`PixelGrid::ray`].
+    Pixel { grid: PixelGrid, px: DVec2 },
+}
+
+/// A world-space ray as picks take it: its numbers as `f64` rounds them, how far they may be off, and the numbers that it
+/// is made of. Decisions are about the exact ray; reading it as a [`Ray`] gives the rounded one.
+///
+/// A [`Ray`] that is turned into one is exact as it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorldRay {
+    ray: Ray,
+    error: RayError,
+    line: Line,
+}
+
+impl WorldRay {
+    /// How far its rounded numbers may be off.
+    #[must_use]
+    pub fn error(&self) -> RayError {
+        self.error
+    }
+
+    pub(super) fn line(&self) -> &Line {
+        &self.line
+    }
+}
+
+impl Deref for WorldRay {
+    type Target = Ray;
+
+    fn deref(&self) -> &Ray {
+        &self.ray
+    }
+}
+
+impl From<Ray> for WorldRay {
+    fn from(ray: Ray) -> Self {
+        Self {
+            ray,
+            error: RayError::default(),
+            line: Line::Given {
+                origin: ray.origin,
+                direction: ray.direction,
+            },
+        }
+    }
+}
+
+impl From<&Ray> for WorldRay {
+    fn from(ray: &Ray) -> Self {
+        (*ray).into()
+    }
+}
+
+impl From<&Self> for WorldRay {
+    fn from(ray: &Self) -> Self {
+        *ray
+    }
+}
+
+/// Factors between this and its reciprocal make no product that underflows or overflows.
+const MODERATE: f64 = f64::from_bits((1023 + 300) << 52);
+
+/// Whether a factor is 0 or so moderate that bounds relative to products of three of them hold. False for NaN.
+fn is_moderate(factor: f64) -> bool {
+    factor == 0.0 || (1.0 / MODERATE..=MODERATE).contains(&factor.abs())
+}
+
+impl PixelGrid {
+    /// `a` of [`PixelGrid::ray`]: from the middle of the picture to a position, at view depth 1 in perspective.
+    #[must_use]
+    pub fn aside(&self, px: DVec2) -> DVec3 {
+        let [right, up] = self.factors(px);
+        right * self.right + up * self.up
+    }
+
+    /// Of R and of U.
+    #[inline]
+    fn factors(&self, px: DVec2) -> [f64; 2] {
+        let [width, height] = self.size_px.map(f64::from);
+        let per_half_px = self.half_height / height;
+        [
+            per_half_px * (2.0 * px.x - width),
+            per_half_px * (height - 2.0 * px.y),
+        ]
+    }
+
+    /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not normalised,
+    /// so `t` is view depth.
+    ///
+    /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in orthographic
+    /// projection.
+    ///
+    /// Bounds: a factor of R or U rounds three times, its product with a component once, the sum of both once, and adding
+    /// F or the eye once more. With `A` and `B` the two products, that is below `6 U (|A| + |B|)` and `U` of the result;
+    /// nothing where both are 0.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, px: DVec2, [near, far]: [f64; 2]) -> WorldRay {
+        let [right, up] = self.factors(px);
+        let (a, b) = (right * self.right, up * self.up);
+        let aside = a + b;
+        let base = if self.is_orthographic {
+            self.eye
+        } else {
+            self.forward
+        };
+        let moved = base + aside;
+        let size = a.abs() + b.abs();
+        let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
+        let is_bounded = is_moderate(right)
+            && is_moderate(up)
+            && [self.right, self.up]
+                .iter()
+                .all(|v| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z));
+        let moved_error = if is_bounded {
+            7.0 * U * size + rounded_base
+        } else {
+            DVec3::INFINITY
+        };
+        let (origin, direction, error) = if self.is_orthographic {
+            let error = RayError {
+                origin: moved_error,
+                direction: DVec3::ZERO,
+            };
+            (moved, self.forward, error)
+        } else {
+            let error = RayError {
+                origin: DVec3::ZERO,
+                direction: moved_error,
+            };
+            (self.eye, moved, error)
+        };
+        WorldRay {
+            ray: Ray {
+                origin,
+                direction,
+                t_min: near,
+                t_max: far,
+            },
+            error,
+            line: Line::Pixel { grid: *self, px },
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The point of a conic's arcs nearest to the origin, by branch and bound.
+//!
+//! An arc is a rational quadratic Bézier curve: u, v and w are quadratics in a parameter, and the picture shows
+//! (u / w, v / w). So the squared distance (u^2 + v^2) / w^2 is a quotient of quartics. Where the denominator's Bernstein
+//! coefficients are positive, it is nowhere below the least quotient of coefficients (Narkawicz et al., "Bounding the
+//! Range of a Rational Function over a Box", Reliable Computing 17, 2012). That bound's error falls with the square of
+//! the parameter's range. So arcs are halved until no part may be nearer than the nearest known end by more than the
+//! tolerance. This needs no start value and overlooks no minimum; a circle about the origin needs no halving at all.
+//!
+//! Halving adds coordinates, which cancels digits. So they are held in fixed point, where rounding has a bound. The bound
+//! is taken off each lower bound and added to each distance.
+
+use crate::geometry::dyadic::{rounded, times_power_of_two};
+use num_bigint::BigInt;
+use std::array;
+
+/// How far the answer may be above the least distance: by this share of itself or, in pixels, by [`TOLERANCE_PX`]. A
+/// ten-thousandth of what picks promise.
+const TOLERANCE: f64 = 1e-13;
+const TOLERANCE_PX: f64 = 1e-10;
+
+/// A number in fixed point.
+pub(super) trait Fixed: Sized + Clone {
+    /// Half the sum, rounded down.
+    fn midpoint(&self, other: &Self) -> Self;
+    /// In units of 2^bits.
+    fn to_f64(&self, bits: i64) -> f64;
+}
+
+impl Fixed for i128 {
+    fn midpoint(&self, other: &Self) -> Self {
+        (self + other) >> 1
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "this is the rounding")]
+    fn to_f64(&self, bits: i64) -> f64 {
+        times_power_of_two(*self as f64, -bits)
+    }
+}
+
+impl Fixed for BigInt {
+    fn midpoint(&self, other: &Self) -> Self {
+        (self + other) >> 1
+    }
+
+    fn to_f64(&self, bits: i64) -> f64 {
+        rounded(self, -bits)
+    }
+}
+
+/// Three control points (u, v, w).
+pub(super) type Controls<T> = [[T; 3]; 3];
+
+/// Arcs in fixed point, at least one. Where an arc's `w` is above 0, that of its control points is too.
+pub(super) struct Arcs<T> {
+    pub(super) controls: Vec<Controls<T>>,
+    /// In units of 2^bits coordinates are about 1 or less.
+    pub(super) bits: i64,
+    /// How far each coordinate may be from what it stands for, in units of its last bit.
+    pub(super) error: f64,
+    /// How many pixels a `u / w` of 1 is.
+    pub(super) px: f64,
+}
+
+/// A part of an arc.
+struct Piece<T> {
+    controls: Controls<T>,
+    /// How often it was halved.
+    halvings: i32,
+    /// Nothing of it is nearer to the origin than this.
+    least: f64,
+}
+
+impl<T: Fixed> Arcs<T> {
+    /// The distance in pixels from the origin to the nearest point.
+    ///
+    /// # Errors
+    /// When fixed point has too few bits to tell: the distance to the nearest point known.
+    pub(super) fn distance_px(&self) -> Result<f64, f64> {
+        let mut best = f64::INFINITY;
+        let mut pieces = Vec::new();
+        for controls in self.controls.iter().cloned() {
+            best = self.add(&mut pieces, controls, 0, best);
+        }
+        // With a minimum on each of four arcs, each bit takes four halvings.
+        for _ in 0..8 * self.bits {
+            pieces.retain(|piece| piece.least + self.tolerance(piece.least) < best);
+            let least =
+                (0..pieces.len()).min_by(|&a, &b| pieces[a].least.total_cmp(&pieces[b].least));
+            let Some(least) = least else {
+                return Ok(best * self.px);
+            };
+            let piece = pieces.swap_remove(least);
+            for half in halves(&piece.controls) {
+                best = self.add(&mut pieces, half, piece.halvings + 1, best);
+            }
+        }
+        Err(best * self.px)
+    }
+
+    fn tolerance(&self, distance: f64) -> f64 {
+        (TOLERANCE * distance).max(TOLERANCE_PX / self.px)
+    }
+
+    /// Adds a piece to those that may be nearest, and returns the nearest known point's distance, its ends among them.
+    fn add(
+        &self,
+        pieces: &mut Vec<Piece<T>>,
+        controls: Controls<T>,
+        halvings: i32,
+        best: f64,
+    ) -> f64 {
+        // Each halving rounds down twice, by half a unit at most.
+        let error = times_power_of_two(self.error + f64::from(halvings), -self.bits);
+        let points = controls
+            .each_ref()
+            .map(|p| p.each_ref().map(|c| c.to_f64(self.bits)));
+        pieces.push(Piece {
+            least: least_distance(&points, error),
+            controls,
+            halvings,
+        });
+        best.min(end_distance(points[0], error))
+            .min(end_distance(points[2], error))
+    }
+}
+
+/// An upper bound on the distance of a point whose coordinates may be off by `error`.
+fn end_distance([u, v, w]: [f64; 3], error: f64) -> f64 {
+    if w > error {
+        (u.hypot(v) + 2.0 * error) / (w - error)
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// A lower bound on the distance of each point of an arc whose coordinates may be off by `error`.
+fn least_distance(points: &[[f64; 3]; 3], error: f64) -> f64 {
+    let coordinate = |i: usize| points.map(|point| point[i]);
+    let [u, v, w] = [0, 1, 2].map(coordinate);
+    let size = u.iter().chain(&v).fold(error, |size, c| size.max(c.abs()));
+    // What two squares may be off by, of coordinates as of sums of their products.
+    let slack = 2.0 * error * (2.0 * size + error) + 16.0 * f64::EPSILON * size * size;
+    let (u, v, w) = (square(u), square(v), square(w.map(|w| w.max(0.0) + error)));
+    let quotients = (0..5).map(|i| (u[i] + v[i] - slack).max(0.0) / w[i]);
+    let least = quotients.fold(f64::INFINITY, f64::min);
+    (1.0 - 8.0 * f64::EPSILON) * least.sqrt()
+}
+
+/// The Bernstein coefficients of a quadratic's square.
+fn square([a, b, c]: [f64; 3]) -> [f64; 5] {
+    [a * a, a * b, (a * c + 2.0 * b * b) / 3.0, b * c, c * c]
+}
+
+/// Both halves of an arc (de Casteljau).
+fn halves<T: Fixed>([a, b, c]: &Controls<T>) -> [Controls<T>; 2] {
+    let midpoint = |p: &[T; 3], q: &[T; 3]| array::from_fn(|i| p[i].midpoint(&q[i]));
+    let (ab, bc) = (midpoint(a, b), midpoint(b, c));
+    let middle = midpoint(&ab, &bc);
+    [[a.clone(), ab, middle.clone()], [middle, bc, c.clone()]]
+}

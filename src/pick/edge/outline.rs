@@ -1,0 +1,208 @@
+//! The outline of a sphere: where rays of the picture touch it.
+
+use super::{
+    ExactPlacement,
+    frame::{Frame, Shown, ViewAxis},
+    nearest::Arcs,
+};
+use crate::geometry::dyadic::{Dyadic, DyadicVector, cross, dot, times_power_of_two};
+use num_bigint::{BigInt, Sign};
+use std::array;
+
+/// What the picture shows of the circle in which rays touch the sphere; exact, but for two roots that are left to take.
+///
+/// In object space the sphere is |y| = 1/2. With the eye at o / m, m = det L, a ray touches it where y . o = m / 4. So with
+/// g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside, the circle has the centre o m / (4 g) and the
+/// squared radius k / (16 g). (In orthographic projection o is the rays' direction and m = 0.) Let n be the gradient of
+/// depth. Of the circle's plane, b = o x n keeps the depth and a = b x o raises it; a . a = g b . b. So with q = b . b the
+/// circle consists of
+///
+/// (m o + sqrt(k / q) (cos a + sin sqrt(g) b)) / (4 g).
+///
+/// The picture's coordinates (u, v, w) are linear, those of the direction o being -m times those of the sphere's centre,
+/// since the eye has none. So the circle is shown, up to a factor, as
+///
+/// sqrt(k q) centre + cos a + sin sqrt(g) b.
+struct Circle {
+    /// Picture coordinates of the sphere's centre.
+    center: Vec3,
+    /// Those of the direction a.
+    a: Vec3,
+    /// Those of the direction b; its `w` is 0.
+    b: Vec3,
+    g: Dyadic,
+    kq: Dyadic,
+    /// Points lie at or behind the near plane where sqrt(k q) cos is at least this.
+    threshold: Dyadic,
+    /// All points have the same depth: what has to be at least the threshold is 0.
+    is_level: bool,
+}
+
+/// Picture coordinates (u, v, w).
+type Vec3 = [Dyadic; 3];
+
+/// A part of the circle, in both halves alike, which a range of p in (1 - p^2, 2 p, 1 + p^2) stands for. That is the
+/// (cosine, sine, 1) of the angle from the deepest point or, where `turned`, from the other end.
+struct Part {
+    turned: bool,
+    from: Dyadic,
+    to: Dyadic,
+}
+
+/// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane; `None` when there is none.
+pub(super) fn distance_px(frame: &Frame, placement: &ExactPlacement) -> Option<f64> {
+    let circle = Circle::new(frame, placement)?;
+    if !circle.is_visible() {
+        return None;
+    }
+    // 112 bits are enough for all but the strangest views. Coordinates need at most three more, and a sign.
+    let narrow = |n: BigInt| i128::try_from(n).unwrap_or_default();
+    let mut distance = circle.arcs(112, narrow).distance_px();
+    for bits in [448, 1792, 7168] {
+        if distance.is_err() {
+            distance = circle.arcs(bits, |n| n).distance_px();
+        }
+    }
+    Some(distance.unwrap_or_else(|nearest_known| nearest_known))
+}
+
+impl Circle {
+    /// `None` when the eye is not outside.
+    fn new(frame: &Frame, placement: &ExactPlacement) -> Option<Self> {
+        let [x, y, z] = &placement.axes;
+        let adjugate = [cross(y, z), cross(z, x), cross(x, y)];
+        let (towards, m) = match frame.view_axis() {
+            ViewAxis::From(eye) => {
+                let from_center = |i: usize| eye[i].clone() - placement.translation[i].clone();
+                (array::from_fn(from_center), dot(x, &adjugate[0]))
+            }
+            ViewAxis::Along(direction) => (direction.clone(), Dyadic::default()),
+        };
+        let o = adjugate.each_ref().map(|row| dot(row, &towards));
+        let g = dot(&o, &o);
+        let four_g = &Dyadic::new(4.0) * &g;
+        let m_squared = m.squared();
+        let k = four_g.clone() - m_squared.clone();
+        if k.sign() != Sign::Plus {
+            return None;
+        }
+        let axes = placement.axes.each_ref().map(|axis| frame.direction(axis));
+        let gradient = axes.each_ref().map(|axis| axis.depth.clone());
+        let steepest = cross(&o, &gradient);
+        let is_level = steepest.iter().all(Dyadic::is_zero);
+        let b = if is_level { across(&o) } else { steepest };
+        let a = cross(&b, &o);
+        let shown = |step: &DyadicVector| {
+            let part = |of: fn(&Shown) -> &Dyadic| {
+                dot(&axes.each_ref().map(|axis| of(axis).clone()), step)
+            };
+            [part(|p| &p.u), part(|p| &p.v), part(|p| &p.w)]
+        };
+        let center = frame.point(&placement.translation);
+        Some(Self {
+            a: shown(&a),
+            b: shown(&b),
+            kq: &k * &dot(&b, &b),
+            threshold: &m_squared * &center.depth - &four_g * &frame.behind_near(&center),
+            center: [center.u, center.v, center.w],
+            g,
+            is_level,
+        })
+    }
+
+    /// Whether some of it lies at or behind the near plane.
+    fn is_visible(&self) -> bool {
+        match self.threshold.sign() {
+            Sign::Plus => !self.is_level && !self.beyond_threshold().is_negative(),
+            _ => true,
+        }
+    }
+
+    /// k q less the square of the threshold: below 0 where no sine belongs to the threshold's cosine.
+    fn beyond_threshold(&self) -> Dyadic {
+        self.kq.clone() - self.threshold.squared()
+    }
+
+    /// The parts at or behind the near plane, with tangents of half angles to so many bits.
+    fn visible_parts(&self, root: &Dyadic, bits: i64) -> Vec<Part> {
+        let part = |turned, from, to| Part { turned, from, to };
+        let [zero, one] = [0.0, 1.0].map(Dyadic::new);
+        let sine = self.beyond_threshold();
+        if self.is_level || (self.threshold.is_negative() && sine.is_negative()) {
+            return vec![
+                part(false, zero.clone(), one.clone()),
+                part(true, zero, one),
+            ];
+        }
+        // tan(angle / 2) = sin / (1 + cos), by the angle from the end on whose side it is.
+        let sine = sine.sqrt(bits);
+        let tangent = sine.quotient(&(root.clone() + self.threshold.clone().abs()), bits);
+        if self.threshold.is_negative() {
+            vec![part(false, zero, one.clone()), part(true, tangent, one)]
+        } else {
+            vec![part(false, zero, tangent)]
+        }
+    }
+
+    /// The visible part in fixed point of so many bits.
+    fn arcs<T>(&self, bits: i64, fixed: impl Fn(BigInt) -> T) -> Arcs<T> {
+        // Guard bits: what is cut off before the end adds up to less than a unit.
+        let longer = bits + 8;
+        let root = self.kq.sqrt(longer);
+        let root_g = self.g.sqrt(longer);
+        let center = self.center.each_ref().map(|c| &root * c);
+        let right = self.b.each_ref().map(|c| &root_g * c);
+        let magnitude = |i: usize| {
+            let all = [&center[i], &self.a[i], &right[i]].map(Dyadic::magnitude);
+            all.into_iter().max().flatten()
+        };
+        let size_uv = magnitude(0).max(magnitude(1)).unwrap_or(0);
+        let size_w = magnitude(2).unwrap_or(0);
+        let sizes = [size_uv, size_uv, size_w];
+        let short = |v: &Vec3| -> Vec3 { array::from_fn(|i| v[i].cut_off(sizes[i] - longer)) };
+        let [center, a, right] = [&center, &self.a, &right].map(short);
+        let deepest: Vec3 = array::from_fn(|i| center[i].clone() + a[i].clone());
+        let opposite: Vec3 = array::from_fn(|i| center[i].clone() - a[i].clone());
+        let left = right.clone().map(|c| -c);
+        let mut controls = Vec::new();
+        for Part { turned, from, to } in self.visible_parts(&root, longer) {
+            let (first, last) = if turned {
+                (&opposite, &deepest)
+            } else {
+                (&deepest, &opposite)
+            };
+            for side in [&right, &left] {
+                // The polar form of first + 2 p side + p^2 last.
+                let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
+                    let (sum, product) = (p.clone() + q.clone(), p * q);
+                    array::from_fn(|i| {
+                        let c = first[i].clone() + &side[i] * &sum + &last[i] * &product;
+                        fixed(c.in_units(sizes[i] - bits))
+                    })
+                };
+                controls.push([
+                    control(&from, &from),
+                    control(&from, &to),
+                    control(&to, &to),
+                ]);
+            }
+        }
+        Arcs {
+            controls,
+            bits,
+            // One for what fixed point cuts off, one for all that was cut off before.
+            error: 2.0,
+            px: times_power_of_two(1.0, size_uv - size_w),
+        }
+    }
+}
+
+/// Some vector perpendicular to one that is not 0.
+fn across(v: &DyadicVector) -> DyadicVector {
+    let [x, y, z] = v.clone();
+    if x.is_zero() && y.is_zero() {
+        [z, Dyadic::default(), Dyadic::default()]
+    } else {
+        [-y, x, Dyadic::default()]
+    }
+}

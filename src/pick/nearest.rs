@@ -1,0 +1,232 @@
+//! Hits of a ray on a scene: the nearest, the next one behind it, all of them. One walk answers for clicks, pictures and
+//! hover.
+
+use super::{SceneHit, order::order};
+use crate::{
+    geometry::{
+        Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest, WorldRay,
+    },
+    scene::{Object, Scene, Shape},
+};
+use std::ops::Range;
+
+/// The nearest hit of a world-space ray on the visible objects.
+#[must_use]
+pub fn closest(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Option<SceneHit> {
+    nearest(scene, &ray.into(), sides, None)
+}
+
+/// The nearest hit that comes after `after`, or of all.
+pub(super) fn nearest(
+    scene: &Scene,
+    ray: &WorldRay,
+    sides: Sides,
+    after: Option<&SceneHit>,
+) -> Option<SceneHit> {
+    least(scene, ray, |batch, local| {
+        in_batch(scene, batch, local, sides, |found| {
+            after.is_none_or(|after| order(scene, ray, found, after).is_gt())
+        })
+    })
+}
+
+/// [`closest`] by another triangle test.
+#[must_use]
+pub fn closest_by(
+    scene: &Scene,
+    ray: impl Into<WorldRay>,
+    sides: Sides,
+    test: TriangleTest,
+) -> Option<SceneHit> {
+    let ray = &ray.into();
+    let mut best = None;
+    // Another test may hit what the ray misses: no batch is passed over.
+    for batch in scene.batches() {
+        let first = &scene.objects()[batch.start];
+        let local = first.placement.local_ray(ray);
+        let found = match &first.shape {
+            Shape::Mesh { mesh, part } => {
+                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let hit = mesh.closest_by(&local, sides, test, accept);
+                hit.map(|hit| of_mesh(scene, batch, hit))
+            }
+            _ => in_batch(scene, batch, &local, sides, |_| true),
+        };
+        best = lesser(scene, ray, best, found);
+    }
+    best
+}
+
+/// All hits of a world-space ray on the visible objects, from front to back.
+#[must_use]
+pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHit> {
+    let ray = &ray.into();
+    let mut all = Vec::new();
+    scene.visit_batches(ray, |batch| {
+        let first = &scene.objects()[batch.start];
+        let local = first.placement.local_ray(ray);
+        match &first.shape {
+            Shape::Mesh { mesh, part } => {
+                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let hits = mesh.each(&local, sides, accept).into_iter();
+                all.extend(hits.map(|hit| of_mesh(scene, batch, hit)));
+            }
+            shape if first.visible => {
+                let hits = analytic_hits(shape, &local).into_iter().flatten();
+                let object = batch.start;
+                let shown = hits.filter(|hit| sides.shows(hit));
+                all.extend(shown.map(|hit| SceneHit { object, hit }));
+            }
+            _ => {}
+        }
+        ray.t_max
+    });
+    all.sort_unstable_by(|a, b| order(scene, ray, a, b));
+    all
+}
+
+/// The hits on one object, or on a triangle of its mesh, nearest first; whether it is visible or not.
+pub(super) fn hits_of(
+    scene: &Scene,
+    ray: &WorldRay,
+    object: usize,
+    triangle: Option<u32>,
+) -> impl Iterator<Item = SceneHit> {
+    let Object {
+        shape, placement, ..
+    } = &scene.objects()[object];
+    let local = placement.local_ray(ray);
+    let hits = match (shape, triangle) {
+        (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
+        _ => analytic_hits(shape, &local),
+    };
+    let hits = hits.into_iter().flatten();
+    hits.map(move |hit| SceneHit { object, hit })
+}
+
+/// Whether `f64` alone leaves open if a world-space ray hits one of the visible surfaces no later than at `limit`. The
+/// same with and without trees.
+pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
+    let mut found = false;
+    scene.visit_batches(ray, |batch| {
+        let first = &scene.objects()[batch.start];
+        let local = first.placement.local_ray(ray).until(limit);
+        found = found
+            || match &first.shape {
+                Shape::Mesh { mesh, part } => {
+                    let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                    mesh.is_in_doubt(&local, accept)
+                }
+                _ if !first.visible => false,
+                Shape::Sphere => Sphere::is_in_doubt(&local),
+                Shape::Cube => Cuboid::is_in_doubt(&local),
+                Shape::Square => Square::is_in_doubt(&local),
+            };
+        // Once is enough: nothing lies before this.
+        if found { f64::NEG_INFINITY } else { limit }
+    });
+    found
+}
+
+/// Whether `f64` leaves open which of a hit and some other one is nearer. The same with and without trees.
+pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHit) -> bool {
+    // What overlaps it is met no later than this, since no parameter is off by more than half of its digits.
+    let limit = hit.limit() + 8.0 * HALF_OF_THE_DIGITS * hit.limit().abs();
+    let mut found = false;
+    scene.visit_batches(ray, |batch| {
+        let placement = &scene.objects()[batch.start].placement;
+        let local = placement.local_ray(ray).until(limit);
+        let overlaps = |other: &SceneHit| other != hit && other.overlaps(hit);
+        found = found || in_batch(scene, batch, &local, sides, overlaps).is_some();
+        if found { f64::NEG_INFINITY } else { limit }
+    });
+    found
+}
+
+/// The least of what batches answer, each of which is told how far to look.
+fn least(
+    scene: &Scene,
+    ray: &WorldRay,
+    mut of_batch: impl FnMut(&Range<usize>, &LocalRay) -> Option<SceneHit>,
+) -> Option<SceneHit> {
+    let mut best: Option<SceneHit> = None;
+    let mut limit = ray.t_max;
+    scene.visit_batches(ray, |batch| {
+        let placement = &scene.objects()[batch.start].placement;
+        let found = of_batch(batch, &placement.local_ray(ray).until(limit));
+        best = lesser(scene, ray, best, found);
+        if let Some(best) = &best {
+            limit = best.hit.t + best.hit.t_error;
+        }
+        limit
+    });
+    best
+}
+
+fn lesser(
+    scene: &Scene,
+    ray: &WorldRay,
+    a: Option<SceneHit>,
+    b: Option<SceneHit>,
+) -> Option<SceneHit> {
+    match (a, b) {
+        (Some(a), Some(b)) if order(scene, ray, &b, &a).is_lt() => Some(b),
+        (a, b) => a.or(b),
+    }
+}
+
+/// The first hit on a batch that `accept` takes.
+fn in_batch(
+    scene: &Scene,
+    batch: &Range<usize>,
+    local: &LocalRay,
+    sides: Sides,
+    accept: impl Fn(&SceneHit) -> bool,
+) -> Option<SceneHit> {
+    let first = &scene.objects()[batch.start];
+    match &first.shape {
+        Shape::Mesh { mesh, part } => {
+            let hit = mesh.closest_of(local, sides, |part_hit, hit| {
+                shows_part(scene, batch, *part, part_hit) && accept(&of_mesh(scene, batch, *hit))
+            });
+            hit.map(|hit| of_mesh(scene, batch, hit))
+        }
+        _ if !first.visible => None,
+        shape => {
+            let object = batch.start;
+            let hits = analytic_hits(shape, local).into_iter().flatten();
+            hits.filter(|hit| sides.shows(hit))
+                .map(|hit| SceneHit { object, hit })
+                .find(accept)
+        }
+    }
+}
+
+/// A hit on a batch's mesh, with its object.
+fn of_mesh(scene: &Scene, batch: &Range<usize>, hit: Hit) -> SceneHit {
+    let object = match (&scene.objects()[batch.start].shape, hit.on_triangle) {
+        (Shape::Mesh { mesh, part }, Some(at)) => batch.start + mesh.part_of(at.triangle) - part,
+        _ => batch.start,
+    };
+    SceneHit { object, hit }
+}
+
+/// Whether a part of a batch's mesh is one of its objects, and visible.
+pub(super) fn shows_part(
+    scene: &Scene,
+    batch: &Range<usize>,
+    first_part: usize,
+    part: usize,
+) -> bool {
+    let object = part.checked_sub(first_part).map(|i| batch.start + i);
+    object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
+}
+
+fn analytic_hits(shape: &Shape, local: &LocalRay) -> [Option<Hit>; 2] {
+    match shape {
+        Shape::Sphere => Sphere::hits(local),
+        Shape::Cube => Cuboid::hits(local),
+        Shape::Square => [Square::hit(local), None],
+        Shape::Mesh { .. } => [None, None],
+    }
+}

@@ -1,0 +1,124 @@
+//! Which of two hits comes first, as exact arithmetic says.
+
+use super::SceneHit;
+use crate::{
+    geometry::{
+        Corners, Mesh, Root, Surface, WorldRay, are_coplanar, compare_surfaces, parameter, weights,
+    },
+    scene::{Object, Scene, Shape},
+};
+use std::{cmp::Ordering, sync::Arc};
+
+/// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
+pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
+    let triangle = |hit: &SceneHit| hit.hit.on_triangle.map(|at| at.triangle);
+    by_t(scene, ray, a, b)
+        .then(a.object.cmp(&b.object))
+        .then(triangle(a).cmp(&triangle(b)))
+        .then(b.hit.front.cmp(&a.hit.front))
+}
+
+/// How far `next` lies behind `hit`: the exact difference in `t`, rounded once.
+pub(super) fn gap(scene: &Scene, ray: &WorldRay, hit: &SceneHit, next: &SceneHit) -> f64 {
+    if is_same_place(scene, hit, next) {
+        return 0.0;
+    }
+    match [hit, next].map(|hit| root(scene, ray, hit)) {
+        [Some(hit), Some(next)] => next.behind(&hit),
+        _ => (next.hit.t - hit.hit.t).max(0.0),
+    }
+}
+
+/// The `t` of a hit, without rounding.
+pub(super) fn root(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<Root> {
+    parameter(ray, &surface(scene, hit))
+}
+
+/// The weights of the corners of the triangle that was hit.
+pub(super) fn barycentric(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<[f64; 3]> {
+    let rounded = hit.hit.on_triangle?.barycentric;
+    let Surface::Triangle(triangle) = surface(scene, hit) else {
+        return None;
+    };
+    Some(weights(ray, &triangle).unwrap_or(rounded))
+}
+
+fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
+    if !a.overlaps(b) {
+        return a.hit.t.total_cmp(&b.hit.t);
+    }
+    if is_same_place(scene, a, b) {
+        return Ordering::Equal;
+    }
+    compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
+}
+
+/// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two triangles of one plane. Cheaper
+/// to tell than by their parameters.
+fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
+    let [on_a, on_b] = [a, b].map(|hit| &scene.objects()[hit.object]);
+    if on_a.placement != on_b.placement {
+        return false;
+    }
+    match (&on_a.shape, &on_b.shape) {
+        (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: other, .. }) => {
+            let [a, b] = [(a, mesh), (b, other)].map(|(hit, mesh)| vertex_corners(mesh, hit));
+            let is_one_space =
+                Arc::ptr_eq(mesh, other) || mesh.data().origin == other.data().origin;
+            is_one_space && is_one_plane(a, b)
+        }
+        (Shape::Mesh { .. }, _) | (_, Shape::Mesh { .. }) => false,
+        (of_a, of_b) => of_a.kind() == of_b.kind() && a.hit.front == b.hit.front,
+    }
+}
+
+/// Whether a triangle, given by its corners about its mesh's origin, comes no earlier than a hit on every ray that meets
+/// both: in the same plane, or the very triangle, and no earlier in order.
+pub(super) fn comes_later_in_plane(
+    scene: &Scene,
+    hit: &SceneHit,
+    object: usize,
+    triangle: u32,
+    corners: [glam::DVec3; 3],
+) -> bool {
+    let Some(on) = hit.hit.on_triangle else {
+        return false;
+    };
+    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
+    let (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: of_other, .. }) =
+        (&of_hit.shape, &other.shape)
+    else {
+        return false;
+    };
+    let is_later = (hit.object, on.triangle) <= (object, triangle);
+    is_later
+        && of_hit.placement == other.placement
+        && (Arc::ptr_eq(mesh, of_other) || mesh.data().origin == of_other.data().origin)
+        && is_one_plane(vertex_corners(mesh, hit), corners)
+}
+
+fn is_one_plane(a: [glam::DVec3; 3], b: [glam::DVec3; 3]) -> bool {
+    a == b || are_coplanar(a, b)
+}
+
+fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [glam::DVec3; 3] {
+    mesh.vertex_corners(hit.hit.on_triangle.map_or(0, |at| at.triangle))
+}
+
+/// What was hit.
+fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
+    let Object {
+        shape, placement, ..
+    } = &scene.objects()[hit.object];
+    let exit = !hit.hit.front;
+    match shape {
+        Shape::Sphere => Surface::Sphere(placement, exit),
+        Shape::Cube => Surface::Cube(placement, exit),
+        Shape::Square => Surface::Square(placement),
+        Shape::Mesh { mesh, .. } => Surface::Triangle(Corners {
+            placement: Some(placement),
+            origin: mesh.data().origin,
+            corners: vertex_corners(mesh, hit),
+        }),
+    }
+}

@@ -1,0 +1,126 @@
+//! Whole picks against exact arithmetic: scenes, views and positions of many kinds, each hit and each record held to an
+//! oracle that makes them from the stored numbers by brute force and shares nothing with the program.
+//!
+//! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
+//! positions of each family and prints a line for each.
+
+mod aim;
+mod blocks;
+mod borders;
+mod by_hand;
+#[path = "../common/mod.rs"]
+mod common;
+mod compare;
+#[path = "../common/exact/mod.rs"]
+mod exact;
+mod families;
+mod findings;
+mod lattice;
+mod program;
+mod rays;
+mod tally;
+mod ties;
+
+use blocks::{Layout, Sample};
+use common::Random;
+use compare::Case;
+use exact::truth::World;
+use tally::Tally;
+
+/// Positions of each family in an ordinary run.
+const POSITIONS: usize = 1000;
+
+/// What at least must have been seen of a family, in a thousand positions.
+#[derive(Default)]
+struct AtLeast {
+    hits: usize,
+    ties: usize,
+    borders: usize,
+    planes: usize,
+    hairs: usize,
+    steps: usize,
+}
+
+/// Positions of each family in this run.
+fn wanted() -> usize {
+    std::env::var("SIGHTLINE_POSITIONS").map_or(POSITIONS, |count| {
+        count.parse().expect("SIGHTLINE_POSITIONS is a number")
+    })
+}
+
+fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeast) {
+    let mut random = Random::new(seed);
+    let mut tally = Tally::default();
+    while tally.positions < wanted() {
+        let sample = make(&mut random);
+        ask(&sample, &mut tally);
+    }
+    println!("{name:16} {}", tally.row());
+    let per_mille = |count: usize| count * 1000 / tally.positions;
+    for (what, seen, least) in [
+        ("hits", tally.hits, at_least.hits),
+        ("ties", tally.ties, at_least.ties),
+        ("borders", tally.borders, at_least.borders),
+        ("planes", tally.planes, at_least.planes),
+        ("hairs", tally.hairs, at_least.hairs),
+        ("steps", tally.steps, at_least.steps),
+    ] {
+        assert!(per_mille(seen) >= least, "{name}: only {seen} {what}");
+    }
+    let wrong = tally.wrong + tally.wrong_with_trees;
+    assert!(
+        wrong == 0,
+        "{name}: {wrong} wrong answers\n{}",
+        tally.mistakes()
+    );
+}
+
+/// All positions of a sample, before there are trees and with them.
+fn ask(sample: &Sample, tally: &mut Tally) {
+    let world = World::of(&sample.scene);
+    let case = Case {
+        scene: &sample.scene,
+        view: &sample.view,
+        world: &world,
+    };
+    let before: Vec<_> = sample
+        .positions
+        .iter()
+        .map(|&px| case.check(px, true, tally))
+        .collect();
+    sample.scene.build_trees();
+    for (i, (&px, before)) in sample.positions.iter().zip(before).enumerate() {
+        case.recheck(px, (i % 8 == 0).then_some(before), tally);
+    }
+    match sample.layout {
+        Layout::Anywhere => {}
+        Layout::Pairs => tally.steps += case.steps(&sample.positions),
+        Layout::Picture => case.check_pictures(&sample.positions, tally),
+    }
+}
+
+macro_rules! families {
+    ($($name:ident, $seed:literal, $make:path, $at_least:expr;)*) => {
+        mod families_agree {
+            use super::*;
+            $(#[test] fn $name() { run(stringify!($name), $seed, $make, &$at_least); })*
+        }
+    };
+}
+
+families! {
+    ordinary, 1, families::ordinary, AtLeast { hits: 550, ..AtLeast::default() };
+    culled, 2, families::culled, AtLeast { hits: 500, ..AtLeast::default() };
+    condition, 3, families::condition, AtLeast { hits: 550, hairs: 50, ..AtLeast::default() };
+    far_eyes, 4, families::far_eyes, AtLeast { hits: 550, hairs: 10, ..AtLeast::default() };
+    sizes, 5, families::sizes, AtLeast { hits: 550, ..AtLeast::default() };
+    beyond_sizes, 14, families::beyond_sizes, AtLeast { hits: 550, ..AtLeast::default() };
+    narrow_gaps, 6, families::narrow_gaps, AtLeast { hits: 550, hairs: 300, ..AtLeast::default() };
+    borders, 7, borders::borders, AtLeast { hits: 600, steps: 300, ..AtLeast::default() };
+    planes_nearly, 8, borders::planes_nearly, AtLeast { hits: 550, hairs: 900, ..AtLeast::default() };
+    exact_borders, 9, lattice::exact_borders, AtLeast { hits: 800, borders: 200, ties: 100, ..AtLeast::default() };
+    planes, 10, lattice::planes, AtLeast { hits: 180, planes: 220, ..AtLeast::default() };
+    ties, 11, ties::ties, AtLeast { hits: 800, ties: 500, borders: 200, ..AtLeast::default() };
+    ties_at_the_eye, 12, ties::ties_at_the_eye, AtLeast { hits: 700, ties: 450, planes: 200, ..AtLeast::default() };
+    long_ties, 13, ties::long_ties, AtLeast { hits: 550, ties: 300, ..AtLeast::default() };
+}
