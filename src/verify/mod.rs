@@ -51,7 +51,11 @@ pub use report::{Disagreement, Report, Verdict};
 use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
-    render::{self, transform::VertexToView},
+    render::{
+        self,
+        transform::{Rounding, VertexToView},
+        view_space::ViewSpace,
+    },
     scene::{Scene, Shape},
 };
 use bound::{Outline, Reason};
@@ -130,7 +134,7 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
     );
     let mut explainer = Explainer {
         scene,
-        view,
+        space: ViewSpace::new(view),
         to_view: HashMap::new(),
     };
     let mut report = Report {
@@ -170,9 +174,9 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 /// Puts differences down to geometry.
 struct Explainer<'a> {
     scene: &'a Scene,
-    view: &'a View,
-    /// What the vertex shader does to a batch, by the batch's first object.
-    to_view: HashMap<usize, VertexToView>,
+    space: ViewSpace,
+    /// What the vertex shader does to a batch, and how far off its numbers are, by the batch's first object.
+    to_view: HashMap<usize, (VertexToView, Rounding)>,
 }
 
 impl Explainer<'_> {
@@ -217,22 +221,23 @@ impl Explainer<'_> {
     /// The surfaces that an id may stand for at a pixel: one, or the faces of a cube, or a sphere's front and back.
     fn surfaces(&mut self, px: DVec2, id: Id) -> Vec<Surface> {
         let Some(index) = (id.object as usize).checked_sub(1) else {
-            return vec![Surface::background(self.view)];
+            return vec![Surface::background(self.space.view())];
         };
-        let (scene, view) = (self.scene, self.view);
+        let (scene, space) = (self.scene, &self.space);
         let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
             return Vec::new();
         };
         match object.shape {
-            Shape::Sphere => return round::surfaces(view, &object.placement, px),
+            Shape::Sphere => return round::surfaces(space, &object.placement, px),
             Shape::Cube | Shape::Square | Shape::Mesh { .. } => {}
         }
         let batches = scene.batches();
         let batch = &batches[batches.partition_point(|batch| batch.end <= index)];
         let to_view = self.to_view.entry(batch.start).or_insert_with(|| {
             let (origin, bounds) = render::transform::vertex_space(scene, batch);
-            VertexToView::new(view, &object.placement, origin, &bounds)
+            let to_view = VertexToView::new(space, &object.placement, origin, &bounds);
+            (to_view, to_view.rounding(space, &object.placement, origin))
         });
-        flat::surfaces(view, object, to_view, px, id.triangle)
+        flat::surfaces(space, object, to_view, px, id.triangle)
     }
 }

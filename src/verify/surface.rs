@@ -5,9 +5,12 @@ use super::{
     bound::{Outline, Reason, Stored},
 };
 use crate::{
-    camera::{DepthMapping, Projection, View},
+    camera::{DepthMapping, Lens, Projection, View},
     geometry::Placement,
-    render::transform::{U, VertexToView, depth_origin},
+    render::{
+        transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
+        view_space::ViewSpace,
+    },
 };
 use glam::{DVec2, DVec3};
 
@@ -90,82 +93,168 @@ pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
     all.into_iter().flatten().reduce(Reason::or)
 }
 
-/// The ray through a pixel position in view space: where it starts at depth 0 and its step for one unit of depth; and
-/// the change of whichever moves for one pixel right and down.
+/// A lens's depths as the GPU makes them. Depths count from the near plane (*past near*): that keeps digits both at the eye
+/// and where near and far lie close together in the distance.
+#[derive(Clone, Copy)]
+pub(super) struct Depths {
+    lens: Lens,
+    unit: f64,
+    /// From the near plane to where the depth buffer stores 0.
+    origin: f64,
+    /// What the depth buffer stores for a unit of measured depth, times w.
+    per_measured: f64,
+}
+
+impl Depths {
+    pub fn new(space: &ViewSpace) -> Self {
+        let lens = *space.view().camera.lens();
+        Self {
+            lens,
+            unit: space.unit(),
+            origin: match lens.depth {
+                DepthMapping::Reversed => lens.far - lens.near,
+                DepthMapping::Standard => 0.0,
+            },
+            per_measured: lens.depth_row().0,
+        }
+    }
+
+    /// Clip space's w.
+    pub fn w(&self, past_near: f64) -> f64 {
+        self.lens.w(self.lens.near + past_near)
+    }
+
+    /// What the depth buffer stores, without any rounding.
+    pub fn stored(&self, past_near: f64) -> f64 {
+        self.per_measured * (past_near - self.origin) / self.w(past_near)
+    }
+
+    /// The same by nearness: more is nearer.
+    pub fn nearness(&self, past_near: f64) -> f64 {
+        match self.lens.depth {
+            DepthMapping::Reversed => self.stored(past_near),
+            DepthMapping::Standard => -self.stored(past_near),
+        }
+    }
+
+    /// How far off the stored number may be.
+    ///
+    /// Rounded are the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last place), the
+    /// product with that and what is stored: 9 halves of a unit, and one for second order.
+    pub fn error(&self, past_near: f64, error: &ViewError) -> f64 {
+        let (w, stored) = (self.w(past_near), self.stored(past_near).abs());
+        let of_w = match self.lens.projection {
+            Projection::Perspective { .. } => error.depth,
+            Projection::Orthographic { .. } => 0.0,
+        };
+        let measured = (past_near - self.origin).abs();
+        let underflow =
+            UNDERFLOW * ((self.unit * measured).max(1.0) / (self.unit * w).min(1.0) + 2.0);
+        (self.per_measured.abs() * error.measured + stored * of_w) / w
+            + 10.0 * U * stored
+            + underflow
+    }
+
+    /// How far off in depth drawing may see the near plane. In reversed depth clipping compares a product of two rounded
+    /// factors with w, as large as the near plane's depth (or 1); their difference changes with depth by 1 and the factor.
+    /// In standard depth it looks at the sign of the measured depth.
+    pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
+        let factor = self.per_measured.abs();
+        let (w, of_w, change) = match self.lens.projection {
+            Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
+            Projection::Orthographic { .. } => (1.0, 0.0, factor),
+        };
+        match self.lens.depth {
+            DepthMapping::Standard => error.measured,
+            DepthMapping::Reversed => {
+                let product = if exact {
+                    0.0
+                } else {
+                    2.0 * U * w + 2.0 * UNDERFLOW / self.unit
+                };
+                (product + factor * error.measured + of_w) / change
+            }
+        }
+    }
+
+    /// Whether `f32` holds what clipping compares at this depth.
+    pub fn clips_exactly(&self, past_near: f64) -> bool {
+        let (factor, measured) = match self.lens.projection {
+            Projection::Perspective { .. } => {
+                (self.per_measured, self.unit * (past_near - self.origin))
+            }
+            Projection::Orthographic { .. } => (
+                self.per_measured / self.unit,
+                self.unit * (past_near - self.origin),
+            ),
+        };
+        is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
+    }
+
+    /// A step of depth, by what the buffer stores: what one unit in the last place of an `f32` is there of the stored
+    /// number, or of the depth, or of the distance between near and far where that is less.
+    ///
+    /// Of these the largest: a depth that is stored as nearly 0 is not known as finely as the number could tell.
+    pub fn step(&self, past_near: f64) -> f64 {
+        let range = self.lens.far - self.lens.near;
+        let known = match self.lens.projection {
+            Projection::Perspective { .. } => range.min(self.w(past_near).abs()),
+            Projection::Orthographic { .. } => range,
+        };
+        2.0 * U * (self.stored(past_near).abs()).max(self.stored_per_depth(past_near) * known)
+    }
+
+    /// How fast the stored number changes with depth.
+    pub fn stored_per_depth(&self, past_near: f64) -> f64 {
+        match self.lens.projection {
+            Projection::Perspective { .. } => {
+                let w = self.w(past_near);
+                self.per_measured.abs() * (self.lens.near + self.origin) / (w * w)
+            }
+            Projection::Orthographic { .. } => self.per_measured.abs(),
+        }
+    }
+}
+
+/// The ray through a pixel position in view space, z being depth past near: where it meets the near plane and its step for
+/// one unit of depth; and the change of whichever moves for one pixel right and down.
 pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
-    pub steps: [DVec3; 2],
+    steps: [DVec3; 2],
+    perspective: bool,
 }
 
 impl ViewRay {
     pub fn new(view: &View, px: DVec2) -> Self {
-        let half = view.camera.lens().half_extent(view.viewport.aspect());
-        let aside = (view.viewport.px_to_ndc(px) * half).extend(0.0);
-        let (origin, direction) = match view.camera.lens().projection {
-            Projection::Perspective { .. } => (DVec3::ZERO, aside + DVec3::Z),
-            Projection::Orthographic { .. } => (aside, DVec3::Z),
+        let lens = view.camera.lens();
+        let half = lens.half_extent(view.viewport.aspect());
+        let aside = view.viewport.px_to_ndc(px) * half;
+        let perspective = !lens.is_orthographic();
+        let (origin, direction) = if perspective {
+            (lens.near * aside, aside.extend(1.0))
+        } else {
+            (aside, DVec3::Z)
         };
         let step = 2.0 * half / view.viewport.size_px();
         Self {
-            origin,
+            origin: origin.extend(0.0),
             direction,
             steps: [DVec3::X * step.x, DVec3::NEG_Y * step.y],
+            perspective,
         }
     }
 
-    /// Depth at which it meets the plane through `point` across `normal`.
+    /// Depth past near at which it meets the plane through `point` across `normal`.
     pub fn depth_on(&self, point: DVec3, normal: DVec3) -> f64 {
         normal.dot(point - self.origin) / normal.dot(self.direction)
     }
 
-    /// Change of that depth for one pixel right and down. From `N . (o + z d - P) = 0`, where o or d moves.
-    pub fn slope(&self, view: &View, depth: f64, normal: DVec3) -> DVec2 {
+    /// Change of that depth for one pixel right and down, at a view depth. From `N . (o + z d - P) = 0`, where o or d
+    /// moves.
+    pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        -view.camera.lens().w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
-            / normal.dot(self.direction)
+        let w = if self.perspective { depth } else { 1.0 };
+        -w * DVec2::new(normal.dot(right), normal.dot(down)) / normal.dot(self.direction)
     }
-}
-
-/// What the depth buffer holds for a depth, by nearness, and how far that may be off for a wrong depth.
-///
-/// Rounded are the two numbers of the projection's third row, their product and sum, the division and what is stored.
-pub(super) fn nearness(view: &View, depth: f64, depth_error: f64) -> (f64, f64) {
-    let lens = view.camera.lens();
-    let (a, b) = lens.depth_row();
-    let terms = match lens.projection {
-        Projection::Perspective { .. } => a.abs() + (b / depth).abs(),
-        Projection::Orthographic { .. } => (a * (depth - depth_origin(view))).abs(),
-    };
-    let ndc = lens.ndc_depth(depth);
-    let error = 4.0 * U * (ndc.abs() + terms) + stored_per_depth(view, depth) * depth_error;
-    match lens.depth {
-        DepthMapping::Reversed => (ndc, error),
-        DepthMapping::Standard => (-ndc, error),
-    }
-}
-
-/// How fast what the depth buffer holds changes with depth.
-pub(super) fn stored_per_depth(view: &View, depth: f64) -> f64 {
-    let lens = view.camera.lens();
-    let (a, b) = lens.depth_row();
-    match lens.projection {
-        Projection::Perspective { .. } => b.abs() / (depth * depth),
-        Projection::Orthographic { .. } => a.abs(),
-    }
-}
-
-/// A step of depth, by what the buffer stores: what one unit in the last place of an `f32` is there of the stored number,
-/// or of the depth, or of the distance between near and far where that is less.
-///
-/// Of these the largest: a depth that is stored as nearly 0 is not known as finely as the number could tell.
-pub(super) fn stored_step(view: &View, depth: f64) -> f64 {
-    let lens = view.camera.lens();
-    let range = lens.far - lens.near;
-    let known = match lens.projection {
-        Projection::Perspective { .. } => range.min(depth.abs()),
-        Projection::Orthographic { .. } => range,
-    };
-    let stored = lens.ndc_depth(depth).abs();
-    2.0 * U * stored.max(stored_per_depth(view, depth) * known)
 }
