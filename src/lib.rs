@@ -31,7 +31,8 @@
 //! | pixel | physical pixels from the top left corner, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | [`camera::Viewport`] |
 //!
 //! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin a file. The GPU gets matrices that were
-//! composed in `f64` about a point near what the camera looks at, so that large coordinates and close views stay sharp.
+//! composed in `f64` (in pairs of them where that is too coarse) about a point near what the camera looks at, so that large
+//! coordinates and close views stay sharp.
 //!
 //! # Words
 //!

@@ -1,5 +1,6 @@
 //! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of whole picks, with
 //! everything that a record says.
+#![expect(clippy::cast_precision_loss, reason = "counts are small")]
 
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{

@@ -189,7 +189,7 @@ fn cuts(stage: &Stage) -> Vec<Shot> {
     } = *stage;
     let depth = base.camera.to_view(aim).z;
     let mut shots = Vec::new();
-    for (near, far) in [(1.0, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
+    for (near, far) in [(0.999, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
         let view = between(&base, near * depth, far * depth);
         shots.push(Shot::new("planes that cut", view, false));
         shots.push(Shot::new("planes that cut, culled", culled(&view), false));

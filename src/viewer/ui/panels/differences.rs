@@ -1,7 +1,7 @@
 //! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
 
 use crate::{
-    verify::{COLOURS, Report},
+    verify::{COLOURS, Report, Verdict},
     viewer::{
         jobs::{Check, Checking},
         screen::SceneRect,
@@ -60,8 +60,29 @@ fn table(ui: &mut Ui, check: &Check, report: &Report) {
         }
     });
     if check.by().is_empty() {
-        let share = 100.0 * report.share_of_outline();
-        ui.weak(format!("{share:.2} % of {} outline pixels", report.outline));
+        let elsewhere = match report.differ_off_outlines() {
+            0 => String::new(),
+            pixels => format!(", {pixels} elsewhere"),
+        };
+        let [differ, all] = [report.outline_differ, report.outline];
+        ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"));
+        if let Some(advice) = advice(report.verdict()) {
+            ui.label(advice);
+        }
     }
     ui.weak("V closes this");
+}
+
+/// What to do about a view that drawing does not hold.
+fn advice(verdict: Verdict) -> Option<&'static str> {
+    match verdict {
+        Verdict::Agrees | Verdict::Unexplained(_) => None,
+        Verdict::BeyondF32(_) => Some(
+            "Drawing in f32 cannot hold this view.\nPicks are right, and so is\nsightline render --by raycast",
+        ),
+        Verdict::NothingDrawn(_) => Some(
+            "Nothing is drawn where picks hit.\nPicks are right, and so is\nsightline render --by raycast",
+        ),
+        Verdict::NothingPicked(_) => Some("Nothing is picked where the picture shows something."),
+    }
 }
