@@ -105,7 +105,7 @@ impl Aabb {
     }
 
     /// [`Aabb::may_hit`] no later than at `end`.
-    pub(super) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
+    pub(crate) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {
             return true;
@@ -117,7 +117,7 @@ impl Aabb {
             let per_direction = of_direction / ray.ray.direction.abs().max_element();
             let room = DVec3::splat(2.0 * (of_origin + way * per_direction));
             // Written so that NaN is in doubt.
-            if !(per_direction < 0.1 && room.x.is_finite()) {
+            if !(per_direction < 0.5 && room.x.is_finite()) {
                 return true;
             }
             ways = [ways[0] - room, ways[1] + room];

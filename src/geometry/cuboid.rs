@@ -76,7 +76,10 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
             if o.abs() - o_error > Cuboid::HALF_SIDE {
                 return Ok([None, None]);
             }
-            if !(o.abs() + o_error <= Cuboid::HALF_SIDE) {
+            // On a face exactly, or inside though the sum rounds.
+            let is_inside = o.abs() + o_error < Cuboid::HALF_SIDE
+                || o_error == 0.0 && o.abs() <= Cuboid::HALF_SIDE;
+            if !is_inside {
                 return Err(InDoubt);
             }
             continue;

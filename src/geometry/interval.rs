@@ -28,9 +28,10 @@ impl Approximate {
 
     /// `numerator / denominator`.
     ///
-    /// Quotients of numbers that err by `e_n` and `e_d` err by `(e_n + |q| e_d) / (|d| - e_d)`. In doubt where `e_d` is more
-    /// than `2^-20` of `d`, or NaN; else the quotient by `|d|` is that to within as much. Four roundings of the quotient
-    /// leave room for its own, and for those of `low` and `high`.
+    /// Quotients of numbers that err by `e_n` and `e_d` err by `(e_n + |q| e_d) / (|d| - e_d)`. The answer is in doubt where
+    /// `e_d` is more than `2^-20` of `d`, or NaN. Dividing by `|d|` instead changes the bound by less than `2^-19` of it.
+    /// Four roundings of the quotient leave room for its own, and for those of `low` and `high`. The least normal number
+    /// is slack for underflow.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
         const SMALL: f64 = f64::from_bits((1023 - 20) << 52);
@@ -40,7 +41,7 @@ impl Approximate {
             return Err(InDoubt);
         }
         let value = self.value / denominator.value;
-        let error = (self.error + value.abs() * denominator.error) / size;
+        let error = (self.error + value.abs() * denominator.error + f64::MIN_POSITIVE) / size;
         Ok(Self {
             value,
             error: (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs() + f64::MIN_POSITIVE,

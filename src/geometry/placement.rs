@@ -59,9 +59,7 @@ impl Placement {
         }
         let linear = model.matrix3;
         let (inverse_linear, inverse_error, mirrors) = match rounded_inverse(linear) {
-            Some((inverse, error)) if error <= GOOD_INVERSE => {
-                (inverse, error, inverse.determinant() < 0.0)
-            }
+            Some((inverse, error, mirrors)) if error <= GOOD_INVERSE => (inverse, error, mirrors),
             _ => {
                 let inverse = exact::inverse(linear).ok_or(PlacementError::Singular)?;
                 (inverse, U, exact::mirrors(linear))
@@ -135,7 +133,9 @@ impl Placement {
         };
         let of = |vector: DVec3, error: DVec3| {
             let rounded = self.error * vector.abs().max_element();
-            self.row_sums * (1.01 * (rounded + error.max_element()))
+            // With slack for underflow.
+            let slack = DVec3::splat(f64::MIN_POSITIVE);
+            self.row_sums * (1.01 * (rounded + error.max_element() + f64::MIN_POSITIVE)) + slack
         };
         let error = RayError {
             origin: of(from_translation, error.origin),
@@ -166,13 +166,13 @@ impl Placement {
 }
 
 /// The inverse in `f64` with a bound on how far its product with a vector is off, over the row's sum and the vector's
-/// largest component; `None` where there is neither.
+/// largest component, and whether it mirrors; `None` where there is neither.
 ///
 /// With `X` the inverse as computed and `E = A X - I`, the exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
 /// `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off by its
 /// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
 /// three sums of it round.
-fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64)> {
+fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
     // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows.
     let scale = [matrix.x_axis, matrix.y_axis, matrix.z_axis]
         .map(|axis| axis.abs().max_element())
@@ -197,7 +197,10 @@ fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64)> {
     let error = residual + 4.0 * U * largest(matrix.abs() * inverse.abs());
     // Written so that NaN is refused. Rows of a sum below 2^-1000 could underflow.
     let is_bounded = 3.0 * error < 0.5 && row_sums(inverse).min_element() > 1e-280;
-    is_bounded.then(|| (inverse, 3.0 * error / (1.0 - 3.0 * error)))
+    is_bounded.then(|| {
+        let error = 3.0 * error / (1.0 - 3.0 * error);
+        (inverse, error, determinant < 0.0)
+    })
 }
 
 fn row_sums(matrix: DMat3) -> DVec3 {

@@ -15,52 +15,53 @@ impl Pyramid {
     /// About the rays through the corners of a rectangle, in order around it, which is so many pixels wide and high; it
     /// holds all that a ray at least a pixel inside of the rectangle meets.
     ///
-    /// That pixel is the room for rounding: `None` where it is less than `2^12` times what the planes and the way to a point
-    /// may be off, as it is through the longest lenses.
+    /// That pixel is the room for rounding: `None` where it is not 16 times what planes and points may be off. With `s` the
+    /// largest component of a side, which is off by `e`, and `d` of a direction, off by `f`, a normal is off by
+    /// `6 U d s + 2 (d e + s f)` in each component.
     pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
-        const ROOM: f64 = 4096.0;
+        const ROOM: f64 = 16.0;
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];
         for (i, plane) in planes.iter_mut().enumerate() {
             let [here, next, before] = [0, 1, 3].map(|by| corners[(i + by) % 4].ray);
-            let [of_origin, of_direction] = corners[i].errors();
+            let [p, f] = corners[i].errors();
+            let [next_p, next_f] = corners[(i + 1) % 4].errors();
             let (o, d) = (here.origin, here.direction);
             let (o_max, d_max) = (o.abs().max_element(), d.abs().max_element());
             let is_pyramid = o == next.origin;
-            let side = if is_pyramid {
-                next.direction
+            let (side, outwards, side_error) = if is_pyramid {
+                let side = next.direction - d;
+                (side, d - before.direction, f + next_f)
             } else {
-                next.origin - o
+                (next.origin - o, o - before.origin, p + next_p)
             };
+            let s_max = side.abs().max_element();
+            let side_error = side_error + U * s_max;
             let normal = d.cross(side);
-            let (outwards, least_t) = if is_pyramid {
-                (d - before.direction, here.t_min)
-            } else {
-                (o - before.origin, 1.0)
-            };
+            let normal_error = 6.0 * U * d_max * s_max + 2.0 * (d_max * side_error + s_max * f);
+            let size = normal.abs().element_sum();
+            // How far a point is from the plane for each pixel; in a pyramid at t = 1, and proportional to it.
             let pixel = normal.dot(outwards).abs() / side_px;
-            // Relative to the way, which in a prism is as far as the rays reach.
-            let (way, fixed) = if is_pyramid {
-                (d_max * U + of_direction, o_max * U + of_origin)
+            let start = 4.0 * U * o_max + p;
+            let is_wide = if is_pyramid {
+                let at_start = here.t_min * pixel;
+                pixel >= ROOM * (size * (4.0 * U * d_max + f) + 3.0 * normal_error * d_max)
+                    && at_start >= ROOM * size * start
             } else {
                 let reach = here.t_min.abs().max(here.t_max.abs());
-                (
-                    0.0,
-                    (reach * d_max + o_max) * U + reach * of_direction + of_origin,
-                )
+                let way = reach * d_max + 2.0 * o_max;
+                let point_error = 4.0 * U * way + reach * f + start;
+                pixel >= ROOM * (size * point_error + 3.0 * normal_error * way)
             };
-            let size = normal.abs().element_sum() * 8.0 * ROOM;
             // Written so that NaN is no pyramid.
-            if !(pixel >= size * way && pixel * least_t >= size * fixed && pixel > 0.0) {
+            if !(is_wide && pixel > 0.0) {
                 return None;
             }
-            *plane = (
-                if normal.dot(outwards) < 0.0 {
-                    normal
-                } else {
-                    -normal
-                },
-                o,
-            );
+            let inwards = if normal.dot(outwards) < 0.0 {
+                normal
+            } else {
+                -normal
+            };
+            *plane = (inwards, o);
         }
         Some(Self { planes })
     }

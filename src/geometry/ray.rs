@@ -176,7 +176,11 @@ impl PixelGrid {
         let moved = base + aside;
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
-        let is_bounded = is_moderate(right)
+        // A factor that underflowed would look like none.
+        let per_half_px = self.half_height / f64::from(self.size_px[1]);
+        let is_bounded = is_moderate(per_half_px)
+            && per_half_px != 0.0
+            && is_moderate(right)
             && is_moderate(up)
             && [self.right, self.up]
                 .iter()

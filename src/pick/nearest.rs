@@ -4,10 +4,12 @@
 use super::{SceneHit, order::order};
 use crate::{
     geometry::{
-        Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest, WorldRay,
+        Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Placement, Sides, Sphere, Square, TriangleTest,
+        VertexRay, WorldRay,
     },
     scene::{Object, Scene, Shape},
 };
+use glam::DVec3;
 use std::ops::Range;
 
 /// The nearest hit of a world-space ray on the visible objects.
@@ -108,20 +110,28 @@ pub(super) fn hits_of(
 /// same with and without trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
     let mut found = false;
+    let world = VertexRay::new(Placement::IDENTITY.local_ray(ray), DVec3::ZERO);
+    let inverse = ray.direction.recip();
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
         let local = first.placement.local_ray(ray).until(limit);
+        // A tree over the scene passes by what this does, and perhaps more.
+        let may_matter = || {
+            let bounds = scene.bounds_of_batch(batch);
+            bounds.may_hit_before(&world, inverse, limit)
+        };
         found = found
-            || match &first.shape {
-                Shape::Mesh { mesh, part } => {
-                    let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                    mesh.is_in_doubt(local, accept)
-                }
-                _ if !first.visible => false,
-                Shape::Sphere => Sphere::is_in_doubt(&local),
-                Shape::Cube => Cuboid::is_in_doubt(&local),
-                Shape::Square => Square::is_in_doubt(&local),
-            };
+            || may_matter()
+                && match &first.shape {
+                    Shape::Mesh { mesh, part } => {
+                        let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                        mesh.is_in_doubt(local, accept)
+                    }
+                    _ if !first.visible => false,
+                    Shape::Sphere => Sphere::is_in_doubt(&local),
+                    Shape::Cube => Cuboid::is_in_doubt(&local),
+                    Shape::Square => Square::is_in_doubt(&local),
+                };
         // Once is enough: nothing lies before this.
         if found { f64::NEG_INFINITY } else { limit }
     });

@@ -219,6 +219,12 @@ impl Scene {
         self.bounds[object]
     }
 
+    /// The world-space box about a run of objects.
+    pub(crate) fn bounds_of_batch(&self, batch: &Range<usize>) -> Aabb {
+        let bounds = self.bounds[batch.clone()].iter();
+        bounds.fold(Aabb::EMPTY, |all, bounds| all.union(*bounds))
+    }
+
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
@@ -273,9 +279,11 @@ impl Scene {
     /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
     /// returns the new end of the ray's interval. What is passed over has no hit in it.
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        // A ray without bounds may be anywhere.
+        // A ray without bounds may be anywhere; a direction whose reciprocal overflows looks like none.
         let error = ray.error();
-        let is_known = (error.origin + error.direction).is_finite();
+        let has_reciprocal = |d: f64| d == 0.0 || (1.0 / d).is_finite();
+        let is_known = (error.origin + error.direction).is_finite()
+            && ray.direction.to_array().into_iter().all(has_reciprocal);
         if self.tree.is_empty() || !is_known {
             for batch in &self.batches {
                 visit(batch);

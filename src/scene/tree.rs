@@ -10,10 +10,11 @@
 //! about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of the given one
 //! wherever it may hit; a hit on a curved or flat shape lies on that line and within some `U` of the shape, also where the
 //! ray grazes it and `t` is vague; the box's own corners round by `4 k U D`. Boxes are grown by `2^-40 k^2 D`, which is 300
-//! times that, and where it matters still nothing.
+//! times that, and where it matters still nothing. A ray that is inexact itself is near the given one by its origin's error
+//! and, as far as the box, by its direction's; boxes grow by twice that as they are asked.
 
 use super::{Object, Scene};
-use crate::geometry::{Aabb, Pyramid, Ray, entry};
+use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, entry};
 use glam::{DMat3, DVec3};
 
 /// Fewer batches are asked one after the other.
@@ -119,7 +120,7 @@ impl SceneTree {
 
     /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of
     /// the ray's interval.
-    pub fn visit(&self, ray: &Ray, mut visit: impl FnMut(usize) -> f64) {
+    pub fn visit(&self, ray: &WorldRay, mut visit: impl FnMut(usize) -> f64) {
         let away = ray.origin.abs().max_element();
         let inverse = ray.direction.recip();
         let mut end = ray.t_max;
@@ -160,8 +161,20 @@ impl SceneTree {
 
 impl Node {
     /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
-    fn enter(&self, ray: &Ray, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
-        let room = self.room * away;
+    fn enter(&self, ray: &WorldRay, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
+        let mut room = self.room * away;
+        let error = ray.error();
+        if error != RayError::default() {
+            let reach = away
+                + self
+                    .bounds
+                    .min
+                    .abs()
+                    .max(self.bounds.max.abs())
+                    .max_element();
+            let per_direction = error.direction.max_element() / ray.direction.abs().max_element();
+            room += 2.0 * (error.origin.max_element() + per_direction * reach);
+        }
         let ways =
             [self.bounds.min - room, self.bounds.max + room].map(|corner| corner - ray.origin);
         entry(ways, inverse, [ray.t_min, end], 0.0)

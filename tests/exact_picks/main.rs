@@ -5,6 +5,7 @@
 //! positions of each family and prints a line for each.
 
 mod aim;
+mod attacked;
 mod blocks;
 mod borders;
 mod by_hand;

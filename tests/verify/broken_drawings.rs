@@ -175,7 +175,7 @@ fn an_object_missing() {
 fn what_is_behind_drawn_before() {
     found_out(300, |case| {
         pick::ids_by(&case.scene, &case.view, |px| {
-            let hits = pick::all(&case.scene, &case.view.ray(px), case.view.sides);
+            let hits = pick::all(&case.scene, case.view.ray(px), case.view.sides);
             let other = |hit: &&SceneHit| hit.object != hits[0].object;
             hits.iter().rev().find(other).or(hits.first()).copied()
         })

@@ -73,6 +73,15 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std:
     }
 }
 
+/// How far a parameter may be off that was rounded a few times: 0 is exact.
+fn rounding_of(t: f64) -> f64 {
+    if t == 0.0 {
+        0.0
+    } else {
+        4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
+    }
+}
+
 fn is_finite(line: &Line) -> bool {
     match line {
         Line::Given { origin, direction } => origin.is_finite() && direction.is_finite(),

@@ -111,10 +111,23 @@ impl Root {
         if self.compare(before).is_eq() {
             return 0.0;
         }
+        if let Some(difference) = self.rational_difference(before) {
+            return difference.to_f64();
+        }
         rounded(|bits| {
             let ([low, high], [before_low, before_high]) =
                 (self.enclosed(bits), before.enclosed(bits));
             [low.minus(&before_high), high.minus(&before_low)]
+        })
+    }
+
+    /// `self - other` where both have the same root, which cancels: a quotient.
+    fn rational_difference(&self, other: &Self) -> Option<Quotient> {
+        let same_root = &self.q * &other.r * &other.r == &other.q * &self.r * &self.r;
+        let cancels = same_root && (self.minus == other.minus || self.q.sign() == Sign::NoSign);
+        cancels.then(|| Quotient {
+            numerator: &self.p * &other.r - &other.p * &self.r,
+            denominator: &self.r * &other.r,
         })
     }
 
@@ -253,8 +266,8 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
 }
 
 /// What both ends of an enclosure round to, which is made narrower until they agree (Ziv, "Fast evaluation of elementary
-/// mathematical functions with correctly rounded last bit", 1991). A number in the middle between two `f64` is rational,
-/// and then the enclosure is a point.
+/// mathematical functions with correctly rounded last bit", 1991). It ends: only rational numbers lie in the middle between
+/// two `f64`, and the enclosure of those is a point.
 fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
     let mut bits = 128;
     loop {

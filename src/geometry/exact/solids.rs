@@ -2,7 +2,7 @@
 
 use super::{
     super::{Cuboid, Hit, Ray, Sphere, Square, local_ray::Exactly},
-    number::{Number, Vector},
+    number::Number,
     root::Root,
     world::LocalLine,
 };
@@ -90,7 +90,6 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
 
 fn square_crossing(line: &Integers) -> Option<Root> {
     let half = line.one.times(&Number::new(Square::HALF_SIDE));
-    let Vector { .. } = line.origin;
     let [o, d] = [&line.origin, &line.direction].map(|v| [0, 1, 2].map(|i| v.component(i)));
     if d[2].sign().is_eq() {
         return None;
@@ -162,7 +161,7 @@ pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2]
         let t = within(root, ray)?;
         Some(Hit::analytic(
             t,
-            4.0 * f64::EPSILON * t.abs(),
+            super::rounding_of(t),
             at(&line, root),
             front,
         ))
@@ -188,12 +187,7 @@ pub(in super::super) fn cube(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2] {
     };
     let hit = |(root, normal): (Root, DVec3), front: bool| {
         let t = within(&root, ray)?;
-        Some(Hit::analytic(
-            t,
-            4.0 * f64::EPSILON * t.abs(),
-            normal,
-            front,
-        ))
+        Some(Hit::analytic(t, super::rounding_of(t), normal, front))
     };
     let exit = if touches { None } else { hit(leave, false) };
     [hit(enter, true), exit]
@@ -204,12 +198,7 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     let line = local(exactly)?;
     let t = within(&square_crossing(&line)?, ray)?;
     let front = line.direction.component(2).sign().is_lt();
-    Some(Hit::analytic(
-        t,
-        4.0 * f64::EPSILON * t.abs(),
-        DVec3::Z,
-        front,
-    ))
+    Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
 }
 
 /// The point at a parameter in object space, each coordinate rounded once.
@@ -236,6 +225,8 @@ pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
 
 /// A parameter that counts, rounded, and within the interval still.
 fn within(root: &Root, ray: &Ray) -> Option<f64> {
-    let counts = root.compare_to(ray.t_min).is_ge() && root.compare_to(ray.t_max).is_lt();
+    let has_interval = !(ray.t_min.is_nan() || ray.t_max.is_nan());
+    let counts =
+        has_interval && root.compare_to(ray.t_min).is_ge() && root.compare_to(ray.t_max).is_lt();
     counts.then(|| root.to_f64().max(ray.t_min).min(ray.t_max.next_down()))
 }

@@ -124,7 +124,7 @@ impl Formula for Hit<'_> {
         let t = t.max(t_min).min(t_max.next_down());
         Some(TriangleHit {
             t,
-            t_error: 4.0 * f64::EPSILON * t.abs(),
+            t_error: super::rounding_of(t),
             front: is_negative != mirrors,
             barycentric: of.volumes.each_ref().map(|volume| volume.ratio(&of.sum)),
         })
@@ -144,7 +144,8 @@ pub(in super::super) fn hit(
         origin,
         corners,
     };
-    let is_finite = triangle.is_finite() && super::is_finite(&exactly.line);
+    let has_interval = !(interval.t_min.is_nan() || interval.t_max.is_nan());
+    let is_finite = has_interval && triangle.is_finite() && super::is_finite(&exactly.line);
     let formula = Hit {
         line: exactly.line,
         triangle,

@@ -1,0 +1,176 @@
+//! Picks that were wrong, slow or told their certainty wrongly when the core was attacked: each stays mended.
+
+use super::common::{self, mesh, orthographic, perspective};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use sightline::{
+    camera::{Camera, View, Viewport, pixel_centre},
+    geometry::{PixelGrid, Placement, Sides},
+    pick,
+    scene::{Object, Scene, Shape},
+};
+
+/// Along -z.
+fn view(eye: [f64; 3], height: f64) -> View {
+    let [x, y, z] = eye;
+    common::view(
+        eye,
+        [x, y, z - 1.0],
+        orthographic(height, 0.1, 10.0),
+        [1280, 720],
+    )
+}
+
+fn at(shape: Shape, size: f64, center: DVec3) -> Object {
+    let model = DAffine3 {
+        matrix3: DMat3::from_diagonal(DVec3::splat(size)),
+        translation: center,
+    };
+    Object::new("it", shape, Placement::new(model).expect("invertible"))
+}
+
+/// So many that a scene with them has a tree; nowhere near.
+fn crowd() -> impl Iterator<Item = Object> {
+    (0..9).map(|i| {
+        at(
+            Shape::Cube,
+            1.0,
+            DVec3::new(1e3 + 10.0 * f64::from(i), 1e3, 0.0),
+        )
+    })
+}
+
+/// The roots cancel in the difference, which lies in the middle between two `f64`: no enclosure of it ever rounds to one.
+#[test]
+fn the_gap_between_two_balls_is_a_quotient() {
+    let balls = [0.25, 0.05].map(|z| at(Shape::Sphere, 1.0, DVec3::new(0.0, 0.0, z)));
+    let scene = Scene::new(balls.to_vec());
+    let found = pick::pick(
+        &scene,
+        &view([0.25, 0.0, 5.0], 2.0),
+        DVec2::new(640.0, 360.0),
+    );
+    let gap = found.and_then(|found| found.gap).expect("two balls");
+    // 1/4 - f64(1/20), rounded to even.
+    assert_eq!(gap, 0.25 - 0.05);
+}
+
+/// The ray is outside by less than the rounding of half a side and its bound.
+#[test]
+fn a_ray_just_beside_a_cube_misses_it() {
+    let scene = Scene::new(vec![at(Shape::Cube, 1.0, DVec3::ZERO)]);
+    for (px, is_hit) in [
+        (640.0, true),
+        (640.0_f64.next_up(), false),
+        (640.0_f64.next_down(), true),
+    ] {
+        let view = view([0.5, 0.0, 5.0], 2e-5);
+        let hit = pick::closest(&scene, view.ray(DVec2::new(px, 360.0)), Sides::Both);
+        assert_eq!(hit.is_some(), is_hit, "{px}");
+    }
+}
+
+/// Where a ray starts is off by what its two far parts are rounded to, though it starts near the origin.
+#[test]
+fn a_tree_over_the_scene_knows_how_far_rays_are_off() {
+    let small = at(Shape::Cube, 2e-7, DVec3::ZERO);
+    let alone = Scene::new(vec![small.clone()]);
+    let among = Scene::new([small].into_iter().chain(crowd()).collect());
+    let mut hits = 0;
+    for i in 0..2000 {
+        let px = DVec2::new(
+            100.0 + 0.37 * f64::from(i % 600),
+            200.0 + 0.1 * f64::from(i % 100),
+        );
+        let grid = PixelGrid {
+            eye: DVec3::Z * 5.0,
+            right: DVec3::X,
+            up: DVec3::Y,
+            forward: DVec3::NEG_Z,
+            half_height: 1e9 * (1.0 + 1e-3 * f64::from(i)),
+            size_px: [1280, 720],
+            is_orthographic: true,
+        };
+        let aside = grid.aside(px);
+        let beside = if i % 2 == 0 {
+            (-aside.x).next_up()
+        } else {
+            (-aside.x).next_down()
+        };
+        let ray = PixelGrid {
+            eye: DVec3::new(beside, -aside.y, 5.0),
+            ..grid
+        }
+        .ray(px, [0.0, 10.0]);
+        let found = [&alone, &among].map(|scene| pick::closest(scene, ray, Sides::Both).is_some());
+        assert_eq!(found[0], found[1], "{ray:?}");
+        hits += u32::from(found[0]);
+    }
+    assert!(hits > 50, "{hits}");
+}
+
+/// A ball that the ray just touches, behind what is seen and behind the eye, decides nothing.
+#[test]
+fn what_lies_behind_makes_no_pick_exact() {
+    for (square, eye) in [(2.0, 5.0), (-4.0, -2.0)] {
+        let near = [
+            at(Shape::Square, 4.0, DVec3::Z * square),
+            at(Shape::Sphere, 1.0, DVec3::ZERO),
+        ];
+        let view = view([0.5, 0.0, eye], 2.0);
+        for with in [0, 9] {
+            let scene = Scene::new(near.iter().cloned().chain(crowd().take(with)).collect());
+            let found = pick::pick(&scene, &view, DVec2::new(640.0, 360.0)).expect("the square");
+            assert_eq!((found.id, found.exact), (1, false), "{with} others");
+        }
+    }
+}
+
+/// A small triangle before a large one, its edge some pixels beside the position, through ever longer lenses.
+#[test]
+fn the_nearest_other_answer_through_long_lenses() {
+    let mut found = [0; 2];
+    for fov in [1e-4_f64, 1e-5, 1e-6, 1e-7, 1e-8] {
+        let pixel = 2.0 * (fov / 2.0).tan() * 1e3 / 720.0;
+        for k in 0..20 {
+            let k = f64::from(k);
+            let to = DVec3::new(0.48 + 0.01 * k, 0.6 - 0.003 * k, 0.64).normalize();
+            let lens = perspective(fov.to_degrees(), 990.0, 1010.0);
+            let camera = Camera::new(to * 1e3, DVec3::ZERO, DVec3::Y, lens).expect("a camera");
+            let (x, y) = (camera.right(), camera.up());
+            let (far, near) = (pixel * 2000.0, pixel * 6.0);
+            let middle = x * (3.0 * pixel) + to * (20.0 * pixel);
+            let corners = [
+                x * -far - y * far,
+                x * far - y * far,
+                y * far,
+                middle - y * near,
+                middle + x * near,
+                middle + y * near,
+            ];
+            let positions = corners.map(|corner| corner.as_vec3().to_array()).to_vec();
+            let mesh = mesh(positions, vec![[0, 1, 2], [3, 4, 5]], DVec3::ZERO);
+            let shape = Shape::Mesh { mesh, part: 0 };
+            let scene = Scene::new(vec![Object::new("it", shape, Placement::IDENTITY)]);
+            let view = View {
+                camera,
+                viewport: Viewport::new(1280, 720).expect("a size"),
+                sides: Sides::Both,
+            };
+            let px = DVec2::new(640.25, 360.25);
+            let here = pick::pick(&scene, &view, px).expect("the large one");
+            let mut nearest: Option<f64> = None;
+            for (dx, dy) in (-9..=9).flat_map(|dy| (-9..=9).map(move |dx| (dx, dy))) {
+                let centre = pixel_centre(px) + DVec2::new(f64::from(dx), f64::from(dy));
+                let distance = centre.distance(px);
+                let there = pick::closest(&scene, view.ray(centre), Sides::Both);
+                let triangle = there.and_then(|hit| Some(hit.hit.on_triangle?.triangle));
+                if triangle != here.triangle && distance <= nearest.unwrap_or(8.0) {
+                    nearest = Some(distance);
+                }
+            }
+            assert_eq!(here.differs_px, nearest, "{fov:e} {k}");
+            found[usize::from(nearest.is_some())] += 1;
+        }
+    }
+    assert!(found[1] > 50, "{found:?}");
+}
