@@ -3,12 +3,11 @@ enable primitive_index;
 
 struct Frame {
     ndc_per_view: vec2<f32>,
-    depth_row: vec2<f32>,
-    depth_range: vec2<f32>,
     viewport_px: vec2<f32>,
+    clip_per_depth: f32,
     perspective: u32,
     front_only: u32,
-    padding: vec2<u32>,
+    padding: u32,
     key_direction: vec3<f32>,
     ambient: f32,
     background_top: vec3<f32>,
@@ -28,18 +27,10 @@ struct ObjectState {
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> objects: array<ObjectState>;
 
-// From view space, z as measured depth, to clip space.
-fn project(view: vec3<f32>) -> vec4<f32> {
-    let z = frame.depth_row.x * view.z + frame.depth_row.y;
-    return vec4<f32>(view.xy * frame.ndc_per_view, z, select(1.0, view.z, frame.perspective == 1u));
-}
-
-// What the depth buffer stores for a measured depth.
-fn stored_depth(depth: f32) -> f32 {
-    if frame.perspective == 1u {
-        return frame.depth_row.x + frame.depth_row.y / depth;
-    }
-    return frame.depth_row.x * depth + frame.depth_row.y;
+// From x, y and measured depth, and view depth, to clip space.
+fn project(view: vec3<f32>, view_depth: f32) -> vec4<f32> {
+    let w = select(1.0, view_depth, frame.perspective == 1u);
+    return vec4<f32>(view.xy * frame.ndc_per_view, frame.clip_per_depth * view.z, w);
 }
 
 // The unit vector along v; zero for zero.

@@ -8,9 +8,9 @@ struct Batch {
     first_triangle: u32,
     normal: mat3x3<f32>,
     flags: u32,
+    view_depth: f32,
     padding_0: u32,
     padding_1: u32,
-    padding_2: u32,
 }
 
 const NUMBERS_TRIANGLES = 1u;
@@ -42,7 +42,8 @@ fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
     let state = objects[object];
     var out: Corner;
     // Subtracting the pivot first is exact near it: that is where the digits go.
-    out.clip = project((*batch).linear * (in.position - (*batch).pivot) + (*batch).translation);
+    let from_pivot = (*batch).linear * (in.position - (*batch).pivot);
+    out.clip = project(from_pivot + (*batch).translation, from_pivot.z + (*batch).view_depth);
     if state.visible == 0u {
         // All corners at one point outside the picture: no triangle is left.
         out.clip = vec4<f32>(2.0, 2.0, 2.0, 1.0);

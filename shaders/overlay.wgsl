@@ -1,7 +1,7 @@
 // What is in the picture but not in the ids: the background and lines.
 
 struct LineVertex {
-    @location(0) position: vec3<f32>,
+    @location(0) position: vec4<f32>,
     @location(1) colour: vec3<f32>,
 }
 
@@ -12,7 +12,7 @@ struct Point {
 
 @vertex
 fn line_vertex(in: LineVertex) -> Point {
-    return Point(project(in.position), in.colour);
+    return Point(project(in.position.xyz, in.position.w), in.colour);
 }
 
 @fragment

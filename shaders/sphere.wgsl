@@ -23,7 +23,7 @@ struct Sphere {
     normal_right: vec3<f32>,
     object: u32,
     normal_down: vec3<f32>,
-    padding: f32,
+    view_depth: f32,
 }
 
 @group(0) @binding(2) var<storage, read> spheres: array<Sphere>;
@@ -48,13 +48,24 @@ fn evaluate(q: Quadratic, at: vec2<f32>) -> f32 {
 }
 
 struct Surface {
+    // What the depth buffer stores.
     depth: f32,
     // Of the side that is seen.
     normal_view: vec3<f32>,
 }
 
-fn in_range(depth: f32) -> bool {
-    return frame.depth_range.x <= depth && depth < frame.depth_range.y;
+// Clip z and w of a root.
+fn clip(index: u32, s: f32) -> vec2<f32> {
+    let ahead = s * spheres[index].depth_per_root;
+    let w = select(1.0, spheres[index].view_depth + ahead, frame.perspective == 1u);
+    return vec2<f32>(frame.clip_per_depth * (spheres[index].depth + ahead), w);
+}
+
+// Near belongs to the picture, far does not.
+fn in_range(clip: vec2<f32>) -> bool {
+    let standard = 0.0 <= clip.x && clip.x < clip.y;
+    let reversed = 0.0 < clip.x && clip.x <= clip.y;
+    return select(reversed, standard, frame.clip_per_depth > 0.0);
 }
 
 // The first surface between near and far at a position in the picture; discards where there is none.
@@ -70,16 +81,16 @@ fn surface(index: u32, px: vec2<f32>) -> Surface {
     let r2 = q / evaluate((*sphere).a, at);
     let entry = min(r1, r2);
     let exit = max(r1, r2);
-    let enters = in_range((*sphere).depth + entry * (*sphere).depth_per_root);
+    let enters = in_range(clip(index, entry));
     let s = select(exit, entry, enters);
-    let depth = (*sphere).depth + s * (*sphere).depth_per_root;
-    if !(discriminant >= 0.0) || !in_range(depth) || (!enters && frame.front_only == 1u) {
+    let shown = clip(index, s);
+    if !(discriminant >= 0.0) || !in_range(shown) || (!enters && frame.front_only == 1u) {
         discard;
     }
     let step = at.x * (*sphere).normal_right + at.y * (*sphere).normal_down;
     let normal = (*sphere).normal + s * (*sphere).normal_per_root
         + ((*sphere).origin_step + s * (*sphere).direction_step) * step;
-    return Surface(depth, select(-normal, normal, enters));
+    return Surface(shown.x / shown.y, select(-normal, normal, enters));
 }
 
 struct Colour {
@@ -110,23 +121,23 @@ fn id_of(index: u32) -> vec2<u32> {
 @fragment
 fn colour(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
     let seen = surface(in.sphere, in.position.xy);
-    return Colour(lit(in.sphere, seen), stored_depth(seen.depth));
+    return Colour(lit(in.sphere, seen), seen.depth);
 }
 
 @fragment
 fn id(in: Corner) -> IdDepth {
     let seen = surface(in.sphere, in.position.xy);
-    return IdDepth(id_of(in.sphere), stored_depth(seen.depth));
+    return IdDepth(id_of(in.sphere), seen.depth);
 }
 
 @fragment
 fn colour_and_id(in: Corner) -> ColourIdDepth {
     let seen = surface(in.sphere, in.position.xy);
-    return ColourIdDepth(lit(in.sphere, seen), id_of(in.sphere), stored_depth(seen.depth));
+    return ColourIdDepth(lit(in.sphere, seen), id_of(in.sphere), seen.depth);
 }
 
 @fragment
 fn mask(in: Corner) -> @location(0) f32 {
     let seen = surface(in.sphere, in.position.xy);
-    return select(0.0, 1.0, seen.depth < frame.depth_range.y);
+    return select(0.0, 1.0, seen.depth <= 1.0);
 }

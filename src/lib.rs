@@ -7,8 +7,9 @@
 //!
 //! ```text
 //! a file:   path -> scene::load -> Scene -> render::SceneBuffers -> picture
-//! a click:  event -> viewer::input -> Action -> viewer::State -> pick::pick_all -> Pick -> panel, JSON
-//! a frame:  State -> View -> render::Renderer -> colour, ids, selection -> window
+//! a save:   State -> Snapshot -> scene::save -> scene file, meshes beside it
+//! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON
+//! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
 //! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
@@ -17,7 +18,7 @@
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
 //! egui. `colour`, `image` and `look` (what both renderers make pictures look like) stand beside them and know none of
-//! these, but that an image has a `camera::Viewport`. `tests/imports.rs` holds all of that.
+//! these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
 //!
 //! # Spaces
 //!
@@ -30,7 +31,8 @@
 //! | pixel | physical pixels from the top left corner, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | [`camera::Viewport`] |
 //!
 //! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin a file. The GPU gets matrices that were
-//! composed in `f64` about a point near what the camera looks at, so that large coordinates and close views stay sharp.
+//! composed in `f64` (in pairs of them where that is too coarse) about a point near what the camera looks at, so that large
+//! coordinates and close views stay sharp.
 //!
 //! # Words
 //!
@@ -49,7 +51,8 @@
 //! * **front**: the ray runs against the outward normal. Normals are never flipped.
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
-//! * **stage**: how far along M, V, P the window shows the scene ([`viewer::stages::Stage`]).
+//! * **stage**: how far along M, V, P the window shows the scene ([`viewer::model::Stage`]).
+//! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
@@ -67,9 +70,9 @@
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
-//! **An overlay.** Add a variant to [`viewer::overlay::Overlay`] and to its list of all, a key to the table in
-//! `viewer/keys.rs` and to README's, and the lines in world space that it stands for to `viewer/overlay.rs`. Lines are
-//! hidden by what lies before them.
+//! **An overlay.** Add a variant to [`viewer::model::Overlay`] and to its list of all, a key to the table in
+//! `viewer/ui/keys.rs` and to README's, and the lines in world space that it stands for to
+//! `viewer/screen/overlay_lines.rs`. Lines are hidden by what lies before them.
 //!
 //! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an

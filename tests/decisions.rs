@@ -195,7 +195,7 @@ fn the_tree_decides_as_brute_force_does() {
             let [brute, tree] = [(), ()].map(|()| mesh_of(&triangles, vertex_origin));
             tree.build_tree();
             for ray in rays {
-                let all = |mesh: &Mesh| mesh.all(&ray, Sides::Both, |_| true);
+                let all = |mesh: &Mesh| mesh.all(ray, Sides::Both, |_| true);
                 let expected = all(&brute);
                 assert_eq!(all(&tree), expected, "{}: {ray:?}", family.name);
                 let first = expected
@@ -214,7 +214,7 @@ fn the_tree_decides_as_brute_force_does() {
                     "{}: {ray:?}",
                     family.name
                 );
-                let doubt = |mesh: &Mesh| mesh.is_in_doubt(&ray, |_| true);
+                let doubt = |mesh: &Mesh| mesh.is_in_doubt(ray, |_| true);
                 assert_eq!(doubt(&tree), doubt(&brute), "{}: {ray:?}", family.name);
                 count += 1;
                 hits += u32::from(first.is_some());

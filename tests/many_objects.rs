@@ -128,8 +128,8 @@ fn many_objects_answer_as_each_alone() {
         let alone = alone(&scene);
         for ray in rays(&scene, 3000, distance) {
             let expected = one_by_one(&alone, &ray);
-            assert_eq!(pick::all(&scene, &ray, Sides::Both), expected, "{ray:?}");
-            let closest = pick::closest(&scene, &ray, Sides::Both);
+            assert_eq!(pick::all(&scene, ray, Sides::Both), expected, "{ray:?}");
+            let closest = pick::closest(&scene, ray, Sides::Both);
             assert_eq!(closest.as_ref(), expected.first(), "{ray:?}");
             hits += expected.len();
         }
@@ -162,7 +162,7 @@ fn hidden_objects_and_interval_ends_count() {
             },
         ] {
             let expected = one_by_one(&alone, &ray);
-            assert_eq!(pick::all(&scene, &ray, Sides::Both), expected, "{ray:?}");
+            assert_eq!(pick::all(&scene, ray, Sides::Both), expected, "{ray:?}");
             assert!(expected.iter().all(|hit| hit.object % 2 == 0));
             seen += expected.len();
         }
@@ -233,10 +233,10 @@ fn degenerate_scenes_are_searched_too() {
         // Before them, on them, behind them, and from far away.
         for z in [1.0, 0.0, -1.0, 1e9] {
             let ray = ray(0.1, z);
-            let hits = pick::all(&same, &ray, Sides::Both);
+            let hits = pick::all(&same, ray, Sides::Both);
             assert_eq!(hits.len(), 64, "z = {z}");
             assert!(hits.is_sorted_by_key(|hit| hit.object), "z = {z}");
-            let closest = pick::closest(&same, &ray, Sides::Both);
+            let closest = pick::closest(&same, ray, Sides::Both);
             assert_eq!(closest.map(|hit| hit.object), Some(0), "z = {z}");
         }
     }
@@ -250,7 +250,7 @@ fn degenerate_scenes_are_searched_too() {
         let ray = ray(1.2 * 10_f64.powi(i / 3), 1.0);
         let expected = one_by_one(&alone, &ray);
         assert!(!expected.is_empty());
-        assert_eq!(pick::all(&apart, &ray, Sides::Both), expected);
+        assert_eq!(pick::all(&apart, ray, Sides::Both), expected);
     }
 }
 
@@ -268,6 +268,6 @@ fn what_was_moved_is_found_where_it_is() {
         t_min: 0.0,
         t_max: f64::INFINITY,
     };
-    let hit = pick::closest(&scene, &ray, Sides::Both).expect("the sphere");
+    let hit = pick::closest(&scene, ray, Sides::Both).expect("the sphere");
     assert_eq!((hit.object, hit.hit.t), (0, 0.5));
 }

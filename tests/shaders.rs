@@ -58,9 +58,8 @@ fn structs_have_one_layout_on_both_sides() {
         "mesh",
         Frame {
             ndc_per_view,
-            depth_row,
-            depth_range,
             viewport_px,
+            clip_per_depth,
             perspective,
             front_only,
             key_direction,
@@ -80,7 +79,8 @@ fn structs_have_one_layout_on_both_sides() {
             translation,
             first_triangle,
             normal,
-            flags
+            flags,
+            view_depth
         }
     );
     same_layout!(
@@ -110,7 +110,8 @@ fn structs_have_one_layout_on_both_sides() {
             direction_step,
             normal_right,
             object,
-            normal_down
+            normal_down,
+            view_depth
         }
     );
     same_layout!(

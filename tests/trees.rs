@@ -64,14 +64,14 @@ fn the_tree_finds_what_brute_force_finds() {
                 (ray.t_min, ray.t_max) = (0.3 * scale, 1.5 * scale);
             }
             for sides in [Sides::Both, Sides::Front] {
-                let expected = brute.all(&ray, sides, |_| true);
+                let expected = brute.all(ray, sides, |_| true);
                 assert_eq!(
-                    with_tree.all(&ray, sides, |_| true),
+                    with_tree.all(ray, sides, |_| true),
                     expected,
                     "ray {i} of seed {seed}"
                 );
                 for mesh in [&brute, &with_tree] {
-                    let closest = mesh.closest(&ray, sides, |_| true);
+                    let closest = mesh.closest(ray, sides, |_| true);
                     assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
                 }
                 if expected.is_empty() {
@@ -123,9 +123,9 @@ fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
         }
         for ray in rays {
             let case = format!("{count} objects, z = {}", ray.origin.z);
-            let hit = pick::closest(&scene, &ray, Sides::Both).expect(&case);
+            let hit = pick::closest(&scene, ray, Sides::Both).expect(&case);
             let surface = |hit: &SceneHit| (hit.object, hit.hit.on_triangle.unwrap().triangle);
-            let hits = pick::all(&scene, &ray, Sides::Both);
+            let hits = pick::all(&scene, ray, Sides::Both);
             let order: Vec<_> = hits.iter().map(surface).collect();
             let objects = 1..usize::try_from(count).unwrap();
             let expected = objects.flat_map(|object| (0..600).map(move |i| (object, i)));
@@ -138,7 +138,7 @@ fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
             .into_iter()
             .flat_map(|count| rays.map(|ray| (count, ray)))
         {
-            let hit = pick::closest(&scene(&shape, count), &ray, Sides::Both).unwrap();
+            let hit = pick::closest(&scene(&shape, count), ray, Sides::Both).unwrap();
             assert_eq!(hit.object, 1, "{count} of {shape:?}, z = {}", ray.origin.z);
         }
     }
@@ -198,7 +198,7 @@ fn what_is_hidden_is_never_hit() {
         }
         let visible = |object: &usize| hidden >> object & 1 == 0;
         let mut expected: Vec<_> = (0..6).filter(visible).collect();
-        let mut found: Vec<_> = pick::all(&scene, &ray, Sides::Both)
+        let mut found: Vec<_> = pick::all(&scene, ray, Sides::Both)
             .iter()
             .map(|hit| hit.object)
             .collect();
@@ -207,7 +207,7 @@ fn what_is_hidden_is_never_hit() {
         found.dedup();
         assert_eq!(found, expected);
         expected.truncate(1);
-        let closest = pick::closest(&scene, &ray, Sides::Both).map(|hit| hit.object);
+        let closest = pick::closest(&scene, ray, Sides::Both).map(|hit| hit.object);
         if expected.first().is_none_or(|&first| first < 3) {
             assert_eq!(closest, expected.first().copied());
         } else {
@@ -221,7 +221,7 @@ fn a_part_that_is_no_object_is_never_hit() {
     let mesh = three_parts();
     let middle = Object::new("middle", Shape::Mesh { mesh, part: 1 }, Placement::IDENTITY);
     let ray = ray_to(dvec3(0.3, 0.1, 3.0), dvec3(0.3, 0.1, 0.0));
-    let hits = pick::all(&Scene::new(vec![middle]), &ray, Sides::Both);
+    let hits = pick::all(&Scene::new(vec![middle]), ray, Sides::Both);
     assert_eq!(hits.len(), 1);
     assert_eq!((hits[0].object, hits[0].hit.t), (0, 4.0));
 }
@@ -249,13 +249,13 @@ fn culling_hides_what_is_seen_from_behind() {
             for (z, from_front) in [(2.0, true), (-2.0, false)] {
                 let [eye, target] = [dvec3(0.05, -0.1, z), dvec3(0.05, -0.1, 0.0)];
                 let ray = ray_to(model.transform_point3(eye), model.transform_point3(target));
-                let both = pick::all(&scene, &ray, Sides::Both).len();
+                let both = pick::all(&scene, ray, Sides::Both).len();
                 assert_eq!(both, if closed { 2 } else { 1 }, "{kind} {shape:?}");
-                let front = pick::all(&scene, &ray, Sides::Front);
+                let front = pick::all(&scene, ray, Sides::Front);
                 let expected = usize::from(closed || from_front);
                 assert_eq!(front.len(), expected, "{kind} {shape:?} from z = {z}");
                 assert_eq!(
-                    pick::closest(&scene, &ray, Sides::Front).as_ref(),
+                    pick::closest(&scene, ray, Sides::Front).as_ref(),
                     front.first()
                 );
             }
@@ -265,8 +265,8 @@ fn culling_hides_what_is_seen_from_behind() {
                 model.transform_point3(dvec3(0.1, 0.2, 1.0)),
             );
             if closed {
-                assert_eq!(pick::all(&scene, &inside, Sides::Both).len(), 1);
-                assert_eq!(pick::closest(&scene, &inside, Sides::Front), None);
+                assert_eq!(pick::all(&scene, inside, Sides::Both).len(), 1);
+                assert_eq!(pick::closest(&scene, inside, Sides::Front), None);
             }
         }
     }
@@ -296,7 +296,7 @@ fn triangles_without_area_are_never_hit() {
                 ray_to(target - step, target),
             ] {
                 assert_eq!(
-                    guarded_volume(&VertexRay::new(&ray, DVec3::ZERO), corners),
+                    guarded_volume(&VertexRay::new(ray, DVec3::ZERO), corners),
                     None,
                     "{ray:?} {corners:?}"
                 );
@@ -310,7 +310,7 @@ fn triangles_without_area_are_never_hit() {
             ..ray_to(a - DVec3::X, a)
         };
         assert_eq!(
-            guarded_volume(&VertexRay::new(&within, DVec3::ZERO), [a, b, c]),
+            guarded_volume(&VertexRay::new(within, DVec3::ZERO), [a, b, c]),
             None
         );
     }
@@ -319,7 +319,7 @@ fn triangles_without_area_are_never_hit() {
         let corners = [dvec3(bad, 0.0, 0.0), DVec3::Y, DVec3::X];
         assert_eq!(
             guarded_volume(
-                &VertexRay::new(&ray_to(DVec3::Z, DVec3::ZERO), DVec3::ZERO),
+                &VertexRay::new(ray_to(DVec3::Z, DVec3::ZERO), DVec3::ZERO),
                 corners
             ),
             None

@@ -101,6 +101,12 @@ impl CameraChoice {
         if self.look.is_some_and(|look| !look.is_finite()) {
             return Err(CameraError::NotFinite("direction"));
         }
+        let size = 2.0 * bounds_world.radius();
+        // Framing stands back by more than the size.
+        let (least, most) = (100.0 * Orbit::DISTANCES.0, 0.01 * Orbit::DISTANCES.1);
+        if !bounds_world.is_empty() && size != 0.0 && !(least..=most).contains(&size) {
+            return Err(CameraError::SceneSize(size));
+        }
         let framing = Orbit::framing(bounds_world, up_axis, fov_y, viewport.aspect());
         let camera = |up: DVec3| match (self.look, self.target) {
             (Some(look), _) => {

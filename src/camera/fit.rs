@@ -8,11 +8,15 @@ const NEAREST: f64 = 1e-5;
 /// The least near plane as a fraction of the distance to the target, so that zooming in never cuts what is looked at.
 const NEAREST_TO_TARGET: f64 = 1e-2;
 
+/// The least room about the scene as a fraction of its depth, well above what `f64` rounds of a depth.
+const LEAST_ROOM: f64 = 1e-12;
+
 /// View depths `(near, far)` of planes about `bounds_world` as this camera's eye and direction see them; the
 /// camera's own planes do not matter. A plane that is given stays as it is and the other one fits, but keeps to
 /// its side.
 ///
-/// In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target where that is less; in
+/// They leave room of a hundredth of the depth, but not more than the scene's diagonal: from afar depth has its digits
+/// where the scene is. In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target where that is less; in
 /// orthographic projection it may lie behind the eye. Where there is nothing in front of the eye (or no bounds at
 /// all) the planes go about the target. The result is valid unless a given plane is not: one that is not positive in
 /// perspective, or two in the wrong order.
@@ -33,17 +37,29 @@ pub fn fit_near_far(
         let least = depths.into_iter().fold(f64::INFINITY, f64::min);
         (least, depths.into_iter().fold(f64::NEG_INFINITY, f64::max))
     };
+    let diagonal = (bounds_world.max - bounds_world.min).length();
+    // All there is of an empty box or a single point is its depth.
+    let most = if diagonal > 0.0 {
+        diagonal
+    } else {
+        f64::INFINITY
+    };
+    let room = |depth: f64| most.max(LEAST_ROOM * depth);
     match camera.lens().projection {
         Projection::Perspective { .. } => {
-            let end = 1.01 * if z1 > 0.0 { z1 } else { to_target };
-            let far = far.unwrap_or_else(|| near.map_or(end, |near| end.max(1.01 * near)));
+            let end = if z1 > 0.0 { z1 } else { to_target };
+            let end = (1.01 * end).min(end + room(end));
+            let behind = |near: f64| if end > near { end } else { 1.01 * near };
+            let far = far.unwrap_or_else(|| near.map_or(end, behind));
             let least = (NEAREST * far).min(NEAREST_TO_TARGET * to_target);
-            // No clamp, which panics where a far plane that cannot be turns its ends about.
-            let near = near.unwrap_or_else(|| (0.99 * z0).max(least).min(0.99 * far));
+            let begins = (0.99 * z0).max(z0 - room(z0.abs())).max(least);
+            let before = if begins < far { begins } else { 0.99 * far };
+            let near = near.unwrap_or(before);
             (near, far)
         }
         Projection::Orthographic { .. } => {
-            let room = 0.01 * z0.abs().max(z1.abs()).max(to_target);
+            let size = z0.abs().max(z1.abs()).max(to_target);
+            let room = room(size).min(0.01 * size);
             let far =
                 far.unwrap_or_else(|| near.map_or(z1 + room, |near| (near + room).max(z1 + room)));
             let near = near.unwrap_or_else(|| (z0 - room).min(far - room));

@@ -66,6 +66,9 @@ pub enum CameraError {
         /// Far plane's view depth.
         far: f64,
     },
+    /// So large or small that no view holds it.
+    #[error("the scene is {0:.0e} units across; views hold scenes of 1e-98 to 1e98")]
+    SceneSize(f64),
     /// A picture without a pixel.
     #[error("the picture must be at least 1 pixel wide and high, not {0}x{1}")]
     EmptyViewport(u32, u32),

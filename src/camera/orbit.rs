@@ -55,8 +55,8 @@ impl Orbit {
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// Room about a framed scene.
     const MARGIN: f64 = 1.08;
-    /// The nearest and farthest that zooming goes, in world units: past these, squares overflow.
-    const DISTANCES: (f64, f64) = (1e-30, 1e30);
+    /// The nearest and farthest that zooming goes, in world units: past these, products of three lengths overflow.
+    pub(super) const DISTANCES: (f64, f64) = (1e-100, 1e100);
 
     /// The view of a camera. Its own up becomes the orbit's axis unless the camera stands upright by `up_axis`.
     #[must_use]

@@ -67,6 +67,16 @@ pub enum CliError {
         "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
     Unexplained(usize),
+    /// Drawn and picked differ where `f32` cannot hold the view.
+    #[error(
+        "drawing in f32 cannot hold this view, {0} pixels differ from their picks; picks are right, and so is render --by raycast"
+    )]
+    BeyondF32(usize),
+    /// One picture is empty and the other is not: the pixels shown, who shows them, who does not.
+    #[error(
+        "{0} pixels are {1}, and nothing at all is {2}; render --by raycast shows what is picked"
+    )]
+    OneSided(usize, &'static str, &'static str),
     /// There is no window.
     #[error(transparent)]
     Window(#[from] ViewerError),
@@ -77,7 +87,7 @@ impl CliError {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Unexplained(_) => 1,
+            Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
             Self::Usage(_) | Self::View(_) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)

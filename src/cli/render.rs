@@ -62,7 +62,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
         u16::try_from(last).map_err(|_| ImageError::TooManyObjects(last))?;
     }
     let at = args.pick.map(|px| view.ray(px));
-    let selection = at.and_then(|ray| pick::closest(scene, &ray, view.sides));
+    let selection = at.and_then(|ray| pick::closest(scene, ray, view.sides));
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
     let (ids, colours) = match args.by {

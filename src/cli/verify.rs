@@ -8,7 +8,10 @@ use crate::{
     render::{self, Gpu},
     scene::Scene,
     study::methods::usual,
-    verify::{self, COLOURS, Class, Disagreement, Report},
+    verify::{
+        self, COLOURS, Class, DEPTH_CEILING_STEPS, Disagreement, OUTLINE_CEILING_PX, Report,
+        Verdict,
+    },
 };
 use serde::Serialize;
 use std::{fmt::Write as _, io::Write as _, path::PathBuf, time::Instant};
@@ -75,9 +78,12 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     std::io::stdout()
         .write_all(text.as_bytes())
         .map_err(CliError::stdout)?;
-    match report.count(Class::Unexplained) {
-        0 => Ok(()),
-        pixels => Err(CliError::Unexplained(pixels)),
+    match report.verdict() {
+        Verdict::Agrees => Ok(()),
+        Verdict::BeyondF32(pixels) => Err(CliError::BeyondF32(pixels)),
+        Verdict::NothingDrawn(pixels) => Err(CliError::OneSided(pixels, "picked", "drawn")),
+        Verdict::NothingPicked(pixels) => Err(CliError::OneSided(pixels, "drawn", "picked")),
+        Verdict::Unexplained(pixels) => Err(CliError::Unexplained(pixels)),
     }
 }
 
@@ -103,12 +109,15 @@ struct Outcome<'a> {
 struct Line<'a> {
     size: [u32; 2],
     pixels: usize,
-    shown: usize,
+    drawn: usize,
+    picked: usize,
     outline: usize,
+    outline_differ: usize,
     same: usize,
     edge: usize,
     depth: usize,
     f32_limit: usize,
+    beyond_f32: usize,
     unexplained: usize,
     share_of_outline: f64,
     worst: Option<Worst<'a>>,
@@ -174,12 +183,15 @@ impl<'a> Outcome<'a> {
         let line = Line {
             size: self.size,
             pixels: report.pixels,
-            shown: report.shown,
+            drawn: report.drawn,
+            picked: report.picked,
             outline: report.outline,
+            outline_differ: report.outline_differ,
             same: report.same(),
             edge: report.count(Class::Edge),
             depth: report.count(Class::Depth),
             f32_limit: report.count(Class::F32Limit),
+            beyond_f32: report.count(Class::BeyondF32),
             unexplained: report.count(Class::Unexplained),
             share_of_outline: report.share_of_outline(),
             worst: report.worst().map(|at| self.worst(at)),
@@ -196,8 +208,8 @@ impl<'a> Outcome<'a> {
         let report = self.report;
         let [width, height] = self.size;
         let mut text = format!(
-            "{width}x{height} pixels, {} show something, {} lie on outlines\n",
-            report.shown, report.outline
+            "{width}x{height} pixels, {} show something as drawn and {} as picked, {} lie on outlines\n",
+            report.drawn, report.picked, report.outline
         );
         let mut row = |name: &str, count: usize, what: &str| {
             // Writing to a string cannot fail.
@@ -210,10 +222,17 @@ impl<'a> Outcome<'a> {
         row("same", report.same(), "");
         for (class, _, colour) in COLOURS {
             let what = match class {
-                Class::Edge => "the centre lies on an outline, to 1/256 pixel",
-                Class::Depth => "two surfaces as deep, to the depth buffer",
-                Class::F32Limit => "the centre lies on an outline, to what f32 can tell",
-                Class::Unexplained => "defects",
+                Class::Edge => "the centre lies on an outline, to 1/256 pixel".to_owned(),
+                Class::Depth => format!(
+                    "two surfaces as deep, to the depth buffer and at most {DEPTH_CEILING_STEPS} steps"
+                ),
+                Class::F32Limit => format!(
+                    "the centre lies on an outline, to what f32 can tell and at most {OUTLINE_CEILING_PX} px"
+                ),
+                Class::BeyondF32 => {
+                    "drawing in f32 cannot hold this view: render --by raycast".to_owned()
+                }
+                Class::Unexplained => "defects".to_owned(),
             };
             let painted = if with_image {
                 format!(" ({colour})")
@@ -228,10 +247,11 @@ impl<'a> Outcome<'a> {
         }
         let _ = writeln!(
             text,
-            "{} of {} outline pixels differ: {:.2} %",
-            report.disagreements.len(),
+            "{} of {} outline pixels differ ({:.2} %), {} elsewhere",
+            report.outline_differ,
             report.outline,
-            100.0 * report.share_of_outline()
+            100.0 * report.share_of_outline(),
+            report.differ_off_outlines()
         );
         if let Some(at) = report.worst() {
             let _ = writeln!(text, "{}", self.worst_line(at));

@@ -23,6 +23,7 @@ mod local_ray;
 mod mesh;
 mod normals;
 mod placement;
+mod pyramid;
 #[cfg(test)]
 mod random;
 mod ray;
@@ -45,6 +46,7 @@ pub use local_ray::LocalRay;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
+pub(crate) use pyramid::Pyramid;
 pub use ray::{PixelGrid, Ray, RayError, WorldRay};
 pub use sphere::Sphere;
 pub use square::Square;

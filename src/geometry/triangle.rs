@@ -344,7 +344,7 @@ mod tests {
                         t_min: if i % 7 < 3 { 0.0 } else { f64::MIN },
                         t_max: f64::MAX,
                     };
-                    let ray = VertexRay::new(&ray, DVec3::ZERO);
+                    let ray = VertexRay::new(ray, DVec3::ZERO);
                     let exact = exact_volume(&ray, corners);
                     for hit in [guarded_volume(&ray, corners), settled_volume(&ray, corners)] {
                         let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
@@ -390,7 +390,7 @@ mod tests {
                 t_min: 0.0,
                 t_max: 1.0,
             };
-            let mut seen = VertexRay::new(&ray, vertex_origin);
+            let mut seen = VertexRay::new(ray, vertex_origin);
             let is_exact = i % 4 < 2;
             if !is_exact {
                 // As if it had been rounded to 40 digits.

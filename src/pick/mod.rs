@@ -111,7 +111,7 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
 #[must_use]
 pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let ray = view.ray(px);
-    let hits = all(scene, &ray, view.sides);
+    let hits = all(scene, ray, view.sides);
     let Some(first) = hits.first() else {
         return Vec::new();
     };

@@ -6,7 +6,7 @@ use crate::{
     geometry::{
         Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Sides, Sphere, Square, TriangleTest, WorldRay,
     },
-    scene::{Scene, Shape},
+    scene::{Object, Scene, Shape},
 };
 use std::ops::Range;
 
@@ -47,7 +47,7 @@ pub fn closest_by(
         let found = match &first.shape {
             Shape::Mesh { mesh, part } => {
                 let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                let hit = mesh.closest_by(&local, sides, test, accept);
+                let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
             _ => in_batch(scene, batch, &local, sides, |_| true),
@@ -85,6 +85,25 @@ pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHi
     all
 }
 
+/// The hits on one object, or on a triangle of its mesh, nearest first; whether it is visible or not.
+pub(super) fn hits_of(
+    scene: &Scene,
+    ray: &WorldRay,
+    object: usize,
+    triangle: Option<u32>,
+) -> impl Iterator<Item = SceneHit> {
+    let Object {
+        shape, placement, ..
+    } = &scene.objects()[object];
+    let local = placement.local_ray(ray);
+    let hits = match (shape, triangle) {
+        (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
+        _ => analytic_hits(shape, &local),
+    };
+    let hits = hits.into_iter().flatten();
+    hits.map(move |hit| SceneHit { object, hit })
+}
+
 /// Whether `f64` alone leaves open if a world-space ray hits one of the visible surfaces no later than at `limit`. The
 /// same with and without trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
@@ -96,7 +115,7 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
             || match &first.shape {
                 Shape::Mesh { mesh, part } => {
                     let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                    mesh.is_in_doubt(&local, accept)
+                    mesh.is_in_doubt(local, accept)
                 }
                 _ if !first.visible => false,
                 Shape::Sphere => Sphere::is_in_doubt(&local),
@@ -193,7 +212,12 @@ fn of_mesh(scene: &Scene, batch: &Range<usize>, hit: Hit) -> SceneHit {
 }
 
 /// Whether a part of a batch's mesh is one of its objects, and visible.
-fn shows_part(scene: &Scene, batch: &Range<usize>, first_part: usize, part: usize) -> bool {
+pub(super) fn shows_part(
+    scene: &Scene,
+    batch: &Range<usize>,
+    first_part: usize,
+    part: usize,
+) -> bool {
     let object = part.checked_sub(first_part).map(|i| batch.start + i);
     object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
 }

@@ -65,11 +65,40 @@ fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
             let [a, b] = [(a, mesh), (b, other)].map(|(hit, mesh)| vertex_corners(mesh, hit));
             let is_one_space =
                 Arc::ptr_eq(mesh, other) || mesh.data().origin == other.data().origin;
-            is_one_space && (a == b || are_coplanar(a, b))
+            is_one_space && is_one_plane(a, b)
         }
         (Shape::Mesh { .. }, _) | (_, Shape::Mesh { .. }) => false,
         (of_a, of_b) => of_a.kind() == of_b.kind() && a.hit.front == b.hit.front,
     }
+}
+
+/// Whether a triangle, given by its corners about its mesh's origin, comes no earlier than a hit on every ray that meets
+/// both: in the same plane, or the very triangle, and no earlier in order.
+pub(super) fn comes_later_in_plane(
+    scene: &Scene,
+    hit: &SceneHit,
+    object: usize,
+    triangle: u32,
+    corners: [glam::DVec3; 3],
+) -> bool {
+    let Some(on) = hit.hit.on_triangle else {
+        return false;
+    };
+    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
+    let (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: of_other, .. }) =
+        (&of_hit.shape, &other.shape)
+    else {
+        return false;
+    };
+    let is_later = (hit.object, on.triangle) <= (object, triangle);
+    is_later
+        && of_hit.placement == other.placement
+        && (Arc::ptr_eq(mesh, of_other) || mesh.data().origin == of_other.data().origin)
+        && is_one_plane(vertex_corners(mesh, hit), corners)
+}
+
+fn is_one_plane(a: [glam::DVec3; 3], b: [glam::DVec3; 3]) -> bool {
+    a == b || are_coplanar(a, b)
 }
 
 fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [glam::DVec3; 3] {

@@ -27,7 +27,7 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
 #[must_use]
 pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
-    ids_by(scene, view, |px| closest(scene, &view.ray(px), view.sides))
+    ids_by(scene, view, |px| closest(scene, view.ray(px), view.sides))
 }
 
 /// [`ids`] by another way to pick at a pixel position.
@@ -70,7 +70,7 @@ pub(super) fn each_pixel<T: Clone + Default + Send>(
 
 fn cast(scene: &Scene, view: &View, px: DVec2) -> (Id, Rgb) {
     let ray = view.ray(px);
-    if let Some(hit) = closest(scene, &ray, view.sides) {
+    if let Some(hit) = closest(scene, ray, view.sides) {
         return (id(scene, &hit), colour(scene, view, &ray, &hit).0);
     }
     #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]

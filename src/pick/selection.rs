@@ -21,7 +21,7 @@ pub fn draw_selection(
     // As if nothing else were there.
     let alone = Scene::new(vec![scene.objects()[object].clone()]);
     let covered = each_pixel(view, |px| {
-        closest(&alone, &view.ray(px), view.sides).is_some()
+        closest(&alone, view.ray(px), view.sides).is_some()
     });
     let covered = Image::new(view.viewport, covered);
     let [amount, _] = look::TINTS;

@@ -3,26 +3,26 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// What all of a frame shares: projection, light and background. Depth is *measured depth*: view depth in
-/// perspective; in orthographic projection view depth less that of the plane where the depth buffer stores 0, so
-/// that the projection needs no offset and keeps its digits.
+/// What all of a frame shares: projection, light and background.
+///
+/// Lengths of view space are in *view units* ([`super::transform::view_unit`]). Depth goes by two numbers, each of which
+/// keeps its digits where the other has none: *view depth*, from the eye, and *measured depth*, from the plane where the
+/// depth buffer stores 0, so that the projection is one product.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {
-    /// NDC per view-space unit at depth 1 (perspective) or anywhere (orthographic).
+    /// NDC per view unit at view depth 1 (perspective) or anywhere (orthographic).
     pub ndc_per_view: [f32; 2],
-    /// Clip z is `depth_row.x * depth + depth_row.y`.
-    pub depth_row: [f32; 2],
-    /// Measured depth of the near and the far plane.
-    pub depth_range: [f32; 2],
     /// Size of the picture in pixels.
     pub viewport_px: [f32; 2],
+    /// Clip z per measured depth: above 0 in standard, below in reversed mapping.
+    pub clip_per_depth: f32,
     /// 1 in perspective, 0 in orthographic projection.
     pub perspective: u32,
     /// 1 when only front sides show.
     pub front_only: u32,
     /// Nothing.
-    pub padding: [u32; 2],
+    pub padding: u32,
     /// Towards the key light, in view space.
     pub key_direction: [f32; 3],
     /// Light from everywhere.
@@ -47,7 +47,7 @@ pub struct Batch {
     pub object_of_part_0: u32,
     /// Columns of the linear part from vertex to view space, each with padding.
     pub linear: [[f32; 4]; 3],
-    /// View-space position of the pivot, its z as measured depth.
+    /// View-space position of the pivot, its z as measured depth; in view units.
     pub translation: [f32; 3],
     /// The mesh's triangle that the draw begins with.
     pub first_triangle: u32,
@@ -55,8 +55,10 @@ pub struct Batch {
     pub normal: [[f32; 4]; 3],
     /// [`Batch::NUMBERS_TRIANGLES`] and [`Batch::MIRRORS`].
     pub flags: u32,
+    /// View depth of the pivot, in view units.
+    pub view_depth: f32,
     /// Nothing.
-    pub padding: [u32; 3],
+    pub padding: [u32; 2],
 }
 
 impl Batch {
@@ -100,8 +102,8 @@ pub struct Vertex {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct LineVertex {
-    /// View space, z as measured depth.
-    pub position: [f32; 3],
+    /// x, y, measured depth and view depth, in view units.
+    pub position: [f32; 4],
     /// Linear colour.
     pub colour: [f32; 3],
 }
@@ -130,9 +132,9 @@ pub struct Sphere {
     pub rect_px: [f32; 4],
     /// The pixel centre from which offsets count.
     pub pivot_px: [f32; 2],
-    /// Measured depth at `s = 0`.
+    /// Measured depth at `s = 0`, in view units.
     pub depth: f32,
-    /// Measured depth for one unit of `s`.
+    /// Depth for one unit of `s`, in view units.
     pub depth_per_root: f32,
     /// Direction squared: a of `a s^2 - 2 b s + c = 0`.
     pub a: Quadratic,
@@ -156,8 +158,8 @@ pub struct Sphere {
     pub object: u32,
     /// View-space normal's change for a step of one pixel down.
     pub normal_down: [f32; 3],
-    /// Nothing.
-    pub padding: f32,
+    /// View depth at `s = 0`, in view units.
+    pub view_depth: f32,
 }
 
 /// What the composite pass puts over the picture.

@@ -1,6 +1,9 @@
 //! Lines in the world: in the picture, hidden by what is before them, but not in the ids.
 
-use super::{layout::LineVertex, transform::depth_origin};
+use super::{
+    layout::LineVertex,
+    transform::{depth_origin, view_unit},
+};
 use crate::{camera::View, colour::Srgb};
 use glam::DVec3;
 
@@ -17,14 +20,16 @@ pub struct Line {
 
 /// The ends of all lines in view space, taken from the eye in `f64` like everything else.
 pub(super) fn vertices(view: &View, lines: &[Line]) -> Vec<LineVertex> {
-    let origin = DVec3::Z * depth_origin(view);
+    let (origin, unit) = (depth_origin(view), view_unit(view));
     let ends = lines
         .iter()
         .flat_map(|line| [(line.from, line.colour), (line.to, line.colour)]);
     ends.map(|(end_world, colour)| LineVertex {
-        position: (view.camera.to_view(end_world) - origin)
-            .as_vec3()
-            .to_array(),
+        position: {
+            let at = view.camera.to_view(end_world);
+            let measured = at.truncate().extend(at.z - origin);
+            (unit * measured.extend(at.z)).as_vec4().to_array()
+        },
         colour: colour.to_linear(),
     })
     .collect()

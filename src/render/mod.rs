@@ -15,6 +15,7 @@
 //! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
+pub(crate) mod double_double;
 mod gpu;
 pub mod layout;
 mod lines;
@@ -27,6 +28,7 @@ mod scene_buffers;
 pub mod sphere;
 mod targets;
 pub mod transform;
+pub mod view_space;
 
 pub use gpu::{Gpu, GpuError};
 pub use lines::Line;

@@ -94,7 +94,7 @@ const LINE_VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     array_stride: size_of::<LineVertex>() as u64,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &[
-        attribute(0, VertexFormat::Float32x3, offset_of!(LineVertex, position)),
+        attribute(0, VertexFormat::Float32x4, offset_of!(LineVertex, position)),
         attribute(1, VertexFormat::Float32x3, offset_of!(LineVertex, colour)),
     ],
 };

@@ -6,6 +6,7 @@ use super::{
     mesh_buffers::MeshBuffers,
     sphere,
     transform::{VertexToView, columns, normal_to_view, vertex_space},
+    view_space::ViewSpace,
 };
 use crate::{
     camera::View,
@@ -198,17 +199,18 @@ impl SceneBuffers {
 
     /// Writes what depends on the view.
     pub(super) fn set_view(&self, gpu: &Gpu, view: &View) {
+        let space = ViewSpace::new(view);
         let batches: Vec<layout::Batch> = self
             .triangle_batches
             .iter()
-            .map(|batch| batch.seen_by(view))
+            .map(|batch| batch.seen_in(&space))
             .collect();
         let spheres: Vec<layout::Sphere> = self
             .sphere_batches
             .iter()
             .map(|batch| {
                 if batch.visible {
-                    sphere::sphere(view, &batch.placement, batch.object)
+                    sphere::sphere(&space, &batch.placement, batch.object)
                 } else {
                     layout::Sphere::default()
                 }
@@ -235,8 +237,8 @@ impl TriangleBatch {
         }
     }
 
-    fn seen_by(&self, view: &View) -> layout::Batch {
-        let to_view = VertexToView::new(view, &self.placement, self.origin, &self.bounds);
+    fn seen_in(&self, space: &ViewSpace) -> layout::Batch {
+        let to_view = VertexToView::new(space, &self.placement, self.origin, &self.bounds);
         let numbers = u32::from(self.numbers_triangles) * layout::Batch::NUMBERS_TRIANGLES;
         let mirrors = u32::from(self.placement.mirrors()) * layout::Batch::MIRRORS;
         layout::Batch {
@@ -245,9 +247,10 @@ impl TriangleBatch {
             linear: columns(to_view.linear),
             translation: to_view.translation.to_array(),
             first_triangle: self.first_triangle,
-            normal: columns(normal_to_view(view, &self.placement).as_mat3()),
+            normal: columns(normal_to_view(space.view(), &self.placement).as_mat3()),
             flags: numbers | mirrors,
-            padding: [0; 3],
+            view_depth: to_view.view_depth,
+            padding: [0; 2],
         }
     }
 }

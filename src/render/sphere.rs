@@ -6,38 +6,68 @@
 //! sphere is: the outline is out by a few roundings of the picture's size in pixels, nothing else.
 
 use super::{
+    double_double::{DoubleDouble, Number, Rows, Vector},
     layout::{Quadratic, Sphere as Row},
-    transform::{U, depth_origin, narrow, normal_to_view},
+    transform::{U, UNDERFLOW, depth_origin, narrow, normal_to_view},
+    view_space::{ViewPoint, ViewSpace},
 };
 use crate::{
     camera::{Projection, View, pixel_centre},
-    geometry::{Placement, Ray, Sphere},
+    geometry::{Placement, Sides, Sphere},
 };
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DMat3, DVec2, DVec3, DVec4};
 
 /// The sphere of an object under this placement; an empty rectangle where the picture does not show it.
 #[must_use]
-pub fn sphere(view: &View, placement: &Placement, object: u32) -> Row {
-    let Some([min, max]) = rect_px(view, placement) else {
+pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
+    let center = space.at_quickly(placement, DVec3::ZERO, DVec3::ZERO);
+    let Some(rect) = rect_px(space.view(), placement, &center) else {
         return Row::default();
     };
-    let pivot_px = pivot_px(view, placement);
-    let rays = Rays::new(view, placement, pivot_px);
-    let depth = base_depth(view, placement, pivot_px);
+    if f64_suffices(space.view(), placement) {
+        row::<f64>(space, placement, &center, rect, object)
+    } else {
+        row::<DoubleDouble>(space, placement, &center, rect, object)
+    }
+}
+
+/// Whether rays in object space keep, in `f64`, more digits than `f32` has: their origin loses the condition of the model
+/// matrix times the eye's distance in object units.
+fn f64_suffices(view: &View, placement: &Placement) -> bool {
+    let size = |m: DMat3| m.x_axis.length() + m.y_axis.length() + m.z_axis.length();
+    let (linear, inverse) = (placement.model().matrix3, placement.inverse_linear());
+    let distance = size(inverse) * (view.camera.eye() - placement.model().translation).length();
+    f64::EPSILON * size(linear) * size(inverse) * distance.max(1.0) < U / 256.0
+}
+
+fn row<N: Number>(
+    space: &ViewSpace,
+    placement: &Placement,
+    center: &ViewPoint,
+    [min, max]: [DVec2; 2],
+    object: u32,
+) -> Row {
+    let (view, unit) = (space.view(), space.unit());
+    let pivot_px = pivot_px(view, center, [min, max]);
+    let rays = Rays::<N>::new(view, placement, pivot_px);
+    let depth = base_depth(view, &rays);
     // A unit direction keeps squares in range; roots are then in object units.
-    let speed = rays.direction.length();
-    let d = rays.direction / speed;
-    let n = rays.origin + depth * rays.direction;
-    let [right, down] = [rays.right / speed, rays.down / speed];
+    let speed = rays.direction.narrow().length();
+    let scaled = |v: Vector<N>| v * N::from(speed.recip());
+    let [d, right, down] = [rays.direction, rays.right, rays.down].map(scaled);
+    let n = rays.origin + rays.direction * N::from(depth);
     let (origin_step, direction_step) = match view.camera.lens().projection {
         Projection::Perspective { .. } => (depth * speed, 1.0),
         Projection::Orthographic { .. } => (speed, 0.0),
     };
+    // Nearly parallel vectors cross, which is what takes the digits: the rest is rounded.
     // With w the step to a pixel: origin n + origin_step w, direction d + direction_step w.
+    let twist = n * N::from(direction_step) - d * N::from(origin_step);
+    let moment = n.cross(d).narrow();
+    let turn = [twist.cross(right), twist.cross(down)].map(Vector::narrow);
+    let [n, d, right, down] = [n, d, right, down].map(Vector::narrow);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
     let along = direction_step * n + origin_step * d;
-    let (twist, moment) = (direction_step * n - origin_step * d, n.cross(d));
-    let turn = [twist.cross(right), twist.cross(down)];
     let outside = (n.length() - Sphere::RADIUS) * (n.length() + Sphere::RADIUS);
     let quadratic = |constant: f64, x: f64, y: f64, square: f64, turned: f64| Quadratic {
         linear: [constant, x, y].map(narrow),
@@ -62,8 +92,8 @@ pub fn sphere(view: &View, placement: &Placement, object: u32) -> Row {
     Row {
         rect_px: DVec4::new(min.x, min.y, max.x, max.y).as_vec4().to_array(),
         pivot_px: pivot_px.as_vec2().to_array(),
-        depth: narrow(depth - depth_origin(view)),
-        depth_per_root: narrow(speed.recip()),
+        depth: narrow(unit * (depth - depth_origin(view))),
+        depth_per_root: narrow(unit / speed),
         a: quadratic(1.0, ax, ay, direction_step * direction_step, 0.0),
         b: quadratic(-n.dot(d), bx, by, -origin_step * direction_step, 0.0),
         c: quadratic(outside, cx, cy, origin_step * origin_step, 0.0),
@@ -81,75 +111,99 @@ pub fn sphere(view: &View, placement: &Placement, object: u32) -> Row {
         normal_right: to_view(right),
         object,
         normal_down: to_view(down),
-        padding: 0.0,
+        view_depth: narrow(unit * depth),
     }
 }
 
 /// The rays through the picture in object space: `origin + depth * direction`, and the step of whichever of the two
 /// moves (the direction in perspective, the origin in orthographic projection) from pixel to pixel.
-pub(crate) struct Rays {
-    pub origin: DVec3,
-    pub direction: DVec3,
-    pub right: DVec3,
-    pub down: DVec3,
+pub(crate) struct Rays<N> {
+    pub origin: Vector<N>,
+    pub direction: Vector<N>,
+    pub right: Vector<N>,
+    pub down: Vector<N>,
 }
 
-impl Rays {
+impl<N: Number> Rays<N> {
     pub fn new(view: &View, placement: &Placement, px: DVec2) -> Self {
         let camera = &view.camera;
-        let half = camera.lens().half_extent(view.viewport.aspect());
-        let ndc = view.viewport.px_to_ndc(px);
-        let step = 2.0 * half / view.viewport.size_px();
-        let aside = ndc.x * half.x * camera.right() + ndc.y * half.y * camera.up();
-        let (eye, direction) = match camera.lens().projection {
-            Projection::Perspective { .. } => (camera.eye(), camera.forward() + aside),
-            Projection::Orthographic { .. } => (camera.eye() + aside, camera.forward()),
+        let size = view.viewport.size_px();
+        let pixel = N::from(camera.half_height()) / N::from(size.y);
+        let [right, up] = [camera.right(), camera.up()].map(Vector::<N>::from);
+        let across = right * N::from(2.0 * px.x - size.x) + up * N::from(size.y - 2.0 * px.y);
+        let aside = across * pixel;
+        let eye = Vector::<N>::from(camera.eye()) - placement.model().translation.into();
+        let forward = Vector::from(camera.forward());
+        let (origin, direction) = match camera.lens().projection {
+            Projection::Perspective { .. } => (eye, forward + aside),
+            Projection::Orthographic { .. } => (eye + aside, forward),
         };
-        let inverse = placement.inverse_linear();
+        let to_object = Rows::<N>::inverse_of(placement.model().matrix3);
+        let step = pixel * N::from(2.0);
         Self {
-            origin: placement.point_to_object(eye),
-            direction: inverse * direction,
-            right: inverse * (step.x * camera.right()),
-            down: inverse * (-step.y * camera.up()),
+            origin: to_object.times(origin),
+            direction: to_object.times(direction),
+            right: to_object.times(right * step),
+            down: to_object.times(up * -step),
         }
+    }
+
+    /// View depth of the point nearest to the sphere's centre, and by how much its square distance from there exceeds the
+    /// square of the radius.
+    pub fn middle(&self) -> (N, f64) {
+        let (o, d) = (self.origin, self.direction);
+        let depth = -o.dot(d) / d.dot(d);
+        let distance = (o + d * depth).narrow().length();
+        (
+            depth,
+            (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS),
+        )
     }
 }
 
-/// The pixel centre in the picture nearest to the sphere's; the picture's middle when that is behind the eye.
-fn pivot_px(view: &View, placement: &Placement) -> DVec2 {
-    let size = view.viewport.size_px();
-    let center = view.project(placement.model().translation);
-    let px = center.map_or(0.5 * size, |center| center.px);
-    pixel_centre(px.clamp(DVec2::ZERO, size - 1.0))
+/// The pixel centre in the rectangle nearest to the sphere's centre.
+fn pivot_px(view: &View, center: &ViewPoint, [min, max]: [DVec2; 2]) -> DVec2 {
+    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let ndc = center.aside / (half * view.camera.lens().w(center.depth));
+    let px = if center.depth > 0.0 && ndc.is_finite() {
+        view.viewport.ndc_to_px(ndc)
+    } else {
+        0.5 * (min + max)
+    };
+    pixel_centre(px.clamp(min, max).min(view.viewport.size_px() - 1.0))
 }
 
-/// View depth of a point on the ray through `px` from which roots are counted: the surface that shows there, or else
-/// the point nearest to the centre.
-fn base_depth(view: &View, placement: &Placement, px: DVec2) -> f64 {
-    let ray = view.ray(px);
-    let local = placement.local_ray(&ray);
-    let mut hits = Sphere::hits(&local).into_iter().flatten();
-    let shown = hits.find(|hit| view.sides.shows(hit));
-    let Ray {
-        origin, direction, ..
-    } = local.ray;
-    let nearest = -origin.dot(direction) / direction.length_squared();
-    shown.map_or(nearest, |hit| hit.t)
+/// View depth from which roots are counted: of the surface that shows there, or else of the point nearest to the centre.
+fn base_depth<N: Number>(view: &View, rays: &Rays<N>) -> f64 {
+    let lens = view.camera.lens();
+    let (middle, outside) = rays.middle();
+    let middle: f64 = middle.into();
+    let root = (-outside).max(0.0).sqrt() / rays.direction.narrow().length();
+    let [entry, exit] = [middle - root, middle + root];
+    let seen = |depth: f64| (lens.near..lens.far).contains(&depth);
+    if seen(entry) {
+        entry
+    } else if seen(exit) && view.sides == Sides::Both {
+        exit
+    } else {
+        middle
+    }
 }
 
 /// Top left and bottom right of a rectangle, in pixels, with all pixels that may show the sphere; `None` when none may.
 ///
 /// A plane `(1, 0, -x) . p = 0` through the eye touches the ellipsoid where its distance from the centre equals the
 /// ellipsoid's extent along the plane's normal: a quadratic in x.
-fn rect_px(view: &View, placement: &Placement) -> Option<[DVec2; 2]> {
+fn rect_px(view: &View, placement: &Placement, center: &ViewPoint) -> Option<[DVec2; 2]> {
     let lens = view.camera.lens();
     let rows = (view.camera.rotation() * placement.model().matrix3).transpose() * Sphere::RADIUS;
     let (x, y, z) = (rows.x_axis, rows.y_axis, rows.z_axis);
-    let center = view.camera.to_view(placement.model().translation);
-    let (front, back) = (center.z - z.length(), center.z + z.length());
-    if !(back >= lens.near && front < lens.far) {
+    let from_far = center.past_near - (lens.far - lens.near);
+    if !(center.past_near + z.length() >= 0.0 && from_far - z.length() < 0.0) {
         return None;
     }
+    let center = center.aside.extend(center.depth);
+    let front = center.z - z.length();
     let size = view.viewport.size_px();
     let half = lens.half_extent(view.viewport.aspect());
     let ends = |along: DVec3, middle: f64, half: f64| match lens.projection {
@@ -182,7 +236,9 @@ pub struct Rounding {
     /// Of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, its direction as long as one unit of
     /// view depth.
     pub discriminant: f64,
-    /// Of the measured depth where the ray enters and where it leaves.
+    /// Of the measured depth where the ray enters and where it leaves, in world units.
+    pub measured: [f64; 2],
+    /// Of the view depth there, in world units.
     pub depth: [f64; 2],
 }
 
@@ -193,21 +249,24 @@ pub struct Rounding {
 /// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
 /// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
 #[must_use]
-pub fn rounding(sphere: &Row, px: DVec2) -> Rounding {
+pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
     let at = px - DVec2::from(sphere.pivot_px.map(f64::from));
     let polynomial = |q: &Quadratic| {
         let [constant, x, y] = q.linear.map(f64::from);
         let [xx, xy, yy] = q.square.map(f64::from);
-        let terms = [
-            constant,
-            x * at.x,
-            y * at.y,
-            xx * at.x * at.x,
-            xy * at.x * at.y,
-            yy * at.y * at.y,
-        ];
+        let monomials = [1.0, at.x, at.y, at.x * at.x, at.x * at.y, at.y * at.y];
+        let terms = [constant, x, y, xx, xy, yy];
+        let terms: Vec<f64> = terms
+            .into_iter()
+            .zip(monomials)
+            .map(|(a, b)| a * b)
+            .collect();
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
-        (terms.iter().sum::<f64>(), 10.0 * U * size)
+        let lost: f64 = monomials.map(f64::abs).iter().sum();
+        (
+            terms.iter().sum::<f64>(),
+            10.0 * U * size + UNDERFLOW * lost,
+        )
     };
     let (a, wrong_a) = polynomial(&sphere.a);
     let (b, wrong_b) = polynomial(&sphere.b);
@@ -219,18 +278,22 @@ pub fn rounding(sphere: &Row, px: DVec2) -> Rounding {
     let wrong_q = wrong_b + wrong_root + 4.0 * U * q.abs();
     let by_q = (c / q, (wrong_c + (c / q).abs() * wrong_q) / q.abs());
     let by_a = (q / a, (wrong_q + (q / a).abs() * wrong_a) / a);
-    let [entry, exit] = if by_q.0 <= by_a.0 {
+    let roots = if by_q.0 <= by_a.0 {
         [by_q, by_a]
     } else {
         [by_a, by_q]
     };
     let depth_per_root = f64::from(sphere.depth_per_root);
     // The base depth, the factor, the product and the sum round too.
-    let of_depth = |(root, wrong): (f64, f64)| {
-        depth_per_root * (wrong + 6.0 * U * root.abs()) + 2.0 * U * f64::from(sphere.depth).abs()
+    let from = |base: f32| {
+        let base = 2.0 * U * f64::from(base).abs() + 4.0 * UNDERFLOW;
+        let of_depth =
+            |(root, wrong): (f64, f64)| depth_per_root * (wrong + 6.0 * U * root.abs()) + base;
+        roots.map(|root| of_depth(root) / unit)
     };
     Rounding {
-        discriminant: wrong_discriminant / (depth_per_root * depth_per_root),
-        depth: [of_depth(entry), of_depth(exit)],
+        discriminant: wrong_discriminant * (unit / depth_per_root).powi(2),
+        measured: from(sphere.depth),
+        depth: from(sphere.view_depth),
     }
 }

@@ -1,30 +1,44 @@
 //! From the `f64` camera and model matrices to the few `f32` numbers that shaders get. All products are composed
 //! before they are rounded: the error is that of one rounding of the result, wherever in the world things stand.
 
-use super::layout;
+use super::{double_double::power_of_two_below, layout, view_space::ViewSpace};
 use crate::{
-    camera::{Projection, View},
+    camera::{DepthMapping, Projection, View},
     geometry::{Aabb, Cuboid, Placement, Sides, Square},
     look,
     scene::{Scene, Shape},
 };
-use glam::{DMat3, DVec3, Mat3, Vec3};
-use std::ops::Range;
+use glam::{DMat3, DVec2, DVec3, Mat3, Vec3};
+use std::ops::{Add, Mul, Range};
 
 /// Half a unit in the last place of 1 in `f32`: what one rounding takes, relatively.
 pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
 
-/// Measured depth: view depth in perspective; in orthographic projection view depth less this.
+/// What is lost at the most where a number is too small for `f32`.
+pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
+
+/// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: far in reversed, near in
+/// standard mapping. Clip z is measured depth times a factor, and cancels nowhere.
 #[must_use]
 pub fn depth_origin(view: &View) -> f64 {
     let lens = view.camera.lens();
-    match lens.projection {
-        Projection::Perspective { .. } => 0.0,
-        Projection::Orthographic { .. } => {
-            let (a, b) = lens.depth_row();
-            -b / a
-        }
+    match lens.depth {
+        DepthMapping::Reversed => lens.far,
+        DepthMapping::Standard => lens.near,
     }
+}
+
+/// View units per world unit, a power of two: brings what the picture shows into `f32`'s range, however large or small
+/// the scene is.
+#[must_use]
+pub fn view_unit(view: &View) -> f64 {
+    let lens = view.camera.lens();
+    let size = match lens.projection {
+        Projection::Perspective { .. } => lens.far,
+        // Between the picture's height and the depth that it shows, which may be far apart.
+        Projection::Orthographic { height } => height.sqrt() * (lens.far - lens.near).sqrt(),
+    };
+    power_of_two_below(size).recip()
 }
 
 /// What all of a frame shares.
@@ -32,20 +46,19 @@ pub fn depth_origin(view: &View) -> f64 {
 pub fn frame(view: &View) -> layout::Frame {
     let lens = view.camera.lens();
     let half = lens.half_extent(view.viewport.aspect());
-    let (a, b) = lens.depth_row();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
-    let origin = depth_origin(view);
     let [ambient, key, fill] = look::LIGHT;
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
+    // In perspective both sides of the division have the unit.
+    let unit = if perspective { 1.0 } else { view_unit(view) };
     layout::Frame {
-        ndc_per_view: half.recip().as_vec2().to_array(),
-        depth_row: [narrow(a), if perspective { narrow(b) } else { 0.0 }],
-        depth_range: [narrow(lens.near - origin), narrow(lens.far - origin)],
+        ndc_per_view: (half * unit).recip().as_vec2().to_array(),
         #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
         viewport_px: [view.viewport.width() as f32, view.viewport.height() as f32],
+        clip_per_depth: narrow(lens.depth_row().0 / unit),
         perspective: u32::from(perspective),
         front_only: u32::from(view.sides == Sides::Front),
-        padding: [0; 2],
+        padding: 0,
         key_direction: look::KEY_DIRECTION.to_array(),
         ambient,
         background_top,
@@ -76,45 +89,177 @@ pub fn vertex_space(scene: &Scene, batch: &Range<usize>) -> (DVec3, Aabb) {
 }
 
 /// From vertex space (a mesh's positions, about its origin) to view space, as the vertex shader does it:
-/// `linear * (position - pivot) + translation`, z being measured depth.
+/// `linear * (position - pivot) + translation`. Lengths of view space are in view units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexToView {
     /// Vertex-space point near what is seen.
     pub pivot: Vec3,
     /// Linear part of View * Model.
     pub linear: Mat3,
-    /// The pivot in view space.
+    /// The pivot in view space: right, up, measured depth.
     pub translation: Vec3,
+    /// The pivot's view depth.
+    pub view_depth: f32,
+}
+
+/// How far the numbers of a [`VertexToView`] are from what they stand for, in view units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounding {
+    /// Rows of `linear`, each number without its sign.
+    linear: [DVec3; 3],
+    translation: DVec3,
+    view_depth: f64,
+    /// View units per world unit.
+    unit: f64,
+}
+
+/// How far `f32` moves a point in view space along each axis, at the most, in world units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ViewError {
+    /// Right and up.
+    pub aside: DVec2,
+    /// In view depth.
+    pub depth: f64,
+    /// In measured depth.
+    pub measured: f64,
+}
+
+impl ViewError {
+    /// The larger of two, axis by axis.
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        Self {
+            aside: self.aside.max(other.aside),
+            depth: self.depth.max(other.depth),
+            measured: self.measured.max(other.measured),
+        }
+    }
+
+    /// The share `s` of the way to another one.
+    #[must_use]
+    pub fn lerp(self, other: Self, s: f64) -> Self {
+        self * (1.0 - s) + other * s
+    }
+}
+
+impl Add for ViewError {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            aside: self.aside + other.aside,
+            depth: self.depth + other.depth,
+            measured: self.measured + other.measured,
+        }
+    }
+}
+
+impl Mul<f64> for ViewError {
+    type Output = Self;
+
+    fn mul(self, by: f64) -> Self {
+        Self {
+            aside: self.aside * by,
+            depth: self.depth * by,
+            measured: self.measured * by,
+        }
+    }
 }
 
 impl VertexToView {
     /// For vertices about `origin` (object space) within `bounds` (vertex space).
     #[must_use]
-    pub fn new(view: &View, placement: &Placement, origin: DVec3, bounds: &Aabb) -> Self {
-        let linear = view.camera.rotation() * placement.model().matrix3;
+    pub fn new(space: &ViewSpace, placement: &Placement, origin: DVec3, bounds: &Aabb) -> Self {
+        let (view, unit) = (space.view(), space.unit());
+        let linear = view.camera.rotation() * placement.model().matrix3 * unit;
         let pivot = pivot(view, placement, origin, bounds).as_vec3();
-        let mut translation =
-            (view.camera).to_view(placement.point_to_world(origin + pivot.as_dvec3()));
-        translation.z -= depth_origin(view);
+        let at = space.at_quickly(placement, origin, pivot.as_dvec3());
+        let translation = unit * at.aside.extend(at.measured);
+        let view_depth = unit * at.depth;
         Self {
             pivot,
             linear: linear.as_mat3(),
             translation: translation.as_vec3(),
+            view_depth: narrow(view_depth),
         }
     }
 
-    /// A bound on how far `f32` arithmetic moves a vertex in view space: per axis the sum of rounding errors of
-    /// `linear` (1), of `position - pivot` (1), of three products and two sums (3), of `translation` (1) and of
-    /// the last sum (1), each half a unit in the last place of what it rounds (Higham, Accuracy and Stability
-    /// of Numerical Algorithms, 2002, ch. 3), for any order and with or without fused operations.
+    /// How far its numbers are from View * Model of the same placement and origin.
     #[must_use]
-    pub fn error_view(&self, position: Vec3) -> DVec3 {
-        let from_pivot = (position.as_dvec3() - self.pivot.as_dvec3()).abs();
-        let m = self.linear.as_dmat3();
-        let linear = DMat3::from_cols(m.x_axis.abs(), m.y_axis.abs(), m.z_axis.abs());
-        let turned = linear * from_pivot;
-        U * (6.0 * turned + 2.0 * self.translation.as_dvec3().abs())
+    pub fn rounding(&self, space: &ViewSpace, placement: &Placement, origin: DVec3) -> Rounding {
+        let unit = space.unit();
+        let at = space.at(placement, origin, self.pivot.as_dvec3());
+        let linear = space.linear_less(placement, self.linear.as_dmat3() * unit.recip());
+        let linear = (linear * unit).transpose();
+        let translation = unit * at.aside.extend(at.measured) - self.translation.as_dvec3();
+        Rounding {
+            linear: [linear.x_axis, linear.y_axis, linear.z_axis].map(DVec3::abs),
+            translation: translation.abs(),
+            view_depth: (unit * at.depth - f64::from(self.view_depth)).abs(),
+            unit,
+        }
     }
+
+    /// A bound on how far `f32` arithmetic moves a vertex in view space: what its numbers are off by, and per axis the sum
+    /// of rounding errors of `position - pivot` (1), of three products and two sums (3) and of the last sum (1), each half
+    /// a unit in the last place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 3), for
+    /// any order and with or without fused operations. Nothing of that where all terms are so short that no partial sum
+    /// of them is rounded.
+    #[must_use]
+    pub fn error_view(&self, rounding: &Rounding, position: Vec3) -> ViewError {
+        let from_pivot = position.as_dvec3() - self.pivot.as_dvec3();
+        let is_exact = from_pivot.to_array().into_iter().all(is_f32);
+        let rows = self.linear.as_dmat3().transpose();
+        let along = |row: usize, translation: f32, off: f64| {
+            let off = off + rounding.linear[row].dot(from_pivot.abs());
+            let (row, translation) = (rows.col(row), f64::from(translation));
+            let turned = row * from_pivot;
+            let terms = [turned.x, turned.y, turned.z, translation];
+            let rounded = if is_exact && sums_exactly(terms) {
+                0.0
+            } else {
+                U * (5.0 * turned.abs().element_sum() + translation.abs())
+                    + UNDERFLOW * (8.0 + row.abs().element_sum())
+            };
+            (off + rounded) / rounding.unit
+        };
+        let of_axis = |i: usize| along(i, self.translation[i], rounding.translation[i]);
+        ViewError {
+            aside: DVec2::new(of_axis(0), of_axis(1)),
+            measured: of_axis(2),
+            depth: along(2, self.view_depth, rounding.view_depth),
+        }
+    }
+}
+
+/// Whether `f32` holds a number.
+pub(crate) fn is_f32(value: f64) -> bool {
+    f64::from(narrow(value)).to_bits() == value.to_bits()
+}
+
+/// Whether `f32` sums these without rounding, in any order: all are multiples of the lowest bit set in any of them, and
+/// so are their sums, which have room in 24 bits.
+fn sums_exactly(terms: [f64; 4]) -> bool {
+    let lowest = terms
+        .map(lowest_bit)
+        .into_iter()
+        .fold(f64::INFINITY, f64::min);
+    let largest: f64 = terms.iter().map(|term| term.abs()).sum();
+    largest == 0.0 || (lowest >= UNDERFLOW && largest <= lowest / U)
+}
+
+/// The place value of a number's lowest bit; infinite for 0, nothing for numbers that are not normal.
+fn lowest_bit(value: f64) -> f64 {
+    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+    if value == 0.0 {
+        return f64::INFINITY;
+    }
+    let bits = value.to_bits();
+    let exponent = (bits >> FRACTION) & 0x7ff;
+    // A 1 stands before the fraction.
+    let zeros = (bits | 1 << FRACTION).trailing_zeros();
+    let lowest = (exponent + u64::from(zeros)).saturating_sub(FRACTION.into());
+    f64::from_bits(lowest << FRACTION)
 }
 
 /// The point to subtract from vertices, where `f32` is finest. What counts is the error over the depth: a pivot

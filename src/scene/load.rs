@@ -160,7 +160,8 @@ impl MeshFiles {
     }
 }
 
-fn absolute(path: &Path) -> PathBuf {
+/// A path that means the same from every folder.
+pub(super) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 

@@ -9,6 +9,8 @@ mod load;
 pub mod obj;
 mod problem;
 mod progress;
+mod replace;
+mod save;
 mod tree;
 mod warning;
 
@@ -19,11 +21,12 @@ pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
+pub use save::save;
 pub use warning::Warning;
 
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Sphere, Square, WorldRay},
+    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Pyramid, Sphere, Square, WorldRay},
 };
 use glam::DVec3;
 use std::{
@@ -279,6 +282,22 @@ impl Scene {
             }
         } else {
             self.tree.visit(ray, |batch| visit(&self.batches[batch]));
+        }
+    }
+
+    /// Calls `visit` with every batch that may be inside a world-space pyramid.
+    pub(crate) fn visit_batches_within(
+        &self,
+        pyramid: &Pyramid,
+        mut visit: impl FnMut(&Range<usize>),
+    ) {
+        if self.tree.is_empty() {
+            for batch in &self.batches {
+                visit(batch);
+            }
+        } else {
+            self.tree
+                .visit_within(pyramid, |batch| visit(&self.batches[batch]));
         }
     }
 

@@ -74,6 +74,17 @@ pub enum SaveError {
     /// TOML is UTF-8.
     #[error("the path {0} is not text that a scene file can hold")]
     Path(String),
+    /// A mesh without a file that OBJ cannot hold as it is.
+    #[error("the mesh {0} has no file, and an OBJ file would not hold it exactly")]
+    NotExact(String),
+    /// The system's complaint.
+    #[error("cannot write {}: {source}", file.display())]
+    Unwritable {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
     /// The TOML writer's complaint.
     #[error("cannot write the scene as TOML: {0}")]
     Toml(#[from] toml::ser::Error),

@@ -13,7 +13,7 @@
 //! times that, and where it matters still nothing.
 
 use super::{Object, Scene};
-use crate::geometry::{Aabb, Ray, entry};
+use crate::geometry::{Aabb, Pyramid, Ray, entry};
 use glam::{DMat3, DVec3};
 
 /// Fewer batches are asked one after the other.
@@ -97,6 +97,24 @@ impl SceneTree {
         self.grow(first);
         self.nodes[place].content = Content::Second(self.nodes.len());
         self.grow(second);
+    }
+
+    /// Calls `visit` with every batch that may be inside a world-space pyramid.
+    pub fn visit_within(&self, pyramid: &Pyramid, mut visit: impl FnMut(usize)) {
+        let mut open = vec![0];
+        while let Some(place) = open.pop() {
+            let node: &Node = &self.nodes[place];
+            // Boxes without end have corners at infinity, of which nothing can be told.
+            let corners = node.bounds.corners();
+            let is_endless = !node.bounds.min.is_finite();
+            if !is_endless && !pyramid.may_hold(&corners) {
+                continue;
+            }
+            match node.content {
+                Content::Batch(batch) => visit(batch),
+                Content::Second(second) => open.extend([second, place + 1]),
+            }
+        }
     }
 
     /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of

@@ -124,7 +124,7 @@ impl Found {
     #[must_use]
     pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
         let ray = view.ray(px);
-        let hit = pick::closest(scene, &ray, view.sides)?;
+        let hit = pick::closest(scene, ray, view.sides)?;
         Some(Self::of(scene, &ray, hit))
     }
 }
@@ -190,7 +190,7 @@ impl Step for PixelCase {
             t_min: (lens.near - start) / along,
             t_max: (lens.far - start) / along,
         };
-        let hit = pick::closest(scene, &ray, view.sides)?;
+        let hit = pick::closest(scene, ray, view.sides)?;
         Some(Found::of(scene, &ray, hit))
     }
 }
@@ -223,11 +223,11 @@ impl Step for PlacedCase {
                     return None;
                 }
                 let [entry, exit] = match &object.shape {
-                    Shape::Sphere => Sphere::hits(&local),
-                    Shape::Cube => Cuboid::hits(&local),
-                    Shape::Square => [Square::hit(&local), None],
+                    Shape::Sphere => Sphere::hits(local),
+                    Shape::Cube => Cuboid::hits(local),
+                    Shape::Square => [Square::hit(local), None],
                     Shape::Mesh { mesh, part } => [
-                        mesh.closest(&local, view.sides, |other| other == *part),
+                        mesh.closest(local, view.sides, |other| other == *part),
                         None,
                     ],
                 };

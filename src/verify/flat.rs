@@ -2,41 +2,49 @@
 
 use super::{
     GRID_PX,
-    surface::{Outline, Source, Surface, ViewRay, nearness},
+    bound::{self, Cut, Outline, Reason, Stored},
+    surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
-    camera::{DepthMapping, Projection, View},
+    camera::{Projection, View},
     geometry::{Cuboid, Sides, Square},
-    render::transform::{U, VertexToView, depth_origin},
+    render::{
+        transform::{Rounding, U, UNDERFLOW, VertexToView, ViewError, depth_origin},
+        view_space::ViewSpace,
+    },
     scene::{Object, Shape},
 };
 use glam::{DVec2, DVec3};
 
-/// A corner in view space, and how far the vertex shader may put it from there along each axis.
+/// A corner in view space, z being depth past near, and how far the vertex shader may put it from there.
 #[derive(Clone, Copy)]
 struct Corner {
     view: DVec3,
-    error: DVec3,
+    error: ViewError,
     /// Made by the near plane and not by the shape.
     is_cut: bool,
 }
 
 /// The flat surfaces that an id may stand for at a pixel: its triangle, or the faces of a cube or square.
 pub(super) fn surfaces(
-    view: &View,
+    space: &ViewSpace,
     object: &Object,
-    to_view: &VertexToView,
+    (to_view, rounding): &(VertexToView, Rounding),
     px: DVec2,
     triangle: u32,
 ) -> Vec<Surface> {
+    let view = space.view();
     let of = |origin: DVec3, corners_vertex_space: &[DVec3]| {
-        let corners = corners_vertex_space.iter().map(|&corner| Corner {
-            view: (view.camera).to_view(object.placement.point_to_world(origin + corner)),
-            error: to_view.error_view(corner.as_vec3()),
-            is_cut: false,
+        let corners = corners_vertex_space.iter().map(|&corner| {
+            let at = space.at(&object.placement, origin, corner);
+            Corner {
+                view: at.aside.extend(at.past_near),
+                error: to_view.error_view(rounding, corner.as_vec3()),
+                is_cut: false,
+            }
         });
         let source = Source::Vertices(*to_view, [0, 1, 2].map(|i| corners_vertex_space[i]));
-        polygon(view, px, &corners.collect::<Vec<_>>(), source)
+        polygon(space, px, &corners.collect::<Vec<_>>(), source)
     };
     match &object.shape {
         Shape::Sphere => Vec::new(),
@@ -49,64 +57,107 @@ pub(super) fn surfaces(
             };
             let corners = data.triangles[index as usize]
                 .map(|i| DVec3::from_array(data.positions[i as usize].map(f64::from)));
-            vec![of(data.origin, &corners)]
+            of(data.origin, &corners).into_iter().collect()
         }
-        Shape::Square => vec![of(DVec3::ZERO, &Square::corners())],
+        Shape::Square => of(DVec3::ZERO, &Square::corners()).into_iter().collect(),
         Shape::Cube => {
             let ray = object.placement.ray_to_object(&view.ray(px));
             let shown = Cuboid::NORMALS
                 .into_iter()
                 .filter(|normal| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0);
             shown
-                .map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
+                .filter_map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
                 .collect()
         }
     }
 }
 
-/// A flat convex polygon at a pixel.
-fn polygon(view: &View, px: DVec2, corners: &[Corner], source: Source) -> Surface {
+/// A flat convex polygon at a pixel; `None` when all of it lies before the near plane.
+fn polygon(space: &ViewSpace, px: DVec2, corners: &[Corner], source: Source) -> Option<Surface> {
+    let (view, depths) = (space.view(), Depths::new(space));
     let near = view.camera.lens().near;
     let ray = ViewRay::new(view, px);
     let [a, b, c] = [0, 1, 2].map(|i| corners[i].view);
     let normal = (b - a).cross(c - a);
-    let depth = ray.depth_on(a, normal);
-    let slope = ray.slope(view, depth, normal);
-    let rounded = clipping_error(view, corners);
-    let error = rounded + corners.iter().fold(DVec3::ZERO, |e, at| e.max(at.error));
-    let covers = covers(&ray, corners);
-    let cut_error = error.z + near_error(view);
+    let past_near = ray.depth_on(a, normal);
+    let clipped = clipping_error(view, corners);
+    let error = corners
+        .iter()
+        .fold(ViewError::default(), |all, at| all.max(at.error))
+        + clipped;
+    let exact = corners
+        .iter()
+        .all(|corner| depths.clips_exactly(corner.view.z));
+    let cut_error = depths.near_error(&error, exact);
     // All that may be behind the near plane; but the eye's plane has no place in the picture.
     let nearest = match view.camera.lens().projection {
-        Projection::Perspective { .. } => (near - cut_error).max(0.5 * near),
-        Projection::Orthographic { .. } => near - cut_error,
+        Projection::Perspective { .. } => -cut_error.min(0.5 * near),
+        Projection::Orthographic { .. } => -cut_error,
     };
     let seen = clip_near(corners, nearest);
+    let ends = depth_ends(&seen)?;
+    let border = border(
+        view,
+        px,
+        corners,
+        shift_px(view, px, depths.w(ends[0]), &clipped),
+    );
     let edges = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let edges = edges.filter(|[from, to]| !(from.is_cut && to.is_cut));
-    let edges = edges.map(|ends| edge(view, px, ends, rounded));
-    let moved_px = [GRID_PX, shift_px(view, px, depth, error)];
-    let cut = covers.then(|| Outline::cut(view, depth, slope, cut_error, moved_px));
-    let (nearness, mut nearness_error) = nearness(view, depth, error.z);
-    // Vertices that move take the plane along.
-    let per_depth = match view.camera.lens().projection {
-        Projection::Perspective { .. } => view.camera.lens().depth_row().1 / (depth * depth),
-        Projection::Orthographic { .. } => view.camera.lens().depth_row().0,
+    let edges = edges.map(|ends| edge(view, px, ends, clipped));
+    let outlines: Vec<Outline> = edges.chain([border]).collect();
+    // Seen edge-on it may be as deep as any of it.
+    let slope = ray.slope(near + past_near, normal).length();
+    let at = if past_near.is_finite() {
+        past_near
+    } else {
+        ends[0]
     };
-    nearness_error += (per_depth * slope).length() * (moved_px[0] + moved_px[1])
-        + interpolation_error(view, &seen);
-    let border = border(view, px, corners, shift_px(view, px, depth, rounded));
-    Surface {
-        outlines: [
-            edges.fold(border, Outline::or),
-            cut.unwrap_or(Outline::NONE),
-        ],
-        covers: covers && depth >= near,
-        depth,
-        nearness,
-        nearness_error,
+    let at = at.clamp(ends[0], ends[1]);
+    let f32_px = shift_px(view, px, depths.w(at), &error);
+    let aside = slope * (GRID_PX + f32_px);
+    let may_be = if aside.is_finite() {
+        [past_near - aside, past_near + aside].map(|end| end.clamp(ends[0], ends[1]))
+    } else {
+        ends
+    };
+    let rounding = may_be.map(|end| depths.error(end, &error));
+    let rounding = rounding[0].max(rounding[1]) + interpolation_error(view, &depths, &seen);
+    let step = may_be.map(|end| depths.step(end));
+    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
+    let covers = covers(&ray, corners);
+    let cut = Cut {
+        gap: past_near.abs(),
+        grid: slope * GRID_PX,
+        f32: slope * f32_px + cut_error,
+    };
+    // Corners are cut off before anything is interpolated.
+    let cut_steps = cut_error * depths.stored_per_depth(0.0) / depths.step(0.0);
+    let cut_beyond = bound::beyond_f32(GRID_PX + f32_px, cut_steps);
+    let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
+    let reasons = outlines.iter().filter_map(|outline| outline.reason());
+    let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
+    Some(Surface {
+        loose: reasons.chain(cut).reduce(Reason::or),
+        outline: outlines.into_iter().fold(Outline::NONE, Outline::nearer),
+        covers: covers && past_near >= 0.0,
+        depth: near + past_near,
+        stored: Stored {
+            nearness: depths.nearness(at),
+            nearest: nearest + rounding,
+            farthest: farthest - rounding,
+            rounding,
+            beyond_f32,
+        },
         source,
-    }
+    })
+}
+
+/// The least and the largest depth of corners; `None` of none.
+fn depth_ends(corners: &[Corner]) -> Option<[f64; 2]> {
+    let depths = corners.iter().map(|corner| corner.view.z);
+    let least = depths.clone().reduce(f64::min)?;
+    Some([least, depths.reduce(f64::max)?])
 }
 
 /// Whether a line passes through a convex polygon: on one side of all its edges.
@@ -121,12 +172,12 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
     least >= 0.0 || most <= 0.0
 }
 
-/// What is left of a polygon at or behind the near plane (Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974).
-fn clip_near(corners: &[Corner], near: f64) -> Vec<Corner> {
+/// What is left of a polygon from this depth on (Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974).
+fn clip_near(corners: &[Corner], nearest: f64) -> Vec<Corner> {
     let mut seen = Vec::with_capacity(corners.len() + 1);
     for i in 0..corners.len() {
         let [a, b] = [corners[i], corners[(i + 1) % corners.len()]];
-        let [da, db] = [a, b].map(|corner| corner.view.z - near);
+        let [da, db] = [a, b].map(|corner| corner.view.z - nearest);
         if da >= 0.0 {
             seen.push(a);
         }
@@ -146,20 +197,24 @@ fn clip_near(corners: &[Corner], near: f64) -> Vec<Corner> {
 ///
 /// On its way to the picture a point that lies the share `s` along the edge is moved by `1 - s` of what moves one end
 /// and `s` of what moves the other.
-fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], rounded: DVec3) -> Outline {
+fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
     let [from, to] = [a, b].map(|corner| project(view, corner.view));
     let along = to - from;
     let s = (px - from).dot(along) / along.length_squared();
     // An edge seen end-on has no length: either end is as near.
     let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
     // Shares of the picture's edge to shares of the edge: weighed by 1 / w.
-    let [wa, wb] = [a, b].map(|corner| view.camera.lens().w(corner.view.z));
+    let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
     let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
-    let depth = a.view.z + s * (b.view.z - a.view.z);
     Outline {
         distance_px: px.distance(from + s_px * along),
         grid_px: GRID_PX,
-        f32_px: shift_px(view, px, depth, a.error.lerp(b.error, s) + rounded),
+        f32_px: shift_px(
+            view,
+            px,
+            wa + s * (wb - wa),
+            &(a.error.lerp(b.error, s) + clipped),
+        ),
     }
 }
 
@@ -171,7 +226,7 @@ fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
     let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
     let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
     let cut_by = |side: &DVec2| {
-        let beyond = |p: DVec3| side.dot(p.truncate() / half) > view.camera.lens().w(p.z);
+        let beyond = |p: DVec3| side.dot(p.truncate() / half) > w(view, p);
         corners.iter().any(|corner| beyond(corner.view))
     };
     let cut = sides.iter().zip(distances).filter(|(side, _)| cut_by(side));
@@ -182,22 +237,27 @@ fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
     }
 }
 
-/// A view-space point in the picture.
-fn project(view: &View, point: DVec3) -> DVec2 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
-    (view.viewport).ndc_to_px(point.truncate() / (half * view.camera.lens().w(point.z)))
+/// Clip space's w of a view-space point, z being depth past near.
+fn w(view: &View, point: DVec3) -> f64 {
+    let lens = view.camera.lens();
+    lens.w(lens.near + point.z)
 }
 
-/// How far in pixels a view-space error moves a point at this depth and pixel: x and y by the focal length, z in
+/// A view-space point, z being depth past near, in the picture.
+fn project(view: &View, point: DVec3) -> DVec2 {
+    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point)))
+}
+
+/// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
 /// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
 /// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
-fn shift_px(view: &View, px: DVec2, depth: f64, error: DVec3) -> f64 {
+fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
     let half = view.camera.lens().half_extent(view.viewport.aspect());
     let size = view.viewport.size_px();
-    let w = view.camera.lens().w(depth).abs();
-    let aside = 0.5 * size / half * error.truncate() / w;
+    let aside = 0.5 * size / half * error.aside / w;
     let towards = match view.camera.lens().projection {
-        Projection::Perspective { .. } => error.z / w * (px - 0.5 * size).abs(),
+        Projection::Perspective { .. } => error.depth / w * (px - 0.5 * size).abs(),
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
     (aside + towards).length() + 4.0 * U * size.length()
@@ -205,43 +265,41 @@ fn shift_px(view: &View, px: DVec2, depth: f64, error: DVec3) -> f64 {
 
 /// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference
 /// and one of the sum, all at most twice the largest coordinate, for each of two borders. Nothing for what lies in the
-/// picture as a whole.
-fn clipping_error(view: &View, corners: &[Corner]) -> DVec3 {
+/// picture as a whole, and nothing of a coordinate that is the same at both.
+fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let lens = view.camera.lens();
     let half = lens.half_extent(view.viewport.aspect());
     let inside = |p: DVec3| {
-        (p.truncate().abs().cmple(half * lens.w(p.z))).all() && (lens.near..lens.far).contains(&p.z)
+        let aside = p.truncate().abs().cmple(half * w(view, p));
+        aside.all() && (0.0..lens.far - lens.near).contains(&p.z)
     };
     if corners.iter().all(|corner| inside(corner.view)) {
-        return DVec3::ZERO;
+        return ViewError::default();
     }
-    let largest = |size: DVec3, corner: &Corner| {
-        let measured = corner.view.z - depth_origin(view);
-        size.max(corner.view.truncate().extend(measured).abs())
+    let to_origin = depth_origin(view) - lens.near;
+    // What all corners share, the new ones share too.
+    let of = |coordinate: &dyn Fn(DVec3) -> f64| {
+        let all = corners.iter().map(|corner| coordinate(corner.view));
+        let [least, most] = [f64::min, f64::max].map(|end| all.clone().reduce(end));
+        if least == most {
+            0.0
+        } else {
+            let largest = all.map(f64::abs).fold(0.0, f64::max);
+            10.0 * U * largest
+        }
     };
-    10.0 * U * corners.iter().fold(DVec3::ZERO, largest)
-}
-
-/// How far off in depth clipping may see the near plane: clip z, of two rounded terms, is compared with w (reversed) or
-/// 0 (standard), over how fast their difference changes with depth.
-fn near_error(view: &View) -> f64 {
-    let lens = view.camera.lens();
-    let (a, b) = lens.depth_row();
-    let (terms, slope) = match (lens.projection, lens.depth) {
-        (Projection::Perspective { .. }, DepthMapping::Reversed) => (b.abs() + lens.near, 1.0 - a),
-        (Projection::Perspective { .. }, DepthMapping::Standard) => (b.abs(), a.abs()),
-        (Projection::Orthographic { .. }, _) => (1.0, a.abs()),
-    };
-    4.0 * U * (a.abs() * (lens.near - depth_origin(view)).abs() + terms) / slope
+    ViewError {
+        aside: DVec2::new(of(&|p| p.x), of(&|p| p.y)),
+        depth: of(&|p| lens.near + p.z),
+        measured: of(&|p| p.z - to_origin),
+    }
 }
 
 /// What interpolating depth over the picture takes: the plane through three corners has slopes that are differences of
 /// products of corner differences over the area, relative to which they round; so off by some U times the range of
 /// depths, longest side squared over area, at the far end of the triangle. And a few roundings of the largest depth.
-fn interpolation_error(view: &View, seen: &[Corner]) -> f64 {
-    let stored = seen
-        .iter()
-        .map(|corner| view.camera.lens().ndc_depth(corner.view.z));
+fn interpolation_error(view: &View, depths: &Depths, seen: &[Corner]) -> f64 {
+    let stored = seen.iter().map(|corner| depths.stored(corner.view.z));
     let (least, most) = stored.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), ndc| {
         (least.min(ndc), most.max(ndc))
     });
@@ -258,5 +316,7 @@ fn interpolation_error(view: &View, seen: &[Corner]) -> f64 {
         longest / u.perp_dot(v).abs()
     });
     let slimness = slimness.fold(1.0, f64::max);
-    8.0 * U * ((most - least) * slimness + most.abs().max(least.abs()))
+    // Slopes are of a pixel, and count over the whole picture.
+    let underflow = UNDERFLOW * slimness * view.viewport.size_px().element_sum();
+    8.0 * U * ((most - least) * slimness + most.abs().max(least.abs())) + underflow
 }

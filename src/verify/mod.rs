@@ -1,36 +1,78 @@
 //! Drawn against picked: every pixel's (object, triangle) as the GPU drew it and as a ray through the pixel's centre
 //! hits it; each difference is put down to geometry, or is a defect.
 //!
-//! A rasteriser moves vertices to a grid of 1/256 pixel and computes in `f32`; the pick does neither. Where the two
-//! differ, one of these has to hold, each by a bound that is derived and never by trying pixels nearby:
+//! A rasteriser moves vertices to a grid of 1/256 pixel and computes in `f32`; the pick does neither. How far that may
+//! carry a surface at a pixel is bounded from camera, scene and the driver's steps before anybody looks at what differs,
+//! and never by trying pixels nearby. Where drawn and picked differ, one of these has to hold:
 //!
 //! * **edge**: one side's surface has its outline (projected edges, the cut of the near plane, a sphere's rim) so near
 //!   the pixel's centre that the grid, and what `f32` moves the outline by ([`render::transform`], [`render::sphere`]),
 //!   carry it across, and its depth there is one that the answer needs;
 //! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell; the empty buffer counts as a
-//!   surface;
+//!   surface, and so does the near plane;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
+//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]).
+//!   Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all lie below the ceiling
+//!   has no such pixel;
 //! * **unexplained**: anything else. Somebody is wrong.
+//!
+//! A bound that is infinite or NaN is none. A picture that is empty where picks are not, or the reverse, fails whatever
+//! explains its pixels one by one ([`Report::verdict`]).
+//!
+//! # What the bounds take for granted
+//!
+//! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
+//!   units in the last place (WGSL's rules).
+//! * Corners go to a grid of 1/256 pixel ([`GRID_PX`]). Vulkan asks for no more than 1/16 and wgpu does not tell: on a
+//!   device with fewer sub-pixel bits this bound is too small, and pixels on edges are called unexplained.
+//! * A pixel is covered when its centre is, by edges through the rounded corners; clipping at a border of the picture makes new
+//!   corners between old ones and rounds them.
+//! * Depth over a triangle is the plane through its corners, with slopes that are rounded relatively to their terms.
+//! * The same numbers drawn twice give the same pixels and depths, to the bit, and the first of equal depths stays.
+//! * The geometry here is in `f64`. Its own roundings are small beside those of `f32`.
+//!
+//! # What it cannot see
+//!
+//! A ray's error below the bound at a pixel: whether a pick is exactly right, this does not tell. That is held by an
+//! oracle (`tests/exact_picks`).
 //!
 //! [`compare`] is pure: whatever answers for a pixel can be put to the test.
 
+mod bound;
 mod flat;
 mod picture;
+mod report;
 mod round;
 mod surface;
 
 pub use picture::{COLOURS, marks, paint};
+pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
-    render::{self, transform::VertexToView},
+    render::{
+        self,
+        transform::{Rounding, VertexToView},
+        view_space::ViewSpace,
+    },
     scene::{Scene, Shape},
 };
+use bound::{Outline, Reason};
 use glam::DVec2;
 use serde::Serialize;
 use std::collections::HashMap;
 use surface::Surface;
+
+/// The most that drawing may move an outline by, in pixels, and be held to hold the view: a picture that is off by more
+/// shows other pixels than the scene has.
+pub const OUTLINE_CEILING_PX: f64 = 0.5;
+
+/// The most that `f32` may be off in depth, in steps of the depth buffer, and be held to hold the view.
+///
+/// In steps of 2^-23 of the depth, as reversed depth has them, it is 1/2048 of the depth: about what half a pixel spans sideways in a
+/// picture of 1,000 pixels. So depth may be off by as much as outlines may.
+pub const DEPTH_CEILING_STEPS: f64 = 4096.0;
 
 /// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.
 pub const GRID_PX: f64 = 1.0 / 256.0;
@@ -45,13 +87,21 @@ pub enum Class {
     Depth,
     /// The centre lies on an outline, to what `f32` can tell, which here is less than the grid.
     F32Limit,
+    /// One of these by a bound above the ceiling: drawing in `f32` cannot hold the view.
+    BeyondF32,
     /// A defect.
     Unexplained,
 }
 
 impl Class {
     /// All, in order.
-    pub const ALL: [Self; 4] = [Self::Edge, Self::Depth, Self::F32Limit, Self::Unexplained];
+    pub const ALL: [Self; 5] = [
+        Self::Edge,
+        Self::Depth,
+        Self::F32Limit,
+        Self::BeyondF32,
+        Self::Unexplained,
+    ];
 
     /// The word for it.
     #[must_use]
@@ -60,79 +110,9 @@ impl Class {
             Self::Edge => "edge",
             Self::Depth => "depth",
             Self::F32Limit => "f32 limit",
+            Self::BeyondF32 => "beyond f32",
             Self::Unexplained => "unexplained",
         }
-    }
-}
-
-/// A pixel that is drawn as one thing and picked as another.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disagreement {
-    /// Column and row.
-    pub pixel: [u32; 2],
-    /// What the GPU drew.
-    pub drawn: Id,
-    /// What the ray hit.
-    pub picked: Id,
-    /// Why they differ.
-    pub class: Class,
-    /// What the nearest explanation takes over what it may take: up to 1 it holds. Infinite where none comes into
-    /// question.
-    pub strain: f64,
-    /// From the centre to the nearer of the two outlines that could make the difference, in pixels; infinite for none.
-    pub outline_px: f64,
-    /// How far drawing may move that outline, in pixels.
-    pub outline_error_px: f64,
-    /// View depth at the centre of what was drawn and of what was picked; NaN where there is none.
-    pub depth: [f64; 2],
-}
-
-/// What a comparison of two pictures found.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Report {
-    /// Pixels compared.
-    pub pixels: usize,
-    /// Pixels that show something, drawn or picked.
-    pub shown: usize,
-    /// Drawn pixels with another id above, below, left or right of them: where differences can be expected.
-    pub outline: usize,
-    /// Every pixel that differs, row by row from the top.
-    pub disagreements: Vec<Disagreement>,
-}
-
-impl Report {
-    /// Pixels of one class.
-    #[must_use]
-    pub fn count(&self, class: Class) -> usize {
-        let of_class = |at: &&Disagreement| at.class == class;
-        self.disagreements.iter().filter(of_class).count()
-    }
-
-    /// Pixels on which both agree.
-    #[must_use]
-    pub fn same(&self) -> usize {
-        self.pixels - self.disagreements.len()
-    }
-
-    /// Pixels that differ over pixels on outlines; 0 where nothing differs.
-    #[must_use]
-    pub fn share_of_outline(&self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "pixels are counted in millions")]
-        let share = self.disagreements.len() as f64 / self.outline as f64;
-        if self.disagreements.is_empty() {
-            0.0
-        } else {
-            share
-        }
-    }
-
-    /// The pixel hardest to explain: of the gravest class the one with the most strain.
-    #[must_use]
-    pub fn worst(&self) -> Option<&Disagreement> {
-        let gravity = |a: &&Disagreement, b: &&Disagreement| {
-            (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain))
-        };
-        self.disagreements.iter().max_by(gravity)
     }
 }
 
@@ -154,7 +134,7 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
     );
     let mut explainer = Explainer {
         scene,
-        view,
+        space: ViewSpace::new(view),
         to_view: HashMap::new(),
     };
     let mut report = Report {
@@ -163,9 +143,13 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
     };
     for (x, y) in drawn.positions() {
         let ids = [drawn.at(x, y), picked.at(x, y)];
-        report.shown += usize::from(ids != [Id::default(); 2]);
-        report.outline += usize::from(on_outline(drawn, x, y));
+        let [is_drawn, is_picked] = ids.map(|id| usize::from(id != Id::default()));
+        report.drawn += is_drawn;
+        report.picked += is_picked;
+        let is_outline = on_outline(drawn, x, y) || on_outline(picked, x, y);
+        report.outline += usize::from(is_outline);
         if ids[0] != ids[1] {
+            report.outline_differ += usize::from(is_outline);
             report.disagreements.push(explainer.explain([x, y], ids));
         }
     }
@@ -190,9 +174,9 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 /// Puts differences down to geometry.
 struct Explainer<'a> {
     scene: &'a Scene,
-    view: &'a View,
-    /// What the vertex shader does to a batch, by the batch's first object.
-    to_view: HashMap<usize, VertexToView>,
+    space: ViewSpace,
+    /// What the vertex shader does to a batch, and how far off its numbers are, by the batch's first object.
+    to_view: HashMap<usize, (VertexToView, Rounding)>,
 }
 
 impl Explainer<'_> {
@@ -202,53 +186,58 @@ impl Explainer<'_> {
         let pairs = sides[0]
             .iter()
             .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
-        let explained = pairs.map(|(of_drawn, of_picked)| {
-            let (class, strain, outline) = surface::explain(of_drawn, of_picked);
-            Disagreement {
-                pixel,
-                drawn,
-                picked,
-                class,
-                strain,
-                outline_px: outline.distance_px,
-                outline_error_px: outline.error_px(),
-                depth: [of_drawn.depth, of_picked.depth],
-            }
+        let explained = pairs.filter_map(|(of_drawn, of_picked)| {
+            let reason = surface::explain(of_drawn, of_picked)?;
+            Some((reason, [of_drawn.depth, of_picked.depth]))
         });
-        let best =
-            explained.min_by(|a, b| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
-        // An object without a surface here was never to be seen.
-        best.unwrap_or(Disagreement {
+        let best = explained
+            .min_by(|(a, _), (b, _)| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
+        let unexplained = || {
+            let outlines = sides.iter().flatten().map(|surface| surface.outline);
+            let reason = Reason {
+                class: Class::Unexplained,
+                strain: f64::INFINITY,
+                outline: outlines.fold(Outline::NONE, Outline::nearer),
+            };
+            let depths = [0, 1].map(|side| {
+                let depths = sides[side].iter().map(|surface: &Surface| surface.depth);
+                depths.fold(f64::NAN, f64::min)
+            });
+            (reason, depths)
+        };
+        let (reason, depth) = best.unwrap_or_else(unexplained);
+        Disagreement {
             pixel,
             drawn,
             picked,
-            class: Class::Unexplained,
-            strain: f64::INFINITY,
-            outline_px: f64::INFINITY,
-            outline_error_px: 0.0,
-            depth: [f64::NAN; 2],
-        })
+            class: reason.class,
+            strain: reason.strain,
+            outline_px: reason.outline.distance_px,
+            outline_error_px: reason.outline.error_px(),
+            depth,
+        }
     }
 
     /// The surfaces that an id may stand for at a pixel: one, or the faces of a cube, or a sphere's front and back.
     fn surfaces(&mut self, px: DVec2, id: Id) -> Vec<Surface> {
         let Some(index) = (id.object as usize).checked_sub(1) else {
-            return vec![Surface::background(self.view)];
+            return vec![Surface::background(self.space.view())];
         };
-        let (scene, view) = (self.scene, self.view);
+        let (scene, space) = (self.scene, &self.space);
         let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
             return Vec::new();
         };
         match object.shape {
-            Shape::Sphere => return round::surfaces(view, &object.placement, px),
+            Shape::Sphere => return round::surfaces(space, &object.placement, px),
             Shape::Cube | Shape::Square | Shape::Mesh { .. } => {}
         }
         let batches = scene.batches();
         let batch = &batches[batches.partition_point(|batch| batch.end <= index)];
         let to_view = self.to_view.entry(batch.start).or_insert_with(|| {
             let (origin, bounds) = render::transform::vertex_space(scene, batch);
-            VertexToView::new(view, &object.placement, origin, &bounds)
+            let to_view = VertexToView::new(space, &object.placement, origin, &bounds);
+            (to_view, to_view.rounding(space, &object.placement, origin))
         });
-        flat::surfaces(view, object, to_view, px, id.triangle)
+        flat::surfaces(space, object, to_view, px, id.triangle)
     }
 }

@@ -8,10 +8,11 @@ use crate::{
 };
 
 /// What each class is painted in, and the colour's name: apart for all kinds of sight (Okabe & Ito 2008).
-pub const COLOURS: [(Class, Srgb, &str); 4] = [
+pub const COLOURS: [(Class, Srgb, &str); 5] = [
     (Class::Edge, Srgb([86, 180, 233]), "blue"),
     (Class::Depth, Srgb([240, 228, 66]), "yellow"),
     (Class::F32Limit, Srgb([0, 158, 115]), "green"),
+    (Class::BeyondF32, Srgb([204, 121, 167]), "pink"),
     (Class::Unexplained, Srgb([213, 94, 0]), "orange"),
 ];
 

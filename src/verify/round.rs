@@ -1,12 +1,17 @@
 //! Spheres at a pixel.
 
-use super::surface::{Outline, Source, Surface, ViewRay, nearness};
+use super::{
+    bound::{self, Cut, Outline, Reason, Stored},
+    surface::{Depths, Source, Surface},
+};
 use crate::{
-    camera::{Projection, View},
+    camera::Projection,
     geometry::{Placement, Sides, Sphere},
     render::{
+        double_double::{DoubleDouble, Vector},
         sphere::{self, Rays},
-        transform::U,
+        transform::ViewError,
+        view_space::ViewSpace,
     },
 };
 use glam::DVec2;
@@ -15,44 +20,60 @@ use glam::DVec2;
 ///
 /// No vertices make a sphere, so no grid moves it: the shader solves the ray's quadratic at the pixel's very centre.
 /// Only `f32` is to blame, as far as [`sphere::rounding`] goes.
-pub(super) fn surfaces(view: &View, placement: &Placement, px: DVec2) -> Vec<Surface> {
+pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
+    let (view, depths) = (space.view(), Depths::new(space));
     let lens = view.camera.lens();
-    let error = sphere::rounding(&sphere::sphere(view, placement, 0), px);
-    let rays = Rays::new(view, placement, px);
-    let (d, o) = (rays.direction, rays.origin);
-    let d2 = d.length_squared();
+    let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
+    let rays = Rays::<DoubleDouble>::new(view, placement, px);
+    let d2 = rays.direction.narrow().length_squared();
     // About the ray's point nearest to the centre, where nothing cancels.
-    let middle = -o.dot(d) / d2;
-    let n = o + middle * d;
-    let outside = (n.length() - Sphere::RADIUS) * (n.length() + Sphere::RADIUS);
+    let (middle, outside) = rays.middle();
+    let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
     let rim = Outline {
-        distance_px: least_distance(view, &rays, discriminant),
+        distance_px: least_distance(lens.projection, &rays, discriminant),
         grid_px: 0.0,
-        f32_px: least_distance(view, &rays, error.discriminant),
+        f32_px: least_distance(lens.projection, &rays, error.discriminant),
     };
     let root = (-outside.min(0.0) / d2).sqrt();
     let [entry, exit] = [middle - root, middle + root];
-    let opened = entry < lens.near + error.depth[0];
+    let errors = [0, 1].map(|i| ViewError {
+        aside: DVec2::ZERO,
+        depth: error.depth[i],
+        measured: error.measured[i],
+    });
+    let opened = entry < depths.near_error(&errors[0], false);
     let shown = [(entry, true), (exit, opened && view.sides == Sides::Both)];
-    let ray = ViewRay::new(view, px);
     let shown = shown
         .into_iter()
-        .zip(error.depth)
+        .zip(errors)
         .filter(|((_, shown), _)| *shown);
     shown
-        .map(|((depth, _), depth_error)| {
-            let normal = placement.normal_to_world(o + depth * d);
-            let slope = ray.slope(view, depth, view.camera.rotation() * normal);
-            let near_error = depth_error + 2.0 * U * lens.near.abs();
-            let cut = Outline::cut(view, depth, slope, near_error, [0.0; 2]);
-            let (nearness, nearness_error) = nearness(view, depth, depth_error);
+        .map(|((past_near, _), error)| {
+            let nearness = depths.nearness(past_near);
+            let rounding = depths.error(past_near, &error);
+            // No grid, and the rim by itself: at the centre nothing moves the surface aside.
+            let beyond_f32 = bound::beyond_f32(0.0, rounding / depths.step(past_near));
+            let near_error = depths.near_error(&error, false);
+            let cut_steps = near_error * depths.stored_per_depth(0.0) / depths.step(0.0);
+            let cut = Cut {
+                gap: past_near.abs(),
+                grid: 0.0,
+                f32: near_error,
+            };
+            let cut = cut.reason(bound::beyond_f32(0.0, cut_steps));
             Surface {
-                outlines: [rim, cut],
-                covers: discriminant >= 0.0 && depth >= lens.near,
-                depth,
-                nearness,
-                nearness_error,
+                loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
+                outline: rim,
+                covers: discriminant >= 0.0 && past_near >= 0.0,
+                depth: lens.near + past_near,
+                stored: Stored {
+                    nearness,
+                    nearest: nearness + rounding,
+                    farthest: nearness - rounding,
+                    rounding,
+                    beyond_f32,
+                },
                 source: Source::Sphere(*placement),
             }
         })
@@ -66,22 +87,23 @@ pub(super) fn surfaces(view: &View, placement: &Placement, px: DVec2) -> Vec<Sur
 /// perspective, of the origin o in orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is
 /// `2 r^2 d.w - 2 (o x d).(o x w)` or `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
 /// Within distance s it changes by at most `slope s + bend s^2`.
-fn least_distance(view: &View, rays: &Rays, change: f64) -> f64 {
+fn least_distance(projection: Projection, rays: &Rays<DoubleDouble>, change: f64) -> f64 {
     let (o, d) = (rays.origin, rays.direction);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
-    let moment = o.cross(d);
-    let [(x, bend_x), (y, bend_y)] =
-        [rays.right, rays.down].map(|step| match view.camera.lens().projection {
-            Projection::Perspective { .. } => {
-                let turn = o.cross(step);
-                let slope = 2.0 * (r2 * d.dot(step) - moment.dot(turn));
-                (slope, r2 * step.length_squared() + turn.length_squared())
-            }
-            Projection::Orthographic { .. } => {
-                let turn = step.cross(d);
-                (-2.0 * moment.dot(turn), turn.length_squared())
-            }
-        });
+    let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
+    let moment = across(o, d);
+    let [(x, bend_x), (y, bend_y)] = [rays.right, rays.down].map(|step| match projection {
+        Projection::Perspective { .. } => {
+            let turn = across(o, step);
+            let (d, step) = (d.narrow(), step.narrow());
+            let slope = 2.0 * (r2 * d.dot(step) - moment.dot(turn));
+            (slope, r2 * step.length_squared() + turn.length_squared())
+        }
+        Projection::Orthographic { .. } => {
+            let turn = across(step, d);
+            (-2.0 * moment.dot(turn), turn.length_squared())
+        }
+    });
     let (slope, bend) = (DVec2::new(x, y).length(), bend_x + bend_y);
     let change = change.abs();
     2.0 * change / (slope + (slope * slope + 4.0 * bend * change).sqrt())

@@ -1,38 +1,32 @@
 //! One surface at a pixel, and whether two of them explain a difference.
 
-use super::{Class, GRID_PX};
+use super::{
+    Class,
+    bound::{Outline, Reason, Stored},
+};
 use crate::{
-    camera::{DepthMapping, Projection, View},
+    camera::{DepthMapping, Lens, Projection, View},
     geometry::Placement,
-    render::transform::{U, VertexToView, depth_origin},
+    render::{
+        transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
+        view_space::ViewSpace,
+    },
 };
 use glam::{DVec2, DVec3};
-
-/// An outline near a pixel's centre; lengths in pixels.
-#[derive(Clone, Copy, Debug)]
-#[expect(clippy::struct_field_names, reason = "the unit")]
-pub(super) struct Outline {
-    /// From the centre, in pixels; never more than it really is.
-    pub distance_px: f64,
-    /// What the rasteriser's grid moves it by, in pixels: nothing where no vertices make it.
-    pub grid_px: f64,
-    /// What `f32` moves it by, in pixels.
-    pub f32_px: f64,
-}
 
 /// What an id may have shown at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Its outlines: edges or rim, and where the near plane cuts it.
-    pub outlines: [Outline; 2],
+    /// Why it may be there for one side only: an outline or the near plane's cut is near enough.
+    pub loose: Option<Reason>,
+    /// Its nearest outline, near enough or not.
+    pub outline: Outline,
     /// Whether it really covers the centre, behind the near plane.
     pub covers: bool,
-    /// View depth at the centre, of the surface or its continuation.
+    /// View depth at the centre; NaN where there is none.
     pub depth: f64,
-    /// What the depth buffer stores for that, or its negative: more is nearer.
-    pub nearness: f64,
-    /// How far that may be off.
-    pub nearness_error: f64,
+    /// What the depth buffer may hold for that.
+    pub stored: Stored,
     /// What the GPU makes it from.
     pub source: Source,
 }
@@ -48,183 +42,219 @@ pub(super) enum Source {
     Sphere(Placement),
 }
 
-impl Outline {
-    /// None there.
-    pub const NONE: Self = Self {
-        distance_px: f64::INFINITY,
-        grid_px: 0.0,
-        f32_px: 0.0,
-    };
-
-    /// Where the near plane cuts a surface of this depth and slope (depth for a pixel) at the centre, when drawing may
-    /// see the depth wrong by `depth_error`; `moved_px` is what grid and `f32` move the surface aside by.
-    pub fn cut(
-        view: &View,
-        depth: f64,
-        slope: DVec2,
-        depth_error: f64,
-        moved_px: [f64; 2],
-    ) -> Self {
-        // A surface along the near plane is cut nowhere or everywhere: what counts is the depths, and their ratio stays.
-        let slope = slope.length().max(f64::EPSILON * depth_error);
-        Self {
-            distance_px: (depth - view.camera.lens().near).abs() / slope,
-            grid_px: moved_px[0],
-            f32_px: moved_px[1] + depth_error / slope,
-        }
-    }
-
-    /// The one of two that explains more: of the better class, with less strain.
-    pub fn or(self, other: Self) -> Self {
-        if (other.class(), other.strain()) < (self.class(), self.strain()) {
-            other
-        } else {
-            self
-        }
-    }
-
-    /// How far drawing may move it, in pixels.
-    pub fn error_px(&self) -> f64 {
-        self.grid_px + self.f32_px
-    }
-
-    /// Its distance over how far drawing may move it.
-    fn strain(&self) -> f64 {
-        let strain = self.distance_px / self.error_px();
-        // Exactly on an outline that nothing moves.
-        if strain.is_nan() { 0.0 } else { strain }
-    }
-
-    fn class(&self) -> Class {
-        if !(self.strain() <= 1.0) {
-            Class::Unexplained
-        } else if self.f32_px <= GRID_PX {
-            Class::Edge
-        } else {
-            Class::F32Limit
-        }
-    }
-}
-
 impl Surface {
     /// The empty depth buffer.
     pub fn background(view: &View) -> Self {
+        let nearness = match view.camera.lens().depth {
+            DepthMapping::Reversed => 0.0,
+            DepthMapping::Standard => -1.0,
+        };
         Self {
-            outlines: [Outline::NONE; 2],
+            loose: None,
+            outline: Outline::NONE,
             covers: true,
             depth: f64::NAN,
-            nearness: match view.camera.lens().depth {
-                DepthMapping::Reversed => 0.0,
-                DepthMapping::Standard => -1.0,
+            stored: Stored {
+                nearness,
+                nearest: nearness,
+                farthest: nearness,
+                rounding: 0.0,
+                beyond_f32: false,
             },
-            nearness_error: 0.0,
             source: Source::Empty,
         }
     }
-
-    fn outline(&self) -> Outline {
-        self.outlines[0].or(self.outlines[1])
-    }
-
-    /// Whether it may come before `other` in the depth buffer; true where either depth makes no sense, as for the
-    /// continuation of a triangle that is seen edge-on.
-    fn may_hide(&self, other: &Self) -> bool {
-        !(self.nearness + self.nearness_error < other.nearness - other.nearness_error)
-    }
 }
 
-/// The best explanation for one surface having been drawn and the other picked: class, strain and the outline it rests
-/// on or would have to.
+/// The best explanation for one surface having been drawn and the other picked; `None` when nothing explains it.
 ///
 /// A surface whose outline is far covers the centre, or not, for both sides alike; then the other one is there for one
 /// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
 /// which of them shows is settled by their order, and nothing excuses another answer.
-pub(super) fn explain(drawn: &Surface, picked: &Surface) -> (Class, f64, Outline) {
+pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.source == picked.source {
-        return (Class::Unexplained, f64::INFINITY, Outline::NONE);
+        return None;
     }
-    let [of_drawn, of_picked] = [drawn.outline(), picked.outline()];
-    let (loose_drawn, loose_picked) = (of_drawn.strain() <= 1.0, of_picked.strain() <= 1.0);
-    // Each outline counts if its surface would win the pixel, or the other one is loose as well.
-    let counts = [
-        (
-            of_drawn,
-            loose_picked || picked.covers && drawn.may_hide(picked),
-        ),
-        (
-            of_picked,
-            loose_drawn || drawn.covers && picked.may_hide(drawn),
-        ),
-    ];
-    let by_outline = (counts.into_iter().filter(|(_, counts)| *counts))
-        .map(|(outline, _)| (outline.class(), outline.strain(), outline));
-    let gap = (drawn.nearness - picked.nearness).abs();
-    let strain = gap / (drawn.nearness_error + picked.nearness_error);
-    let by_depth = (drawn.covers && picked.covers).then(|| {
-        let class = if gap <= drawn.nearness_error + picked.nearness_error {
-            Class::Depth
-        } else {
-            Class::Unexplained
-        };
-        (class, if gap == 0.0 { 0.0 } else { strain }, Outline::NONE)
-    });
-    let best = by_outline
-        .chain(by_depth)
-        .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    best.unwrap_or((Class::Unexplained, f64::INFINITY, Outline::NONE))
+    let missing = |surface: &Surface| surface.loose.map(|reason| reason.class);
+    // For drawing it comes first, or the other one is not there.
+    let first = || drawn.stored.hides(&picked.stored);
+    let hides = picked.covers.then(first).flatten();
+    let drawn_only = (hides.into_iter().chain(missing(picked)).min())
+        .and_then(|class| Some(drawn.loose?.and(class)));
+    // The same for the pick.
+    let precedes = drawn.covers && picked.stored.precedes(&drawn.stored);
+    let hides = precedes.then_some(Class::Edge);
+    let picked_only = (hides.into_iter().chain(missing(drawn)).min())
+        .and_then(|class| Some(picked.loose?.and(class)));
+    let by_depth = (drawn.covers && picked.covers)
+        .then(|| drawn.stored.reason(&picked.stored))
+        .flatten();
+    let all = [drawn_only, picked_only, by_depth];
+    all.into_iter().flatten().reduce(Reason::or)
 }
 
-/// The ray through a pixel position in view space: where it starts at depth 0 and its step for one unit of depth; and
-/// the change of whichever moves for one pixel right and down.
+/// A lens's depths as the GPU makes them. Depths count from the near plane (*past near*): that keeps digits both at the eye
+/// and where near and far lie close together in the distance.
+#[derive(Clone, Copy)]
+pub(super) struct Depths {
+    lens: Lens,
+    unit: f64,
+    /// From the near plane to where the depth buffer stores 0.
+    origin: f64,
+    /// What the depth buffer stores for a unit of measured depth, times w.
+    per_measured: f64,
+}
+
+impl Depths {
+    pub fn new(space: &ViewSpace) -> Self {
+        let lens = *space.view().camera.lens();
+        Self {
+            lens,
+            unit: space.unit(),
+            origin: match lens.depth {
+                DepthMapping::Reversed => lens.far - lens.near,
+                DepthMapping::Standard => 0.0,
+            },
+            per_measured: lens.depth_row().0,
+        }
+    }
+
+    /// Clip space's w.
+    pub fn w(&self, past_near: f64) -> f64 {
+        self.lens.w(self.lens.near + past_near)
+    }
+
+    /// What the depth buffer stores, without any rounding.
+    pub fn stored(&self, past_near: f64) -> f64 {
+        self.per_measured * (past_near - self.origin) / self.w(past_near)
+    }
+
+    /// The same by nearness: more is nearer.
+    pub fn nearness(&self, past_near: f64) -> f64 {
+        match self.lens.depth {
+            DepthMapping::Reversed => self.stored(past_near),
+            DepthMapping::Standard => -self.stored(past_near),
+        }
+    }
+
+    /// How far off the stored number may be.
+    ///
+    /// Rounded are the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last place), the
+    /// product with that and what is stored: 9 halves of a unit, and one for second order.
+    pub fn error(&self, past_near: f64, error: &ViewError) -> f64 {
+        let (w, stored) = (self.w(past_near), self.stored(past_near).abs());
+        let of_w = match self.lens.projection {
+            Projection::Perspective { .. } => error.depth,
+            Projection::Orthographic { .. } => 0.0,
+        };
+        let measured = (past_near - self.origin).abs();
+        let underflow =
+            UNDERFLOW * ((self.unit * measured).max(1.0) / (self.unit * w).min(1.0) + 2.0);
+        (self.per_measured.abs() * error.measured + stored * of_w) / w
+            + 10.0 * U * stored
+            + underflow
+    }
+
+    /// How far off in depth drawing may see the near plane. In reversed depth clipping compares a product of two rounded
+    /// factors with w, as large as the near plane's depth (or 1); their difference changes with depth by 1 and the factor.
+    /// In standard depth it looks at the sign of the measured depth.
+    pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
+        let factor = self.per_measured.abs();
+        let (w, of_w, change) = match self.lens.projection {
+            Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
+            Projection::Orthographic { .. } => (1.0, 0.0, factor),
+        };
+        match self.lens.depth {
+            DepthMapping::Standard => error.measured,
+            DepthMapping::Reversed => {
+                let product = if exact {
+                    0.0
+                } else {
+                    2.0 * U * w + 2.0 * UNDERFLOW / self.unit
+                };
+                (product + factor * error.measured + of_w) / change
+            }
+        }
+    }
+
+    /// Whether `f32` holds what clipping compares at this depth.
+    pub fn clips_exactly(&self, past_near: f64) -> bool {
+        let (factor, measured) = match self.lens.projection {
+            Projection::Perspective { .. } => {
+                (self.per_measured, self.unit * (past_near - self.origin))
+            }
+            Projection::Orthographic { .. } => (
+                self.per_measured / self.unit,
+                self.unit * (past_near - self.origin),
+            ),
+        };
+        is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
+    }
+
+    /// A step of depth, by what the buffer stores: what one unit in the last place of an `f32` is there of the stored
+    /// number, or of the depth, or of the distance between near and far where that is less.
+    ///
+    /// Of these the largest: a depth that is stored as nearly 0 is not known as finely as the number could tell.
+    pub fn step(&self, past_near: f64) -> f64 {
+        let range = self.lens.far - self.lens.near;
+        let known = match self.lens.projection {
+            Projection::Perspective { .. } => range.min(self.w(past_near).abs()),
+            Projection::Orthographic { .. } => range,
+        };
+        2.0 * U * (self.stored(past_near).abs()).max(self.stored_per_depth(past_near) * known)
+    }
+
+    /// How fast the stored number changes with depth.
+    pub fn stored_per_depth(&self, past_near: f64) -> f64 {
+        match self.lens.projection {
+            Projection::Perspective { .. } => {
+                let w = self.w(past_near);
+                self.per_measured.abs() * (self.lens.near + self.origin) / (w * w)
+            }
+            Projection::Orthographic { .. } => self.per_measured.abs(),
+        }
+    }
+}
+
+/// The ray through a pixel position in view space, z being depth past near: where it meets the near plane and its step for
+/// one unit of depth; and the change of whichever moves for one pixel right and down.
 pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
-    pub steps: [DVec3; 2],
+    steps: [DVec3; 2],
+    perspective: bool,
 }
 
 impl ViewRay {
     pub fn new(view: &View, px: DVec2) -> Self {
-        let half = view.camera.lens().half_extent(view.viewport.aspect());
-        let aside = (view.viewport.px_to_ndc(px) * half).extend(0.0);
-        let (origin, direction) = match view.camera.lens().projection {
-            Projection::Perspective { .. } => (DVec3::ZERO, aside + DVec3::Z),
-            Projection::Orthographic { .. } => (aside, DVec3::Z),
+        let lens = view.camera.lens();
+        let half = lens.half_extent(view.viewport.aspect());
+        let aside = view.viewport.px_to_ndc(px) * half;
+        let perspective = !lens.is_orthographic();
+        let (origin, direction) = if perspective {
+            (lens.near * aside, aside.extend(1.0))
+        } else {
+            (aside, DVec3::Z)
         };
         let step = 2.0 * half / view.viewport.size_px();
         Self {
-            origin,
+            origin: origin.extend(0.0),
             direction,
             steps: [DVec3::X * step.x, DVec3::NEG_Y * step.y],
+            perspective,
         }
     }
 
-    /// Depth at which it meets the plane through `point` across `normal`.
+    /// Depth past near at which it meets the plane through `point` across `normal`.
     pub fn depth_on(&self, point: DVec3, normal: DVec3) -> f64 {
         normal.dot(point - self.origin) / normal.dot(self.direction)
     }
 
-    /// Change of that depth for one pixel right and down. From `N . (o + z d - P) = 0`, where o or d moves.
-    pub fn slope(&self, view: &View, depth: f64, normal: DVec3) -> DVec2 {
+    /// Change of that depth for one pixel right and down, at a view depth. From `N . (o + z d - P) = 0`, where o or d
+    /// moves.
+    pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        -view.camera.lens().w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
-            / normal.dot(self.direction)
-    }
-}
-
-/// What the depth buffer holds for a depth, by nearness, and how far that may be off for a wrong depth.
-///
-/// Rounded are the two numbers of the projection's third row, their product and sum, the division and what is stored.
-pub(super) fn nearness(view: &View, depth: f64, depth_error: f64) -> (f64, f64) {
-    let lens = view.camera.lens();
-    let (a, b) = lens.depth_row();
-    let (terms, per_depth) = match lens.projection {
-        Projection::Perspective { .. } => (a.abs() + (b / depth).abs(), b.abs() / (depth * depth)),
-        Projection::Orthographic { .. } => ((a * (depth - depth_origin(view))).abs(), a.abs()),
-    };
-    let ndc = lens.ndc_depth(depth);
-    let error = 4.0 * U * (ndc.abs() + terms) + per_depth * depth_error;
-    match lens.depth {
-        DepthMapping::Reversed => (ndc, error),
-        DepthMapping::Standard => (-ndc, error),
+        let w = if self.perspective { depth } else { 1.0 };
+        -w * DVec2::new(normal.dot(right), normal.dot(down)) / normal.dot(self.direction)
     }
 }

@@ -117,7 +117,7 @@ fn first_pick(file: &Path) -> Result<usize, Box<dyn Error>> {
         t_min: 0.0,
         t_max: f64::INFINITY,
     };
-    pick::closest(&scene, &ray, sightline::geometry::Sides::Both).ok_or("nothing there")?;
+    pick::closest(&scene, ray, sightline::geometry::Sides::Both).ok_or("nothing there")?;
     Ok(scene.triangle_count())
 }
 

@@ -6,7 +6,7 @@ mod terrain;
 use egui::{Event, PointerButton, pos2};
 use sightline::{
     camera::Viewport,
-    viewer::{Options, offscreen::Offscreen},
+    viewer::{Offscreen, Options},
 };
 use std::{
     path::PathBuf,

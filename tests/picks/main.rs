@@ -193,7 +193,7 @@ fn where_the_near_plane_cuts_a_cube_the_face_behind_is_picked() {
         let shares = steps().flat_map(|y| steps().map(move |x| dvec2(x, y)));
         for px in shares.map(|share| 50.0 + share * (corner.px - 50.0)) {
             let pick = |near, far| {
-                let closest = pick::closest(scene, &view_of(near, far).ray(px), Sides::Both);
+                let closest = pick::closest(scene, view_of(near, far).ray(px), Sides::Both);
                 closest.map(|hit| hit.hit.normal.z > 0.0)
             };
             assert_eq!(pick(1.0, 10.0), Some(true), "at {px}");

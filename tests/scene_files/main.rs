@@ -1,5 +1,6 @@
 //! Scene files: what people write is what they get, what is saved reads back, and errors say where.
 
+mod beside;
 #[path = "../common/mod.rs"]
 mod common;
 mod saved;

@@ -19,7 +19,7 @@ fn only_what_lies_in_the_interval_counts() {
     };
     for shape in [Shape::Sphere, Shape::Cube] {
         let scene = scene_of(shape, DAffine3::IDENTITY);
-        let [first, second] = pick::all(&scene, &along_x(0.0, 9.0), Sides::Both)[..] else {
+        let [first, second] = pick::all(&scene, along_x(0.0, 9.0), Sides::Both)[..] else {
             panic!("in and out");
         };
         let (t1, t2) = (first.hit.t, second.hit.t);
@@ -33,10 +33,10 @@ fn only_what_lies_in_the_interval_counts() {
             (-9.0, 0.0, vec![]),
             (t2.next_up(), 9.0, vec![]),
         ] {
-            let hits = pick::all(&scene, &along_x(t_min, t_max), Sides::Both);
+            let hits = pick::all(&scene, along_x(t_min, t_max), Sides::Both);
             let found: Vec<_> = hits.iter().map(|hit| hit.hit.t).collect();
             assert_eq!(found, expected);
-            let closest = pick::closest(&scene, &along_x(t_min, t_max), Sides::Both);
+            let closest = pick::closest(&scene, along_x(t_min, t_max), Sides::Both);
             assert_eq!(closest.map(|hit| hit.hit.t), expected.first().copied());
         }
     }
@@ -46,29 +46,29 @@ fn only_what_lies_in_the_interval_counts() {
         t_min,
         t_max,
     };
-    assert!(Square::hit(&down(1.0, 1.5)).is_some());
-    assert!(Square::hit(&down(0.0, 1.0)).is_none());
+    assert!(Square::hit(down(1.0, 1.5)).is_some());
+    assert!(Square::hit(down(0.0, 1.0)).is_none());
     let corners = [
         dvec3(-1.0, -1.0, 0.0),
         dvec3(1.0, -1.0, 0.0),
         dvec3(0.0, 1.0, 0.0),
     ];
-    assert!(guarded_volume(&VertexRay::new(&down(1.0, 1.5), DVec3::ZERO), corners).is_some());
-    assert!(guarded_volume(&VertexRay::new(&down(0.0, 1.0), DVec3::ZERO), corners).is_none());
-    assert!(guarded_volume(&VertexRay::new(&down(-2.0, 0.5), DVec3::ZERO), corners).is_none());
+    assert!(guarded_volume(&VertexRay::new(down(1.0, 1.5), DVec3::ZERO), corners).is_some());
+    assert!(guarded_volume(&VertexRay::new(down(0.0, 1.0), DVec3::ZERO), corners).is_none());
+    assert!(guarded_volume(&VertexRay::new(down(-2.0, 0.5), DVec3::ZERO), corners).is_none());
 }
 
 #[test]
 fn from_inside_the_way_out_is_hit() {
     let ray = ray_to(dvec3(0.1, 0.05, -0.2), dvec3(0.3, 0.4, 5.0));
     for shape in [Shape::Sphere, Shape::Cube] {
-        let hits = pick::all(&scene_of(shape, DAffine3::IDENTITY), &ray, Sides::Both);
+        let hits = pick::all(&scene_of(shape, DAffine3::IDENTITY), ray, Sides::Both);
         assert_eq!(hits.len(), 1);
         assert!(!hits[0].hit.front, "seen from inside");
     }
     // On the surface: in as well as out.
     let ray = ray_to(dvec3(-0.5, 0.0, 0.0), DVec3::ZERO);
-    for hits in [Sphere::hits(&ray), Cuboid::hits(&ray)] {
+    for hits in [Sphere::hits(ray), Cuboid::hits(ray)] {
         assert_eq!(hits.map(|hit| hit.map(|hit| hit.t)), [Some(0.0), Some(1.0)]);
     }
 }
@@ -82,7 +82,7 @@ fn a_sphere_is_touched_once() {
         t_max: 9.0,
     };
     assert_eq!(
-        Sphere::hits(&tangent).map(|hit| hit.map(|hit| hit.t)),
+        Sphere::hits(tangent).map(|hit| hit.map(|hit| hit.t)),
         [Some(3.0), None]
     );
     // From where it touches, t is 0 and not 0 / 0.
@@ -91,14 +91,14 @@ fn a_sphere_is_touched_once() {
         ..tangent
     };
     assert_eq!(
-        Sphere::hits(&there).map(|hit| hit.map(|hit| hit.t)),
+        Sphere::hits(there).map(|hit| hit.map(|hit| hit.t)),
         [Some(0.0), None]
     );
     let past = Ray {
         origin: dvec3(-3.0, 0.5_f64.next_up(), 0.0),
         ..tangent
     };
-    assert_eq!(Sphere::hits(&past), [None, None]);
+    assert_eq!(Sphere::hits(past), [None, None]);
 }
 
 /// All directions with coordinates of -1, 0 and 1, each zero with both signs.
@@ -142,7 +142,7 @@ fn axis_parallel_rays_within_a_face_hit_the_cube() {
                     } else {
                         [None, None]
                     };
-                    let found = Cuboid::hits(&ray).map(|hit| hit.map(|hit| hit.t));
+                    let found = Cuboid::hits(ray).map(|hit| hit.map(|hit| hit.t));
                     assert_eq!(found, expected, "{ray:?}");
                     hits += usize::from(found[0].is_some());
                 }
@@ -167,7 +167,7 @@ fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
             (0.0, 0.0, true),
             (0.75, 0.0, false),
         ] {
-            let hit = Square::hit(&through(x, y));
+            let hit = Square::hit(through(x, y));
             assert_eq!(
                 hit.map(|hit| hit.t),
                 (inside && direction.z != 0.0).then_some(2.0)

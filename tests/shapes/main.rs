@@ -88,7 +88,7 @@ fn spheres_and_ellipsoids() {
                     normal: q * (from_center + t * ray.direction),
                 })
                 .collect();
-            let found = pick::all(&scene, &ray, Sides::Both);
+            let found = pick::all(&scene, ray, Sides::Both);
             hits += usize::from(same_hits(kind, &scene, &ray, &found, &truth));
             for hit in &found {
                 let local = scene.objects()[0]
@@ -149,7 +149,7 @@ fn cubes_and_boxes() {
                 .into_iter()
                 .filter(|hit| !passes && hit.t >= 0.0)
                 .collect();
-            let found = pick::all(&scene, &ray, Sides::Both);
+            let found = pick::all(&scene, ray, Sides::Both);
             hits += usize::from(same_hits(kind, &scene, &ray, &found, &truth));
         }
         assert!(hits > 150, "{kind}: only {hits} rays hit");
@@ -170,8 +170,8 @@ fn a_cube_is_its_twelve_triangles() {
             model,
         );
         for ray in rays(model, 23) {
-            let ours = pick::all(&cube, &ray, Sides::Both);
-            let theirs = pick::all(&triangles, &ray, Sides::Both);
+            let ours = pick::all(&cube, ray, Sides::Both);
+            let theirs = pick::all(&triangles, ray, Sides::Both);
             if ours.len() == 2 && (ours[1].hit.t - ours[0].hit.t) <= 1e-3 * ours[1].hit.t {
                 rims::as_exact(&cube, &ray);
                 rims::as_exact(&triangles, &ray);
@@ -233,10 +233,10 @@ fn squares_and_triangles() {
                 hit.into_iter().collect::<Vec<_>>()
             };
             let inside = u.abs() < 0.5 && v.abs() < 0.5;
-            let found = pick::all(&square, &ray, Sides::Both);
+            let found = pick::all(&square, ray, Sides::Both);
             hits[0] += usize::from(same_hits(kind, &square, &ray, &found, &truth(inside)));
 
-            let found = pick::all(&triangle, &ray, Sides::Both);
+            let found = pick::all(&triangle, ray, Sides::Both);
             let inside = inside && u + v < 0.0;
             if same_hits(kind, &triangle, &ray, &found, &truth(inside)) {
                 hits[1] += 1;
@@ -309,7 +309,7 @@ fn what_is_hit_does_not_depend_on_the_scale() {
         for (shape, expected) in [(Shape::Sphere, 2), (Shape::Cube, 2), (Shape::Square, 1)] {
             let scene = scene_of(shape, DAffine3::from_scale(DVec3::splat(scale)));
             let ray = ray_to(scale * dvec3(0.3, 0.4, 3.0), scale * dvec3(0.01, 0.02, 0.0));
-            let hits = pick::all(&scene, &ray, Sides::Both);
+            let hits = pick::all(&scene, ray, Sides::Both);
             assert_eq!(hits.len(), expected, "at 1e{exponent}");
         }
     }

@@ -189,7 +189,7 @@ fn cuts(stage: &Stage) -> Vec<Shot> {
     } = *stage;
     let depth = base.camera.to_view(aim).z;
     let mut shots = Vec::new();
-    for (near, far) in [(1.0, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
+    for (near, far) in [(0.999, 10.0), (0.1, 1.001), (0.9, 1.1), (0.99, 1.01)] {
         let view = between(&base, near * depth, far * depth);
         shots.push(Shot::new("planes that cut", view, false));
         shots.push(Shot::new("planes that cut, culled", culled(&view), false));
@@ -306,7 +306,7 @@ fn rim(scene: &Scene, view: &View) -> DVec3 {
     let (px, shown) = shown(scene, view);
     let at = |x: f64| {
         let ray = view.ray(DVec2::new(x, px.y));
-        let hit = pick::closest(scene, &ray, Sides::Both);
+        let hit = pick::closest(scene, ray, Sides::Both);
         hit.filter(|hit| hit.object == shown.object)
             .map(|hit| ray.at(hit.hit.t))
     };
@@ -333,6 +333,6 @@ fn shown(scene: &Scene, view: &View) -> (DVec2, SceneHit) {
     cells.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
     let hit = cells
         .into_iter()
-        .find_map(|px| Some((px, pick::closest(scene, &view.ray(px), Sides::Both)?)));
+        .find_map(|px| Some((px, pick::closest(scene, view.ray(px), Sides::Both)?)));
     hit.expect("something is shown")
 }

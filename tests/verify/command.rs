@@ -30,9 +30,17 @@ fn json_counts_every_pixel_once() {
     let output = run("verify --size 320x240 --json");
     let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
     let count = |name: &str| line[name].as_u64().expect("a count");
-    let classes = ["same", "edge", "depth", "f32_limit", "unexplained"];
+    let classes = [
+        "same",
+        "edge",
+        "depth",
+        "f32_limit",
+        "beyond_f32",
+        "unexplained",
+    ];
     assert_eq!(classes.map(count).iter().sum::<u64>(), 320 * 240);
-    assert!(count("shown") > 10_000, "{line}");
+    assert!(count("drawn") > 10_000, "{line}");
+    assert!(count("picked") > 10_000, "{line}");
     assert!(count("outline") > 1000, "{line}");
 }
 

@@ -1,7 +1,8 @@
-//! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker that is
-//! wrong in any way is found out.
+//! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker or a
+//! drawing that is wrong in any way is found out.
 
 mod broken;
+mod broken_drawings;
 mod cameras;
 mod command;
 #[path = "../common/mod.rs"]

@@ -1,6 +1,8 @@
 //! What the mouse, the keys and dropped files do.
 
-use super::{MIDDLE, button, click, drag, open, picked_px, press_key, px, row, selected};
+use super::{
+    CTRL, MIDDLE, button, click, click_on, drag, open, picked_px, press_key, px, row, selected,
+};
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, pos2, vec2};
 use glam::DVec2;
 use sightline::{camera::Viewport, pick};
@@ -96,9 +98,6 @@ fn a_click_again_goes_behind_and_a_fast_one_recentres() {
     assert_ne!(window.state().view().camera.eye(), before.camera.eye());
 }
 
-/// As winit's events give it where Ctrl is the key for commands.
-const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
-
 fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
     Event::MouseWheel {
         unit: MouseWheelUnit::Point,
@@ -110,7 +109,7 @@ fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
 }
 
 /// Distance from the eye to the front of the cube.
-fn eye_to_front(window: &sightline::viewer::offscreen::Offscreen) -> f64 {
+fn eye_to_front(window: &sightline::viewer::Offscreen) -> f64 {
     window.state().view().camera.eye().z - 2.5
 }
 
@@ -178,14 +177,14 @@ fn messages_go_one_by_one_or_all_at_once() {
     }
     assert_eq!(window.messages().count(), 8);
     // The cross of the first that is shown, under the button for all: the earliest three are not shown.
-    click(&mut window, pos2(236.0, 72.0));
+    click_on(&mut window, "dismiss");
     let left: Vec<_> = window.messages().map(str::to_owned).collect();
     assert_eq!(left.len(), 7);
     assert!(
         !left.iter().any(|text| text.contains("absent 3")),
         "{left:?}"
     );
-    click(&mut window, pos2(240.0, 45.0));
+    click_on(&mut window, "dismiss all (2 earlier)");
     assert_eq!(window.messages().count(), 0);
     assert_eq!(selected(&window), None, "the clicks were not the scene's");
 }
@@ -206,7 +205,7 @@ fn keys_act_and_typing_does_not() {
     assert!(window.state().frozen().is_some());
     // Into the search field of the list.
     let view = *window.state().view();
-    click(&mut window, super::SEARCH);
+    click_on(&mut window, "search");
     press_key(&mut window, none, Key::Num7);
     window.send([Event::Text("7".into())]);
     assert_eq!(*window.state().view(), view);

@@ -4,13 +4,6 @@ use super::*;
 use glam::DVec3;
 use sightline::camera::{CameraChoice, UpAxis};
 
-/// The label of the stage P V M in the pipeline's window.
-const P_V_M: Pos2 = pos2(543.0, 112.0);
-
-/// The toolbar's menu of the gallery, and its last line.
-const GALLERY_MENU: Pos2 = pos2(1003.0, 12.0);
-const LEAVE_GALLERY: Pos2 = pos2(1030.0, 255.0);
-
 fn opened(options: Options) -> Offscreen {
     Offscreen::open(options, px(SIZE, 1.0), 1.0)
 }
@@ -90,7 +83,7 @@ fn the_command_is_about_the_world_at_every_stage() {
     };
     let in_world = command(&mut window);
     key(&mut window, Key::P);
-    click(&mut window, P_V_M);
+    click_on(&mut window, "show with P V M");
     assert_eq!(window.state().stage(), Stage::Ndc);
     assert_eq!(command(&mut window), in_world);
     window.send([Event::Paste("[camera]\nfov = 20\neye = [3, 3, 3]".into())]);
@@ -102,7 +95,7 @@ fn the_command_is_about_the_world_at_every_stage() {
 fn trees_are_built_of_each_stage() {
     let (mut window, _folder) = row(1.0);
     key(&mut window, Key::P);
-    click(&mut window, P_V_M);
+    click_on(&mut window, "show with P V M");
     assert_eq!(window.state().stage(), Stage::Ndc);
     assert!(window.state().scene().triangle_count() > 1000);
     assert!(window.state().scene().trees_are_built());
@@ -118,13 +111,13 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     assert_eq!(window.state().name(), "kept.toml");
     key(&mut window, Key::R);
     assert_eq!(window.state().name(), "kept.toml");
-    assert_eq!(window.messages().count(), 0);
+    assert_eq!(window.messages().count(), 0, "it was read");
     // Leaving the gallery comes back to it.
     std::fs::remove_file(folder.path().join("row.toml")).expect("it was there");
     key(&mut window, Key::E);
     assert!(window.state().showing().is_some());
-    click(&mut window, GALLERY_MENU);
-    click(&mut window, LEAVE_GALLERY);
+    click_on(&mut window, "Gallery");
+    click_on(&mut window, "leave the gallery");
     assert_eq!(window.state().name(), "kept.toml");
     // A name that is made by adding the ending is nobody's consent to write over that file.
     let before = std::fs::read(&kept).expect("a file");

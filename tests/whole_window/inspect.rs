@@ -1,7 +1,7 @@
 //! Inspecting by keys and clipboard.
 
 use super::*;
-use sightline::viewer::overlay::Overlay;
+use sightline::viewer::model::Overlay;
 
 /// What F12 wrote, oldest first.
 fn screenshots(folder: &Path) -> Vec<PathBuf> {
@@ -76,7 +76,7 @@ fn a_camera_is_copied_and_pasted_by_keys() {
         assert_eq!(*window.state().view(), turned, "{bad}");
     }
     // While somebody types, a text is for the field.
-    click(&mut window, SEARCH);
+    click_on(&mut window, "search");
     press_key(&mut window, Modifiers::NONE, Key::Num1);
     let before = *window.state().view();
     window.send([Event::Paste(text)]);

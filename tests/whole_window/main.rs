@@ -6,15 +6,18 @@ mod files;
 mod gallery;
 #[path = "../common/images.rs"]
 mod images;
+mod in_view;
 mod inspect;
+mod keeping;
+mod keys;
 mod overlays;
 mod pictures;
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Options, offscreen::Offscreen, stages::Stage},
+    viewer::{Control, Offscreen, Options, model::Stage},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -23,8 +26,6 @@ use tempfile::TempDir;
 const SIZE: [u32; 2] = [1280, 720];
 /// A point of the scene's rectangle that shows its middle, whatever the scale.
 const MIDDLE: Pos2 = pos2(580.0, 362.0);
-/// In the search field of the list of objects.
-const SEARCH: Pos2 = pos2(60.0, 107.0);
 
 /// Three things in a row along z, the camera before them, as a scene file.
 const ROW: &str = "
@@ -95,6 +96,46 @@ fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
     let press = [Event::PointerMoved(from), button(from, with, true)];
     window.send(press.into_iter().chain(moves));
     window.send([button(to, with, false)]);
+}
+
+/// What can be used, or else read, by its name.
+#[track_caller]
+fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
+    let named = || {
+        window
+            .controls()
+            .iter()
+            .filter(|control| control.name == name)
+    };
+    let of_use = named().find(|control| control.role != Role::Label);
+    of_use.or_else(|| named().next()).unwrap_or_else(|| {
+        let all = window.controls().iter();
+        let names: Vec<_> = all.map(|control| &control.name).collect();
+        panic!("no {name:?} among {names:?}")
+    })
+}
+
+fn has_control(window: &Offscreen, name: &str) -> bool {
+    window.controls().iter().any(|control| control.name == name)
+}
+
+/// Clicks a control.
+#[track_caller]
+fn click_on(window: &mut Offscreen, name: &str) {
+    let found = control(window, name);
+    assert!(found.is_enabled, "{name} can be used");
+    let at = found.rect.center();
+    click(window, at);
+}
+
+/// As winit's events give it where Ctrl is the key for commands.
+const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
+
+/// Types into a field as a user does: in place of what stands in it.
+fn type_into(window: &mut Offscreen, name: &str, text: &str) {
+    click_on(window, name);
+    press_key(window, CTRL, Key::A);
+    window.send([Event::Text(text.into())]);
 }
 
 fn press_key(window: &mut Offscreen, modifiers: Modifiers, key: Key) {

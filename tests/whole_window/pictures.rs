@@ -9,7 +9,7 @@ use super::{
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use sightline::{
     image::{Image, Rgb},
-    viewer::offscreen::Offscreen,
+    viewer::Offscreen,
 };
 use std::path::Path;
 

@@ -4,7 +4,7 @@ use super::*;
 use sightline::{
     scene::gallery::{Exhibit, GALLERY},
     study::gallery::{BREAKS, Break},
-    viewer::exhibit::{Compared, Fault, Showing},
+    viewer::model::{Compared, Fault, Showing},
 };
 use std::path::Path;
 
@@ -121,7 +121,7 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     assert_eq!(state.method(), None, "other stages know no other method");
     state.apply(Action::Stage(Stage::World));
     assert_eq!(state.method(), broken.swap());
-    state.open(row()).expect("a scene");
+    state.open(row(), Vec::new()).expect("a scene");
     assert_eq!((state.showing(), state.method()), (None, None));
     state.apply(Action::PickBy(broken.swap()));
     assert_eq!(state.method(), None, "outside the gallery there is none");
@@ -130,12 +130,15 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     state.apply(Action::PickBy(broken.swap()));
     let same = opened("far_over_near");
     state
-        .open(Loaded {
-            scene: same.scene().clone(),
-            exhibit: same.showing().map(|showing| showing.exhibit),
-            camera,
-            ..Loaded::default()
-        })
+        .open(
+            Loaded {
+                scene: same.scene().clone(),
+                exhibit: same.showing().map(|showing| showing.exhibit),
+                camera,
+                ..Loaded::default()
+            },
+            Vec::new(),
+        )
         .expect("a scene");
     assert_eq!(state.method(), None, "opened anew");
 }
@@ -153,8 +156,8 @@ fn while_another_method_picks_no_pick_is_sightline_s() {
     for action in [
         Action::Click(MIDDLE, 9.0),
         Action::Step { forward: true },
-        Action::SetVisible(1, false),
-        Action::SetVisible(1, true),
+        Action::SetVisible(0, false),
+        Action::SetVisible(0, true),
     ] {
         assert_eq!(state.apply(action), None, "{action:?}");
         assert_eq!(pick(&state), None, "{action:?}");

@@ -5,7 +5,7 @@ use sightline::{
     camera::Lens,
     geometry::{ColourRun, Mesh, MeshData, Part, Trs},
     pick::Pick,
-    viewer::inspect::triangle,
+    viewer::model::triangle,
 };
 use std::sync::Arc;
 
@@ -121,7 +121,7 @@ fn the_last_two_picks_are_so_far_apart() {
         (by(&state).z + 3.5).abs() < 1e-12,
         "nothing was picked beside them"
     );
-    state.open(row()).expect("a scene");
+    state.open(row(), Vec::new()).expect("a scene");
     assert!(state.landmarks().is_empty());
 }
 

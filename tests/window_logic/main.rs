@@ -7,6 +7,7 @@ mod lens;
 mod moving;
 mod picking;
 mod scenes;
+mod undo;
 
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{
@@ -14,12 +15,7 @@ use sightline::{
     geometry::{Aabb, Placement, Sides},
     pick,
     scene::{self, Loaded, Object, Progress, Scene, Shape, description},
-    viewer::{
-        action::{Action, LensControls},
-        pipeline::{Matrices, Steps},
-        stages::Stage,
-        state::{DOUBLE_CLICK_S, State},
-    },
+    viewer::model::{Action, DOUBLE_CLICK_S, LensControls, Matrices, Stage, State, Steps},
 };
 
 const MIDDLE: DVec2 = DVec2::new(400.0, 300.0);

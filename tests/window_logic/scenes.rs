@@ -9,7 +9,7 @@ fn the_next_scene_replaces_the_first_only_when_it_is_whole() {
     let before = *state.view();
     let mut broken = row();
     broken.camera.fov = Some(-3.0);
-    state.open(broken).expect_err("no camera");
+    state.open(broken, Vec::new()).expect_err("no camera");
     assert_eq!(
         (*state.view(), selected(&state), state.name()),
         (before, Some("front"), "row")
@@ -20,7 +20,7 @@ fn the_next_scene_replaces_the_first_only_when_it_is_whole() {
         title: "next".into(),
         ..Loaded::default()
     };
-    state.open(next).expect("a scene");
+    state.open(next, Vec::new()).expect("a scene");
     assert_ne!(state.scene_revision(), revision);
     assert_eq!((state.selection(), state.name()), (None, "next"));
     state.apply(Action::Click(MIDDLE, 0.0));

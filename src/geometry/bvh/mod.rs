@@ -20,7 +20,7 @@ mod walk;
 
 pub use simd::Simd;
 
-use super::{Aabb, LocalRay};
+use super::{Aabb, LocalRay, Pyramid};
 use glam::{DVec3, Vec3};
 use node::{Line, Node, Packet, Place};
 use ray::Frame;
@@ -131,6 +131,39 @@ impl Bvh {
             max: max * unscale,
         });
         unscaled.collect()
+    }
+
+    /// Calls `visit` with every triangle that may be inside a pyramid, which is about the vertices' origin, and its corners.
+    pub(crate) fn visit_pyramid(&self, pyramid: &Pyramid, mut visit: impl FnMut(u32, [DVec3; 3])) {
+        let Frame {
+            bounds, unscale, ..
+        } = self.frame;
+        let corners = |bounds: Aabb| bounds.corners().map(|corner| corner * unscale);
+        let mut open = vec![Place::ROOT];
+        if !pyramid.may_hold(&corners(bounds)) {
+            return;
+        }
+        while let Some(place) = open.pop() {
+            if place.is_packet() {
+                let packet = Packet::at(&self.lines, place);
+                for lane in packet.lanes() {
+                    let corners = packet
+                        .corners_of(lane)
+                        .map(|c| Vec3::from(c).as_dvec3() * unscale);
+                    if pyramid.may_hold(&corners) {
+                        visit(packet.triangles[lane], corners);
+                    }
+                }
+                continue;
+            }
+            let node = Node::at(&self.lines, place);
+            for (lane, child) in node.children() {
+                let [min, max] = node.bounds(lane).map(|c| Vec3::from(c).as_dvec3());
+                if pyramid.may_hold(&corners(Aabb { min, max })) {
+                    open.push(place.of(child));
+                }
+            }
+        }
     }
 
     /// All packets.

@@ -208,9 +208,9 @@ pub(super) fn solve<F: Formula>(formula: &F) -> F::Answer {
     }
     // One bit for the sign.
     match F::most_bits(&formula.numbers::<Bits>()) {
-        ..=255 => by::<BInt<4>, F>(formula),
-        ..=511 => by::<BInt<8>, F>(formula),
-        ..=1023 => by::<BInt<16>, F>(formula),
+        0..=255 => by::<BInt<4>, F>(formula),
+        256..=511 => by::<BInt<8>, F>(formula),
+        512..=1023 => by::<BInt<16>, F>(formula),
         _ => by::<BigInt, F>(formula),
     }
 }

@@ -24,6 +24,8 @@ pub(super) use solids::{cube, sphere, square};
 pub(super) use triangle::volume_errors;
 pub(crate) use triangle::{Corners, are_coplanar, weights};
 pub(super) use triangle::{compare, hit, reaches_plane};
+#[cfg(test)]
+pub(super) use world::errors;
 
 use super::{Placement, WorldRay, local_ray::Exactly, ray::Line};
 

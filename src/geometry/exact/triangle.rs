@@ -13,6 +13,7 @@ use std::cmp::Ordering;
 
 /// A triangle by its corners about an origin, in the space of a placement.
 #[derive(Clone, Copy)]
+#[expect(clippy::struct_field_names, reason = "what they are")]
 pub(crate) struct Corners<'a> {
     pub placement: Option<&'a Placement>,
     pub origin: DVec3,
@@ -26,6 +27,7 @@ impl Corners<'_> {
 }
 
 /// The volumes that a ray spans with a triangle's edges, and where it meets its plane.
+#[expect(clippy::struct_field_names, reason = "what they are")]
 struct Volumes<I> {
     /// `d . (p x q)` for each edge, the first opposite to the first corner.
     volumes: [Number<I>; 3],
@@ -248,7 +250,42 @@ pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
             numbers.iter().all(|n| n.sign().is_eq())
         }
     }
-    solve(&Plane(a, b))
+    match short(a.into_iter().chain(b)) {
+        Some(points) => are_coplanar_integers(&points),
+        None => solve(&Plane(a, b)),
+    }
+}
+
+/// Six points as integers of 40 bits in one unit; `None` where they are longer.
+fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
+    const MOST: f64 = f64::from_bits((1023 + 40) << 52);
+    let largest = (points.clone()).fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
+    // A power of two.
+    let scale = MOST / f64::from_bits(largest.to_bits() & !((1 << 52) - 1)) * 0.5;
+    let mut integers = [[0; 3]; 6];
+    for (integers, point) in integers.iter_mut().zip(points) {
+        for (integer, c) in integers.iter_mut().zip((point * scale).to_array()) {
+            // Written so that NaN is refused.
+            if !(c.abs() <= MOST && c.fract() == 0.0) {
+                return None;
+            }
+            #[expect(clippy::cast_possible_truncation, reason = "a whole number of 40 bits")]
+            let whole = c as i64;
+            *integer = whole;
+        }
+    }
+    Some(integers)
+}
+
+/// Products of three differences have 126 bits.
+fn are_coplanar_integers([p, q, r, others @ ..]: &[[i64; 3]; 6]) -> bool {
+    let from_p = |c: &[i64; 3]| [0, 1, 2].map(|i| i128::from(c[i] - p[i]));
+    let (u, v) = (from_p(q), from_p(r));
+    let normal = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| u[i] * v[j] - u[j] * v[i]);
+    others.iter().all(|corner| {
+        let way = from_p(corner);
+        way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2] == 0
+    })
 }
 
 /// Whether a ray's line meets a triangle's plane within an interval and no later than `limit`, or runs along it.

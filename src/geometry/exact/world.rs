@@ -1,5 +1,7 @@
 //! Rays and points of the world in integers.
 
+#[cfg(test)]
+use super::super::LocalRay;
 use super::{
     super::{Placement, local_ray::Exactly, ray::Line},
     integer::Integer,
@@ -126,4 +128,19 @@ fn product<I: Integer>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
     let parts = rows.each_ref().map(|row| row.dot(v));
     let exponent = parts.iter().map(|part| part.exponent).min().unwrap_or(0);
     Vector::from_numbers(&parts, exponent)
+}
+
+/// How far a local ray's numbers are from the exact ones, by component: of its origin and its direction.
+#[cfg(test)]
+pub(in super::super) fn errors(ray: &LocalRay) -> [DVec3; 2] {
+    use num_bigint::BigInt;
+    let LocalLine {
+        origin,
+        direction,
+        one,
+    } = LocalLine::<BigInt>::new(&ray.exactly());
+    [(origin, ray.ray.origin), (direction, ray.ray.direction)].map(|(exact, rounded)| {
+        let error = exact.minus(&Vector::new(rounded).times(&one));
+        DVec3::from_array([0, 1, 2].map(|axis| error.component(axis).ratio(&one).abs()))
+    })
 }

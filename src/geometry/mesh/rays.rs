@@ -6,7 +6,8 @@
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Hit, LocalRay, Sides, TriangleHit, TriangleTest, VertexRay, Visit, guarded_volume,
+    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, TriangleHit, TriangleTest, VertexRay, Visit,
+    guarded_volume,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
 use glam::DVec3;
@@ -141,6 +142,28 @@ impl Mesh {
             ray.limit
         });
         all
+    }
+
+    /// Where an object-space ray meets one triangle.
+    pub(crate) fn hit(&self, ray: &LocalRay, triangle: u32) -> Option<Hit> {
+        let corners = self.vertex_corners(triangle);
+        let hit = guarded_volume(&VertexRay::new(ray, self.data.origin), corners)?;
+        Some(hit.on(triangle, corners))
+    }
+
+    /// Calls `visit` with every triangle that may be inside a pyramid of object space, and its corners about the mesh's
+    /// origin.
+    pub(crate) fn within(&self, pyramid: &Pyramid, mut visit: impl FnMut(u32, [DVec3; 3])) {
+        let pyramid = pyramid.about(self.data.origin);
+        match self.tree.get() {
+            Some(tree) => tree.visit_pyramid(&pyramid, visit),
+            None => self.every_triangle(&mut |triangle, corners: [DVec3; 3]| {
+                if pyramid.may_hold(&corners) {
+                    visit(triangle, corners);
+                }
+                f64::INFINITY
+            }),
+        }
     }
 
     /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and before

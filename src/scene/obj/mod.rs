@@ -21,6 +21,7 @@ mod notes;
 mod outline;
 mod polygon;
 mod wash;
+pub(super) mod write;
 
 use super::{Cancelled, FileError, Progress, Warning, file};
 use crate::geometry::{Mesh, MeshError};

@@ -237,7 +237,7 @@ impl PickCase {
             .filter(|(_, o)| o.visible)
         {
             let Shape::Mesh { mesh, part } = &object.shape else {
-                let alone = pick::closest(&Scene::new(vec![object.clone()]), &world, sides);
+                let alone = pick::closest(&Scene::new(vec![object.clone()]), world, sides);
                 if let Some(hit) = alone
                     && best.is_none_or(|best| hit.hit.t < best.0)
                 {
@@ -277,7 +277,7 @@ impl PickCase {
 
 fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
     let view = &case.world.view;
-    let hit = pick::closest(scene, &view.ray(case.px), view.sides)?;
+    let hit = pick::closest(scene, view.ray(case.px), view.sides)?;
     Some(picked(scene, hit))
 }
 

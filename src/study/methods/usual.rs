@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3, Vec3};
 /// differs.
 #[must_use]
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
-    pick::closest_by(scene, &ray(view, px)?, view.sides, moeller_trumbore)
+    pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
 }
 
 /// The world-space ray from the near to the far plane; `None` where the inverse has no finite answer.

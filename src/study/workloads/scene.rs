@@ -50,7 +50,7 @@ impl SceneRays {
             .collect();
         let hit = |px: &DVec2| {
             let ray = *view.ray(*px);
-            Some((ray, pick::closest(&world.scene, &ray, view.sides)?))
+            Some((ray, pick::closest(&world.scene, ray, view.sides)?))
         };
         let hits = at.iter().filter_map(hit).collect();
         Self {

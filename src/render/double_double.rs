@@ -1,0 +1,252 @@
+//! Arithmetic in `f64`, and in pairs of them where that is too coarse: far from the eye, through a long lens, under a
+//! model matrix that flattens. What is composed here is rounded to `f32` in the end.
+//!
+//! A double-double is an unevaluated sum of two `f64`, good for about 2^-104 (Dekker, "A floating-point technique for
+//! extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and quad-double
+//! arithmetic", 2007).
+
+use glam::{DMat3, DVec3};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What points and directions are made of: `f64` or [`DoubleDouble`].
+pub(crate) trait Number:
+    Copy
+    + From<f64>
+    + Into<f64>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+}
+
+impl Number for f64 {}
+impl Number for DoubleDouble {}
+
+/// The sum `hi + lo`, where `hi` is what the sum rounds to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DoubleDouble {
+    hi: f64,
+    lo: f64,
+}
+
+/// Two numbers' sum and what rounding took of it (Knuth, The Art of Computer Programming, vol. 2, 4.2.2).
+fn two_sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    let of_b = hi - a;
+    DoubleDouble {
+        hi,
+        lo: (a - (hi - of_b)) + (b - of_b),
+    }
+}
+
+/// The same where `a` is not the smaller of the two, or `b` is 0.
+fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
+    let hi = a + b;
+    DoubleDouble {
+        hi,
+        lo: b - (hi - a),
+    }
+}
+
+impl From<f64> for DoubleDouble {
+    fn from(value: f64) -> Self {
+        Self { hi: value, lo: 0.0 }
+    }
+}
+
+impl From<DoubleDouble> for f64 {
+    fn from(value: DoubleDouble) -> Self {
+        value.hi
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (two_sum(self.hi, other.hi), two_sum(self.lo, other.lo));
+        let sum = quick_two_sum(high.hi, high.lo + low.hi);
+        quick_two_sum(sum.hi, sum.lo + low.lo)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            hi: -self.hi,
+            lo: -self.lo,
+        }
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let hi = self.hi * other.hi;
+        let lo = self.hi.mul_add(other.hi, -hi);
+        quick_two_sum(hi, lo + (self.hi * other.lo + self.lo * other.hi))
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * first.into();
+        let second = rest.hi / other.hi;
+        let rest = rest - other * second.into();
+        let third = rest.hi / other.hi;
+        quick_two_sum(first, second) + third.into()
+    }
+}
+
+/// A point or direction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Vector<N> {
+    pub x: N,
+    pub y: N,
+    pub z: N,
+}
+
+impl<N: Number> Vector<N> {
+    pub fn dot(self, other: Self) -> N {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    pub fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
+    /// Rounded to `f64`.
+    pub fn narrow(self) -> DVec3 {
+        DVec3::new(self.x.into(), self.y.into(), self.z.into())
+    }
+}
+
+impl<N: Number> From<DVec3> for Vector<N> {
+    fn from(v: DVec3) -> Self {
+        Self {
+            x: v.x.into(),
+            y: v.y.into(),
+            z: v.z.into(),
+        }
+    }
+}
+
+impl<N: Number> Add for Vector<N> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            x: self.x + other.x,
+            y: self.y + other.y,
+            z: self.z + other.z,
+        }
+    }
+}
+
+impl<N: Number> Sub for Vector<N> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
+    }
+}
+
+impl<N: Number> Mul<N> for Vector<N> {
+    type Output = Self;
+
+    fn mul(self, by: N) -> Self {
+        Self {
+            x: self.x * by,
+            y: self.y * by,
+            z: self.z * by,
+        }
+    }
+}
+
+/// A matrix by its rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rows<N>(pub [Vector<N>; 3]);
+
+impl<N: Number> Rows<N> {
+    /// The inverse of a matrix that has one, of any size: its columns are brought to about 1 first, which is exact.
+    pub fn inverse_of(matrix: DMat3) -> Self {
+        let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+        let scales = columns.map(|column| power_of_two_below(column.abs().max_element()).recip());
+        let [x, y, z] = [0, 1, 2].map(|i| Vector::<N>::from(columns[i] * scales[i]));
+        let across = [y.cross(z), z.cross(x), x.cross(y)];
+        let determinant = x.dot(across[0]);
+        Self([0, 1, 2].map(|i| across[i] * (N::from(scales[i]) / determinant)))
+    }
+
+    pub fn times(&self, v: Vector<N>) -> Vector<N> {
+        let [x, y, z] = self.0.map(|row| row.dot(v));
+        Vector { x, y, z }
+    }
+}
+
+/// The largest power of two that is not above a positive number; the least normal one for anything smaller.
+pub(crate) fn power_of_two_below(value: f64) -> f64 {
+    const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+    f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & !MANTISSA)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What `f64` loses wholly, pairs keep.
+    #[test]
+    fn keeps_what_f64_cancels() {
+        let dd = DoubleDouble::from;
+        let third = dd(1.0) / dd(3.0);
+        let left: f64 = (third * dd(3.0) - dd(1.0)).into();
+        assert!(left.abs() < 1e-31, "{left}");
+        let left: f64 = (dd(1e16) + dd(1.0) - dd(1e16) - dd(0.75)).into();
+        assert_eq!(left.to_bits(), 0.25_f64.to_bits());
+        let square: f64 =
+            (dd(1.0 + f64::EPSILON) * dd(1.0 + f64::EPSILON) - dd(1.0 + 2.0 * f64::EPSILON)).into();
+        assert_eq!(square.to_bits(), (f64::EPSILON * f64::EPSILON).to_bits());
+    }
+
+    /// Two columns that differ by 1e-14 are no less invertible than others.
+    #[test]
+    fn inverts_what_is_nearly_singular() {
+        let matrix = DMat3::from_cols(
+            DVec3::new(0.9, 0.3, -0.2),
+            DVec3::new(0.9, 0.3 + 1e-14, -0.2),
+            DVec3::new(0.1, -0.5, 1e20),
+        );
+        let inverse = Rows::<DoubleDouble>::inverse_of(matrix);
+        for (i, column) in [matrix.x_axis, matrix.y_axis, matrix.z_axis]
+            .iter()
+            .enumerate()
+        {
+            let unit = inverse.times(Vector::from(*column)).narrow();
+            assert!((unit - DVec3::AXES[i]).length() < 1e-12, "{unit}");
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Points of objects in view space, with all digits that `f32` may need.
+
+use super::{
+    double_double::{DoubleDouble, Rows, Vector},
+    transform::{U, depth_origin, view_unit},
+};
+use crate::{camera::View, geometry::Placement};
+use glam::{DMat3, DVec2, DVec3};
+
+/// View space in double-double, for what lies too far from the eye or the origin for `f64`.
+///
+/// The stored axes are unit vectors only to within rounding. A point is where its coordinates along these very axes put
+/// it, so that it lies on the ray that a pick casts through its pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewSpace {
+    view: View,
+    unit: f64,
+    to_view: Rows<DoubleDouble>,
+}
+
+/// A point in view space, in world units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewPoint {
+    /// Right and up.
+    pub aside: DVec2,
+    /// Depth from the eye.
+    pub depth: f64,
+    /// Depth from the near plane, which has digits where depth has none left.
+    pub past_near: f64,
+    /// Depth from [`depth_origin`].
+    pub measured: f64,
+}
+
+impl ViewSpace {
+    /// Of a view.
+    #[must_use]
+    pub fn new(view: &View) -> Self {
+        let camera = &view.camera;
+        let axes = DMat3::from_cols(camera.right(), camera.up(), camera.forward());
+        Self {
+            view: *view,
+            unit: view_unit(view),
+            to_view: Rows::inverse_of(axes),
+        }
+    }
+
+    /// The view that it is of.
+    #[must_use]
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// View units per world unit.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// An object's point `origin + point_vertex_space`, both in object space.
+    #[must_use]
+    pub fn at(&self, placement: &Placement, origin: DVec3, point_vertex_space: DVec3) -> ViewPoint {
+        let camera = &self.view.camera;
+        let model = placement.model();
+        let point: Vector<DoubleDouble> = Vector::from(origin) + point_vertex_space.into();
+        let columns = model.matrix3.to_cols_array_2d();
+        let column = |i: usize| Vector::<DoubleDouble>::from(DVec3::from_array(columns[i]));
+        let turned = column(0) * point.x + column(1) * point.y + column(2) * point.z;
+        let eye_to_origin = Vector::from(model.translation) - camera.eye().into();
+        let Vector { x, y, z } = self.to_view.times(turned + eye_to_origin);
+        ViewPoint {
+            aside: DVec2::new(x.into(), y.into()),
+            depth: z.into(),
+            past_near: (z - camera.lens().near.into()).into(),
+            measured: (z - depth_origin(&self.view).into()).into(),
+        }
+    }
+
+    /// The linear part of View * Model, less `rounded`.
+    #[must_use]
+    pub fn linear_less(&self, placement: &Placement, rounded: DMat3) -> DMat3 {
+        let model = placement.model().matrix3;
+        let column = |i: usize| {
+            let exact = self.to_view.times(model.col(i).into());
+            (exact - rounded.col(i).into()).narrow()
+        };
+        DMat3::from_cols(column(0), column(1), column(2))
+    }
+
+    /// [`ViewSpace::at`], in `f64` where that is fine enough for what `f32` makes of it: where its roundings, of numbers
+    /// as large as the point's and the eye's coordinates, are nothing beside a pixel and beside steps of depth.
+    pub(super) fn at_quickly(
+        &self,
+        placement: &Placement,
+        origin: DVec3,
+        point: DVec3,
+    ) -> ViewPoint {
+        let camera = &self.view.camera;
+        let lens = camera.lens();
+        let from_origin = placement.model().matrix3 * (origin + point);
+        let eye_to_origin = placement.model().translation - camera.eye();
+        let view = camera.rotation() * (from_origin + eye_to_origin);
+        let largest = from_origin.abs() + placement.model().translation.abs() + camera.eye().abs();
+        let largest = largest.max_element();
+        let half_height = camera.half_height() * lens.w(view.z.abs());
+        let pixel = 2.0 * half_height / f64::from(self.view.viewport.height());
+        let step = 2.0 * U * (lens.far - lens.near).min(view.z.abs().max(lens.near.abs()));
+        let finest = (pixel / 4096.0).min(step / 16.0);
+        if 16.0 * f64::EPSILON * largest > finest {
+            return self.at(placement, origin, point);
+        }
+        ViewPoint {
+            aside: view.truncate(),
+            depth: view.z,
+            past_near: view.z - lens.near,
+            measured: view.z - depth_origin(&self.view),
+        }
+    }
+}

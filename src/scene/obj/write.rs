@@ -1,0 +1,133 @@
+//! A mesh as an OBJ file, with an MTL file where it has colours.
+
+use crate::{
+    colour::Srgb,
+    geometry::{CornerNormals, Mesh},
+};
+use glam::Vec3;
+use std::{collections::BTreeSet, fmt::Write};
+
+/// A mesh as the text of an OBJ file, whose colours are those of the MTL file `library`. Every number is written so that it
+/// reads back as it is.
+#[must_use]
+pub(in crate::scene) fn text(mesh: &Mesh, library: Option<&str>) -> String {
+    let data = mesh.data();
+    let mut text = String::new();
+    if let Some(library) = library {
+        let _ = writeln!(text, "mtllib {library}");
+    }
+    for (index, position) in data.positions.iter().enumerate() {
+        let [x, y, z] = std::array::from_fn(|i| data.origin[i] + f64::from(position[i]));
+        let _ = write!(text, "v {x} {y} {z}");
+        if let Some(colour) = data.vertex_colours.get(index) {
+            let [r, g, b] = unit(*colour);
+            let _ = write!(text, " {r} {g} {b}");
+        }
+        text.push('\n');
+    }
+    let normals = &data.normals;
+    for [x, y, z] in &normals.normals {
+        let _ = writeln!(text, "vn {x} {y} {z}");
+    }
+    let mut runs = data.colours.iter().peekable();
+    for part in &data.parts {
+        // A name of several lines is none that OBJ has.
+        let name = part.name.replace(char::is_control, " ");
+        let _ = writeln!(text, "o {name}");
+        for triangle in part.triangles.clone() {
+            if let Some(run) = runs.next_if(|run| run.triangles.start <= triangle)
+                && library.is_some()
+            {
+                let _ = writeln!(text, "usemtl {}", material(run.colour));
+            }
+            let at = triangle as usize;
+            let corners = data.triangles[at].map(|corner| corner + 1);
+            text.push('f');
+            match normals.corners.get(at) {
+                Some(of) => (corners.iter().zip(of)).for_each(|(corner, normal)| {
+                    let _ = write!(text, " {corner}//{}", normal + 1);
+                }),
+                None => corners.iter().for_each(|corner| {
+                    let _ = write!(text, " {corner}");
+                }),
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// The text of the MTL file that [`text`] names; `None` where no triangle has a colour of its own.
+#[must_use]
+pub(in crate::scene) fn materials(mesh: &Mesh) -> Option<String> {
+    let colours: BTreeSet<_> = (mesh.data().colours.iter())
+        .map(|run| run.colour.map(|Srgb(rgb)| rgb))
+        .collect();
+    colours.iter().any(Option::is_some).then(|| {
+        let mut text = String::new();
+        for colour in colours {
+            let colour = colour.map(Srgb);
+            let _ = writeln!(text, "newmtl {}", material(colour));
+            if let Some(colour) = colour {
+                let [r, g, b] = unit(colour);
+                let _ = writeln!(text, "Kd {r} {g} {b}");
+            }
+        }
+        text
+    })
+}
+
+fn material(colour: Option<Srgb>) -> String {
+    colour.map_or("none".to_owned(), |Srgb([r, g, b])| {
+        format!("c{r:02x}{g:02x}{b:02x}")
+    })
+}
+
+fn unit(Srgb(channels): Srgb) -> [f64; 3] {
+    channels.map(|c| f64::from(c) / 255.0)
+}
+
+/// Whether two meshes are picked and coloured alike to the bit, triangle by triangle, and shaded alike but for the last
+/// bits of their normals.
+#[must_use]
+pub(in crate::scene) fn same(a: &Mesh, b: &Mesh) -> bool {
+    /// Normals are of unit length, and are made that again when read: a rounding or two.
+    const NORMALS: f32 = 4.0 * f32::EPSILON;
+    let (a_data, b_data) = (a.data(), b.data());
+    let count = a_data.triangles.len();
+    let parts = |mesh: &Mesh| {
+        let parts = mesh.data().parts.iter();
+        parts.map(|part| part.triangles.clone()).collect::<Vec<_>>()
+    };
+    let bits = |mesh: &Mesh, triangle| {
+        mesh.corners(triangle)
+            .map(|corner| corner.to_array().map(f64::to_bits))
+    };
+    let local = |mesh: &Mesh, triangle: u32| {
+        mesh.data().triangles[triangle as usize].map(|corner| {
+            let corner = corner as usize;
+            let colour = mesh.data().vertex_colours.get(corner).copied();
+            (mesh.data().positions[corner].map(f32::to_bits), colour)
+        })
+    };
+    let shading = |mesh: &Mesh, triangle: u32| {
+        let CornerNormals { normals, corners } = &mesh.data().normals;
+        let corners = corners.get(triangle as usize)?;
+        Some(corners.map(|corner| Vec3::from_array(normals[corner as usize])))
+    };
+    let alike = |triangle| match (shading(a, triangle), shading(b, triangle)) {
+        (Some(a), Some(b)) => {
+            (a.into_iter().zip(b)).all(|(a, b)| (a - b).abs().max_element() <= NORMALS)
+        }
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    count == b_data.triangles.len()
+        && a_data.origin == b_data.origin
+        && parts(a) == parts(b)
+        && (0..u32::try_from(count).unwrap_or(u32::MAX)).all(|triangle| {
+            bits(a, triangle) == bits(b, triangle)
+                && local(a, triangle) == local(b, triangle)
+                && a.triangle_colour(triangle) == b.triangle_colour(triangle)
+                && alike(triangle)
+        })
+}

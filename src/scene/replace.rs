@@ -1,0 +1,99 @@
+//! Files that are written whole or not at all.
+
+use std::{
+    fs,
+    io::{self, BufWriter, ErrorKind, Write},
+    path::Path,
+};
+
+/// Writes a file beside `path` and renames it to that once it is whole and on the disk. On any failure, that of `write`
+/// too, what `path` held before is untouched and nothing is left beside it. A link keeps its place: what it points to is
+/// written. A file that may not be written stays as it is.
+///
+/// # Errors
+/// What the system says, or `write`.
+pub(super) fn replace(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let before = fs::metadata(&target).ok();
+    // A rename asks only whether the folder may be written.
+    if before
+        .as_ref()
+        .is_some_and(|old| old.permissions().readonly())
+    {
+        return Err(ErrorKind::PermissionDenied.into());
+    }
+    let folder = target
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    let mut beside = new_file(folder.unwrap_or(Path::new(".")))?;
+    if let Some(old) = before.filter(fs::Metadata::is_file) {
+        beside.as_file().set_permissions(old.permissions())?;
+    }
+    let mut out = BufWriter::new(beside.as_file_mut());
+    write(&mut out)?;
+    out.flush()?;
+    drop(out);
+    beside.as_file().sync_all()?;
+    beside.persist(&target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A file of a name of its own, gone when dropped, with the permissions that any new file has.
+fn new_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut new = tempfile::Builder::new();
+    new.prefix(".sightline-").suffix(".part");
+    #[cfg(unix)]
+    new.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    new.tempfile_in(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::replace;
+    use std::{fs, io};
+
+    #[test]
+    fn a_failure_half_way_leaves_the_old_file_and_nothing_beside_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("scene.toml");
+        fs::write(&path, "old").expect("writable");
+        let full = |out: &mut dyn io::Write| {
+            out.write_all(&vec![b'x'; 1 << 16])?;
+            Err(io::ErrorKind::StorageFull.into())
+        };
+        let error = replace(&path, full).expect_err("a full disk");
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        assert_eq!(fs::read(&path).expect("a file"), b"old");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
+        replace(&path, |out| out.write_all(b"new")).expect("room");
+        assert_eq!(fs::read(&path).expect("a file"), b"new");
+        replace(folder.path(), |out| out.write_all(b"new")).expect_err("a folder");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_and_links_stay() {
+        use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+        let folder = tempfile::tempdir().expect("a folder");
+        let [file, link, other] = ["file", "link", "other"].map(|name| folder.path().join(name));
+        fs::write(&file, "old").expect("writable");
+        fs::write(&other, "old").expect("writable");
+        let plain = fs::metadata(&other).expect("a file").mode();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).expect("ours");
+        symlink(&file, &link).expect("a link");
+        replace(&link, |out| out.write_all(b"new")).expect("writable");
+        assert!(fs::symlink_metadata(&link).expect("a link").is_symlink());
+        assert_eq!(fs::read(&file).expect("a file"), b"new");
+        let mode = fs::metadata(&file).expect("a file").mode();
+        assert_eq!(mode & 0o777, 0o640);
+        let made = folder.path().join("made");
+        replace(&made, |out| out.write_all(b"new")).expect("writable");
+        assert_eq!(fs::metadata(&made).expect("a file").mode(), plain);
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o440)).expect("ours");
+        replace(&file, |out| out.write_all(b"newer")).expect_err("not to be written");
+        assert_eq!(fs::read(&file).expect("a file"), b"new");
+    }
+}

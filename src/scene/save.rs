@@ -1,0 +1,151 @@
+//! A scene as files: a scene file, and beside it OBJ files of the meshes that have none.
+
+use super::{
+    MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute, obj::write,
+    replace::replace,
+};
+use crate::{camera::CameraChoice, geometry::Mesh};
+use std::{
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+/// Writes a scene file that reads back as the same scene to the bit. `meshes` are the files of its meshes, as
+/// [`Loaded::meshes`](super::Loaded) has them. Those beside `path` or below are named relative to it, so that a folder
+/// can be moved; the others by their absolute paths. A mesh without a file, or whose file is gone, is written as an OBJ file
+/// beside `path`, under a name that is free. Returns the files of all meshes as they are from then on.
+///
+/// # Errors
+/// When a file cannot be written, or a mesh that is not a file's cannot be written exactly. Then `path` holds what it held.
+pub fn save(
+    path: &Path,
+    scene: &Scene,
+    camera: &CameraChoice,
+    meshes: &[(PathBuf, Arc<Mesh>)],
+) -> Result<Vec<(PathBuf, Arc<Mesh>)>, SaveError> {
+    let path = absolute(path);
+    let mut made = Made(Vec::new());
+    let mut files: Vec<(PathBuf, Arc<Mesh>)> = Vec::new();
+    for object in scene.objects() {
+        let Shape::Mesh { mesh, .. } = &object.shape else {
+            continue;
+        };
+        if files.iter().any(|(_, known)| Arc::ptr_eq(known, mesh)) {
+            continue;
+        }
+        let known = meshes.iter().find(|(_, known)| Arc::ptr_eq(known, mesh));
+        let file = known.map(|(file, _)| file).filter(|file| file.is_file());
+        let file = match file {
+            Some(file) => file.clone(),
+            None => write_mesh(
+                &path,
+                known.map(|(file, _)| file.as_path()),
+                mesh,
+                &mut made,
+            )?,
+        };
+        files.push((file, Arc::clone(mesh)));
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let named: Vec<_> = (files.iter())
+        .map(|(file, mesh)| (from(folder, file), Arc::clone(mesh)))
+        .collect();
+    let text = to_toml(scene, camera, &named)?;
+    write_file(&path, &text)?;
+    made.0.clear();
+    Ok(files)
+}
+
+/// Files that were written for a scene file that is not there yet; taken away again unless it comes to be.
+struct Made(Vec<PathBuf>);
+
+impl Drop for Made {
+    fn drop(&mut self) {
+        for file in &self.0 {
+            // What cannot be taken away harms nobody.
+            let _ = fs::remove_file(file);
+        }
+    }
+}
+
+/// A file as a scene file in `folder` names it: with slashes, where it lies in it or below.
+fn from(folder: &Path, file: &Path) -> PathBuf {
+    match file.strip_prefix(folder) {
+        Ok(inside) => {
+            let words: Option<Vec<_>> = inside.iter().map(|word| word.to_str()).collect();
+            words.map_or_else(|| inside.to_owned(), |words| words.join("/").into())
+        }
+        Err(_) => file.to_owned(),
+    }
+}
+
+/// Writes a mesh beside the scene file, and makes sure that it reads back.
+fn write_mesh(
+    scene_file: &Path,
+    was: Option<&Path>,
+    mesh: &Mesh,
+    made: &mut Made,
+) -> Result<PathBuf, SaveError> {
+    let stem = |path: &Path| {
+        path.file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+    };
+    let part = mesh.data().parts.first().map(|part| part.name.clone());
+    let name = was.and_then(stem).or(part).unwrap_or_default();
+    let plain = |c: char| {
+        if c.is_alphanumeric() || "-_".contains(c) {
+            c
+        } else {
+            '_'
+        }
+    };
+    let name: String = name.chars().map(plain).collect();
+    let scene = stem(scene_file).unwrap_or_default();
+    let not_exact = || SaveError::NotExact(name.clone());
+    let colours = write::materials(mesh);
+    for number in 1.. {
+        let number = if number == 1 {
+            String::new()
+        } else {
+            format!("-{number}")
+        };
+        let base = format!("{scene}-{name}{number}");
+        let [file, library] =
+            ["obj", "mtl"].map(|ending| scene_file.with_file_name(format!("{base}.{ending}")));
+        let library_name = colours.as_ref().map(|_| format!("{base}.mtl"));
+        let text = write::text(mesh, library_name.as_deref());
+        let holds =
+            |path: &Path, text: &str| fs::read(path).is_ok_and(|old| old == text.as_bytes());
+        let is_free = |path: &Path, text: &str| !path.exists() || holds(path, text);
+        if !is_free(&file, &text) || !colours.as_ref().is_none_or(|text| is_free(&library, text)) {
+            continue;
+        }
+        for (path, text) in colours
+            .iter()
+            .map(|text| (&library, text))
+            .chain([(&file, &text)])
+        {
+            if !path.exists() {
+                write_file(path, text)?;
+                made.0.push(path.clone());
+            }
+        }
+        let mut warnings = Vec::new();
+        let again = MeshFiles::default().load(&file, &Progress::default(), &mut warnings);
+        let again = again.map_err(|_| not_exact())?;
+        return write::same(mesh, &again)
+            .then_some(file)
+            .ok_or_else(not_exact);
+    }
+    Err(not_exact())
+}
+
+fn write_file(path: &Path, text: &str) -> Result<(), SaveError> {
+    let written = replace(path, |out: &mut dyn Write| out.write_all(text.as_bytes()));
+    written.map_err(|source| SaveError::Unwritable {
+        file: path.to_owned(),
+        source,
+    })
+}

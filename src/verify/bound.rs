@@ -1,0 +1,187 @@
+//! How far off drawing may be at a pixel, and what that explains there. Bounds are made from camera, scene and the
+//! driver's steps; nothing here knows what was drawn or picked.
+
+use super::{Class, DEPTH_CEILING_STEPS, GRID_PX, OUTLINE_CEILING_PX};
+
+/// An outline near a pixel's centre; lengths in pixels.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_field_names, reason = "the unit")]
+pub(super) struct Outline {
+    /// From the centre, in pixels; never more than it really is.
+    pub distance_px: f64,
+    /// What the rasteriser's grid moves it by, in pixels: nothing where no vertices make it.
+    pub grid_px: f64,
+    /// What `f32` moves it by, in pixels.
+    pub f32_px: f64,
+}
+
+/// The depth at a pixel's centre beside the near plane, which cuts away what lies before it. View depths.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    /// Between the surface and the plane.
+    pub gap: f64,
+    /// What the rasteriser's grid changes the surface's depth by.
+    pub grid: f64,
+    /// What `f32` changes it by.
+    pub f32: f64,
+}
+
+/// Why a surface may be at a pixel for drawing and not for the pick, or the other way round.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reason {
+    pub class: Class,
+    /// What it takes over what it may take; up to 1.
+    pub strain: f64,
+    /// The outline that it rests on; [`Outline::NONE`] for a depth.
+    pub outline: Outline,
+}
+
+/// What the depth buffer may hold for a surface at a pixel's centre, by nearness: more is nearer.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stored {
+    /// Without any rounding.
+    pub nearness: f64,
+    /// The nearest that drawing may make it.
+    pub nearest: f64,
+    /// The farthest that drawing may make it.
+    pub farthest: f64,
+    /// What rounding may take of that, apart from moving the surface aside.
+    pub rounding: f64,
+    /// Whether the bounds lie above a ceiling.
+    pub beyond_f32: bool,
+}
+
+impl Outline {
+    /// None there.
+    pub const NONE: Self = Self {
+        distance_px: f64::INFINITY,
+        grid_px: 0.0,
+        f32_px: 0.0,
+    };
+
+    /// How far drawing may move it, in pixels.
+    pub fn error_px(&self) -> f64 {
+        self.grid_px + self.f32_px
+    }
+
+    /// What it explains: nothing when it is farther off than drawing may move it, or nobody knows how far that is.
+    pub fn reason(self) -> Option<Reason> {
+        let error_px = self.error_px();
+        let strain = strain(self.distance_px, error_px)?;
+        let class = if beyond_f32(error_px, 0.0) {
+            Class::BeyondF32
+        } else if self.f32_px <= GRID_PX {
+            Class::Edge
+        } else {
+            Class::F32Limit
+        };
+        let outline = self;
+        Some(Reason {
+            class,
+            strain,
+            outline,
+        })
+    }
+
+    /// The one of two that is nearer for what drawing may move it by.
+    pub fn nearer(self, other: Self) -> Self {
+        let [of_self, of_other] = [self, other].map(|at| at.distance_px / at.error_px());
+        if of_other < of_self { other } else { self }
+    }
+}
+
+impl Cut {
+    /// What it explains. `beyond_f32` when the bounds of the depth lie above a ceiling.
+    pub fn reason(self, beyond_f32: bool) -> Option<Reason> {
+        let strain = strain(self.gap, self.grid + self.f32)?;
+        let class = if beyond_f32 {
+            Class::BeyondF32
+        } else if self.f32 <= self.grid {
+            Class::Edge
+        } else {
+            Class::Depth
+        };
+        Some(Reason {
+            class,
+            strain,
+            outline: Outline::NONE,
+        })
+    }
+}
+
+impl Reason {
+    /// The one that takes less: of the better class, then of less strain.
+    pub fn or(self, other: Self) -> Self {
+        if (other.class, other.strain) < (self.class, self.strain) {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// It, where something else of this class has to hold too.
+    pub fn and(self, class: Class) -> Self {
+        Self {
+            class: if class == Class::BeyondF32 {
+                class
+            } else {
+                self.class
+            },
+            ..self
+        }
+    }
+}
+
+impl Stored {
+    /// What it takes for drawing to show this surface in front of `other`, where both are: nothing where it is in front;
+    /// `None` where drawing cannot.
+    pub fn hides(&self, other: &Self) -> Option<Class> {
+        if self.nearness >= other.nearness {
+            Some(Class::Edge)
+        } else if self.nearest >= other.farthest {
+            Some(self.class_with(other))
+        } else {
+            None
+        }
+    }
+
+    /// Whether it really comes first where both are, or as good as. A pick's order does not depend on how far drawing moves
+    /// surfaces aside.
+    pub fn precedes(&self, other: &Self) -> bool {
+        self.nearness + self.rounding >= other.nearness - other.rounding
+    }
+
+    /// What two surfaces explain that both cover a pixel: nothing unless the buffer may order them either way. Two that
+    /// nothing moves are in one order only.
+    pub fn reason(&self, other: &Self) -> Option<Reason> {
+        let (near, far) = if self.nearness < other.nearness {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        let allowed = (near.nearness - near.farthest) + (far.nearest - far.nearness);
+        Some(Reason {
+            class: self.class_with(other),
+            strain: strain(near.nearness - far.nearness, allowed)?,
+            outline: Outline::NONE,
+        })
+    }
+
+    fn class_with(&self, other: &Self) -> Class {
+        if self.beyond_f32 || other.beyond_f32 {
+            Class::BeyondF32
+        } else {
+            Class::Depth
+        }
+    }
+}
+
+/// Whether drawing in `f32` cannot hold what may be so far off, aside in pixels or in steps of depth.
+pub(super) fn beyond_f32(error_px: f64, steps: f64) -> bool {
+    !(error_px <= OUTLINE_CEILING_PX && steps <= DEPTH_CEILING_STEPS)
+}
+
+/// What is needed over what is allowed, when it suffices. Neither nothing nor infinity nor NaN allows anything.
+fn strain(needed: f64, allowed: f64) -> Option<f64> {
+    (allowed > 0.0 && allowed.is_finite() && needed <= allowed).then(|| needed / allowed)
+}

@@ -1,0 +1,110 @@
+//! What a comparison found.
+
+use super::Class;
+use crate::image::Id;
+
+/// A pixel that is drawn as one thing and picked as another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disagreement {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// What the GPU drew.
+    pub drawn: Id,
+    /// What the ray hit.
+    pub picked: Id,
+    /// Why they differ.
+    pub class: Class,
+    /// What the explanation takes over what it may take: at most 1. Infinite where nothing explains it.
+    pub strain: f64,
+    /// From the centre to the outline that explains it, or that comes nearest to doing so, in pixels; infinite where it
+    /// is a matter of depth, or of nothing.
+    pub outline_px: f64,
+    /// How far drawing may move that outline, in pixels.
+    pub outline_error_px: f64,
+    /// View depth at the centre of what was drawn and of what was picked; NaN where there is none.
+    pub depth: [f64; 2],
+}
+
+/// What a comparison of two pictures found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Pixels compared.
+    pub pixels: usize,
+    /// Pixels on which something was drawn.
+    pub drawn: usize,
+    /// Pixels on which something was picked.
+    pub picked: usize,
+    /// Pixels on outlines, where differences can be expected: what was drawn, or what was picked, is another thing above,
+    /// below, left or right of them.
+    pub outline: usize,
+    /// Pixels on outlines that differ.
+    pub outline_differ: usize,
+    /// Every pixel that differs, row by row from the top.
+    pub disagreements: Vec<Disagreement>,
+}
+
+/// What a comparison comes to. All but the first are failures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Geometry explains every difference.
+    Agrees,
+    /// So many pixels differ where drawing in `f32` cannot hold the view. The rest is explained.
+    BeyondF32(usize),
+    /// So many pixels are picked and not one is drawn, whatever explains them one by one.
+    NothingDrawn(usize),
+    /// So many pixels are drawn and not one is picked, whatever explains them one by one.
+    NothingPicked(usize),
+    /// So many pixels are defects.
+    Unexplained(usize),
+}
+
+impl Report {
+    /// Pixels of one class.
+    #[must_use]
+    pub fn count(&self, class: Class) -> usize {
+        let of_class = |at: &&Disagreement| at.class == class;
+        self.disagreements.iter().filter(of_class).count()
+    }
+
+    /// Pixels on which both agree.
+    #[must_use]
+    pub fn same(&self) -> usize {
+        self.pixels - self.disagreements.len()
+    }
+
+    /// Of the pixels on outlines those that differ, in [0, 1]; 0 where there are none.
+    #[must_use]
+    pub fn share_of_outline(&self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "pixels are counted in millions")]
+        let share = self.outline_differ as f64 / self.outline.max(1) as f64;
+        share
+    }
+
+    /// Pixels that differ in the midst of what was drawn and of what was picked.
+    #[must_use]
+    pub fn differ_off_outlines(&self) -> usize {
+        self.disagreements.len() - self.outline_differ
+    }
+
+    /// What all of it comes to.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let [beyond, unexplained] = [Class::BeyondF32, Class::Unexplained].map(|c| self.count(c));
+        match (self.drawn, self.picked) {
+            _ if unexplained > 0 => Verdict::Unexplained(unexplained),
+            (0, 1..) => Verdict::NothingDrawn(self.picked),
+            (1.., 0) => Verdict::NothingPicked(self.drawn),
+            _ if beyond > 0 => Verdict::BeyondF32(beyond),
+            _ => Verdict::Agrees,
+        }
+    }
+
+    /// The pixel hardest to explain: of the gravest class the one with the most strain.
+    #[must_use]
+    pub fn worst(&self) -> Option<&Disagreement> {
+        let gravity = |a: &&Disagreement, b: &&Disagreement| {
+            (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain))
+        };
+        self.disagreements.iter().max_by(gravity)
+    }
+}

@@ -1,0 +1,51 @@
+//! What actions do besides changing the state: trees, comparisons, what is printed.
+
+use super::program::{App, Host};
+use crate::{
+    pick::PickLine,
+    viewer::{
+        jobs::Checking,
+        model::{Action, pick_command},
+    },
+};
+use std::{io::Write, time::Instant};
+
+impl App {
+    /// Does something to scene or view.
+    pub fn act(&mut self, action: Action) {
+        let clicks = matches!(action, Action::Click(..));
+        let start = Instant::now();
+        let (method, scene) = (self.state.method(), self.state.scene_revision());
+        let picked = self.state.apply(action);
+        if self.state.scene_revision() != scene {
+            self.build_trees();
+        }
+        if self.state.method() != method {
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        }
+        if clicks {
+            if self.host == Host::Window {
+                self.statistics.pick = Some(start.elapsed());
+            }
+            self.reveal_selection = true;
+        }
+        if let Some(line) = picked {
+            let command = pick_command(&self.state, line.px);
+            log::info!("{command}");
+            if self.options.print_picks {
+                print(&line);
+            }
+        }
+    }
+}
+
+/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
+fn print(line: &PickLine) {
+    if let Ok(json) = serde_json::to_string(line) {
+        let mut out = std::io::stdout().lock();
+        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
+    }
+}

@@ -1,0 +1,100 @@
+//! Comparisons of drawn with picked: when they begin and when they go.
+
+use super::{program::App, wake::Wake};
+use crate::{
+    camera::View,
+    verify::{self, Report},
+    viewer::{
+        jobs::{Check, Checking},
+        model::{OnScreen, State, verify_command},
+        screen::Canvas,
+        ui::color32,
+    },
+};
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureId, TextureOptions};
+
+impl App {
+    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    pub fn toggle_check(&mut self) {
+        self.checking = match &self.checking {
+            Checking::Wanted => Checking::Off,
+            // One that a key before this one has outdated is as good as gone.
+            Checking::On(check) if check.is_about(&self.state) => Checking::Off,
+            Checking::Off | Checking::On(_) => Checking::Wanted,
+        };
+    }
+
+    /// Begins the comparison that is asked for, once what it is about has been drawn.
+    pub fn start_check(&mut self, canvas: &Canvas) {
+        if !matches!(self.checking, Checking::Wanted) {
+            return;
+        }
+        match canvas.read_ids(&OnScreen::of(&self.state)) {
+            Ok(Some(drawn)) => {
+                let wake = self.wake.clone();
+                let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
+                self.checking = Checking::On(Box::new(check));
+                self.marks = None;
+                self.context.request_repaint();
+            }
+            Ok(None) => {}
+            Err(error) => {
+                self.checking = Checking::Off;
+                self.complain(error.to_string());
+            }
+        }
+    }
+
+    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    pub fn take_checked(&mut self) {
+        let Checking::On(check) = &mut self.checking else {
+            return;
+        };
+        if !check.is_about(&self.state) {
+            // What another method gets wrong stays marked, wherever one looks from.
+            self.checking = match self.state.method() {
+                Some(_) => Checking::Wanted,
+                None => Checking::Off,
+            };
+        } else if check.poll()
+            && let Some(report) = &check.report
+        {
+            // A pass finds out how large the result is, the next one puts it in its place.
+            self.context.request_repaint();
+            if self.state.method().is_none() {
+                let command = verify_command(&self.state);
+                let differ = report.disagreements.len();
+                log::info!("{differ} pixels differ: {command}");
+            }
+        }
+    }
+}
+
+/// The pixels in which a comparison found differences as a texture, made within the pass that first shows them: only there
+/// egui knows how large a texture may be.
+pub(super) fn painted(
+    context: &Context,
+    state: &State,
+    checking: &Checking,
+    marks: &mut Option<TextureHandle>,
+) -> Option<TextureId> {
+    let Checking::On(check) = checking else {
+        return None;
+    };
+    let report = check.report.as_ref()?;
+    let marks = marks.get_or_insert_with(|| {
+        let image = picture_of(state.view(), report);
+        context.load_texture("differences", image, TextureOptions::NEAREST)
+    });
+    Some(marks.id())
+}
+
+/// The pixels that differ; transparent elsewhere.
+fn picture_of(view: &View, report: &Report) -> ColorImage {
+    let size = [view.viewport.width(), view.viewport.height()].map(|side| side as usize);
+    let mut image = ColorImage::filled(size, Color32::TRANSPARENT);
+    for ([x, y], colour) in verify::marks(view.viewport, &report.disagreements) {
+        image.pixels[y as usize * size[0] + x as usize] = color32(colour);
+    }
+    image
+}

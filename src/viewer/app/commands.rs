@@ -1,0 +1,118 @@
+//! What each command does.
+
+use super::{
+    program::{App, Host, Purpose},
+    wake::Wake,
+};
+use crate::{
+    camera::CameraChoice,
+    scene::{Scene, description},
+    viewer::{
+        jobs::{self, Answer, Checking},
+        model::{Action, pick_command},
+        ui::{Command, Intent, Reply},
+    },
+};
+
+/// What is of use of a text on the clipboard; the rest may be objects.
+#[derive(serde::Deserialize)]
+struct Clipping {
+    camera: Option<CameraChoice>,
+}
+
+impl App {
+    /// Does what the user asks for.
+    pub fn run_command(&mut self, command: Command) {
+        match command {
+            Command::Act(action) => self.act(action),
+            Command::OpenDialog if self.host == Host::Picture => {}
+            Command::OpenDialog => {
+                let wake = self.wake.clone();
+                jobs::open_dialog(move |answer| wake(Wake::Answered(answer)));
+            }
+            Command::SaveDialog => self.ask_where_to_save(None),
+            Command::Open(paths) => self.intend(Intent::Open(paths)),
+            Command::Add(paths) => self.load(paths, Purpose::Add),
+            Command::Reload => self.intend(Intent::Reload),
+            Command::Reply(reply) => self.reply(reply),
+            Command::CopyCommandLine => {
+                self.copied = Some(self.view_command());
+                if self.state.edited() {
+                    self.complain(
+                        "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
+                            .into(),
+                    );
+                }
+            }
+            Command::CopyCamera => {
+                let camera = self.state.camera_choice();
+                self.copied = description::to_toml(&Scene::default(), &camera, &[]).ok();
+            }
+            Command::Paste(text) => {
+                if let Err(reason) = self.paste_camera(&text) {
+                    self.complain(reason);
+                }
+            }
+            Command::Screenshot => {
+                self.screenshots.wanted = true;
+                self.context.request_repaint();
+            }
+            Command::CopyPick => {
+                let line = self
+                    .state
+                    .selection()
+                    .and_then(|selection| selection.pick.as_ref());
+                self.copied = line.and_then(|line| serde_json::to_string(line).ok());
+            }
+            Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
+            Command::Escape if self.loading.is_some() => self.loading = None,
+            Command::Escape if self.floating.help => self.floating.help = false,
+            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
+            Command::Escape if matches!(self.checking, Checking::On(..)) => {
+                self.checking = Checking::Off;
+            }
+            Command::Escape => self.act(Action::Select(None)),
+            Command::NextExhibit { forward } => self.open_next_exhibit(forward),
+            Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
+            // The gallery was opened first: what the program opens by itself is all that there is outside.
+            Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
+            Command::ToggleCheck => self.toggle_check(),
+            Command::ToggleHelp => self.floating.help ^= true,
+            Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::Quit => self.intend(Intent::Quit),
+        }
+    }
+
+    /// Takes what the user answered.
+    pub fn answered(&mut self, answer: Answer) {
+        match answer {
+            Answer::Open(paths) => self.intend(Intent::Open(paths)),
+            Answer::Save(path) => self.save(path),
+            Answer::NoDialog => self.complain(
+                "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
+            ),
+        }
+    }
+
+    /// Takes over the camera that a text has, as a scene file writes it.
+    fn paste_camera(&mut self, text: &str) -> Result<(), String> {
+        let none = "the clipboard holds no camera: Shift+C copies one, and so does the [camera] of a scene file";
+        let says = toml::from_str::<Clipping>(text).map_err(|_| none)?;
+        let camera = Action::Camera(says.camera.ok_or(none)?);
+        self.state
+            .check(&camera)
+            .map_err(|error| format!("the camera on the clipboard: {error}"))?;
+        self.act(camera);
+        Ok(())
+    }
+
+    /// The view as a command, at the pick or else in the middle.
+    fn view_command(&self) -> String {
+        let selection = self.state.selection();
+        let pick = selection.and_then(|selection| selection.pick.as_ref());
+        let viewport = self.state.world().1.viewport;
+        let middle = viewport.size_px() / 2.0;
+        let at_px = pick.map_or(middle, |pick| pick.px);
+        pick_command(&self.state, at_px)
+    }
+}

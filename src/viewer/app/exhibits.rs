@@ -1,0 +1,39 @@
+//! The gallery: from scene to scene, with the study's chart beside it.
+
+use super::{
+    program::{App, Purpose},
+    wake::Wake,
+};
+use crate::{
+    scene::gallery::{Exhibit, GALLERY},
+    viewer::{jobs::Chart, model::Showing},
+};
+
+impl App {
+    /// Opens the scene of the gallery after the one on screen, or before it; the first where none is.
+    pub fn open_next_exhibit(&mut self, forward: bool) {
+        let on_screen = |exhibit: &Exhibit| {
+            (self.state.showing()).is_some_and(|showing| showing.exhibit == exhibit)
+        };
+        let step = if forward { 1 } else { GALLERY.len() - 1 };
+        let next =
+            (GALLERY.iter().position(on_screen)).map_or(0, |now| (now + step) % GALLERY.len());
+        self.load(vec![GALLERY[next].path()], Purpose::Open);
+    }
+
+    /// Takes the chart that the gallery shows, or begins it.
+    pub fn take_chart(&mut self) {
+        let Some(subject) = self.state.showing().and_then(Showing::subject) else {
+            self.chart = None;
+            return;
+        };
+        match &mut self.chart {
+            Some(chart) if chart.is_of(subject) => chart.poll(),
+            _ => {
+                let wake = self.wake.clone();
+                let wake = move || wake(Wake::Look);
+                self.chart = Some(Chart::start(subject, wake));
+            }
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! What is open: loading it, loading it again, adding to it, saving it.
+
+use super::{
+    program::{App, Host, Purpose},
+    wake::{Wake, Waker},
+};
+use crate::{
+    scene::{self, Loaded},
+    viewer::{
+        jobs::{self, Loading, Saving},
+        model::Source,
+        options::Options,
+        ui::Intent,
+    },
+};
+use std::path::PathBuf;
+
+impl App {
+    /// Begins to load what the options name.
+    pub fn start(options: Options, wake: Waker, host: Host) -> Self {
+        let paths = options.paths.clone();
+        let mut app = Self::new(options, wake, host);
+        app.load(paths, Purpose::Open);
+        app
+    }
+
+    /// Loads files: in place of what is shown, or beside it, once they are whole.
+    pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
+        let wake = self.wake.clone();
+        let wake = move || wake(Wake::Look);
+        self.loading = Some((Loading::start(paths.clone(), wake), paths, purpose));
+    }
+
+    /// Loads the files of what is shown again; those that nothing was shown of yet as if for the first time.
+    pub(super) fn reload(&mut self) {
+        if self.loading.is_some() {
+            return;
+        }
+        if self.first {
+            self.load(self.options.paths.clone(), Purpose::Open);
+        } else {
+            self.load(self.state.source().paths.clone(), Purpose::Reload);
+        }
+    }
+
+    /// Takes what a load brought: the scene on screen stays until its successor is whole.
+    pub(super) fn take_loaded(&mut self) {
+        let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
+            return;
+        };
+        let Some((_, paths, purpose)) = self.loading.take() else {
+            return;
+        };
+        let shown = result
+            .map_err(|error| error.to_string())
+            .and_then(|loaded| self.show_scene(loaded, paths, purpose));
+        match shown {
+            Ok(()) => self.build_trees(),
+            Err(text) => self.complain(text),
+        }
+    }
+
+    fn show_scene(
+        &mut self,
+        mut loaded: Loaded,
+        paths: Vec<PathBuf>,
+        purpose: Purpose,
+    ) -> Result<(), String> {
+        let warnings = std::mem::take(&mut loaded.warnings);
+        let mut unused = Vec::new();
+        match purpose {
+            Purpose::Add => {
+                self.state.add(loaded, paths);
+                self.warn(&warnings);
+                return Ok(());
+            }
+            Purpose::Reload => self.state.reload(loaded),
+            Purpose::Open => {
+                if self.first {
+                    unused = self.apply_flags(&mut loaded);
+                }
+                let file = loaded.camera_file.take();
+                let opened = self.state.open(loaded, paths);
+                opened.map_err(|error| match file {
+                    Some(file) => format!("{}: {error}", file.display()),
+                    None => error.to_string(),
+                })?;
+                self.first = false;
+            }
+        }
+        self.notices.clear();
+        for text in unused {
+            self.complain(text);
+        }
+        self.warn(&warnings);
+        Ok(())
+    }
+
+    /// Does what the command line says about the first scene; returns what of it cannot be, and is left out.
+    fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
+        let hidden = loaded.scene.hide(&self.options.hidden);
+        let hidden = hidden.map_err(|error| format!("--hide: {error}"));
+        let camera = self.options.camera.or(loaded.camera);
+        let viewport = self.state.view().viewport;
+        let valid = camera.resolve(&loaded.scene.visible_bounds(), viewport);
+        let valid = valid.map(|_| loaded.camera = camera);
+        let valid = valid.map_err(|error| format!("the camera flags are not used: {error}"));
+        [hidden, valid]
+            .into_iter()
+            .filter_map(Result::err)
+            .collect()
+    }
+
+    /// Asks where to save the scene as it is now, and does what is intended once it is saved.
+    pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
+        self.to_save = Some((self.state.snapshot(), then));
+        if self.host == Host::Window {
+            let wake = self.wake.clone();
+            jobs::save_dialog(move |answer| wake(Wake::Answered(answer)));
+        }
+    }
+
+    /// Writes the scene as it was when somebody asked where to save it.
+    pub(super) fn save(&mut self, path: PathBuf) {
+        let asked = self.to_save.take();
+        let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
+        match scene_file(path) {
+            Ok(path) => {
+                let wake = self.wake.clone();
+                let saving = Saving::start(snapshot, path, move || wake(Wake::Look));
+                self.saving.push((saving, then));
+            }
+            Err(text) => self.complain(text),
+        }
+    }
+
+    /// Takes what became of saving: a scene that is saved is from then on its file's.
+    pub(super) fn take_saved(&mut self) {
+        let poll = |(saving, _): &(Saving, _)| saving.poll();
+        let done = self
+            .saving
+            .iter()
+            .enumerate()
+            .find_map(|(at, saving)| Some((at, poll(saving)?)));
+        let Some((at, result)) = done else { return };
+        let (_, then) = self.saving.remove(at);
+        match result {
+            Ok(saved) => {
+                self.say(format!("saved {}", saved.path.display()));
+                let source = Source {
+                    paths: vec![saved.path],
+                    meshes: saved.meshes,
+                };
+                self.state.saved(&saved.snapshot, source);
+                if let Some(intent) = then {
+                    self.intend(intent);
+                }
+            }
+            Err(text) => self.complain(text),
+        }
+    }
+}
+
+/// The file to write a scene to: by its ending it will be known as one. If we add the ending ourselves, no file that has the
+/// name already is written over.
+fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
+    if scene::is_scene_file(&path) {
+        return Ok(path);
+    }
+    path.add_extension("toml");
+    if path.exists() {
+        return Err(format!(
+            "{} is there already: save as that, or under another name",
+            path.display()
+        ));
+    }
+    Ok(path)
+}

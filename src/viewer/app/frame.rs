@@ -1,0 +1,198 @@
+//! The driver: what a frame is, in the one order that a window and a picture of it share. What jobs brought is taken,
+//! egui's input shown to the panels, what that asks for done, the device seen to, and the frame drawn.
+
+use super::{
+    checks::painted,
+    program::{App, Host},
+};
+use crate::{
+    render::GpuError,
+    viewer::{
+        model::{Action, Cursor, Overlay},
+        screen::{Canvas, Laid, SceneRect, Screen, write_screenshot},
+        ui::{self, Command, Shown},
+    },
+};
+use std::time::{Duration, Instant};
+
+/// What came of a frame.
+pub(in crate::viewer) struct Frame {
+    /// Clipboard, cursor and the like, for the system.
+    pub platform: egui::PlatformOutput,
+    /// Whether the scene itself was drawn anew.
+    pub drawn: Result<bool, GpuError>,
+}
+
+/// What a pass over the panels leaves to draw, and to tell the system.
+struct Pass {
+    shapes: Vec<egui::epaint::ClippedShape>,
+    pixels_per_point: f32,
+    /// Where the scene goes; `None` where there is no room for it.
+    place: Option<SceneRect>,
+    platform: egui::PlatformOutput,
+}
+
+impl App {
+    /// A frame: a pass, drawn and shown.
+    pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
+        let start = Instant::now();
+        let pass = self.run_pass(input);
+        let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
+        let primitives = self.context.tessellate(pass.shapes, pixels_per_point);
+        let laid = Laid {
+            place,
+            primitives,
+            pixels_per_point,
+        };
+        let drawn = self.draw(&laid, screen);
+        match &drawn {
+            Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
+            Ok(_) => {}
+            Err(error) => self.complain(error.to_string()),
+        }
+        Frame {
+            platform: pass.platform,
+            drawn,
+        }
+    }
+
+    /// A pass that is not drawn. A press, the moves after it and the release are each seen in a pass of their own, however
+    /// slow frames are: of what happens within one pass egui sees only the end.
+    pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
+        self.run_pass(input).platform
+    }
+
+    /// Takes what jobs have done by now.
+    pub fn take_finished(&mut self) {
+        self.take_loaded();
+        self.take_saved();
+        self.take_checked();
+        self.take_chart();
+    }
+
+    /// Shows the panels to what has happened since the last pass and does what that asks for.
+    fn run_pass(&mut self, mut input: egui::RawInput) -> Pass {
+        self.take_finished();
+        input.max_texture_side = self.max_texture_side;
+        let dropped = input.dropped_files.iter();
+        let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
+        let mut commands = Vec::new();
+        let mut place = None;
+        let context = self.context.clone();
+        let mut output = context.run_ui(input, |ui| {
+            let mut shown = Shown {
+                state: &self.state,
+                notices: &mut self.notices,
+                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
+                floating: self.floating,
+                question: self.question.as_ref(),
+                chart: self.chart.as_ref(),
+                checking: &self.checking,
+                marks: painted(&context, &self.state, &self.checking, &mut self.marks),
+                statistics: &self.statistics,
+                filter: &mut self.filter,
+                reveal_selection: self.reveal_selection,
+            };
+            let (scene, asked) = ui::show(ui, &mut shown, &mut self.drag);
+            place = scene;
+            commands.extend(asked);
+        });
+        self.reveal_selection = false;
+        self.textures.append(output.textures_delta);
+        if !dropped.is_empty() {
+            let adds = context.input(|input| input.modifiers.shift);
+            commands.push(if adds {
+                Command::Add(dropped)
+            } else {
+                Command::Open(dropped)
+            });
+        }
+        let idle = |command: &Command| {
+            matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
+        };
+        let (acted, cursor) = (!commands.iter().all(idle), self.state.cursor());
+        for command in commands {
+            self.run_command(command);
+        }
+        // The panels showed the state before that: they show what came of it in the next pass.
+        let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
+        let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
+        if acted || follows_cursor || hovered(cursor) != self.state.hover() {
+            context.request_repaint();
+        } else if self.loading.is_some() {
+            context.request_repaint_after(Duration::from_millis(50));
+        }
+        let copied = self.copied.take().map(egui::OutputCommand::CopyText);
+        output.platform_output.commands.extend(copied);
+        Pass {
+            shapes: output.shapes,
+            pixels_per_point: output.pixels_per_point,
+            place,
+            platform: output.platform_output,
+        }
+    }
+
+    /// Draws a pass, on another device where the one before is lost, and does what waited for it.
+    fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
+        if screen.restore()? {
+            self.textures.renew();
+        }
+        let Some(canvas) = screen.canvas() else {
+            return Ok(false);
+        };
+        self.max_texture_side = Some(canvas.max_texture_side());
+        if self.host == Host::Window {
+            let gpu = &canvas.gpu;
+            gpu.adapter_name().clone_into(&mut self.statistics.adapter);
+            self.statistics.software = gpu.is_software();
+        }
+        canvas.take_textures(self.textures.news());
+        let drawn = screen.draw(&self.state, laid);
+        match &drawn {
+            Ok(anew) => {
+                self.state.accepted();
+                if *anew {
+                    self.announce();
+                }
+            }
+            // The scene before it is there still.
+            Err(GpuError::SceneTooLarge { .. }) if self.state.refused() => {
+                self.build_trees();
+                self.context.request_repaint();
+            }
+            Err(_) => {}
+        }
+        if let Some(canvas) = screen.canvas() {
+            self.follow_up(canvas, laid);
+        }
+        drawn
+    }
+
+    /// What waited for a frame to be drawn, and what only drawing shows to be impossible.
+    fn follow_up(&mut self, canvas: &mut Canvas, laid: &Laid) {
+        if self.state.overlays().shows(Overlay::Wireframe) && !canvas.gpu.draws_wireframes() {
+            self.act(Action::Toggle(Overlay::Wireframe));
+            let adapter = canvas.gpu.adapter_name();
+            self.complain(format!(
+                "{adapter} draws no edges of triangles: there is no wireframe"
+            ));
+        }
+        self.start_check(canvas);
+        self.take_screenshot(canvas, laid);
+    }
+
+    /// Writes the frame that was just drawn, where that was asked for.
+    fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid) {
+        if !std::mem::take(&mut self.screenshots.wanted) {
+            return;
+        }
+        let picture = canvas.picture(&self.state, laid);
+        let written = picture
+            .map_err(|error| error.to_string())
+            .and_then(|picture| write_screenshot(&self.screenshots.folder, &picture));
+        match written {
+            Ok(path) => self.say(format!("saved {}", path.display())),
+            Err(text) => self.complain(text),
+        }
+    }
+}

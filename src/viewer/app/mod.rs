@@ -1,0 +1,15 @@
+//! The program: what commands do, what jobs bring, and the one driver that every frame goes through.
+
+mod acting;
+mod checks;
+mod commands;
+mod exhibits;
+mod files;
+mod frame;
+mod intents;
+mod program;
+mod wake;
+
+pub(super) use frame::Frame;
+pub(super) use program::{App, Host};
+pub(super) use wake::{Wake, Waker};

@@ -1,0 +1,212 @@
+//! The program behind the window: all that outlives frames, devices and windows, and what it says.
+
+use super::wake::{Wake, Waker};
+use crate::{
+    camera::{CameraChoice, Viewport},
+    scene::{Loaded, Warning},
+    viewer::{
+        jobs::{Chart, Checking, Loading, Saving, TreeBuild},
+        model::{Snapshot, State},
+        options::Options,
+        screen::Textures,
+        ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
+    },
+};
+use std::path::PathBuf;
+
+/// What a load is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// In place of what is shown.
+    Open,
+    /// The files of what is shown, again: view, selection and visibility stay.
+    Reload,
+    /// Beside what is shown.
+    Add,
+}
+
+/// Screenshots that are asked for.
+#[derive(Default)]
+pub(in crate::viewer) struct Screenshots {
+    /// Of the next frame.
+    pub wanted: bool,
+    /// Where they go: the folder that the program runs in, at first.
+    pub folder: PathBuf,
+}
+
+/// Who shows the program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::viewer) enum Host {
+    /// A window: the system's dialogs are asked, and the status line tells times and the adapter.
+    Window,
+    /// Pictures that are compared: nobody is asked, and what differs by machine is not told.
+    Picture,
+}
+
+/// All that outlives frames, devices and windows.
+pub(in crate::viewer) struct App {
+    pub options: Options,
+    /// Wakes whoever shows this.
+    pub wake: Waker,
+    pub context: egui::Context,
+    pub textures: Textures,
+    pub state: State,
+    /// The load under way, of which files, and what for.
+    pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
+    /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
+    pub(super) to_save: Option<(Snapshot, Option<Intent>)>,
+    /// What is being written, and what is to be done then.
+    pub(super) saving: Vec<(Saving, Option<Intent>)>,
+    /// What would drop edits, and waits for an answer.
+    pub(super) question: Option<Intent>,
+    /// What is being built for the scene on screen.
+    pub trees: Option<TreeBuild>,
+    /// Nothing was shown yet: the first scene takes the command line's camera.
+    pub first: bool,
+    pub notices: Notices,
+    pub floating: Floating,
+    pub filter: Filter,
+    pub checking: Checking,
+    /// The pixels in which a comparison found differences.
+    pub marks: Option<egui::TextureHandle>,
+    pub chart: Option<Chart>,
+    pub screenshots: Screenshots,
+    pub reveal_selection: bool,
+    pub drag: Option<Drag>,
+    /// The scene that the log spoke of last; none for the empty one before the first.
+    announced: u64,
+    pub host: Host,
+    pub statistics: Statistics,
+    /// The largest side of a texture that the device has.
+    pub max_texture_side: Option<usize>,
+    /// What is to go on the clipboard.
+    pub copied: Option<String>,
+    /// The user is done.
+    pub quit: bool,
+}
+
+impl App {
+    /// With nothing to show yet.
+    pub(super) fn new(options: Options, wake: Waker, host: Host) -> Self {
+        let state = State::new(
+            Loaded::default(),
+            CameraChoice::default(),
+            Viewport::DEFAULT,
+            options.sides,
+        );
+        Self {
+            loading: None,
+            to_save: None,
+            saving: Vec::new(),
+            question: None,
+            trees: None,
+            first: true,
+            notices: Notices::new(),
+            floating: Floating::default(),
+            filter: Filter::default(),
+            checking: Checking::Off,
+            marks: None,
+            chart: None,
+            screenshots: Screenshots::default(),
+            reveal_selection: false,
+            drag: None,
+            announced: 0,
+            host,
+            statistics: Statistics::default(),
+            max_texture_side: None,
+            copied: None,
+            quit: false,
+            context: ui::context(),
+            textures: Textures::default(),
+            state: state.expect("nothing is framed by default"),
+            wake,
+            options,
+        }
+    }
+
+    /// Whether something is under way that will change what is shown.
+    pub fn is_busy(&self) -> bool {
+        let checks = matches!(&self.checking, Checking::On(check) if check.report.is_none());
+        let studies = self
+            .chart
+            .as_ref()
+            .is_some_and(|chart| chart.rows.is_none());
+        let files = self.loading.is_some() || !self.saving.is_empty();
+        files || checks || studies || !self.state.scene().trees_are_built()
+    }
+
+    /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
+    /// already is not said again.
+    pub fn complain(&mut self, text: String) {
+        if self.notices.iter().any(|notice| notice.text == text) {
+            return;
+        }
+        log::error!("{text}");
+        self.notices.push(Notice {
+            text,
+            is_error: true,
+        });
+        self.context.request_repaint();
+    }
+
+    /// Says that something is done.
+    pub fn say(&mut self, text: String) {
+        log::info!("{text}");
+        self.notices.push(Notice {
+            text,
+            is_error: false,
+        });
+        self.context.request_repaint();
+    }
+
+    /// Says what was left out of files or mended: the first few to whoever looks at the window.
+    pub fn warn(&mut self, warnings: &[Warning]) {
+        const SHOWN: usize = 4;
+        for warning in warnings {
+            log::warn!("{warning}");
+        }
+        self.notices
+            .extend(warnings.iter().take(SHOWN).map(|warning| Notice {
+                text: warning.to_string(),
+                is_error: false,
+            }));
+        if warnings.len() > SHOWN {
+            let text = format!("and {} more warnings", warnings.len() - SHOWN);
+            self.notices.push(Notice {
+                text,
+                is_error: false,
+            });
+        }
+    }
+
+    /// Begins to build the trees of what is shown.
+    pub fn build_trees(&mut self) {
+        let wake = self.wake.clone();
+        self.trees = Some(TreeBuild::start(self.state.scene(), move || {
+            wake(Wake::Look);
+        }));
+    }
+
+    /// The window's title, with a mark before it while there are edits that no file has.
+    pub fn title(&self) -> String {
+        let mark = if self.state.unsaved() {
+            "\u{2022} "
+        } else {
+            ""
+        };
+        format!("{mark}{} \u{2013} Sightline", self.state.name())
+    }
+
+    /// Says once that a scene is on the screen.
+    pub fn announce(&mut self) {
+        let scene = self.state.scene();
+        if self.announced != self.state.scene_revision() {
+            self.announced = self.state.scene_revision();
+            log::info!(
+                "scene shown: {} objects, {} triangles",
+                scene.objects().len(),
+                scene.triangle_count()
+            );
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Who shows the program: a window, or pictures of one.
+
+mod controls;
+mod offscreen;
+mod page;
+mod shell;
+mod window;
+
+pub use controls::Control;
+pub use offscreen::Offscreen;
+pub use window::run;

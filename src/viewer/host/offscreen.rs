@@ -1,0 +1,292 @@
+//! The whole window without a window system: egui's events in, pictures out. Panels, keys, mouse and drawing are the
+//! window's own; what is missing is winit.
+
+use super::{
+    controls::{Control, controls},
+    page::Page,
+};
+use crate::{
+    camera::Viewport,
+    image::{Image, Rgb},
+    render::{GpuError, read_rgb},
+    viewer::{
+        app::{App, Frame, Host, Wake},
+        jobs::Answer,
+        model::State,
+        options::Options,
+        ui::{Command, Notice},
+    },
+};
+use std::{
+    path::{Path, PathBuf},
+    sync::{
+        Arc,
+        mpsc::{Receiver, channel},
+    },
+    time::{Duration, Instant},
+};
+
+/// More passes than these for one event mean that the panels never come to rest.
+const MOST_PASSES: usize = 100;
+/// Nothing that the window does beside itself takes as long as this.
+const LONGEST_WAIT: Duration = Duration::from_mins(2);
+
+/// Seconds between two passes.
+const FRAME_S: f64 = 1.0 / 60.0;
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+/// A window that nobody sees.
+pub struct Offscreen {
+    app: App,
+    wakes: Receiver<Wake>,
+    page: Page,
+    pixels_per_point: f32,
+    time_s: f64,
+    copied: Option<String>,
+    controls: Vec<Control>,
+    at_rest: bool,
+}
+
+impl Offscreen {
+    /// A window of `size` physical pixels, `pixels_per_point` of them a point, with what `options` name loaded. It needs
+    /// no graphics until a picture is asked for.
+    #[must_use]
+    pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
+        let (sender, wakes) = channel();
+        // The receiver goes with the window: then nobody is to be woken.
+        let wake = Arc::new(move |wake| drop(sender.send(wake)));
+        let mut window = Self {
+            app: App::start(options, wake, Host::Picture),
+            wakes,
+            page: Page {
+                drawing: None,
+                size,
+            },
+            pixels_per_point,
+            time_s: 0.0,
+            copied: None,
+            controls: Vec::new(),
+            at_rest: false,
+        };
+        window.app.context.enable_accesskit();
+        window.settle();
+        window
+    }
+
+    /// Does what each event asks for, one after the other, and waits for what they began. Positions are points.
+    pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
+        for event in events {
+            self.pass(vec![event], Vec::new());
+        }
+        self.settle();
+    }
+
+    /// Drops a file on the window and waits for what comes of it.
+    pub fn drop_file(&mut self, path: PathBuf) {
+        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        self.settle();
+    }
+
+    /// Closes the window, as the button of its frame does.
+    pub fn close(&mut self) {
+        self.app.run_command(Command::Quit);
+        self.settle();
+    }
+
+    /// Saves to a file, as when the dialog is answered with it.
+    pub fn save_as(&mut self, path: PathBuf) {
+        self.app.answered(Answer::Save(path));
+        self.settle();
+    }
+
+    /// Lets time pass in which nothing happens.
+    pub fn wait_s(&mut self, seconds: f64) {
+        self.time_s += seconds;
+        self.settle();
+    }
+
+    /// Gives the window another size in physical pixels.
+    pub fn resize(&mut self, size: Viewport) {
+        self.page.size = size;
+        self.settle();
+    }
+
+    /// What stands in the window's title.
+    #[must_use]
+    pub fn title(&self) -> String {
+        self.app.title()
+    }
+
+    /// What can be read and used, as the system's aids are told.
+    #[must_use]
+    pub fn controls(&self) -> &[Control] {
+        &self.controls
+    }
+
+    /// What it shows.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.app.state
+    }
+
+    /// The messages that wait to be read, oldest first.
+    pub fn messages(&self) -> impl Iterator<Item = &str> {
+        self.app
+            .notices
+            .iter()
+            .map(|Notice { text, .. }| text.as_str())
+    }
+
+    /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.at_rest
+    }
+
+    /// What was put on the clipboard last.
+    #[must_use]
+    pub fn copied(&self) -> Option<&str> {
+        self.copied.as_deref()
+    }
+
+    /// Where screenshots go.
+    pub fn save_screenshots_in(&mut self, folder: PathBuf) {
+        self.app.screenshots.folder = folder;
+    }
+
+    /// Whether the user has closed it.
+    #[must_use]
+    pub fn has_quit(&self) -> bool {
+        self.app.quit
+    }
+
+    /// The frame that follows an event, as a window draws it without waiting for more.
+    ///
+    /// # Errors
+    /// When there is no graphics adapter, or it fails.
+    pub fn frame(&mut self, event: egui::Event) -> Result<bool, GpuError> {
+        self.draw_after(vec![event])
+    }
+
+    /// What the adapter calls itself, once something was drawn.
+    #[must_use]
+    pub fn adapter_name(&self) -> &str {
+        let drawing = self.page.drawing.as_ref();
+        drawing.map_or("", |(canvas, _)| canvas.gpu.adapter_name())
+    }
+
+    /// Draws a frame, the scene only where it changed, as a window does. Returns whether it was drawn anew.
+    ///
+    /// # Errors
+    /// When there is no graphics adapter, or it fails.
+    pub fn draw(&mut self) -> Result<bool, GpuError> {
+        self.draw_after(Vec::new())
+    }
+
+    fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
+        let input = self.input(events, Vec::new());
+        let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
+        self.take_told(platform);
+        drawn
+    }
+
+    /// A picture of all of it.
+    ///
+    /// # Errors
+    /// When there is no graphics adapter, or it fails.
+    pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
+        self.draw()?;
+        // What the first frame began, as a comparison with what it drew.
+        self.settle();
+        self.draw()?;
+        let (canvas, texture) = self.page.drawing.as_ref().ok_or(GpuError::NoAdapter)?;
+        read_rgb(&canvas.gpu, texture, self.page.size)
+    }
+
+    /// Takes the device away, as a driver that restarts does.
+    pub fn lose_device(&mut self) {
+        if let Some((canvas, _)) = &self.page.drawing {
+            canvas.gpu.device.destroy();
+            // What is lost is known from the next poll on.
+            let _ = canvas.gpu.wait();
+        }
+    }
+
+    fn pass(
+        &mut self,
+        events: Vec<egui::Event>,
+        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
+    ) {
+        let input = self.input(events, dropped);
+        let platform = self.app.pass(input);
+        self.take_told(platform);
+    }
+
+    /// egui's input, a frame later than the one before.
+    fn input(
+        &mut self,
+        events: Vec<egui::Event>,
+        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
+    ) -> egui::RawInput {
+        self.time_s += FRAME_S;
+        #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
+        let [width, height] = [self.page.size.width(), self.page.size.height()]
+            .map(|px| px as f32 / self.pixels_per_point);
+        let mut input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(
+                egui::Pos2::ZERO,
+                egui::vec2(width, height),
+            )),
+            time: Some(self.time_s),
+            events,
+            dropped_files: dropped,
+            ..egui::RawInput::default()
+        };
+        let viewport = input.viewports.entry(input.viewport_id).or_default();
+        viewport.native_pixels_per_point = Some(self.pixels_per_point);
+        input
+    }
+
+    /// Takes what a window would tell the system.
+    fn take_told(&mut self, platform: egui::PlatformOutput) {
+        for command in platform.commands {
+            if let egui::OutputCommand::CopyText(text) = command {
+                self.copied = Some(text);
+            }
+        }
+        if let Some(update) = platform.accesskit_update {
+            self.controls = controls(&update);
+        }
+    }
+
+    /// Passes until nothing moves and nothing is under way.
+    fn settle(&mut self) {
+        let start = Instant::now();
+        for _ in 0..MOST_PASSES {
+            while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
+                match self.wakes.recv_timeout(Duration::from_millis(5)) {
+                    Ok(Wake::Answered(answer)) => self.app.answered(answer),
+                    Ok(Wake::Look | Wake::RepaintAt(_)) | Err(_) => {}
+                }
+                self.app.take_finished();
+            }
+            self.pass(Vec::new(), Vec::new());
+            self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
+            if self.at_rest {
+                break;
+            }
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The event loop's side: events in, frames out.
+
+use super::shell::Shell;
+use crate::viewer::{
+    app::{App, Host, Wake, Waker},
+    options::{Options, ViewerError},
+    ui::Command,
+};
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+use winit::{
+    application::ApplicationHandler,
+    dpi::PhysicalSize,
+    event::{StartCause, WindowEvent},
+    event_loop::{ActiveEventLoop, ControlFlow, EventLoop},
+    window::WindowId,
+};
+
+/// Opens the window and returns when it is closed.
+///
+/// # Errors
+/// When there is no display or no adapter.
+pub fn run(options: Options) -> Result<(), ViewerError> {
+    let event_loop = EventLoop::with_user_event()
+        .build()
+        .map_err(|error| ViewerError::no_display(&error))?;
+    event_loop.set_control_flow(ControlFlow::Wait);
+    let proxy = event_loop.create_proxy();
+    // The loop is gone when the window is: then nobody is to be woken.
+    let wake: Waker = Arc::new(move |wake| drop(proxy.send_event(wake)));
+    let app = App::start(options, Arc::clone(&wake), Host::Window);
+    app.context.set_request_repaint_callback(move |info| {
+        let delay = info.delay.min(Duration::from_hours(1));
+        wake(Wake::RepaintAt(Instant::now() + delay));
+    });
+    let mut host = Program {
+        app,
+        shell: None,
+        failed: None,
+    };
+    event_loop
+        .run_app(&mut host)
+        .map_err(|error| ViewerError::no_display(&error))?;
+    host.failed.map_or(Ok(()), Err)
+}
+
+/// The program in its window.
+struct Program {
+    app: App,
+    /// The window, once the event loop runs.
+    shell: Option<Shell>,
+    /// Why it could not be opened, for the caller of [`run`].
+    failed: Option<ViewerError>,
+}
+
+impl Program {
+    /// Shows egui what has happened since the last pass, without drawing.
+    fn pass(&mut self, event_loop: &ActiveEventLoop) {
+        let Some(shell) = &mut self.shell else { return };
+        let input = shell.egui.take_egui_input(&shell.window);
+        let platform = self.app.pass(input);
+        shell.egui.handle_platform_output(&shell.window, platform);
+        self.leave_if_done(event_loop);
+    }
+
+    fn redraw(&mut self, event_loop: &ActiveEventLoop) {
+        let Some(shell) = &mut self.shell else { return };
+        let input = shell.egui.take_egui_input(&shell.window);
+        let frame = self.app.frame(input, &mut shell.surface);
+        shell
+            .egui
+            .handle_platform_output(&shell.window, frame.platform);
+        shell.window.set_title(&self.app.title());
+        self.leave_if_done(event_loop);
+    }
+
+    fn leave_if_done(&self, event_loop: &ActiveEventLoop) {
+        if self.app.quit {
+            event_loop.exit();
+        }
+    }
+
+    fn request_redraw(&self) {
+        if let Some(shell) = &self.shell {
+            shell.window.request_redraw();
+        }
+    }
+}
+
+impl ApplicationHandler<Wake> for Program {
+    fn new_events(&mut self, event_loop: &ActiveEventLoop, cause: StartCause) {
+        if let StartCause::ResumeTimeReached { .. } = cause {
+            event_loop.set_control_flow(ControlFlow::Wait);
+            self.request_redraw();
+        }
+    }
+
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        if self.shell.is_some() {
+            return;
+        }
+        let app = &mut self.app;
+        match Shell::open(event_loop, &app.options, app.context.clone()) {
+            Ok(shell) => {
+                self.shell = Some(shell);
+                self.request_redraw();
+            }
+            Err(error) => {
+                self.failed = Some(error);
+                event_loop.exit();
+            }
+        }
+    }
+
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
+        match wake {
+            Wake::Look => self.request_redraw(),
+            Wake::Answered(answer) => {
+                self.app.answered(answer);
+                self.request_redraw();
+            }
+            Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
+            Wake::RepaintAt(time) => event_loop.set_control_flow(ControlFlow::WaitUntil(time)),
+        }
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let Some(shell) = &mut self.shell else {
+            return;
+        };
+        match &event {
+            WindowEvent::CloseRequested => {
+                self.app.run_command(Command::Quit);
+                self.leave_if_done(event_loop);
+                return self.request_redraw();
+            }
+            WindowEvent::RedrawRequested => return self.redraw(event_loop),
+            WindowEvent::Resized(PhysicalSize { width, height }) => {
+                shell.surface.resize(*width, *height);
+            }
+            _ => {}
+        }
+        // A press and a release are each seen in a pass of their own: see `App::pass`.
+        let is_button = matches!(event, WindowEvent::MouseInput { .. });
+        if is_button {
+            self.pass(event_loop);
+        }
+        let Some(shell) = &mut self.shell else { return };
+        if shell.egui.on_window_event(&shell.window, &event).repaint {
+            self.request_redraw();
+        }
+        if is_button {
+            self.pass(event_loop);
+        }
+    }
+}

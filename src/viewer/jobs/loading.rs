@@ -1,0 +1,52 @@
+//! Files in the background: the window answers while they load.
+
+use crate::scene::{self, LoadError, Loaded, Progress};
+use std::{
+    path::PathBuf,
+    sync::{
+        Arc,
+        mpsc::{Receiver, TryRecvError, channel},
+    },
+    thread,
+};
+
+/// A load under way. Dropping it cancels it.
+pub(in crate::viewer) struct Loading {
+    progress: Arc<Progress>,
+    result: Receiver<Result<Loaded, LoadError>>,
+}
+
+impl Loading {
+    /// Loads `paths` as one scene; calls `wake` when done.
+    pub fn start(paths: Vec<PathBuf>, wake: impl FnOnce() + Send + 'static) -> Self {
+        let progress = Arc::new(Progress::default());
+        let (sender, result) = channel();
+        let shared = Arc::clone(&progress);
+        thread::spawn(move || {
+            // The receiver is gone when the load was cancelled; then nobody wants the result.
+            let _ = sender.send(scene::load(&paths, &shared));
+            wake();
+        });
+        Self { progress, result }
+    }
+
+    /// What is done, in [0, 1].
+    pub fn fraction(&self) -> f32 {
+        self.progress.fraction()
+    }
+
+    /// The scene or why there is none, once there is either.
+    pub fn poll(&self) -> Option<Result<Loaded, LoadError>> {
+        match self.result.try_recv() {
+            Ok(result) => Some(result),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Err(scene::Cancelled.into())),
+        }
+    }
+}
+
+impl Drop for Loading {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}

@@ -1,0 +1,15 @@
+//! What takes long, each a thread and a receiver: it knows no window, and who began it is told when it is done.
+
+mod check;
+mod dialogs;
+mod loading;
+mod saving;
+mod study;
+mod trees;
+
+pub(super) use check::{Check, Checking};
+pub(super) use dialogs::{Answer, open_dialog, save_dialog};
+pub(super) use loading::Loading;
+pub(super) use saving::Saving;
+pub(super) use study::Chart;
+pub(super) use trees::TreeBuild;

@@ -1,0 +1,53 @@
+//! A scene on its way into files: the window answers while they are written.
+
+use crate::{geometry::Mesh, scene, viewer::model::Snapshot};
+use std::{
+    path::PathBuf,
+    sync::{
+        Arc,
+        mpsc::{Receiver, TryRecvError, channel},
+    },
+    thread,
+};
+
+/// A scene that is being saved. It is written to its end, whoever waits for it.
+pub(in crate::viewer) struct Saving(Receiver<Result<Saved, String>>);
+
+/// A scene that was saved.
+pub(in crate::viewer) struct Saved {
+    pub snapshot: Snapshot,
+    /// The scene file.
+    pub path: PathBuf,
+    /// The files of its meshes.
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+}
+
+impl Saving {
+    /// Begins; calls `wake` when done.
+    pub fn start(snapshot: Snapshot, path: PathBuf, wake: impl FnOnce() + Send + 'static) -> Self {
+        let (sender, result) = channel();
+        thread::spawn(move || {
+            let written = scene::save(&path, &snapshot.scene, &snapshot.camera, &snapshot.meshes);
+            let saved = written
+                .map_err(|error| error.to_string())
+                .map(|meshes| Saved {
+                    snapshot,
+                    path,
+                    meshes,
+                });
+            // The receiver goes with the program.
+            let _ = sender.send(saved);
+            wake();
+        });
+        Self(result)
+    }
+
+    /// The outcome, once there is one.
+    pub fn poll(&self) -> Option<Result<Saved, String>> {
+        match self.0.try_recv() {
+            Ok(result) => Some(result),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Err("saving failed".to_owned())),
+        }
+    }
+}

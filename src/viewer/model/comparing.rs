@@ -1,0 +1,43 @@
+//! Clicks by a method of the study, in the gallery.
+
+use super::{
+    showing::Compared,
+    state::{Selection, State},
+};
+use crate::study::swap::Swap;
+use glam::DVec2;
+
+impl State {
+    /// Lets another method pick, or this program's own, and picks by it where the last click was.
+    pub(super) fn pick_by(&mut self, method: Option<Swap>) {
+        let Some(showing) = &mut self.showing else {
+            return;
+        };
+        showing.method = method;
+        let compared = showing.compared.take().map(|compared| compared.px);
+        let picked = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let px = compared.or_else(|| picked.map(|line| line.px));
+        match px {
+            Some(px) if self.method().is_some() => self.compare(px),
+            Some(px) => drop(self.click(px, 0.0)),
+            None => {}
+        }
+        // The next click there is the first.
+        self.clicked_s = None;
+    }
+
+    /// A click by the method that is set: what it says is selected, right or wrong, but is no pick of this program's.
+    pub(super) fn compare(&mut self, px: DVec2) {
+        let Some(method) = self.method() else { return };
+        let compared = Compared::at(&self.scene, &self.view, &method, px);
+        let object = compared.theirs.map(|found| found.hit.object);
+        self.selection = object.map(|object| Selection { object, pick: None });
+        self.hits = None;
+        if let Some(showing) = &mut self.showing {
+            showing.compared = Some(compared);
+        }
+    }
+}

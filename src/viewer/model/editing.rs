@@ -1,0 +1,128 @@
+//! Objects that are moved, hidden, shown and added.
+
+use super::{
+    stages::Stage,
+    state::{Chosen, Edits, State, Step},
+    timeline::Gesture,
+};
+use crate::{
+    geometry::Placement,
+    scene::{Loaded, Scene},
+};
+use glam::DAffine3;
+use std::{iter, mem, path::PathBuf};
+
+impl State {
+    /// Moves an object; its pick follows.
+    pub(super) fn place(&mut self, object: usize, model: DAffine3) {
+        let Ok(placement) = Placement::new(model) else {
+            return;
+        };
+        // Other stages are made from the world, and show it as it was when they were.
+        let here = self.scene.objects().get(object);
+        let Some(here) = here.filter(|_| self.stage == Stage::World) else {
+            return;
+        };
+        let before = here.placement;
+        if before == placement {
+            return;
+        }
+        let chosen = self.chosen();
+        let edits = self.edit(|edits| &mut edits.matrices);
+        self.scene.place(object, placement);
+        self.rearranged();
+        let step = Step::Placed {
+            object,
+            placement: before,
+            edits,
+            chosen,
+        };
+        self.record_gesture(Gesture::Place(object), step);
+    }
+
+    /// Hides the selected object, which is selected no more.
+    pub(super) fn hide_selection(&mut self) {
+        let chosen = self.chosen();
+        if let Some(selection) = self.selection.take() {
+            self.show_with(chosen, |index| (index == selection.object).then_some(false));
+        }
+    }
+
+    /// Hides and shows objects: as `wanted` says, and where it says nothing not at all.
+    pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool>) {
+        let chosen = self.chosen();
+        self.show_with(chosen, wanted);
+    }
+
+    fn show_with(&mut self, chosen: Chosen, wanted: impl Fn(usize) -> Option<bool>) {
+        let objects: Vec<usize> = (self.scene.objects().iter().enumerate())
+            .filter(|(index, object)| wanted(*index).is_some_and(|wanted| wanted != object.visible))
+            .map(|(index, _)| index)
+            .collect();
+        if objects.is_empty() {
+            return;
+        }
+        let edits = self.edit(|edits| &mut edits.visibility);
+        self.toggle(&objects);
+        self.record(Step::Shown {
+            objects,
+            edits,
+            chosen,
+        });
+    }
+
+    /// Shows what was hidden of these, and hides what was shown.
+    pub(super) fn toggle(&mut self, objects: &[usize]) {
+        let world = self.world.as_mut().map(|world| &mut world.scene);
+        for scene in iter::once(&mut self.scene).chain(world) {
+            for &index in objects {
+                let visible = scene.objects()[index].visible;
+                scene.set_visible(index, !visible);
+            }
+        }
+        self.rearranged();
+    }
+
+    /// Adds the objects of other files to the scene. View and selection stay.
+    pub(in crate::viewer) fn add(&mut self, loaded: Loaded, paths: Vec<PathBuf>) {
+        let was = (self.stand(), self.stage);
+        self.show_stage(Stage::World);
+        self.record_stand(None, &was);
+        let chosen = self.chosen();
+        let mut edits = self.edit(|edits| &mut edits.objects);
+        let mut source = self.source.clone();
+        source.meshes.extend(loaded.meshes);
+        if source.paths.is_empty() {
+            // No command opens the demo with something beside it.
+            edits = Edits {
+                objects: edits.objects,
+                ..self.edit(|edits| &mut edits.matrices)
+            };
+        } else {
+            source.paths.extend(paths);
+        }
+        let objects = self.scene.objects().iter().chain(loaded.scene.objects());
+        let scene = Scene::new(objects.cloned().collect());
+        let step = Step::Composed {
+            scene: mem::replace(&mut self.scene, scene),
+            source: mem::replace(&mut self.source, source),
+            edits,
+            chosen,
+        };
+        self.scene_revision += 1;
+        self.rearranged();
+        self.record(step);
+    }
+
+    /// Objects came, went or moved: what is known of the picture follows.
+    pub(super) fn rearranged(&mut self) {
+        self.visibility_revision += 1;
+        self.cursor = None;
+        self.clicked_s = None;
+        if let Some(showing) = &mut self.showing {
+            showing.compared = None;
+        }
+        self.repick();
+        self.fit();
+    }
+}

@@ -1,0 +1,232 @@
+//! One scene after another.
+
+use super::{
+    action::LensControls,
+    overlay::Overlays,
+    showing::Showing,
+    stages::Stage,
+    state::{Edits, Selection, Source, State, Step},
+    timeline::Timeline,
+    viewing::height_per_distance,
+};
+use crate::{
+    camera::{CameraChoice, CameraError, Orbit, View, Viewport},
+    geometry::{Mesh, Sides},
+    scene::{self, Loaded, Scene},
+};
+use std::{collections::HashMap, mem, path::PathBuf, sync::Arc};
+
+impl State {
+    /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
+    ///
+    /// # Errors
+    /// When the choices make no camera.
+    pub fn new(
+        loaded: Loaded,
+        choice: CameraChoice,
+        viewport: Viewport,
+        sides: Sides,
+    ) -> Result<Self, CameraError> {
+        let choice = choice.or(loaded.camera);
+        let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
+        let up_axis = choice.up_axis.unwrap_or_default();
+        let orbit = Orbit::of_camera(&camera, up_axis);
+        let controls = LensControls::of(&choice);
+        Ok(Self {
+            scene: loaded.scene,
+            scene_revision: 0,
+            visibility_revision: 0,
+            name: loaded.title,
+            opened_with: choice,
+            opened_at: None,
+            replaced: None,
+            orbit,
+            up_axis,
+            controls,
+            height_per_distance: height_per_distance(&choice, &orbit),
+            view: View {
+                camera,
+                viewport,
+                sides,
+            },
+            pivot_world: orbit.target(),
+            pan_depth: orbit.distance(),
+            selection: None,
+            cursor: None,
+            clicked_s: None,
+            hits: None,
+            landmarks: Vec::new(),
+            source: Source {
+                paths: Vec::new(),
+                meshes: loaded.meshes,
+            },
+            document: 0,
+            edits: Edits::default(),
+            filed: Edits::default(),
+            timeline: Timeline::default(),
+            grid: true,
+            overlays: Overlays::default(),
+            frozen: None,
+            stage: Stage::World,
+            world: None,
+            showing: loaded.exhibit.map(Showing::new),
+        })
+    }
+
+    /// Shows another scene, of these files; what the user set about the window stays. A scene of the gallery leaves a step
+    /// back to what was open; any other begins a history of its own.
+    ///
+    /// # Errors
+    /// When the scene's own camera is none; then everything stays as it was.
+    pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
+        let inherited = CameraChoice {
+            up_axis: Some(self.up_axis),
+            depth: Some(self.controls.depth),
+            ..CameraChoice::default()
+        };
+        let choice = loaded.camera.or(inherited);
+        let next = Self::new(loaded, choice, self.view.viewport, self.view.sides)?;
+        let mut next = Box::new(next);
+        next.source.paths = paths;
+        let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
+        let before = self.exchange(next);
+        if goes_back {
+            self.record(Step::Open(before));
+        } else {
+            let mut before = before;
+            let fresh = self.timeline.fresh();
+            before.timeline = mem::replace(&mut self.timeline, fresh);
+            // What was never drawn, or is empty, is nothing to go back to.
+            let drawn = before.replaced.take().unwrap_or(before);
+            self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
+        }
+        self.document = self.timeline.mark();
+        self.opened_at = Some(self.stand());
+        Ok(())
+    }
+
+    /// The picture has another size. A scene that nobody has moved or edited yet is opened anew for it: it is whole in
+    /// view, whatever size the window turns out to have.
+    pub(super) fn resize(&mut self, viewport: Viewport) {
+        let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
+        let is_another = self.view.viewport != viewport;
+        self.view.viewport = viewport;
+        if !(is_as_opened && is_another && self.stage == Stage::World) {
+            return;
+        }
+        // The choices made a camera before; another viewport cannot make them none.
+        let bounds = self.scene.visible_bounds();
+        if let Ok(camera) = self.opened_with.resolve(&bounds, viewport) {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.height_per_distance = height_per_distance(&self.opened_with, &self.orbit);
+            self.pivot_world = self.orbit.target();
+            self.view.camera = camera;
+            self.opened_at = Some(self.stand());
+        }
+    }
+
+    /// The scene is drawn: there is no way back to the one before it but by opening that.
+    pub(in crate::viewer) fn accepted(&mut self) {
+        self.replaced = None;
+    }
+
+    /// The scene cannot be drawn: back to what was shown before. Returns whether there was something.
+    pub(in crate::viewer) fn refused(&mut self) -> bool {
+        if let Some(mut before) = self.replaced.take() {
+            let timeline = mem::take(&mut before.timeline);
+            self.exchange(before);
+            self.timeline = timeline;
+            return true;
+        }
+        let made_it = match self.timeline.last(true) {
+            Some(Step::Open(_) | Step::Composed { .. }) => true,
+            Some(Step::Stood(_, stage)) => *stage != self.stage,
+            _ => false,
+        };
+        made_it && self.step_in_time(true)
+    }
+
+    /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
+    pub fn reload(&mut self, loaded: Loaded) {
+        self.show_stage(Stage::World);
+        if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
+            self.showing = loaded.exhibit.map(Showing::new);
+        }
+        let old = std::mem::replace(&mut self.scene, loaded.scene);
+        let old = old.objects();
+        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
+            .map(|(index, object)| (object.name.as_str(), index))
+            .collect();
+        let before = |index: usize, name: &str| {
+            let same_place = old.get(index).filter(|object| object.name == name);
+            same_place
+                .map(|_| index)
+                .or_else(|| by_name.get(name).copied())
+        };
+        let selected = self.selection.take().map(|selection| selection.object);
+        for index in 0..self.scene.objects().len() {
+            let Some(was) = before(index, &self.scene.objects()[index].name) else {
+                continue;
+            };
+            self.scene.set_visible(index, old[was].visible);
+            if selected == Some(was) && self.selection.is_none() {
+                self.selection = Some(Selection {
+                    object: index,
+                    pick: None,
+                });
+            }
+        }
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.cursor = None;
+        self.hits = None;
+        self.landmarks.clear();
+        self.source.meshes = loaded.meshes;
+        self.edits.matrices = self.filed.matrices;
+        if self.source.paths.is_empty() {
+            self.edits.objects = self.filed.objects;
+        }
+        self.forget_own_steps();
+        self.fit();
+    }
+
+    /// The scene as it is now, to be saved.
+    pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
+        let world = self.world.as_ref();
+        let stand = world.map_or_else(|| self.stand(), |world| world.stand);
+        Snapshot {
+            scene: self.world().0.clone(),
+            camera: stand.camera_choice(),
+            meshes: self.source.meshes.clone(),
+            document: self.document,
+            edits: self.edits,
+        }
+    }
+
+    /// Files hold what a snapshot had: its scene is theirs from now on, whether it is shown or was left for the gallery.
+    pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
+        let steps = self.timeline.all_mut();
+        let left = steps.filter_map(|step| match step {
+            Step::Open(state) if state.document == snapshot.document => Some(&mut **state),
+            _ => None,
+        });
+        let left: Vec<&mut State> = left.collect();
+        let state = match left.into_iter().next() {
+            Some(state) => state,
+            None if self.document == snapshot.document => self,
+            None => return,
+        };
+        state.name = scene::title(&source.paths);
+        state.filed = snapshot.edits;
+        state.source = source;
+    }
+}
+
+/// A scene as it was when somebody asked to save it.
+pub(in crate::viewer) struct Snapshot {
+    pub scene: Scene,
+    pub camera: CameraChoice,
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    document: u64,
+    edits: Edits,
+}

@@ -1,0 +1,119 @@
+//! What is shown over the scene when asked for.
+
+/// Something shown over the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The triangle under the pick, with its corners and barycentrics.
+    Triangle,
+    /// The way from the pick before to this one.
+    Distance,
+    /// The edges of triangles.
+    Wireframe,
+    /// Outward normals of faces.
+    Normals,
+    /// World-space bounding boxes.
+    Boxes,
+}
+
+impl Overlay {
+    /// All of them.
+    pub const ALL: [Self; 5] = [
+        Self::Triangle,
+        Self::Distance,
+        Self::Wireframe,
+        Self::Normals,
+        Self::Boxes,
+    ];
+
+    /// Its name, its key and what it shows.
+    #[must_use]
+    pub fn about(self) -> [&'static str; 3] {
+        match self {
+            Self::Triangle => ["picked triangle", "Y", "with its corners and barycentrics"],
+            Self::Distance => [
+                "distance",
+                "D",
+                "between the last two picks, in world units",
+            ],
+            Self::Wireframe => [
+                "wireframe",
+                "W",
+                "of the selection, or of everything; spheres have none",
+            ],
+            Self::Normals => [
+                "normals",
+                "L",
+                "outward, of the selection's faces, or of all",
+            ],
+            Self::Boxes => [
+                "bounding boxes",
+                "X",
+                "along the world's axes, of the selection, or of everything",
+            ],
+        }
+    }
+
+    /// Whether it is drawn with the scene, and not by the panels over the picture.
+    fn is_in_scene(self) -> bool {
+        match self {
+            Self::Triangle | Self::Distance => false,
+            Self::Wireframe | Self::Normals | Self::Boxes => true,
+        }
+    }
+}
+
+/// Which overlays show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Overlays {
+    /// A bit for each.
+    shown: u32,
+    /// Boxes of the trees over meshes, so many steps below the root.
+    pub tree_level: Option<u32>,
+}
+
+impl Default for Overlays {
+    fn default() -> Self {
+        Self {
+            shown: 0,
+            tree_level: None,
+        }
+        .toggled(Overlay::Triangle)
+    }
+}
+
+impl Overlays {
+    /// Whether one shows.
+    #[must_use]
+    pub fn shows(self, overlay: Overlay) -> bool {
+        self.shown & (1 << overlay as u32) != 0
+    }
+
+    /// The same, but for one.
+    #[must_use]
+    pub fn toggled(mut self, overlay: Overlay) -> Self {
+        self.shown ^= 1 << overlay as u32;
+        self
+    }
+
+    /// The same at another level of trees.
+    pub(super) fn next_tree_level(self, deeper: bool) -> Self {
+        let tree_level = match (self.tree_level, deeper) {
+            (None, true) => Some(0),
+            (None, false) => Some(DEEPEST),
+            (Some(level), true) => Some(level + 1).filter(|level| *level <= DEEPEST),
+            (Some(level), false) => level.checked_sub(1),
+        };
+        Self { tree_level, ..self }
+    }
+
+    /// Whether one of them is drawn with the scene.
+    pub(in crate::viewer) fn in_scene(self) -> bool {
+        let mut shown = Overlay::ALL
+            .into_iter()
+            .filter(|&overlay| self.shows(overlay));
+        shown.any(Overlay::is_in_scene) || self.tree_level.is_some()
+    }
+}
+
+/// Trees over real meshes are 5 to 8 nodes deep, even over millions of triangles.
+const DEEPEST: u32 = 8;

@@ -1,0 +1,108 @@
+//! Clicks, the cursor, and the surfaces on a click's ray.
+
+use super::{
+    hits::{Landmark, RayHits},
+    stages::Stage,
+    state::{Cursor, DOUBLE_CLICK_S, Selection, State},
+};
+use crate::{
+    camera::{View, fit_near_far, pixel_centre},
+    pick::{self, Pick, PickLine, SceneHit},
+};
+use glam::DVec2;
+
+impl State {
+    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel of the same picture the next
+    /// one behind.
+    pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
+        let px = pixel_centre(px);
+        let same = |hits: &&RayHits| (hits.px, hits.view) == (px, self.view);
+        let at = match (self.hits.as_ref().filter(same), self.clicked_s) {
+            (Some(hits), Some(last_s)) => hits.at + usize::from(time_s - last_s > DOUBLE_CLICK_S),
+            _ => 0,
+        };
+        self.clicked_s = Some(time_s);
+        self.take_hits(RayHits::cast(&self.scene, self.view, px, at))
+    }
+
+    pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
+        let px = pixel_centre(px);
+        let ray = self.view.ray(px);
+        let hit = pick::closest(&self.scene, ray, self.view.sides);
+        let point = |hit: SceneHit| {
+            let placement = &self.scene.objects()[hit.object].placement;
+            (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))
+        };
+        Cursor {
+            px,
+            hit: hit.map(point),
+        }
+    }
+
+    /// Makes one of a ray's surfaces the pick. At other stages than the world's it only selects: their points are not the
+    /// scene's.
+    pub(super) fn take_hits(&mut self, hits: RayHits) -> Option<PickLine> {
+        let line = hits.line();
+        let object = line.hit.as_ref().map(|hit| hit.id - 1);
+        let pick = Some(line).filter(|_| self.stage == Stage::World);
+        self.selection = object.map(|object| Selection {
+            object,
+            pick: pick.clone(),
+        });
+        if let Some(hit) = pick.as_ref().and_then(|line| line.hit.as_ref()) {
+            let last = self.landmarks.last().map(|last| last.point_world);
+            if last != Some(hit.point_world) {
+                self.landmarks.push(Landmark {
+                    object: hit.object.clone(),
+                    point_world: hit.point_world,
+                });
+                let old = self.landmarks.len().saturating_sub(2);
+                self.landmarks.drain(..old);
+            }
+        }
+        self.hits = Some(hits);
+        pick
+    }
+
+    /// Picks another surface on the last click's ray, counted from the front.
+    pub(super) fn step_to(&mut self, at: usize) -> Option<PickLine> {
+        let hits = self.hits.take_if(|hits| at < hits.picks.len())?;
+        self.take_hits(RayHits { at, ..hits })
+    }
+
+    /// Picks the next surface on the last click's ray, or the one before, in a ring.
+    pub(super) fn step(&mut self, forward: bool) -> Option<PickLine> {
+        let hits = self.hits.as_ref().filter(|hits| !hits.picks.is_empty())?;
+        let count = hits.picks.len();
+        self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count)
+    }
+
+    /// A view with its planes about the scene as it is now.
+    fn refitted(&self, view: View) -> View {
+        let (mut lens, controls) = (*view.camera.lens(), self.controls);
+        let bounds = self.shown_bounds();
+        (lens.near, lens.far) = fit_near_far(&view.camera, &bounds, controls.near, controls.far);
+        let camera = view.camera.with_lens(lens).unwrap_or(view.camera);
+        View { camera, ..view }
+    }
+
+    /// The scene changed: the ray of the last click is cast anew, and the selected object's pick is what it hits of
+    /// it now.
+    pub(super) fn repick(&mut self) {
+        let Some(old) = self.hits.take() else { return };
+        let mut hits = RayHits::cast(&self.scene, self.refitted(old.view), old.px, 0);
+        if let Some(selection) = &mut self.selection {
+            // Of its surfaces the first that lies as the old one did, front or back.
+            let of_selected = |pick: &Pick| pick.id == selection.object + 1;
+            let before = old.picks.get(old.at).filter(|pick| of_selected(pick));
+            let front = before.is_none_or(|pick| pick.front);
+            let alike = |pick: &Pick| of_selected(pick) && pick.front == front;
+            let mut picks = hits.picks.iter();
+            let now = (picks.position(alike)).or_else(|| hits.picks.iter().position(of_selected));
+            hits.at = now.unwrap_or(0);
+            let pick = now.filter(|_| self.stage == Stage::World);
+            selection.pick = pick.map(|_| hits.line());
+        }
+        self.hits = Some(hits);
+    }
+}

@@ -1,0 +1,109 @@
+//! The scene at a stage of the pipeline, a camera that is left standing, and the way back.
+
+use super::{
+    stages::{Stage, staged},
+    state::{Frozen, Selection, State, World},
+};
+use crate::camera::{Orbit, UpAxis};
+use glam::DVec3;
+use std::mem;
+
+impl State {
+    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one. Back in the world the
+    /// view stands where it stood, and what is still selected is picked again.
+    pub(super) fn show_stage(&mut self, stage: Stage) {
+        if stage == self.stage {
+            return;
+        }
+        let world = self.world.take().unwrap_or_else(|| World {
+            through: self.frozen.map_or(self.view, |frozen| frozen.view),
+            stand: self.stand(),
+            chosen: self.chosen(),
+            edits: self.edits,
+            scene: mem::take(&mut self.scene),
+        });
+        self.stage = stage;
+        self.scene_revision += 1;
+        self.visibility_revision += 1;
+        self.cursor = None;
+        if let Some(selection) = &mut self.selection {
+            selection.pick = None;
+        }
+        self.hits = None;
+        if stage == Stage::World {
+            self.come_back(world);
+        } else {
+            self.scene = staged(&world.scene, &world.through, stage);
+            self.world = Some(world);
+            // The world's planes are nowhere here.
+            (self.controls.near, self.controls.far) = (None, None);
+            self.frame_stage();
+        }
+    }
+
+    fn come_back(&mut self, world: World) {
+        let (up_axis, opened_with) = (self.up_axis, self.opened_with);
+        self.scene = world.scene;
+        self.stand_at(&world.stand);
+        if up_axis != self.up_axis {
+            // It was turned meanwhile: the same camera about another axis.
+            (self.up_axis, self.opened_with) = (up_axis, opened_with);
+            self.orbit = Orbit::of_camera(&self.view.camera, up_axis);
+        }
+        let object = |selection: &Option<Selection>| Some(selection.as_ref()?.object);
+        if object(&self.selection) == object(&world.chosen.selection) {
+            self.selection = world.chosen.selection;
+            self.hits = world.chosen.hits;
+            if world.edits != self.edits {
+                // What was hidden or shown meanwhile is on its ray, or is not.
+                self.repick();
+            }
+        }
+    }
+
+    /// The view that another stage than the world's opens with.
+    pub(super) fn frame_stage(&mut self) {
+        if matches!(self.stage, Stage::View | Stage::Ndc) {
+            // From the eye's side, a little to the right and above.
+            self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
+        }
+        self.frame(self.shown_bounds());
+    }
+
+    pub(super) fn toggle_freeze(&mut self) {
+        // A camera stands in the world.
+        if self.stage != Stage::World {
+            return;
+        }
+        let pick = self
+            .selection
+            .as_ref()
+            .and_then(|selection| selection.pick.as_ref());
+        let viewport = self.view.viewport;
+        let middle = viewport.size_px() / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
+    }
+
+    pub(super) fn reset_view(&mut self) {
+        if self.stage != Stage::World {
+            return self.frame_stage();
+        }
+        // The choices made a camera before; bounds and viewport cannot make them none.
+        if let Ok(camera) = self
+            .opened_with
+            .resolve(&self.scene.visible_bounds(), self.view.viewport)
+        {
+            self.orbit = Orbit::of_camera(&camera, self.up_axis);
+            self.pivot_world = self.orbit.target();
+            self.moved();
+            self.free_planes_for(&self.scene.visible_bounds());
+        }
+    }
+}

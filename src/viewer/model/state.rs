@@ -1,0 +1,380 @@
+//! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
+//! [`Action`](super::action::Action).
+
+use super::{
+    action::LensControls,
+    hits::{DepthSteps, Landmark, RayHits},
+    overlay::Overlays,
+    showing::Showing,
+    stages::Stage,
+    timeline::Timeline,
+};
+use crate::{
+    camera::{Camera, CameraChoice, Orbit, UpAxis, View},
+    geometry::{Aabb, Mesh, Placement},
+    pick::PickLine,
+    scene::Scene,
+    study::swap::Swap,
+};
+use glam::{DVec2, DVec3};
+use std::{path::PathBuf, sync::Arc};
+
+/// Two clicks that are further apart in seconds are two picks, not a double click.
+pub const DOUBLE_CLICK_S: f64 = 0.3;
+
+/// What is selected.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Selection {
+    /// Index of the object.
+    pub object: usize,
+    /// The pick that selected it; `None` when it was chosen from the list.
+    pub pick: Option<PickLine>,
+}
+
+/// The pixel under the cursor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    /// Its centre.
+    pub px: DVec2,
+    /// The object that it shows, by index, and the point on it in object space; `None` for the background.
+    pub hit: Option<(usize, DVec3)>,
+}
+
+/// A camera that was left standing in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// Its view.
+    pub view: View,
+    /// The position whose ray is shown: the pick's, or the middle of the picture.
+    pub px: DVec2,
+}
+
+/// Where the view stands: what a step back restores, all but what the scene decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stand {
+    pub opened_with: CameraChoice,
+    pub orbit: Orbit,
+    pub up_axis: UpAxis,
+    pub controls: LensControls,
+    pub height_per_distance: f64,
+    pub camera: Camera,
+    pub pivot_world: DVec3,
+}
+
+/// What is selected, and the ray that it was picked by.
+#[derive(Clone)]
+pub(super) struct Chosen {
+    pub selection: Option<Selection>,
+    pub hits: Option<RayHits>,
+}
+
+/// Which edits a scene has: numbers that change with each. The same numbers, the same scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Edits {
+    /// Of model matrices.
+    pub matrices: u64,
+    /// Of what is hidden.
+    pub visibility: u64,
+    /// Of which objects there are.
+    pub objects: u64,
+}
+
+/// The scene itself while a stage of it is shown.
+pub(super) struct World {
+    pub scene: Scene,
+    /// The view that the matrices are of.
+    pub through: View,
+    /// Where the user's own view stood.
+    pub stand: Stand,
+    pub chosen: Chosen,
+    /// Those that it had.
+    pub edits: Edits,
+}
+
+/// What takes a change back; see [`Timeline`].
+pub(super) enum Step {
+    /// An object had this placement.
+    Placed {
+        object: usize,
+        placement: Placement,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// These objects were the other way, hidden or shown.
+    Shown {
+        objects: Vec<usize>,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// There were these objects.
+    Composed {
+        scene: Scene,
+        source: Source,
+        edits: Edits,
+        chosen: Chosen,
+    },
+    /// The view stood there, at this stage.
+    Stood(Stand, Stage),
+    /// All of this was open, in place of a scene of the gallery.
+    Open(Box<State>),
+}
+
+/// Where a scene is from.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    /// What was opened, for the command that opens it again.
+    pub paths: Vec<PathBuf>,
+    /// The files of its meshes, for the scene file that names them.
+    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+}
+
+/// The window's state.
+pub struct State {
+    pub(super) scene: Scene,
+    /// Counts scenes, for those who keep something made from one.
+    pub(super) scene_revision: u64,
+    /// Counts changes of visibility and of model matrices.
+    pub(super) visibility_revision: u64,
+    pub(super) name: String,
+    pub(super) opened_with: CameraChoice,
+    /// Where the view stood when the scene was opened, or framed anew for a picture of another size.
+    pub(super) opened_at: Option<Stand>,
+    /// What was shown before, until this is known to be drawn.
+    pub(super) replaced: Option<Box<State>>,
+    pub(super) orbit: Orbit,
+    /// The world's.
+    pub(super) up_axis: UpAxis,
+    pub(super) controls: LensControls,
+    /// Height of the orthographic picture over the orbit's distance.
+    pub(super) height_per_distance: f64,
+    pub(super) view: View,
+    pub(super) pivot_world: DVec3,
+    pub(super) pan_depth: f64,
+    pub(super) selection: Option<Selection>,
+    pub(super) cursor: Option<Cursor>,
+    /// When [`State::hits`] was clicked; `None` once another click there is to be the first.
+    pub(super) clicked_s: Option<f64>,
+    pub(super) hits: Option<RayHits>,
+    pub(super) landmarks: Vec<Landmark>,
+    pub(super) source: Source,
+    /// Which scene this is among those that were open.
+    pub(super) document: u64,
+    pub(super) edits: Edits,
+    /// Those that its file has.
+    pub(super) filed: Edits,
+    pub(super) timeline: Timeline<Step>,
+    pub(super) grid: bool,
+    pub(super) overlays: Overlays,
+    pub(super) frozen: Option<Frozen>,
+    pub(super) stage: Stage,
+    /// The scene itself, while a stage of it is shown instead.
+    pub(super) world: Option<World>,
+    /// The gallery's scene that this is.
+    pub(super) showing: Option<Showing>,
+}
+
+impl State {
+    /// What there is to see.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Changes with each scene.
+    #[must_use]
+    pub fn scene_revision(&self) -> u64 {
+        self.scene_revision
+    }
+
+    /// Changes whenever objects are shown, hidden or moved.
+    #[must_use]
+    pub fn visibility_revision(&self) -> u64 {
+        self.visibility_revision
+    }
+
+    /// What the scene is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The view that is drawn and picked through.
+    #[must_use]
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// The lens as the panel holds it.
+    #[must_use]
+    pub fn controls(&self) -> LensControls {
+        self.controls
+    }
+
+    /// Which of the world's axes points up.
+    #[must_use]
+    pub fn up_axis(&self) -> UpAxis {
+        self.up_axis
+    }
+
+    /// Which axis points up in what is shown: the world's, or y of view space and NDC.
+    #[must_use]
+    pub fn shown_up_axis(&self) -> UpAxis {
+        match self.stage {
+            Stage::Object | Stage::World => self.up_axis,
+            Stage::View | Stage::Ndc => UpAxis::Y,
+        }
+    }
+
+    /// What is selected.
+    #[must_use]
+    pub fn selection(&self) -> Option<&Selection> {
+        self.selection.as_ref()
+    }
+
+    /// Whether the scene is another than its files make, apart from what is hidden: a model matrix is not theirs any
+    /// more, or an object is from none of them.
+    #[must_use]
+    pub fn edited(&self) -> bool {
+        self.edits.matrices != self.filed.matrices
+    }
+
+    /// Whether closing the window would lose edits, of this scene or of the one that was left for the gallery.
+    #[must_use]
+    pub fn unsaved(&self) -> bool {
+        let left = self.timeline.past().iter().any(|step| match step {
+            Step::Open(state) => state.edits != state.filed,
+            _ => false,
+        });
+        self.edits != self.filed || left
+    }
+
+    /// What a step back would take back, or a step forth make again, in a word or two; `None` where there is none.
+    #[must_use]
+    pub fn next_step(&self, back: bool) -> Option<&'static str> {
+        Some(match self.timeline.last(back)? {
+            Step::Placed { .. } => "model matrix",
+            Step::Shown { .. } => "hide and show",
+            Step::Composed { .. } => "objects added",
+            Step::Stood(_, stage) if *stage != self.stage => "stage",
+            Step::Stood(..) => "view",
+            Step::Open(_) => "gallery",
+        })
+    }
+
+    /// Where the scene is from.
+    #[must_use]
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The object under the cursor.
+    #[must_use]
+    pub fn hover(&self) -> Option<usize> {
+        self.cursor?.hit.map(|(object, _)| object)
+    }
+
+    /// The pixel under the cursor; `None` while the cursor is elsewhere.
+    #[must_use]
+    pub fn cursor(&self) -> Option<Cursor> {
+        self.cursor
+    }
+
+    /// What is shown over the scene.
+    #[must_use]
+    pub fn overlays(&self) -> Overlays {
+        self.overlays
+    }
+
+    /// Whether the grid shows.
+    #[must_use]
+    pub fn grid(&self) -> bool {
+        self.grid
+    }
+
+    /// The camera that was left standing in the scene. At other stages than the world's it is not shown.
+    #[must_use]
+    pub fn frozen(&self) -> Option<&Frozen> {
+        self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+    }
+
+    /// The gallery's scene that this is, and by which method it is picked from.
+    #[must_use]
+    pub fn showing(&self) -> Option<&Showing> {
+        self.showing.as_ref()
+    }
+
+    /// The method of others that picks now; `None` for this program's own. Stages other than the world's know no other.
+    #[must_use]
+    pub fn method(&self) -> Option<Swap> {
+        let showing = self.showing.as_ref().filter(|_| self.stage == Stage::World);
+        showing?.method
+    }
+
+    /// How far along the pipeline the scene is shown.
+    #[must_use]
+    pub fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    /// The scene itself and the view that its matrices are of, whatever stage is shown.
+    #[must_use]
+    pub fn world(&self) -> (&Scene, &View) {
+        self.world
+            .as_ref()
+            .map_or((&self.scene, &self.view), |world| {
+                (&world.scene, &world.through)
+            })
+    }
+
+    /// Where the view stands.
+    pub(super) fn stand(&self) -> Stand {
+        Stand {
+            opened_with: self.opened_with,
+            orbit: self.orbit,
+            up_axis: self.up_axis,
+            controls: self.controls,
+            height_per_distance: self.height_per_distance,
+            camera: self.view.camera,
+            pivot_world: self.pivot_world,
+        }
+    }
+
+    /// What is selected, and by which ray.
+    pub(super) fn chosen(&self) -> Chosen {
+        Chosen {
+            selection: self.selection.clone(),
+            hits: self.hits.clone(),
+        }
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let frozen = self.frozen();
+        let frustum = frozen
+            .into_iter()
+            .flat_map(|frozen| frozen.view.frustum_corners());
+        let eye = frozen.map(|frozen| frozen.view.camera.eye());
+        frustum.chain(eye).fold(bounds, Aabb::including)
+    }
+
+    /// Every surface on the last click's ray.
+    #[must_use]
+    pub fn hits(&self) -> Option<&RayHits> {
+        self.hits.as_ref()
+    }
+
+    /// The depth buffer's steps at the pick, in the picture that was clicked: the camera may have moved on.
+    #[must_use]
+    pub fn depth_steps(&self) -> Option<DepthSteps> {
+        let hits = self.hits.as_ref()?;
+        let pick = hits.picks.get(hits.at)?;
+        Some(DepthSteps::at(hits.view.camera.lens(), pick))
+    }
+
+    /// The last two picked points, the older one first.
+    #[must_use]
+    pub fn landmarks(&self) -> &[Landmark] {
+        &self.landmarks
+    }
+}

@@ -1,0 +1,119 @@
+//! Steps back and steps forth: what was done and can be undone, what was undone and can be done again.
+
+/// Steps beyond these are forgotten, the oldest first.
+const MOST: usize = 256;
+
+/// What goes on while a gesture lasts: all of it is one step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Gesture {
+    /// The lens is slid.
+    Lens,
+    /// An object is dragged.
+    Place(usize),
+}
+
+/// A step `S` takes one change back; done, it leaves one that makes the change again.
+pub(super) struct Timeline<S> {
+    past: Vec<S>,
+    future: Vec<S>,
+    gesture: Option<Gesture>,
+    marks: u64,
+}
+
+impl<S> Default for Timeline<S> {
+    fn default() -> Self {
+        Self {
+            past: Vec::new(),
+            future: Vec::new(),
+            gesture: None,
+            marks: 0,
+        }
+    }
+}
+
+impl<S> Timeline<S> {
+    /// A number that was never given before.
+    pub fn mark(&mut self) -> u64 {
+        self.marks += 1;
+        self.marks
+    }
+
+    /// Adds the step that takes back what was just done. Steps for which `stays` holds are never forgotten.
+    pub fn push(&mut self, step: S, stays: impl Fn(&S) -> bool) {
+        self.past.push(step);
+        self.future.clear();
+        self.gesture = None;
+        if self.past.len() > MOST
+            && let Some(oldest) = self.past.iter().position(|step| !stays(step))
+        {
+            self.past.remove(oldest);
+        }
+    }
+
+    /// Adds the step that takes back a gesture, unless it goes on.
+    pub fn push_gesture(&mut self, gesture: Gesture, step: S, stays: impl Fn(&S) -> bool) {
+        if self.gesture != Some(gesture) {
+            self.push(step, stays);
+            self.gesture = Some(gesture);
+        }
+    }
+
+    /// What comes next is a step of its own.
+    pub fn end_gesture(&mut self) {
+        self.gesture = None;
+    }
+
+    /// Takes the last step, back or forth.
+    pub fn take(&mut self, back: bool) -> Option<S> {
+        self.gesture = None;
+        if back {
+            self.past.pop()
+        } else {
+            self.future.pop()
+        }
+    }
+
+    /// Gives what a step left that went back or forth.
+    pub fn give(&mut self, step: S, back: bool) {
+        if back {
+            self.future.push(step);
+        } else {
+            self.past.push(step);
+        }
+    }
+
+    /// The step that would be taken, back or forth.
+    pub fn last(&self, back: bool) -> Option<&S> {
+        if back {
+            self.past.last()
+        } else {
+            self.future.last()
+        }
+    }
+
+    /// The steps back, oldest first.
+    pub fn past(&self) -> &[S] {
+        &self.past
+    }
+
+    /// All steps.
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut S> {
+        self.past.iter_mut().chain(&mut self.future)
+    }
+
+    /// Forgets what was undone, and the steps back after the last one that `stays`.
+    pub fn forget_after(&mut self, stays: impl Fn(&S) -> bool) {
+        let kept = self.past.iter().rposition(stays).map_or(0, |last| last + 1);
+        self.past.truncate(kept);
+        self.future.clear();
+        self.gesture = None;
+    }
+
+    /// One without steps, whose marks go on counting.
+    pub fn fresh(&self) -> Self {
+        Self {
+            marks: self.marks,
+            ..Self::default()
+        }
+    }
+}

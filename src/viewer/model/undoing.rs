@@ -1,0 +1,154 @@
+//! What can be undone: each change leaves a step that takes it back.
+
+use super::{
+    stages::Stage,
+    state::{Chosen, Edits, Stand, State, Step},
+    timeline::Gesture,
+};
+use std::mem;
+
+impl Step {
+    /// Whether it leads back to what was open before the gallery: never forgotten.
+    fn leads_out(&self) -> bool {
+        matches!(self, Self::Open(state) if state.showing.is_none())
+    }
+}
+
+impl State {
+    /// Keeps the step that takes back what was just done.
+    pub(super) fn record(&mut self, step: Step) {
+        self.timeline.push(step, Step::leads_out);
+    }
+
+    /// Keeps the step that takes back a gesture, unless it goes on.
+    pub(super) fn record_gesture(&mut self, gesture: Gesture, step: Step) {
+        self.timeline.push_gesture(gesture, step, Step::leads_out);
+    }
+
+    /// Keeps where the view stood, unless it still does.
+    pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &(Stand, Stage)) {
+        if *was == (self.stand(), self.stage) {
+            return;
+        }
+        let step = Step::Stood(was.0, was.1);
+        match gesture {
+            Some(gesture) => self.record_gesture(gesture, step),
+            None => self.record(step),
+        }
+    }
+
+    /// The scene as its files have it begins a history of its own; what was left for the gallery is kept.
+    pub(super) fn forget_own_steps(&mut self) {
+        self.timeline
+            .forget_after(|step| matches!(step, Step::Open(_)));
+    }
+
+    /// Takes back the last change, or makes again the last that was taken back. Returns whether there was one.
+    pub(super) fn step_in_time(&mut self, back: bool) -> bool {
+        let Some(step) = self.timeline.take(back) else {
+            return false;
+        };
+        let inverse = self.take_back(step);
+        self.timeline.give(inverse, back);
+        true
+    }
+
+    /// Back to what was open before the gallery; nothing where nothing was.
+    pub(super) fn leave_gallery(&mut self) {
+        if self.showing.is_some() && self.timeline.past().iter().any(Step::leads_out) {
+            while self.showing.is_some() && self.step_in_time(true) {}
+        }
+    }
+
+    /// Whether something was open before the gallery.
+    #[must_use]
+    pub fn has_outside(&self) -> bool {
+        self.timeline.past().iter().any(Step::leads_out)
+    }
+
+    /// Does what a step says; returns the step that does the opposite.
+    fn take_back(&mut self, step: Step) -> Step {
+        match step {
+            Step::Placed {
+                object,
+                placement,
+                edits,
+                chosen,
+            } => {
+                let inverse = Step::Placed {
+                    object,
+                    placement: self.scene.objects()[object].placement,
+                    edits: mem::replace(&mut self.edits, edits),
+                    chosen: self.chosen(),
+                };
+                self.scene.place(object, placement);
+                self.rearranged();
+                self.choose(chosen);
+                inverse
+            }
+            Step::Shown {
+                objects,
+                edits,
+                chosen,
+            } => {
+                let (edits, now) = (mem::replace(&mut self.edits, edits), self.chosen());
+                self.toggle(&objects);
+                self.choose(chosen);
+                Step::Shown {
+                    objects,
+                    edits,
+                    chosen: now,
+                }
+            }
+            Step::Composed {
+                scene,
+                source,
+                edits,
+                chosen,
+            } => {
+                let inverse = Step::Composed {
+                    scene: mem::replace(&mut self.scene, scene),
+                    source: mem::replace(&mut self.source, source),
+                    edits: mem::replace(&mut self.edits, edits),
+                    chosen: self.chosen(),
+                };
+                self.scene_revision += 1;
+                self.rearranged();
+                self.choose(chosen);
+                inverse
+            }
+            Step::Stood(stand, stage) => {
+                let inverse = Step::Stood(self.stand(), self.stage);
+                self.show_stage(stage);
+                self.stand_at(&stand);
+                inverse
+            }
+            Step::Open(state) => Step::Open(self.exchange(state)),
+        }
+    }
+
+    fn choose(&mut self, Chosen { selection, hits }: Chosen) {
+        (self.selection, self.hits) = (selection, hits);
+    }
+
+    /// Shows another state; what the user set about the window stays, and so does the history. Returns this one.
+    pub(super) fn exchange(&mut self, mut other: Box<State>) -> Box<State> {
+        other.timeline = mem::take(&mut self.timeline);
+        other.scene_revision = self.scene_revision + 1;
+        other.visibility_revision = self.visibility_revision + 1;
+        (other.grid, other.overlays) = (self.grid, self.overlays);
+        other.view.viewport = self.view.viewport;
+        (other.cursor, other.clicked_s) = (None, None);
+        mem::swap(self, &mut *other);
+        self.fit();
+        other
+    }
+
+    /// An edit that is not in the file: its number.
+    pub(super) fn edit(&mut self, which: impl FnOnce(&mut Edits) -> &mut u64) -> Edits {
+        let before = self.edits;
+        let mark = self.timeline.mark();
+        *which(&mut self.edits) = mark;
+        before
+    }
+}

@@ -1,0 +1,121 @@
+//! What each action does to the state.
+
+use super::{
+    action::{Action, LensControls},
+    state::{Selection, State},
+    timeline::Gesture,
+};
+use crate::{
+    camera::{Camera, Orbit, pixel_centre},
+    geometry::Sides,
+    pick::{self, PickLine},
+};
+
+impl State {
+    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing. What can be undone leaves
+    /// a step that takes it back.
+    pub fn apply(&mut self, action: Action) -> Option<PickLine> {
+        if !action.may_be_of_a_gesture() {
+            self.timeline.end_gesture();
+        }
+        let gesture = matches!(action, Action::Lens(_)).then_some(Gesture::Lens);
+        let stood = action.jumps().then(|| (self.stand(), self.stage));
+        let picked = self.perform(action);
+        if let Some(stood) = stood {
+            self.record_stand(gesture, &stood);
+        }
+        picked
+    }
+
+    fn perform(&mut self, action: Action) -> Option<PickLine> {
+        match action {
+            Action::Undo => drop(self.step_in_time(true)),
+            Action::Redo => drop(self.step_in_time(false)),
+            Action::Release => {}
+            Action::LeaveGallery => self.leave_gallery(),
+            Action::Resize(viewport) => self.resize(viewport),
+            Action::BeginTurn(px) => {
+                if let Some(hit) = pick::closest(&self.scene, self.view.ray(px), self.view.sides) {
+                    self.pivot_world = self.view.ray(px).at(hit.hit.t);
+                }
+            }
+            Action::Turn(by_px) => self.turn(by_px),
+            Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
+            Action::Pan(by_px) => self.pan(by_px),
+            Action::Zoom(px, factor) => {
+                self.orbit.zoom(self.point_at(px), factor);
+                self.moved();
+            }
+            Action::Click(px, _) if self.method().is_some() => self.compare(pixel_centre(px)),
+            Action::Click(px, time_s) => return self.click(px, time_s),
+            Action::Recentre(px) => self.recentre(px),
+            Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
+            Action::FrameAll => self.frame(self.shown_bounds()),
+            Action::FrameSelection => {
+                let selected = self
+                    .selection
+                    .as_ref()
+                    .map(|selection| self.scene.bounds_of(selection.object));
+                self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
+            }
+            Action::LookFrom(direction) => {
+                self.orbit.look_from(self.shown_up_axis(), direction);
+                self.moved();
+            }
+            Action::ResetView => self.reset_view(),
+            Action::Pose([eye, target, up]) => {
+                if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
+                    self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
+                    self.view.camera = camera;
+                    self.fit();
+                }
+            }
+            Action::Lens(controls) => self.set_lens(controls),
+            Action::ToggleProjection => self.set_lens(LensControls {
+                orthographic: !self.controls.orthographic,
+                ..self.controls
+            }),
+            Action::UpAxis(up_axis) => {
+                self.up_axis = up_axis;
+                self.opened_with.up_axis = Some(up_axis);
+                self.reset_view();
+            }
+            Action::ToggleSides => {
+                self.view.sides = match self.view.sides {
+                    Sides::Both => Sides::Front,
+                    Sides::Front => Sides::Both,
+                };
+            }
+            Action::StepTo(at) => return self.step_to(at),
+            Action::Step { forward } => return self.step(forward),
+            Action::Place(object, model) => self.place(object, model),
+            Action::Camera(choice) => self.set_camera(choice),
+            Action::Select(object) => {
+                self.selection = object.map(|object| Selection { object, pick: None });
+                self.hits = None;
+            }
+            Action::SetVisible(object, visible) => {
+                self.show(|index| (index == object).then_some(visible));
+            }
+            Action::HideSelection => self.hide_selection(),
+            Action::Isolate => {
+                if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
+                    self.show(|index| Some(index == object));
+                }
+            }
+            Action::ShowAll => self.show(|_| Some(true)),
+            Action::Toggle(overlay) => self.overlays = self.overlays.toggled(overlay),
+            Action::TreeLevel { deeper } => self.overlays = self.overlays.next_tree_level(deeper),
+            Action::ToggleGrid => self.grid = !self.grid,
+            Action::ToggleFreeze => self.toggle_freeze(),
+            Action::PickBy(method) => self.pick_by(method),
+            Action::NextMethod { forward } => {
+                if let Some(showing) = &self.showing {
+                    self.pick_by(showing.next_method(forward));
+                }
+            }
+            Action::Stage(stage) => self.show_stage(stage),
+        }
+        None
+    }
+}

@@ -1,0 +1,245 @@
+//! The window's camera: what mouse, panel and clipboard make of it, and what cannot be.
+
+use super::{
+    action::{Action, LensControls},
+    state::{Stand, State},
+};
+use crate::{
+    camera::{Camera, CameraChoice, CameraError, Lens, Orbit, Projection, fit_near_far},
+    geometry::{Aabb, Placement, PlacementError},
+    pick,
+};
+use glam::{DVec2, DVec3};
+
+/// Radians of orbit for a pixel of drag.
+const TURN_PER_PX: f64 = 0.008;
+
+/// Why an action does nothing.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum CannotBe {
+    /// It makes no camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// It makes no model matrix.
+    #[error(transparent)]
+    Placement(#[from] PlacementError),
+}
+
+impl Stand {
+    /// The camera, all of it, as a scene file keeps it.
+    pub fn camera_choice(&self) -> CameraChoice {
+        let camera = &self.camera;
+        let ortho = match camera.lens().projection {
+            Projection::Orthographic { height } => Some(height),
+            Projection::Perspective { .. } => None,
+        };
+        CameraChoice {
+            eye: Some(camera.eye()),
+            target: Some(camera.target()),
+            look: None,
+            up: Some(camera.up_hint()),
+            fov: ortho.is_none().then_some(self.controls.fov_deg),
+            ortho,
+            near: self.controls.near,
+            far: self.controls.far,
+            depth: Some(self.controls.depth),
+            up_axis: Some(self.up_axis),
+        }
+    }
+}
+
+impl State {
+    /// The camera, all of it, as a scene file keeps it.
+    #[must_use]
+    pub fn camera_choice(&self) -> CameraChoice {
+        self.stand().camera_choice()
+    }
+
+    /// What a typed value would do: nothing when it can be, the reason when it cannot.
+    ///
+    /// # Errors
+    /// When the action makes no camera, or no model matrix.
+    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
+        match action {
+            Action::Lens(controls) => {
+                self.camera_with(controls)?;
+            }
+            Action::Pose([eye, target, up]) => {
+                Camera::new(*eye, *target, *up, *self.view.camera.lens())?;
+            }
+            Action::Camera(choice) => {
+                choice.resolve(&self.scene.visible_bounds(), self.view.viewport)?;
+            }
+            Action::Place(_, model) => {
+                Placement::new(*model)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The present pose through another lens.
+    pub(super) fn camera_with(&self, controls: &LensControls) -> Result<Camera, CameraError> {
+        let pose = &self.view.camera;
+        let fov_y = controls.fov_deg.to_radians();
+        let mut lens = Lens {
+            projection: if controls.orthographic {
+                let height = self.height_per_distance * self.orbit.distance();
+                Projection::Orthographic { height }
+            } else {
+                Projection::Perspective { fov_y }
+            },
+            // Any valid planes: the fit looks only at pose and projection.
+            near: 1.0,
+            far: 2.0,
+            depth: controls.depth,
+        };
+        let camera = pose.with_lens(lens)?;
+        let bounds = self.shown_bounds();
+        (lens.near, lens.far) = fit_near_far(&camera, &bounds, controls.near, controls.far);
+        camera.with_lens(lens)
+    }
+
+    /// A camera from elsewhere, to the bit; nothing when it is none.
+    pub(super) fn set_camera(&mut self, choice: CameraChoice) {
+        let bounds = self.scene.visible_bounds();
+        let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
+            return;
+        };
+        self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
+        self.controls = LensControls {
+            // An orthographic one says nothing of it.
+            fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
+            ..LensControls::of(&choice)
+        };
+        self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
+        let choice = CameraChoice {
+            fov: Some(self.controls.fov_deg),
+            ..choice
+        };
+        self.height_per_distance = height_per_distance(&choice, &self.orbit);
+        self.pivot_world = self.orbit.target();
+        self.view.camera = camera;
+    }
+
+    pub(super) fn set_lens(&mut self, controls: LensControls) {
+        if self.camera_with(&controls).is_err() {
+            return;
+        }
+        let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
+        match (was_orthographic, controls.orthographic) {
+            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
+            (true, false) => {
+                // To where perspective shows the target as large as it was.
+                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
+                self.orbit.zoom(self.orbit.target(), nearer);
+                return self.moved();
+            }
+            _ => {}
+        }
+        self.fit();
+    }
+
+    pub(super) fn turn(&mut self, by_px: DVec2) {
+        self.orbit.turn(
+            self.pivot_world,
+            -by_px.x * TURN_PER_PX,
+            by_px.y * TURN_PER_PX,
+        );
+        self.moved();
+    }
+
+    pub(super) fn pan(&mut self, by_px: DVec2) {
+        self.orbit.pan(
+            by_px,
+            self.pan_depth,
+            self.view.camera.lens(),
+            self.view.viewport,
+        );
+        self.moved();
+    }
+
+    pub(super) fn recentre(&mut self, px: DVec2) {
+        let ray = self.view.ray(px);
+        let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) else {
+            return self.frame(self.shown_bounds());
+        };
+        self.pivot_world = ray.at(hit.hit.t);
+        self.orbit.center_on(self.pivot_world);
+        self.moved();
+    }
+
+    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
+    pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
+        let ray = self.view.ray(px);
+        if let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) {
+            return ray.at(hit.hit.t);
+        }
+        let depth = self.view.camera.to_view(self.pivot_world).z;
+        // A pivot behind the eye, or on it, is no depth to work at.
+        let depth = if depth > 1e-3 * self.orbit.distance() {
+            depth
+        } else {
+            self.orbit.distance()
+        };
+        ray.at(depth / ray.direction.dot(self.view.camera.forward()))
+    }
+
+    /// Planes that were set by hand follow the scene again where they would leave nothing of a box in view.
+    pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
+        let is_set = self.controls.near.is_some() || self.controls.far.is_some();
+        if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {
+            (self.controls.near, self.controls.far) = (None, None);
+            self.fit();
+        }
+    }
+
+    pub(super) fn frame(&mut self, bounds_world: Aabb) {
+        let fov_y = self.controls.fov_deg.to_radians();
+        self.orbit
+            .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
+        self.height_per_distance = perspective_height(self.controls.fov_deg);
+        self.pivot_world = self.orbit.target();
+        self.moved();
+        self.free_planes_for(&bounds_world);
+    }
+
+    /// Goes back to where the view stood.
+    pub(super) fn stand_at(&mut self, stand: &Stand) {
+        self.opened_with = stand.opened_with;
+        self.orbit = stand.orbit;
+        self.up_axis = stand.up_axis;
+        self.controls = stand.controls;
+        self.height_per_distance = stand.height_per_distance;
+        self.pivot_world = stand.pivot_world;
+        self.view.camera = stand.camera;
+        self.fit();
+    }
+
+    /// The orbit changed: the camera follows.
+    pub(super) fn moved(&mut self) {
+        if let Ok(camera) = self.orbit.camera(*self.view.camera.lens()) {
+            self.view.camera = camera;
+        }
+        self.fit();
+    }
+
+    /// The camera's place or the bounds changed: the planes follow.
+    pub(super) fn fit(&mut self) {
+        if let Ok(camera) = self.camera_with(&self.controls) {
+            self.view.camera = camera;
+        }
+    }
+}
+
+/// Height of the picture over the distance at which perspective shows it.
+pub(super) fn perspective_height(fov_deg: f64) -> f64 {
+    2.0 * (0.5 * fov_deg.to_radians()).tan()
+}
+
+/// Height of the orthographic picture over the orbit's distance: as chosen, or else as perspective has it.
+pub(super) fn height_per_distance(choice: &CameraChoice, orbit: &Orbit) -> f64 {
+    let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
+    let as_chosen = |height| height / orbit.distance();
+    choice.ortho.map_or(perspective_height(fov_deg), as_chosen)
+}

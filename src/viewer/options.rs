@@ -1,0 +1,46 @@
+//! What the window opens with, and why there may be none.
+
+use crate::{
+    camera::{CameraChoice, Viewport},
+    geometry::Sides,
+    render::GpuError,
+};
+use std::path::PathBuf;
+
+/// What the window opens with.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Files that make the first scene; none for the demo.
+    pub paths: Vec<PathBuf>,
+    /// What the command line says about the camera.
+    pub camera: CameraChoice,
+    /// Whether back faces show.
+    pub sides: Sides,
+    /// Ids (from 1) of objects that are hidden in the first scene.
+    pub hidden: Vec<usize>,
+    /// The window's size in physical pixels; `None` for 1280 x 720 logical ones.
+    pub size: Option<Viewport>,
+    /// Whether each pick is printed as a line of JSON.
+    pub print_picks: bool,
+}
+
+/// Why there is no window.
+#[derive(Debug, thiserror::Error)]
+pub enum ViewerError {
+    /// No screen to open it on.
+    #[error(
+        "no display to open a window on; draw a picture instead: sightline render SCENE -o picture.png"
+    )]
+    NoDisplay,
+    /// No graphics for it.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+impl ViewerError {
+    /// What the system says of it is for the log: it speaks of its own sources.
+    pub(super) fn no_display(reason: &dyn std::fmt::Display) -> Self {
+        log::info!("{reason}");
+        Self::NoDisplay
+    }
+}

@@ -1,0 +1,94 @@
+//! A frozen camera as lines: what "casting a ray" looks like from outside.
+
+use super::surroundings::{AXES, FRUSTUM};
+use crate::{
+    colour::Srgb, geometry::Placement, look, pick, render::Line, scene::Scene,
+    viewer::model::Frozen,
+};
+use glam::{DVec2, DVec3};
+
+const PIXELS: Srgb = Srgb([134, 124, 84]);
+const RAY: Srgb = look::SELECTION;
+const HIT: Srgb = Srgb([255, 255, 255]);
+/// Cells of the pixel grid across the picture's longer side, at the most: single pixels would be too many lines.
+const CELLS: u32 = 24;
+
+/// The frustum with its near and far planes, the pixel grid on the near plane, the axes R, U and F at the eye (red,
+/// green, blue), the ray with a cross and the outward normal at each hit.
+pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
+    let camera = &frozen.view.camera;
+    let size = scene.visible_bounds().radius();
+    let size = if size > 0.0 { size } else { camera.lens().far };
+    let mut lines = frustum(frozen);
+    lines.extend(pixel_grid(frozen));
+    let axes = [camera.right(), camera.up(), camera.forward()];
+    lines.extend(axes.into_iter().zip(AXES).map(|(axis, colour)| Line {
+        from: camera.eye(),
+        to: camera.eye() + 0.25 * size * axis,
+        colour,
+    }));
+    let ray = frozen.view.ray(frozen.px);
+    lines.push(Line {
+        from: ray.origin,
+        to: ray.at(ray.t_max),
+        colour: RAY,
+    });
+    for hit in pick::all(scene, ray, frozen.view.sides) {
+        let point = ray.at(hit.hit.t);
+        let placement: &Placement = &scene.objects()[hit.object].placement;
+        let normal = placement.normal_to_world(hit.hit.normal);
+        lines.push(Line {
+            from: point,
+            to: point + 0.12 * size * normal,
+            colour: HIT,
+        });
+        lines.extend(DVec3::AXES.map(|axis| Line {
+            from: point - 0.015 * size * axis,
+            to: point + 0.015 * size * axis,
+            colour: HIT,
+        }));
+    }
+    lines
+}
+
+fn frustum(frozen: &Frozen) -> Vec<Line> {
+    let corners = frozen.view.frustum_corners();
+    let edges = (0..4).flat_map(|i| [(i, (i + 1) % 4), (i + 4, (i + 1) % 4 + 4), (i, i + 4)]);
+    let mut lines: Vec<Line> = edges
+        .map(|(a, b)| Line {
+            from: corners[a],
+            to: corners[b],
+            colour: FRUSTUM,
+        })
+        .collect();
+    // From where the rays start to the near plane, where there is room between the two.
+    lines.extend(corners[..4].iter().map(|&corner| Line {
+        from: frozen.view.camera.eye(),
+        to: corner,
+        colour: PIXELS,
+    }));
+    lines
+}
+
+/// Lines between pixels on the near plane; where there are many, between blocks of them.
+fn pixel_grid(frozen: &Frozen) -> Vec<Line> {
+    let (width, height) = (frozen.view.viewport.width(), frozen.view.viewport.height());
+    let step = width.max(height).div_ceil(CELLS).max(1);
+    let on_near = |x: u32, y: u32| {
+        let ray = frozen.view.ray(DVec2::new(f64::from(x), f64::from(y)));
+        ray.at(ray.t_min)
+    };
+    let block = step as usize;
+    let columns = (step..width)
+        .step_by(block)
+        .map(|x| [on_near(x, 0), on_near(x, height)]);
+    let rows = (step..height)
+        .step_by(block)
+        .map(|y| [on_near(0, y), on_near(width, y)]);
+    let line = |[from, to]: [DVec3; 2]| Line {
+        from,
+        to,
+        colour: PIXELS,
+    };
+    columns.chain(rows).map(line).collect()
+}

@@ -1,0 +1,18 @@
+//! What is drawn: the scene where it changed, lines about it, the panels over it, and where frames go.
+
+mod box_edges;
+mod canvas;
+mod frozen;
+mod overlay_lines;
+mod place;
+mod screenshot;
+mod surface;
+mod surroundings;
+mod textures;
+
+pub(super) use canvas::{Canvas, Laid, Screen};
+pub(super) use place::SceneRect;
+pub(super) use screenshot::write_screenshot;
+pub(super) use surface::Surface;
+pub(super) use surroundings::AXES;
+pub(super) use textures::Textures;

@@ -1,0 +1,104 @@
+//! Overlays that are lines in the world: normals, boxes, trees.
+
+use super::box_edges::edges;
+use crate::{
+    colour::Srgb,
+    geometry::Cuboid,
+    render::Line,
+    scene::{Object, Shape},
+    viewer::model::{Overlay, State},
+};
+use glam::DVec3;
+
+/// More lines than these take longer than a frame may.
+const MOST: usize = 100_000;
+
+const NORMAL: Srgb = Srgb([110, 190, 255]);
+
+const TREE: Srgb = Srgb([130, 220, 140]);
+
+const BOX: Srgb = Srgb([240, 180, 80]);
+
+/// Normals, boxes and trees of the selection, or of all that is visible where nothing is selected: the first [`MOST`] lines.
+pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
+    let (scene, overlays) = (state.scene(), state.overlays());
+    let selected = state.selection().map(|selection| selection.object);
+    let objects = (0..).zip(scene.objects()).filter(|(index, object)| {
+        object.visible && selected.is_none_or(|selected| selected == *index)
+    });
+    let mut lines = Vec::new();
+    for (index, object) in objects {
+        if overlays.shows(Overlay::Normals) {
+            lines.extend(normals(object).take(MOST));
+        }
+        if overlays.shows(Overlay::Boxes) {
+            lines.extend(edges(&scene.bounds_of(index), BOX));
+        }
+        if lines.len() >= MOST {
+            lines.truncate(MOST);
+            break;
+        }
+    }
+    if let Some(level) = overlays.tree_level {
+        for batch in scene.batches() {
+            let shows = |index: usize| {
+                scene.objects()[index].visible && selected.is_none_or(|selected| selected == index)
+            };
+            let object = &scene.objects()[batch.start];
+            let left = MOST.saturating_sub(lines.len());
+            if batch.clone().any(shows)
+                && let Shape::Mesh { mesh, .. } = &object.shape
+            {
+                for bounds in mesh.tree_boxes(level, left / 12) {
+                    lines.extend(edges(&bounds, TREE).map(|line| Line {
+                        from: object.placement.point_to_world(line.from),
+                        to: object.placement.point_to_world(line.to),
+                        ..line
+                    }));
+                }
+            }
+        }
+    }
+    lines
+}
+
+/// A line from the middle of each face, outwards.
+fn normals(object: &Object) -> Box<dyn Iterator<Item = Line> + '_> {
+    let placement = &object.placement;
+    let line = move |point: DVec3, normal: DVec3, length_world: f64| {
+        let from = placement.point_to_world(point);
+        let to = from + length_world * placement.normal_to_world(normal);
+        Line {
+            from,
+            to,
+            colour: NORMAL,
+        }
+    };
+    let size = object.bounds_world().radius();
+    match &object.shape {
+        Shape::Sphere => {
+            let all =
+                (-1..=1).flat_map(|x| (-1..=1).flat_map(move |y| (-1..=1).map(move |z| (x, y, z))));
+            let outward = all.map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()));
+            let outward = outward.filter(|v| *v != DVec3::ZERO).map(DVec3::normalize);
+            Box::new(outward.map(move |normal| line(0.5 * normal, normal, 0.2 * size)))
+        }
+        Shape::Cube => {
+            let outward = Cuboid::NORMALS.into_iter();
+            Box::new(
+                outward.map(move |normal| line(Cuboid::HALF_SIDE * normal, normal, 0.2 * size)),
+            )
+        }
+        Shape::Square => Box::new(std::iter::once(line(DVec3::ZERO, DVec3::Z, 0.2 * size))),
+        Shape::Mesh { mesh, .. } => {
+            let triangles = object.shape.triangles().unwrap_or_default();
+            Box::new(triangles.map(move |triangle| {
+                let [a, b, c] = mesh.corners(triangle);
+                let world = [a, b, c].map(|corner| placement.point_to_world(corner));
+                let area = 0.5 * (world[1] - world[0]).cross(world[2] - world[0]).length();
+                // As long as its face is wide, about.
+                line((a + b + c) / 3.0, (b - a).cross(c - a), 0.7 * area.sqrt())
+            }))
+        }
+    }
+}

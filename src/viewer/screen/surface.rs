@@ -1,0 +1,146 @@
+//! The window's surface: where frames go, and what brings it back when it, or the whole device, is lost.
+
+use super::canvas::{Canvas, Laid, Screen};
+use crate::{
+    render::{Gpu, GpuError},
+    viewer::model::State,
+};
+use std::sync::Arc;
+use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureFormat};
+use winit::{event_loop::OwnedDisplayHandle, window::Window};
+
+/// A window's surface and the canvas that draws onto it.
+pub(in crate::viewer) struct Surface {
+    window: Arc<Window>,
+    instance: wgpu::Instance,
+    screen: wgpu::Surface<'static>,
+    config: SurfaceConfiguration,
+    canvas: Canvas,
+}
+
+impl Surface {
+    /// A surface on `window` and a device that draws on it.
+    pub fn new(window: Arc<Window>, display: OwnedDisplayHandle) -> Result<Self, GpuError> {
+        let descriptor =
+            wgpu::InstanceDescriptor::new_with_display_handle_from_env(Box::new(display));
+        let instance = wgpu::Instance::new(descriptor);
+        let screen = create(&instance, &window)?;
+        let gpu = Gpu::for_surface(&instance, &screen)?;
+        let config = configuration(&gpu, &screen, &window)?;
+        let canvas = Canvas::new(gpu, config.format);
+        let surface = Self {
+            window,
+            instance,
+            screen,
+            config,
+            canvas,
+        };
+        surface.configure();
+        Ok(surface)
+    }
+
+    /// The window has another size; 0 while it is minimised.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        (self.config.width, self.config.height) = (width, height);
+        self.configure();
+    }
+
+    /// The next texture to draw on; `None` when there is none to be had now, as while minimised.
+    fn acquire(&mut self) -> Result<Option<SurfaceTexture>, GpuError> {
+        for _ in 0..2 {
+            if self.config.width == 0 || self.config.height == 0 {
+                return Ok(None);
+            }
+            match self.screen.get_current_texture() {
+                CurrentSurfaceTexture::Success(texture)
+                | CurrentSurfaceTexture::Suboptimal(texture) => {
+                    return Ok(Some(texture));
+                }
+                CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => {
+                    return Ok(None);
+                }
+                CurrentSurfaceTexture::Lost => {
+                    self.screen = create(&self.instance, &self.window)?;
+                }
+                CurrentSurfaceTexture::Outdated | CurrentSurfaceTexture::Validation => {}
+            }
+            let size = self.window.inner_size();
+            (self.config.width, self.config.height) = (size.width, size.height);
+            self.configure();
+        }
+        Ok(None)
+    }
+
+    fn configure(&self) {
+        if self.config.width > 0 && self.config.height > 0 {
+            self.screen.configure(&self.canvas.gpu.device, &self.config);
+        }
+    }
+}
+
+impl Screen for Surface {
+    fn restore(&mut self) -> Result<bool, GpuError> {
+        if !self.canvas.gpu.is_lost() {
+            return Ok(false);
+        }
+        let screen = create(&self.instance, &self.window)?;
+        let gpu = Gpu::for_surface(&self.instance, &screen)?;
+        self.config = configuration(&gpu, &screen, &self.window)?;
+        self.canvas = Canvas::new(gpu, self.config.format);
+        self.screen = screen;
+        self.configure();
+        Ok(true)
+    }
+
+    fn canvas(&mut self) -> Option<&mut Canvas> {
+        Some(&mut self.canvas)
+    }
+
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<bool, GpuError> {
+        let Some(frame) = self.acquire()? else {
+            return Ok(false);
+        };
+        let anew = self.canvas.draw(&frame.texture, state, laid)?;
+        self.window.pre_present_notify();
+        self.canvas.gpu.queue.present(frame);
+        Ok(anew)
+    }
+}
+
+fn create(
+    instance: &wgpu::Instance,
+    window: &Arc<Window>,
+) -> Result<wgpu::Surface<'static>, GpuError> {
+    let surface = instance.create_surface(Arc::clone(window));
+    surface.map_err(|_| GpuError::NoAdapter)
+}
+
+/// How the surface shows frames: sRGB values as they are, viewed as light where the scene is put in; in step with the
+/// screen.
+fn configuration(
+    gpu: &Gpu,
+    surface: &wgpu::Surface,
+    window: &Window,
+) -> Result<SurfaceConfiguration, GpuError> {
+    let formats = surface.get_capabilities(&gpu.adapter).formats;
+    let plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm];
+    let format = plain
+        .into_iter()
+        .find(|format| formats.contains(format))
+        .ok_or_else(|| GpuError::Device {
+            adapter: gpu.adapter_name().to_owned(),
+            reason: "the screen takes no 8-bit colours".into(),
+        })?;
+    let size = window.inner_size();
+    Ok(SurfaceConfiguration {
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        format,
+        color_space: wgpu::SurfaceColorSpace::Auto,
+        width: size.width,
+        height: size.height,
+        present_mode: wgpu::PresentMode::AutoVsync,
+        desired_maximum_frame_latency: 1,
+        alpha_mode: wgpu::CompositeAlphaMode::Auto,
+        view_formats: vec![format.add_srgb_suffix()],
+    })
+}

@@ -1,0 +1,75 @@
+//! What the user asks for through keys, buttons or menus.
+
+use crate::viewer::model::Action;
+use std::path::PathBuf;
+
+/// Something the user asks for: a change of what is shown, or else something that the program does.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::viewer) enum Command {
+    /// A change of what is shown.
+    Act(Action),
+    /// Ask for files.
+    OpenDialog,
+    /// Ask for a file and write the scene to it.
+    SaveDialog,
+    /// Load these in place of what is shown.
+    Open(Vec<PathBuf>),
+    /// Load these beside what is shown.
+    Add(Vec<PathBuf>),
+    /// Load the files on screen again.
+    Reload,
+    /// Put the view as a command line on the clipboard.
+    CopyCommandLine,
+    /// Put the camera on the clipboard, as a scene file writes it.
+    CopyCamera,
+    /// Take over the camera in this text from the clipboard.
+    Paste(String),
+    /// Write what is on screen into a PNG file.
+    Screenshot,
+    /// Put the pick as JSON on the clipboard.
+    CopyPick,
+    /// Compare the picture with its picks, or close the comparison.
+    ToggleCheck,
+    /// Open the gallery's scene after the present one, or before it.
+    NextExhibit {
+        /// After it.
+        forward: bool,
+    },
+    /// Open again what was open before the gallery.
+    LeaveGallery,
+    /// An answer to the question whether edits may go.
+    Reply(Reply),
+    /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
+    /// nothing.
+    Escape,
+    /// Show or hide the help.
+    ToggleHelp,
+    /// Show or hide the matrices.
+    TogglePipeline,
+    /// Close the window.
+    Quit,
+}
+
+/// What would drop edits that no file has.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::viewer) enum Intent {
+    /// Open these.
+    Open(Vec<PathBuf>),
+    /// Read the files again.
+    Reload,
+    /// Close the window.
+    Quit,
+}
+
+/// What the user answers to that.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) enum Reply {
+    /// Save first.
+    Save,
+    /// Do it; the edits may go.
+    GoOn,
+    /// Open the files beside what is shown.
+    Add,
+    /// Do not.
+    Stay,
+}

@@ -1,0 +1,15 @@
+//! What the user sees beside the scene, and how keys, mouse and buttons become commands.
+
+mod command;
+mod focus;
+mod keys;
+mod mouse;
+mod notice;
+mod panels;
+mod theme;
+
+pub(super) use command::{Command, Intent, Reply};
+pub(super) use mouse::Drag;
+pub(super) use notice::{Notice, Notices};
+pub(super) use panels::{Filter, Floating, Shown, Statistics, show};
+pub(super) use theme::{color32, context};

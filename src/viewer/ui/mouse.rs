@@ -1,0 +1,141 @@
+//! The mouse's events to actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
+//! began on a panel never reaches the scene.
+
+use crate::viewer::{
+    model::{Action, DOUBLE_CLICK_S},
+    screen::SceneRect,
+};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Sense, Ui};
+use glam::DVec2;
+
+/// A press that travels further than this, in points, is a drag.
+const CLICK_TRAVEL: f32 = 3.0;
+/// Zoom factor of one line of the wheel.
+const ZOOM_PER_LINE: f64 = 1.15;
+/// Points that a trackpad moves for one line of a wheel.
+const POINTS_PER_LINE: f64 = 50.0;
+
+/// How egui tells clicks from drags: by the farthest travel, never by time.
+pub(in crate::viewer) fn options(ctx: &egui::Context) {
+    ctx.options_mut(|options| {
+        options.input_options.max_click_dist = CLICK_TRAVEL;
+        options.input_options.max_click_duration = f64::INFINITY;
+        options.input_options.max_double_click_delay = DOUBLE_CLICK_S;
+    });
+}
+
+/// The drag that is under way on the scene: what it does and where the cursor was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) struct Drag {
+    turns: bool,
+    at: DVec2,
+}
+
+/// What the mouse did on the scene.
+pub(in crate::viewer) fn scene(
+    ui: &mut Ui,
+    rect: Rect,
+    place: SceneRect,
+    drag: &mut Option<Drag>,
+) -> Vec<Action> {
+    // Tab does not stop here: there is nothing to type.
+    let response = ui.interact(
+        rect,
+        ui.scope_id().with("scene"),
+        Sense::CLICK | Sense::DRAG,
+    );
+    let mut actions = vec![Action::Resize(place.viewport)];
+    let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
+
+    if response.drag_started()
+        && let Some(pressed) = ui.input(|input| input.pointer.press_origin())
+    {
+        let at = place.to_px(pressed);
+        let turns = response.dragged_by(PointerButton::Primary) && !shift;
+        actions.push(if turns {
+            Action::BeginTurn(at)
+        } else {
+            Action::BeginPan(at)
+        });
+        *drag = Some(Drag { turns, at });
+    }
+    if let (Some(moving), Some(pointer)) = (drag.as_mut(), response.interact_pointer_pos()) {
+        let to = place.to_px(pointer);
+        let by = to - moving.at;
+        if by != DVec2::ZERO {
+            actions.push(if moving.turns {
+                Action::Turn(by)
+            } else {
+                Action::Pan(by)
+            });
+            moving.at = to;
+        }
+    }
+    if !response.dragged() {
+        *drag = None;
+    }
+    if response.clicked()
+        && let Some(released) = released_at(ui)
+    {
+        actions.push(Action::Click(place.to_px(released), time_s));
+        if response.double_clicked() {
+            actions.push(Action::Recentre(place.to_px(released)));
+        }
+    }
+    let hovering = response
+        .hover_pos()
+        .filter(|_| drag.is_none() && !response.is_pointer_button_down_on());
+    if let Some(pointer) = hovering {
+        wheel(ui, place, pointer, &mut actions);
+    }
+    actions.push(Action::Hover(hovering.map(|pointer| place.to_px(pointer))));
+    actions
+}
+
+/// Where the primary button was released in this frame: the pointer may have moved on since.
+fn released_at(ui: &Ui) -> Option<Pos2> {
+    let released = |event: &Event| match event {
+        Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed: false,
+            ..
+        } => Some(*pos),
+        _ => None,
+    };
+    ui.input(|input| input.events.iter().rev().find_map(released))
+}
+
+/// Wheel and trackpad: zoom at the pointer; with Shift, shift. With Ctrl they are egui's.
+fn wheel(ui: &Ui, place: SceneRect, pointer: Pos2, actions: &mut Vec<Action>) {
+    let at = place.to_px(pointer);
+    ui.input(|input| {
+        for event in &input.events {
+            match *event {
+                Event::MouseWheel {
+                    unit,
+                    delta,
+                    modifiers,
+                    ..
+                } if !modifiers.command => {
+                    let points = match unit {
+                        MouseWheelUnit::Point => 1.0,
+                        MouseWheelUnit::Line => POINTS_PER_LINE,
+                        MouseWheelUnit::Page => 10.0 * POINTS_PER_LINE,
+                    };
+                    let by = DVec2::new(f64::from(delta.x), f64::from(delta.y)) * points;
+                    if modifiers.shift {
+                        let by_px = by * f64::from(place.pixels_per_point);
+                        actions.extend([Action::BeginPan(at), Action::Pan(by_px)]);
+                    } else if by.y != 0.0 {
+                        actions.push(Action::Zoom(at, ZOOM_PER_LINE.powf(by.y / POINTS_PER_LINE)));
+                    }
+                }
+                Event::Zoom(factor) if factor > 0.0 => {
+                    actions.push(Action::Zoom(at, f64::from(factor)));
+                }
+                _ => {}
+            }
+        }
+    });
+}

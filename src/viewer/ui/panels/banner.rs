@@ -1,0 +1,117 @@
+//! That another method than this program's picks: a bar over the picture and a frame about it, and the last click as
+//! both have it.
+
+use super::exhibit::{RIGHT, WRONG, step_and_name};
+use crate::{
+    study::swap::Found,
+    viewer::{
+        model::{Action, Compared, State},
+        screen::SceneRect,
+        ui::command::Command,
+    },
+};
+use egui::{
+    Align, Color32, FontId, Label, Layout, Painter, Rect, RichText, Stroke, StrokeKind, Ui,
+    UiBuilder, vec2,
+};
+
+/// The bar's height in points.
+pub(super) const HEIGHT: f32 = 50.0;
+/// The bar's colour: none that marks of the picture have much of.
+const BAR: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
+
+/// Over the scene's rectangle; nothing while this program's own method picks.
+pub(super) fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    place: SceneRect,
+    state: &State,
+    commands: &mut Vec<Command>,
+) {
+    let Some(method) = state.method() else { return };
+    let painter = ui.painter().with_clip_rect(rect);
+    let compared = state
+        .showing()
+        .and_then(|showing| showing.compared.as_ref());
+    if let Some(compared) = compared {
+        marks(&painter, place, state, compared);
+    }
+    painter.rect_stroke(rect, 0.0, Stroke::new(4.0, BAR), StrokeKind::Inside);
+    let bar = Rect::from_min_size(rect.min, vec2(rect.width(), HEIGHT));
+    painter.rect_filled(bar, 0.0, BAR);
+    let inside = UiBuilder::new()
+        .max_rect(bar.shrink2(vec2(10.0, 4.0)))
+        .layout(Layout::right_to_left(Align::Center));
+    ui.scope_builder(inside, |ui| {
+        let back = RichText::new("back (Esc)").size(15.0).strong();
+        let hint = "pick by Sightline's own method again, the default";
+        if ui.button(back).on_hover_text(hint).clicked() {
+            commands.push(Command::Act(Action::PickBy(None)));
+        }
+        ui.with_layout(Layout::top_down(Align::Min), |ui| {
+            let text = |text: String, size| RichText::new(text).size(size).color(Color32::BLACK);
+            ui.label(text("Not the default: another method picks".to_owned(), 17.0).strong());
+            ui.add(Label::new(text(step_and_name(&method), 14.0)).truncate());
+        });
+    });
+}
+
+/// The click, the point and the normal by the method and by this program.
+fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared) {
+    /// Length of a normal in points.
+    const NORMAL: f32 = 70.0;
+    let view = state.view();
+    let arrow = |found: &Found, colour: Color32, wide: f32| {
+        let Some(from) = view.project(found.point_world) else {
+            return;
+        };
+        let from = place.to_position(from.px);
+        painter.circle_filled(from, 3.0 * wide, colour);
+        // As long as the picture shows a unit of the plane at the point's depth.
+        let along = (view.camera.rotation() * found.normal_world).as_vec3();
+        let by = vec2(along.x, -along.y) * NORMAL;
+        painter.arrow(from, by, Stroke::new(2.0 * wide, colour));
+    };
+    if let Some(ours) = &compared.ours {
+        arrow(ours, RIGHT, 2.0);
+    }
+    if let Some(theirs) = &compared.theirs {
+        arrow(theirs, WRONG, 1.2);
+    }
+    // What is written at the pixel is about that picture.
+    if compared.view != *view {
+        return;
+    }
+    let at = place.to_position(compared.px);
+    let wrong = compared.fault().is_some_and(|fault| fault.is_wrong());
+    let colour = if wrong { WRONG } else { RIGHT };
+    // Dark about the colour: it shows on any picture.
+    for stroke in [Stroke::new(6.0, Color32::BLACK), Stroke::new(2.5, colour)] {
+        painter.circle_stroke(at, 11.0, stroke);
+        for by in [vec2(17.0, 0.0), vec2(0.0, 17.0)] {
+            painter.line_segment([at - by, at - 0.4 * by], stroke);
+            painter.line_segment([at + 0.4 * by, at + by], stroke);
+        }
+    }
+    let name = |found: &Option<Found>| {
+        found.as_ref().map_or("nothing", |found| {
+            state.scene().objects()[found.hit.object].name.as_str()
+        })
+    };
+    let lines = [
+        (format!("picked: {}", name(&compared.theirs)), colour),
+        (format!("there: {}", name(&compared.ours)), RIGHT),
+    ];
+    let mut corner = at + vec2(20.0, 14.0);
+    for (text, colour) in lines {
+        let galley = painter.layout_no_wrap(text, FontId::proportional(16.0), colour);
+        let size = galley.size();
+        painter.rect_filled(
+            Rect::from_min_size(corner, size).expand2(vec2(5.0, 1.0)),
+            3.0,
+            Color32::from_black_alpha(210),
+        );
+        painter.galley(corner, galley, colour);
+        corner.y += size.y + 3.0;
+    }
+}

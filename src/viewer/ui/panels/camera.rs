@@ -1,0 +1,231 @@
+//! The camera: lens, planes and pose.
+
+use super::{
+    field::{AXES, Field, WIDTH, short},
+    gesture::Gesture,
+    names::named,
+};
+use crate::{
+    camera::{CameraChoice, DepthMapping, Projection, UpAxis},
+    geometry::Sides,
+    viewer::{
+        model::{Action, LensControls, State},
+        ui::command::Command,
+    },
+};
+use egui::{Grid, Slider, Ui};
+
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.heading("Camera");
+        let copy = ui.small_button("copy");
+        named(&copy, "copy camera");
+        if copy
+            .on_hover_text("as a scene file writes it (Shift+C); Ctrl+V takes over a copied one")
+            .clicked()
+        {
+            commands.push(Command::CopyCamera);
+        }
+    });
+    let controls = state.controls();
+    let (mut next, mut gesture) = (controls, Gesture::default());
+    Grid::new("lens").num_columns(3).show(ui, |ui| {
+        projection(ui, &mut next);
+        fov(ui, state, &mut next, &mut gesture);
+        planes(ui, state, &mut next, &mut gesture);
+        depth(ui, &mut next);
+    });
+    gesture.push((next != controls).then_some(Action::Lens(next)), commands);
+    ui.add_space(4.0);
+    pose(ui, state, commands);
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        ui.label("up axis");
+        for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
+            let label = ui.selectable_label(state.up_axis() == axis, name);
+            named(&label, &format!("{name} points up"));
+            if label.clicked() {
+                commands.push(Command::Act(Action::UpAxis(axis)));
+            }
+        }
+        ui.separator();
+        let mut culls = state.view().sides == Sides::Front;
+        if ui
+            .checkbox(&mut culls, "cull back faces")
+            .on_hover_text("what is not drawn is not picked")
+            .changed()
+        {
+            commands.push(Command::Act(Action::ToggleSides));
+        }
+    });
+}
+
+fn projection(ui: &mut Ui, next: &mut LensControls) {
+    ui.label("projection");
+    ui.horizontal(|ui| {
+        ui.selectable_value(&mut next.orthographic, false, "perspective");
+        ui.selectable_value(&mut next.orthographic, true, "ortho")
+            .on_hover_text("orthographic");
+    });
+    ui.end_row();
+}
+
+fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
+    ui.label("fov")
+        .on_hover_text("vertical field of view, in degrees");
+    let typed = |fov_deg| {
+        let lens = LensControls {
+            fov_deg,
+            orthographic: false,
+            ..state.controls()
+        };
+        state
+            .check(&Action::Lens(lens))
+            .map_err(|error| error.to_string())
+    };
+    ui.add_enabled_ui(!next.orthographic, |ui| {
+        ui.horizontal(|ui| {
+            let mut slid = next.fov_deg;
+            let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
+            named(&slider, "fov, slid");
+            gesture.note(&slider);
+            if slider.changed() {
+                next.fov_deg = slid;
+            }
+            let field = Field {
+                name: "fov",
+                of: state.scene_revision(),
+                value: next.fov_deg,
+                width: WIDTH,
+                step: 1.0,
+            };
+            if let Some(number) = field.show(ui, typed) {
+                next.fov_deg = number;
+            }
+        });
+    });
+    let default = ui.small_button("45").on_hover_text("the default");
+    named(&default, "fov of 45 degrees");
+    if default.clicked() {
+        next.fov_deg = CameraChoice::FOV;
+    }
+    ui.end_row();
+}
+
+/// Near and far: a slider over decades of the scene's size, which therefore does not jump while it is in use; a
+/// typed value; and a box that hands the plane back to the fit.
+fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
+    let lens = state.view().camera.lens();
+    let bounds = state.scene().visible_bounds();
+    let size = if bounds.is_empty() {
+        1.0
+    } else {
+        bounds.radius().max(f64::MIN_POSITIVE)
+    };
+    for (name, value, which) in [
+        (
+            "near",
+            lens.near,
+            (|controls| &mut controls.near) as fn(&mut LensControls) -> &mut Option<f64>,
+        ),
+        ("far", lens.far, |controls| &mut controls.far),
+    ] {
+        ui.label(name)
+            .on_hover_text("view depth of the plane, in world units");
+        let typed = |number| {
+            let mut lens = state.controls();
+            *which(&mut lens) = Some(number);
+            state
+                .check(&Action::Lens(lens))
+                .map_err(|error| error.to_string())
+        };
+        ui.horizontal(|ui| {
+            let mut slid = value;
+            let slider = Slider::new(&mut slid, 1e-6 * size..=1e4 * size)
+                .logarithmic(true)
+                .show_value(false);
+            let slider = ui.add(slider);
+            named(&slider, &format!("{name}, slid"));
+            gesture.note(&slider);
+            if slider.changed() && typed(slid).is_ok() {
+                *which(next) = Some(slid);
+            }
+            let field = Field {
+                name,
+                of: state.scene_revision(),
+                value,
+                width: WIDTH,
+                step: 0.01 * size,
+            };
+            if let Some(number) = field.show(ui, typed) {
+                *which(next) = Some(number);
+            }
+        });
+        let mut fitted = which(next).is_none();
+        let fit = ui
+            .checkbox(&mut fitted, "fit")
+            .on_hover_text("follow the scene");
+        named(&fit, &format!("fit {name}"));
+        if fit.changed() {
+            *which(next) = if fitted { None } else { Some(value) };
+        }
+        ui.end_row();
+    }
+}
+
+fn depth(ui: &mut Ui, next: &mut LensControls) {
+    ui.label("depth")
+        .on_hover_text("what the depth buffer stores");
+    ui.horizontal(|ui| {
+        ui.selectable_value(&mut next.depth, DepthMapping::Reversed, "reversed")
+            .on_hover_text("near 1, far 0: precision follows the distance");
+        ui.selectable_value(&mut next.depth, DepthMapping::Standard, "standard")
+            .on_hover_text("near 0, far 1: as courses teach it");
+    });
+    ui.end_row();
+}
+
+fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let camera = &state.view().camera;
+    let pose = [camera.eye(), camera.target(), camera.up()];
+    Grid::new("pose").num_columns(4).show(ui, |ui| {
+        ui.label("");
+        for axis in AXES {
+            ui.weak(axis);
+        }
+        ui.end_row();
+        for (row, name) in ["eye", "target", "up"].into_iter().enumerate() {
+            ui.label(name);
+            for axis in 0..3 {
+                let with = |number| {
+                    let mut next = pose;
+                    next[row][axis] = number;
+                    Action::Pose(next)
+                };
+                let check = |number| {
+                    state
+                        .check(&with(number))
+                        .map_err(|error| error.to_string())
+                };
+                let field = Field {
+                    name: &format!("{name} {}", AXES[axis]),
+                    of: state.scene_revision(),
+                    value: pose[row][axis],
+                    width: WIDTH,
+                    step: if row == 2 {
+                        0.01
+                    } else {
+                        0.01 * (pose[0] - pose[1]).length()
+                    },
+                };
+                if let Some(number) = field.show(ui, check) {
+                    commands.push(Command::Act(with(number)));
+                }
+            }
+            ui.end_row();
+        }
+    });
+    if let Projection::Orthographic { height } = camera.lens().projection {
+        ui.label(format!("height {} units", short(height)));
+    }
+}

@@ -1,0 +1,133 @@
+//! What lies over the picture: the axes' directions, messages, progress.
+
+use super::{banner, names::named, shown::Shown};
+use crate::viewer::{
+    model::{Action, State},
+    screen::AXES,
+    ui::{command::Command, notice::Notices, theme::color32},
+};
+use egui::{
+    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, pos2, vec2,
+};
+use glam::DVec3;
+
+/// The world's axes as the camera turns them, in the lower left corner.
+pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
+    const LENGTH: f32 = 26.0;
+    let origin = pos2(rect.left() + 44.0, rect.bottom() - 44.0);
+    let rotation = state.view().camera.rotation();
+    let mut axes: Vec<_> = (DVec3::AXES.into_iter().zip(AXES).zip(["x", "y", "z"]))
+        .map(|((axis, colour), name)| ((rotation * axis).as_vec3(), color32(colour), name))
+        .collect();
+    // The farthest first.
+    axes.sort_by(|a, b| b.0.z.total_cmp(&a.0.z));
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.circle_filled(origin, LENGTH + 16.0, Color32::from_black_alpha(90));
+    for (axis, colour, name) in axes {
+        let along = vec2(axis.x, -axis.y) * LENGTH;
+        painter.line_segment([origin, origin + along], Stroke::new(2.0, colour));
+        let end = origin + along + along.normalized() * 9.0;
+        painter.text(
+            end,
+            Align2::CENTER_CENTER,
+            name,
+            FontId::proportional(13.0),
+            colour,
+        );
+    }
+}
+
+/// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
+pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {
+    let ctx = ui.ctx().clone();
+    let below = shown.state.method().map_or(0.0, |_| banner::HEIGHT);
+    Area::new(Id::unique("notices"))
+        .fixed_pos(rect.left_top() + vec2(10.0, 10.0 + below))
+        .show(&ctx, |ui| {
+            ui.set_max_width((rect.width() - 20.0).max(100.0));
+            notices(ui, shown.notices);
+        });
+    if let Some(fraction) = shown.loading {
+        let at = rect.center_bottom() - vec2(0.0, 40.0);
+        Area::new(Id::unique("progress"))
+            .fixed_pos(at)
+            .pivot(Align2::CENTER_BOTTOM)
+            .show(&ctx, |ui| {
+                Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.horizontal(|ui| {
+                        ui.add(
+                            ProgressBar::new(fraction)
+                                .desired_width(220.0)
+                                .text("loading"),
+                        );
+                        if ui.button("cancel").on_hover_text("(Esc)").clicked() {
+                            commands.push(Command::Escape);
+                        }
+                    });
+                });
+            });
+    } else if let Some((text, button, command)) = hint(shown.state) {
+        Area::new(Id::unique("hint"))
+            .fixed_pos(rect.center())
+            .pivot(Align2::CENTER_CENTER)
+            .show(&ctx, |ui| {
+                Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.vertical_centered(|ui| {
+                        ui.label(text);
+                        if ui.button(button).clicked() {
+                            commands.push(command);
+                        }
+                    });
+                });
+            });
+    }
+}
+
+/// The newest messages, each until it is dismissed.
+fn notices(ui: &mut Ui, notices: &mut Notices) {
+    const SHOWN: usize = 5;
+    let earlier = notices.len().saturating_sub(SHOWN);
+    if earlier > 0 {
+        let text = format!("dismiss all ({earlier} earlier)");
+        if ui.button(text).clicked() {
+            return notices.clear();
+        }
+    }
+    let mut dismissed = None;
+    for (index, notice) in notices.iter().enumerate().skip(earlier) {
+        Frame::popup(ui.style()).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                let colour = if notice.is_error {
+                    ui.visuals().error_fg_color
+                } else {
+                    ui.visuals().warn_fg_color
+                };
+                let dismiss = ui.button("\u{d7}").on_hover_text("dismiss");
+                named(&dismiss, "dismiss");
+                if dismiss.clicked() {
+                    dismissed = Some(index);
+                }
+                ui.add(egui::Label::new(RichText::new(&notice.text).color(colour)).wrap());
+            });
+        });
+    }
+    if let Some(index) = dismissed {
+        notices.remove(index);
+    }
+}
+
+/// Why the picture is empty, and what helps.
+fn hint(state: &State) -> Option<(&'static str, &'static str, Command)> {
+    let bounds = state.scene().visible_bounds();
+    if state.scene().objects().is_empty() {
+        let text = "Drop an OBJ or scene file here";
+        return Some((text, "Open\u{2026} (Ctrl+O)", Command::OpenDialog));
+    }
+    if bounds.is_empty() {
+        let show = Command::Act(Action::ShowAll);
+        return Some(("Everything is hidden", "Show all (U)", show));
+    }
+    let frame = Command::Act(Action::FrameAll);
+    let is_out = !state.view().may_see(&bounds);
+    is_out.then_some(("Nothing in view", "Frame all (A)", frame))
+}

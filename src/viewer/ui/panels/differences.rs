@@ -1,0 +1,88 @@
+//! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
+
+use crate::{
+    verify::{COLOURS, Report, Verdict},
+    viewer::{
+        jobs::{Check, Checking},
+        screen::SceneRect,
+        ui::theme::color32,
+    },
+};
+use egui::{
+    Align2, Area, Color32, Frame, Grid, Id, Rect, RichText, Sense, TextureId, Ui, Vec2, pos2,
+};
+
+/// Over the scene's rectangle; nothing where no check is under way or done.
+pub(super) fn show(
+    ui: &Ui,
+    rect: Rect,
+    place: SceneRect,
+    checking: &Checking,
+    marks: Option<TextureId>,
+) {
+    let Checking::On(check) = checking else {
+        return;
+    };
+    if let Some(marks) = marks {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        let painter = ui.painter().with_clip_rect(rect);
+        painter.image(marks, place.to_points(), whole, Color32::WHITE);
+    }
+    Area::new(Id::unique("check"))
+        .fixed_pos(rect.right_bottom() - Vec2::splat(10.0))
+        .pivot(Align2::RIGHT_BOTTOM)
+        .show(ui.ctx(), |ui| {
+            Frame::popup(ui.style()).show(ui, |ui| match &check.report {
+                None => {
+                    ui.label("comparing every pixel with its pick \u{2026}");
+                }
+                Some(report) => table(ui, check, report),
+            });
+        });
+}
+
+fn table(ui: &mut Ui, check: &Check, report: &Report) {
+    ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong());
+    Grid::new("classes").num_columns(3).show(ui, |ui| {
+        let swatch = |ui: &mut Ui, colour| {
+            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+            ui.painter().rect_filled(rect, 0.0, colour);
+        };
+        swatch(ui, Color32::TRANSPARENT);
+        ui.label("same");
+        ui.monospace(report.same().to_string());
+        ui.end_row();
+        for (class, colour, _) in COLOURS {
+            swatch(ui, color32(colour));
+            ui.label(class.name());
+            ui.monospace(report.count(class).to_string());
+            ui.end_row();
+        }
+    });
+    if check.by().is_empty() {
+        let elsewhere = match report.differ_off_outlines() {
+            0 => String::new(),
+            pixels => format!(", {pixels} elsewhere"),
+        };
+        let [differ, all] = [report.outline_differ, report.outline];
+        ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"));
+        if let Some(advice) = advice(report.verdict()) {
+            ui.label(advice);
+        }
+    }
+    ui.weak("V closes this");
+}
+
+/// What to do about a view that drawing does not hold.
+fn advice(verdict: Verdict) -> Option<&'static str> {
+    match verdict {
+        Verdict::Agrees | Verdict::Unexplained(_) => None,
+        Verdict::BeyondF32(_) => Some(
+            "Drawing in f32 cannot hold this view.\nPicks are right, and so is\nsightline render --by raycast",
+        ),
+        Verdict::NothingDrawn(_) => Some(
+            "Nothing is drawn where picks hit.\nPicks are right, and so is\nsightline render --by raycast",
+        ),
+        Verdict::NothingPicked(_) => Some("Nothing is picked where the picture shows something."),
+    }
+}

@@ -1,0 +1,244 @@
+//! A scene of the failure gallery: what breaks on it, by which method it is picked from, and what that gets wrong.
+
+use super::{
+    field::{short, value_text},
+    plot,
+};
+use crate::{
+    scene::gallery::GALLERY,
+    study::{
+        chart::family,
+        gallery::{breaks_on, swaps},
+        methods::MethodInfo,
+        swap::{Found, Swap},
+    },
+    viewer::{
+        jobs::Chart,
+        model::{Action, Compared, Fault, Showing, State},
+        ui::command::Command,
+    },
+};
+use egui::{Button, Color32, ComboBox, Context, Grid, RichText, Ui};
+use glam::DVec3;
+
+/// What is not the default, and what is wrong: the chart's own vermilion.
+pub(super) const WRONG: Color32 = Color32::from_rgb(0xd5, 0x5e, 0x00);
+/// What is right.
+pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
+
+/// The gallery's scenes, for the toolbar.
+pub(super) fn menu(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let now = state.showing().map(|showing| showing.exhibit.name);
+    let button = ui.menu_button("Gallery", |ui| {
+        for exhibit in &GALLERY {
+            let label = ui.selectable_label(now == Some(exhibit.name), exhibit.title());
+            if label.on_hover_text(exhibit.about()).clicked() {
+                commands.push(Command::Open(vec![exhibit.path()]));
+                ui.close();
+            }
+        }
+        ui.separator();
+        let leave = ui.add_enabled(now.is_some(), Button::new("leave the gallery"));
+        let hint = "open again what was open before";
+        if leave.on_hover_text(hint).clicked() {
+            commands.push(Command::LeaveGallery);
+            ui.close();
+        }
+    });
+    let hint = "scenes on which known methods break (E the next, Shift+E the one before)";
+    button.response.on_hover_text(hint);
+}
+
+/// The panel's width in points, beside a panel of `other` points: such that the picture is an odd number of pixels wide.
+/// Then its middle column looks straight ahead, which one of the scenes is about.
+pub(super) fn width(ctx: &Context, other: f32) -> f32 {
+    const WIDTH: f32 = 400.0;
+    let scale = ctx.pixels_per_point();
+    let px = |points: f32| (points * scale).round();
+    let picture = px(ctx.content_rect().width() - other) - px(WIDTH);
+    let is_odd = picture.rem_euclid(2.0) > 0.5;
+    (px(WIDTH) + if is_odd { 0.0 } else { 1.0 }) / scale
+}
+
+/// In place of the list of objects.
+pub(super) fn show(
+    ui: &mut Ui,
+    state: &State,
+    showing: &Showing,
+    drawn: Option<&Chart>,
+    commands: &mut Vec<Command>,
+) {
+    ui.heading(showing.exhibit.title());
+    ui.label(showing.exhibit.about());
+    ui.separator();
+    methods(ui, showing, commands);
+    ui.separator();
+    outcome(ui, state, showing);
+    ui.separator();
+    if let Some(subject) = showing.subject() {
+        match drawn.and_then(|chart| chart.rows.as_ref()) {
+            Some(rows) => {
+                ui.label("The study, on ever harder cases of what breaks here:");
+                let now = showing.method.map(|method| method.info());
+                let now = now.map(|info| (info.name, info.precision));
+                plot::show(ui, &family(rows, now));
+                ui.weak(
+                    "Dashed: f32. Solid: f64 or exact. Black: Sightline's. Wide: what picks now.",
+                );
+            }
+            None => {
+                ui.horizontal(|ui| {
+                    ui.spinner();
+                    ui.label(format!("studying \u{201c}{}\u{201d}", subject.family));
+                });
+            }
+        }
+    }
+}
+
+/// A method's name with its precision.
+fn name(info: &MethodInfo) -> String {
+    format!("{}, {}", info.name, info.precision)
+}
+
+fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
+    ui.strong("Pick by")
+        .on_hover_text("M the next method, Shift+M the one before");
+    let mut asked = None;
+    if ui
+        .radio(showing.method.is_none(), "Sightline's own, the default")
+        .on_hover_text("back to it: Esc")
+        .clicked()
+    {
+        asked = Some(None);
+    }
+    let all = swaps(showing.exhibit.name);
+    let (broken, others) = all.split_at(breaks_on(showing.exhibit.name).count());
+    for swap in broken {
+        let info = swap.info();
+        let text = RichText::new(step_and_name(swap)).color(WRONG);
+        let radio = ui.radio(showing.method == Some(*swap), text);
+        let hint = format!("breaks here\n{}", info.source);
+        if radio.on_hover_text(hint).clicked() {
+            asked = Some(Some(*swap));
+        }
+    }
+    let other = showing.method.filter(|method| others.contains(method));
+    let shown = other.map_or("another method of the step".to_owned(), |swap| {
+        name(&swap.info())
+    });
+    let list = ComboBox::from_id_salt("other methods")
+        .selected_text(shown)
+        .width(ui.available_width() - 12.0)
+        .show_ui(ui, |ui| {
+            for swap in others {
+                let info = swap.info();
+                let label = ui.selectable_label(showing.method == Some(*swap), step_and_name(swap));
+                if label.on_hover_text(info.source).clicked() {
+                    asked = Some(Some(*swap));
+                }
+            }
+        });
+    let hint = "the registry's other methods for what breaks here";
+    list.response.on_hover_text(hint);
+    if let Some(method) = asked {
+        commands.push(Command::Act(Action::PickBy(method)));
+    }
+}
+
+fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
+    if showing.method.is_none() {
+        ui.weak("Choose a method that breaks, then click where the picture is marked.");
+        return;
+    }
+    let Some(compared) = &showing.compared else {
+        ui.weak("Click the picture: what this method picks there, beside Sightline.");
+        return;
+    };
+    let (text, colour) = verdict(state, compared);
+    ui.label(RichText::new(text).strong().color(colour));
+    ui.collapsing("in numbers", |ui| numbers(ui, state, compared));
+}
+
+/// What a column says of a hit.
+type Column = fn(&State, &Found) -> String;
+
+fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
+    Grid::new("compared")
+        .num_columns(3)
+        .striped(true)
+        .show(ui, |ui| {
+            ui.label("");
+            ui.colored_label(WRONG, "this method");
+            ui.colored_label(RIGHT, "Sightline");
+            ui.end_row();
+            let rows: [(&str, Column); 4] = [
+                ("object", |state, found| object(state, found)),
+                ("triangle", |_, found| {
+                    let at = found.hit.hit.on_triangle;
+                    at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())
+                }),
+                ("point", |_, found| vector(found.point_world)),
+                ("normal", |_, found| vector(found.normal_world)),
+            ];
+            for (what, column) in rows {
+                ui.weak(what);
+                for found in [&compared.theirs, &compared.ours] {
+                    let text = found
+                        .as_ref()
+                        .map_or("nothing".to_owned(), |found| column(state, found));
+                    ui.label(value_text(text));
+                }
+                ui.end_row();
+            }
+        });
+}
+
+/// What the comparison comes to, in words.
+fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
+    let name = |found: &Option<Found>| {
+        found
+            .as_ref()
+            .map_or("nothing".to_owned(), |found| object(state, found))
+    };
+    let (theirs, ours) = (name(&compared.theirs), name(&compared.ours));
+    match compared.fault() {
+        None => ("Nothing is there, and nothing is picked.".to_owned(), RIGHT),
+        Some(Fault::Missed) => (format!("Wrong: it misses {ours}, which is there."), WRONG),
+        Some(Fault::Phantom) => (format!("Wrong: it picks {theirs} where nothing is."), WRONG),
+        Some(Fault::Other) if theirs == ours => {
+            ("Wrong: another triangle is there.".to_owned(), WRONG)
+        }
+        Some(Fault::Other) => (
+            format!("Wrong: it picks {theirs}, but {ours} is there."),
+            WRONG,
+        ),
+        Some(Fault::Off(by)) if !by.shows() => ("Right here.".to_owned(), RIGHT),
+        Some(Fault::Off(by)) => {
+            let place = format!("{} px and {} units", short(by.px), short(by.world));
+            let normal = format!("{}\u{b0}", short(by.normal_deg));
+            let text = if by.normal_deg < 1.0 {
+                format!("Right object, wrong place: {place} off.")
+            } else if by.world == 0.0 {
+                format!("Right object, wrong normal: {normal} off.")
+            } else {
+                format!("Right object, wrong place: {place} off, its normal {normal}.")
+            };
+            (text, WRONG)
+        }
+    }
+}
+
+fn object(state: &State, found: &Found) -> String {
+    state.scene().objects()[found.hit.object].name.clone()
+}
+
+fn vector(v: DVec3) -> String {
+    v.to_array().map(short).join("\n")
+}
+
+/// A method by its step, name and precision.
+pub(super) fn step_and_name(swap: &Swap) -> String {
+    let info = swap.info();
+    format!("{}: {}", info.step.name, name(&info))
+}

@@ -1,0 +1,160 @@
+//! A number that can be typed: red with the reason while it cannot be, and then the last good value stays.
+
+use super::names::{described, named};
+use egui::{Color32, Id, Key, Modifiers, Response, RichText, TextEdit, Ui};
+
+/// What is typed but not, or not yet, in force.
+#[derive(Clone, Default)]
+struct Typed(String);
+
+/// Names of axes.
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A number and how it is shown.
+pub(super) struct Field<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// What it is of: what is typed for one is not another's.
+    pub of: u64,
+    /// What is in force.
+    pub value: f64,
+    /// In points.
+    pub width: f32,
+    /// What an arrow key adds or takes away; with Shift ten times as much.
+    pub step: f64,
+}
+
+impl Field<'_> {
+    /// Shows the field and returns what was typed instead, once Enter or leaving the field confirms it and `check` has
+    /// nothing against it, or what the arrows made of it. Esc gives up. What cannot be is red, with the reason and
+    /// with what stays in force.
+    pub fn show(&self, ui: &mut Ui, check: impl Fn(f64) -> Result<(), String>) -> Option<f64> {
+        let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
+        let shown = short(value);
+        let typed = ui.data(|data| data.get_temp::<Typed>(id));
+        let mut text = typed.clone().map_or_else(|| shown.clone(), |typed| typed.0);
+        let parse = |text: &str| {
+            let number = parse(text, value, &shown)?;
+            check(number).map(|()| number)
+        };
+        if let Some(stepped) = self.stepped(ui, id, parse(&text).ok())
+            && check(stepped).is_ok()
+        {
+            forget(ui, id);
+            self.edit(ui, id, &mut short(stepped), None);
+            return Some(stepped);
+        }
+        let parsed = parse(&text);
+        let wrong = parsed.as_ref().err();
+        let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
+        let response = self.edit(ui, id, &mut text, wrong.as_deref());
+        if response.changed() {
+            ui.data_mut(|data| data.insert_temp(id, Typed(text)));
+        }
+        let given_up = ui.input(|input| input.key_pressed(Key::Escape))
+            && (response.has_focus() || response.lost_focus());
+        if given_up {
+            forget(ui, id);
+        } else if response.lost_focus()
+            && typed.is_some()
+            && let Ok(number) = parsed
+        {
+            forget(ui, id);
+            return Some(number);
+        }
+        None
+    }
+
+    /// What the arrow keys make of a number, where the field has the focus.
+    fn stepped(&self, ui: &Ui, id: Id, from: Option<f64>) -> Option<f64> {
+        let from = from.filter(|_| ui.memory(|memory| memory.has_focus(id)))?;
+        let count = |modifiers, key| {
+            let times = ui.input_mut(|input| input.count_and_consume_key(modifiers, key));
+            u32::try_from(times).map_or(0.0, f64::from)
+        };
+        let steps = |modifiers| count(modifiers, Key::ArrowUp) - count(modifiers, Key::ArrowDown);
+        let by = 10.0 * steps(Modifiers::SHIFT) + steps(Modifiers::NONE);
+        (by != 0.0).then_some(from + by * self.step)
+    }
+
+    fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
+        let red = ui.visuals().error_fg_color;
+        let mut edit = TextEdit::singleline(text).id(id).clip_text(false);
+        if wrong.is_some() {
+            edit = edit.text_color(red);
+        }
+        let height = ui.spacing().interact_size.y;
+        let response = ui.add_sized([self.width, height], edit);
+        named(&response, self.name);
+        let Some(wrong) = wrong else {
+            return response.on_hover_text(self.value.to_string());
+        };
+        described(&response, wrong);
+        let text = RichText::new(wrong).color(Color32::LIGHT_RED);
+        if response.has_focus() {
+            response.show_tooltip_text(text);
+            return response;
+        }
+        ui.colored_label(red, "!").on_hover_text(text.clone());
+        response.on_hover_text(text)
+    }
+}
+
+fn forget(ui: &Ui, id: Id) {
+    ui.data_mut(|data| data.remove_temp::<Typed>(id));
+}
+
+/// What stands in the field; the value itself, with all its digits, when it is still what was shown.
+fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
+    if text == shown {
+        return Ok(value);
+    }
+    let number = text
+        .trim()
+        .parse::<f64>()
+        .map_err(|_| format!("\u{201c}{}\u{201d} is not a number", text.trim()))?;
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err("it must be a finite number".into())
+    }
+}
+
+/// Width of a field in points that shows as many digits as [`short`] gives.
+pub(super) const WIDTH: f32 = 74.0;
+
+/// A value as panels show it: digits one under the other, a point with all of them in a line.
+pub(super) fn value_text(text: impl Into<String>) -> RichText {
+    RichText::new(text).monospace().size(11.0)
+}
+
+/// Six significant digits: enough to read; the field holds on to all of them.
+pub(super) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let exponent = value.abs().log10().floor();
+    if !(-4.0..9.0).contains(&exponent) {
+        let text = format!("{value:.5e}");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped"
+    )]
+    let decimals = (5.0 - exponent).clamp(0.0, 10.0) as usize;
+    trimmed(&format!("{value:.decimals$}")).to_owned()
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
+    }
+}

@@ -1,0 +1,137 @@
+//! Over the picture: the triangle that was hit, with its corners and barycentrics, and the way from the pick before.
+
+use super::field::short;
+use crate::{
+    camera::View,
+    pick::Pick,
+    viewer::{
+        model::{Overlay, Stage, State, triangle},
+        screen::SceneRect,
+    },
+};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
+use glam::DVec3;
+
+const TRIANGLE: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
+const DISTANCE: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
+/// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
+const LEGIBLE: f32 = 36.0;
+
+/// Over the scene's rectangle; nothing where there is no pick, or of another stage.
+pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
+    if state.stage() != Stage::World {
+        return;
+    }
+    let page = Page {
+        painter: ui.painter().with_clip_rect(rect),
+        place,
+        view: state.view(),
+    };
+    let pick = state
+        .selection()
+        .and_then(|selection| selection.pick.as_ref()?.hit.as_ref());
+    if let Some(pick) = pick.filter(|_| state.overlays().shows(Overlay::Triangle)) {
+        page.triangle(state, pick);
+    }
+    if let ([from, to], true) = (state.landmarks(), state.overlays().shows(Overlay::Distance)) {
+        page.distance(from.point_world, to.point_world);
+    }
+}
+
+struct Page<'a> {
+    painter: Painter,
+    place: SceneRect,
+    view: &'a View,
+}
+
+impl Page<'_> {
+    fn at(&self, point_world: DVec3) -> Option<Pos2> {
+        let [at, _] = self.view.project_segment(point_world, point_world)?;
+        Some(self.place.to_position(at))
+    }
+
+    fn segment(&self, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
+        let ends = self.view.project_segment(a, b)?;
+        Some(ends.map(|end| self.place.to_position(end)))
+    }
+
+    fn triangle(&self, state: &State, pick: &Pick) {
+        let (Some(corners), Some(weights)) = (triangle(state.scene(), pick), pick.barycentric)
+        else {
+            return;
+        };
+        let [a, b, c] = corners;
+        let middle = (a + b + c) / 3.0;
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            if let Some(ends) = self.segment(from, to) {
+                self.painter
+                    .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
+                self.painter.line_segment(ends, Stroke::new(2.0, TRIANGLE));
+            }
+        }
+        // How much of each corner makes the point.
+        for corner in corners {
+            if let Some(ends) = self.segment(corner, pick.point_world) {
+                let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, TRIANGLE), 4.0, 4.0);
+                self.painter.extend(dashes);
+            }
+        }
+        if let Some(at) = self.at(pick.point_world) {
+            self.painter
+                .circle(at, 4.0, Color32::WHITE, Stroke::new(1.5, Color32::BLACK));
+        }
+        let seen = corners.map(|corner| self.at(corner));
+        let small = match seen {
+            [Some(a), Some(b), Some(c)] => {
+                Rect::from_points(&[a, b, c]).size().max_elem() < LEGIBLE
+            }
+            _ => false,
+        };
+        let middle = self.at(middle);
+        for (name, (at, weight)) in ["v1", "v2", "v3"]
+            .into_iter()
+            .zip(seen.into_iter().zip(weights))
+        {
+            let Some(at) = at.filter(|_| !small) else {
+                continue;
+            };
+            self.painter.circle_filled(at, 4.0, TRIANGLE);
+            let outwards = middle.map_or(vec2(0.0, -1.0), |middle| (at - middle).normalized());
+            self.text(
+                at + 26.0 * outwards,
+                &format!("{name} {weight:.3}"),
+                TRIANGLE,
+            );
+        }
+    }
+
+    fn distance(&self, from: DVec3, to: DVec3) {
+        let Some(ends) = self.segment(from, to) else {
+            return;
+        };
+        self.painter
+            .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
+        let dashes = Shape::dashed_line(&ends, Stroke::new(2.0, DISTANCE), 8.0, 4.0);
+        self.painter.extend(dashes);
+        for end in ends {
+            self.painter
+                .circle(end, 4.0, DISTANCE, Stroke::new(1.5, Color32::BLACK));
+        }
+        let middle = ends[0].lerp(ends[1], 0.5);
+        let text = short(from.distance(to));
+        self.text(middle - vec2(0.0, 16.0), &text, DISTANCE);
+    }
+
+    fn text(&self, at: Pos2, text: &str, colour: Color32) {
+        let galley =
+            self.painter
+                .layout_no_wrap(text.to_owned(), FontId::proportional(15.0), colour);
+        let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        self.painter.rect_filled(
+            rect.expand2(vec2(4.0, 1.0)),
+            3.0,
+            Color32::from_black_alpha(200),
+        );
+        self.painter.galley(rect.min, galley, colour);
+    }
+}

@@ -1,0 +1,31 @@
+//! The window's panels, one a file.
+
+mod banner;
+mod camera;
+mod corners;
+mod differences;
+mod exhibit;
+mod field;
+mod gesture;
+mod help;
+mod inspect;
+mod layout;
+mod marks;
+mod model_matrix;
+mod names;
+mod objects;
+mod pick;
+mod pipeline;
+mod plot;
+mod question;
+mod record;
+mod shown;
+mod status;
+#[cfg(test)]
+mod tests;
+mod toolbar;
+
+pub(in crate::viewer) use layout::show;
+pub(in crate::viewer) use objects::Filter;
+pub(in crate::viewer) use shown::{Floating, Shown};
+pub(in crate::viewer) use status::Statistics;

@@ -1,0 +1,151 @@
+//! The selected object's model matrix in parts, to be edited while picks follow.
+
+use super::{
+    field::{AXES, Field, WIDTH, short},
+    gesture::Gesture,
+};
+use crate::{
+    geometry::Trs,
+    viewer::{
+        model::{Action, Stage, State},
+        ui::command::Command,
+    },
+};
+use egui::{CollapsingHeader, CursorIcon, Grid, Label, Response, Sense, Ui};
+use glam::{DAffine3, DVec3};
+
+/// A part of the matrix.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Translation,
+    Rotation,
+    Scale,
+}
+
+impl Part {
+    fn value(self, trs: &Trs) -> DVec3 {
+        *self.of(&mut { *trs })
+    }
+
+    fn of(self, trs: &mut Trs) -> &mut DVec3 {
+        match self {
+            Self::Translation => &mut trs.translation,
+            Self::Rotation => &mut trs.rotation_deg,
+            Self::Scale => &mut trs.scale,
+        }
+    }
+}
+
+const PARTS: [(Part, &str, &str); 3] = [
+    (
+        Part::Translation,
+        "position",
+        "of the object's origin, in world units",
+    ),
+    (
+        Part::Rotation,
+        "rotation",
+        "degrees about the world's x, then y, then z axis",
+    ),
+    (
+        Part::Scale,
+        "scale",
+        "along the object's own axes; negative mirrors, zero cannot be",
+    ),
+];
+
+pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec<Command>) {
+    // Other stages are made from the world, and would not follow.
+    if state.stage() != Stage::World {
+        return;
+    }
+    let header = CollapsingHeader::new("Model matrix").show(ui, |ui| {
+        let model = state.scene().objects()[object].placement.model();
+        edit(ui, state, object, model, commands);
+    });
+    let hint = "where the selected object stands: typed, or dragged at the letters";
+    header.header_response.on_hover_text(hint);
+}
+
+fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
+    // A matrix that shears is no product of these parts; it can still be moved.
+    let trs = Trs::of(model);
+    let parts = trs.unwrap_or(Trs {
+        translation: model.translation,
+        rotation_deg: DVec3::ZERO,
+        scale: DVec3::ONE,
+    });
+    let with = |part: Part, axis: usize, number: f64| {
+        let mut next = parts;
+        part.of(&mut next)[axis] = number;
+        let model = match part {
+            // The rest stays to the bit.
+            Part::Translation => DAffine3 {
+                translation: next.translation,
+                ..model
+            },
+            _ => next.to_model(),
+        };
+        Action::Place(object, model)
+    };
+    let size = state.scene().bounds_of(object).radius();
+    let (mut asked, mut gesture) = (None, Gesture::default());
+    Grid::new("parts").num_columns(4).show(ui, |ui| {
+        for (part, name, hint) in PARTS {
+            if part != Part::Translation && trs.is_none() {
+                continue;
+            }
+            ui.label(name).on_hover_text(hint);
+            for (axis, letter) in AXES.into_iter().enumerate() {
+                let value = part.value(&parts)[axis];
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 2.0;
+                    let step = match part {
+                        Part::Translation => 0.01 * size,
+                        Part::Rotation => 1.0,
+                        Part::Scale => 0.01 * value.abs(),
+                    };
+                    let label = handle(ui, letter, hint);
+                    gesture.note(&label);
+                    let moved = f64::from(label.drag_delta().x) * step;
+                    if moved != 0.0 {
+                        asked = Some(with(part, axis, value + moved));
+                    }
+                    let check = |number| {
+                        let action = with(part, axis, number);
+                        state.check(&action).map_err(|error| error.to_string())
+                    };
+                    let field = Field {
+                        name: &format!("{name} {letter}"),
+                        of: state.scene_revision() ^ (object as u64).rotate_left(32),
+                        value,
+                        width: WIDTH - 12.0,
+                        step,
+                    };
+                    if let Some(number) = field.show(ui, check) {
+                        asked = Some(with(part, axis, number));
+                    }
+                });
+            }
+            ui.end_row();
+        }
+    });
+    if trs.is_none() {
+        ui.weak("It shears: rotation and scale alone do not make it.");
+    }
+    let determinant = short(model.matrix3.determinant());
+    ui.weak(format!(
+        "determinant {determinant}: volumes grow by so much"
+    ));
+    if state.edited() {
+        ui.weak("Edited. Ctrl+S saves it; R reads the files again.");
+    }
+    gesture.push(asked, commands);
+}
+
+/// A letter to drag at.
+fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
+    let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
+    let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);
+    label.on_hover_text(format!("{hint}; drag sideways"))
+}

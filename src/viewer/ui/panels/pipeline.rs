@@ -1,0 +1,226 @@
+//! The matrices, live, and the pick's point on its way through them.
+
+use super::{
+    field::{short, value_text},
+    names::named,
+};
+use crate::{
+    camera::{DepthMapping, Projection, View},
+    viewer::{
+        model::{Action, Matrices, Stage, State, Steps},
+        ui::command::Command,
+    },
+};
+use egui::{Context, Grid, Ui, Window};
+use glam::{DMat4, DVec2, DVec3};
+
+pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
+    let mut open = true;
+    Window::new("Pipeline")
+        .open(&mut open)
+        .collapsible(true)
+        .resizable(false)
+        .default_pos([225.0, 60.0])
+        .show(ctx, |ui| {
+            let (scene, view) = state.world();
+            stages(ui, state, commands);
+            let point = followed_point(state);
+            let selected = state.selection().map(|selection| selection.object);
+            let object = point.map(|(object, _)| object).or(selected);
+            let object = object.map(|object| &scene.objects()[object]);
+            let matrices = Matrices::of(view, object);
+            ui.horizontal_top(|ui| {
+                matrix(ui, "P", "projection: view to clip", &matrices.projection);
+                matrix(ui, "V", "view: world to view", &matrices.view);
+            });
+            ui.horizontal_top(|ui| {
+                let hint = object.map_or("model: no object, so the identity".into(), |object| {
+                    format!("model: object to world, of {}", object.name)
+                });
+                matrix(ui, "M", &hint, &matrices.model);
+                matrix(
+                    ui,
+                    "P V M",
+                    "all of it: object to clip",
+                    &matrices.product(),
+                );
+            });
+            ui.weak(mapping(state));
+            ui.separator();
+            let (title, values) = match (object, point, cursor(state)) {
+                (Some(object), Some((_, point)), _) => {
+                    let title = if is_picked(state) {
+                        "The pick"
+                    } else {
+                        "Under the cursor"
+                    };
+                    match Steps::follow(state.view(), object, point) {
+                        Some(steps) => (title, followed(&steps)),
+                        None => (
+                            "The picked point lies behind the eye now",
+                            Values::default(),
+                        ),
+                    }
+                }
+                (_, _, Some(px)) => ("Under the cursor", background(view, px)),
+                _ => (
+                    "Point at a surface, or click it: its point is followed",
+                    Values::default(),
+                ),
+            };
+            ui.strong(title);
+            table(ui, &values);
+        });
+    if !open {
+        commands.push(Command::TogglePipeline);
+    }
+}
+
+/// The scene with no matrix, with M, with V M, with P V M.
+fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.label("show the scene with");
+        for (stage, name) in Stage::ALL {
+            let label = ui.selectable_label(state.stage() == stage, name);
+            named(&label, &format!("show with {name}"));
+            if label.clicked() {
+                commands.push(Command::Act(Action::Stage(stage)));
+            }
+        }
+    });
+}
+
+/// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
+fn followed_point(state: &State) -> Option<(usize, DVec3)> {
+    let picked = || {
+        let selection = state.selection()?;
+        let hit = selection.pick.as_ref()?.hit.as_ref()?;
+        Some((selection.object, hit.point_object))
+    };
+    let under_cursor = || state.cursor().filter(|_| in_world(state))?.hit;
+    picked().or_else(under_cursor)
+}
+
+fn is_picked(state: &State) -> bool {
+    (state.selection()).is_some_and(|selection| selection.pick.is_some())
+}
+
+/// The cursor's pixel, where it is one of the picture that the matrices make.
+fn cursor(state: &State) -> Option<DVec2> {
+    let cursor = state.cursor().filter(|_| in_world(state))?;
+    Some(cursor.px)
+}
+
+fn in_world(state: &State) -> bool {
+    state.stage() == Stage::World
+}
+
+/// What the third row of P does to depth.
+fn mapping(state: &State) -> String {
+    let lens = state.world().1.camera.lens();
+    let (a, b) = lens.depth_row();
+    let formula = match lens.projection {
+        Projection::Perspective { .. } => format!("z_ndc = {} + {} / z", short(a), short(b)),
+        Projection::Orthographic { .. } => format!("z_ndc = {} z + {}", short(a), short(b)),
+    };
+    let ends = match lens.depth {
+        DepthMapping::Reversed => "near 1, far 0",
+        DepthMapping::Standard => "near 0, far 1",
+    };
+    format!("{} depth ({ends}): {formula}", lens.depth)
+}
+
+fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
+    ui.vertical(|ui| {
+        ui.strong(name).on_hover_text(hint);
+        // What only rounding left beside the largest entry reads better as 0.
+        let largest = matrix
+            .to_cols_array()
+            .into_iter()
+            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        let entry = |value: f64| {
+            if value.abs() > 4.0 * f64::EPSILON * largest {
+                value
+            } else {
+                0.0
+            }
+        };
+        Grid::new(name).num_columns(4).striped(true).show(ui, |ui| {
+            for row in 0..4 {
+                numbers(ui, &matrix.row(row).to_array().map(entry));
+                ui.end_row();
+            }
+        });
+    });
+}
+
+/// A row of numbers in columns of one width, each with all its digits under the cursor.
+fn numbers(ui: &mut Ui, values: &[f64]) {
+    for value in values {
+        let text = format!("{:>10}", short(*value));
+        ui.label(value_text(text)).on_hover_text(value.to_string());
+    }
+}
+
+/// What is followed on its way: name, and how it comes from the row before.
+const ROWS: [(&str, &str); 8] = [
+    ("object", "where the shape has it"),
+    ("world", "M * object"),
+    ("view", "V * world"),
+    ("clip", "P * view"),
+    ("NDC", "clip / w"),
+    ("pixel", "from the top left corner"),
+    ("ray from", "back again"),
+    ("ray along", "a unit vector"),
+];
+
+/// The numbers of [`ROWS`]; none where there is nothing to follow.
+type Values = [Vec<f64>; ROWS.len()];
+
+fn followed(steps: &Steps) -> Values {
+    [
+        steps.object.to_array().to_vec(),
+        steps.world.to_array().to_vec(),
+        steps.view.to_array().to_vec(),
+        steps.clip.to_array().to_vec(),
+        steps.ndc.to_array().to_vec(),
+        steps.px.to_array().to_vec(),
+        steps.ray.origin.to_array().to_vec(),
+        steps.ray.direction.to_array().to_vec(),
+    ]
+}
+
+/// A pixel in which nothing shows: the way back alone.
+fn background(view: &View, px: DVec2) -> Values {
+    let ray = view.ray(px);
+    let ndc = view.viewport.px_to_ndc(px);
+    let [object, world, seen, clip] = Default::default();
+    [
+        object,
+        world,
+        seen,
+        clip,
+        ndc.to_array().to_vec(),
+        px.to_array().to_vec(),
+        ray.origin.to_array().to_vec(),
+        ray.direction.to_array().to_vec(),
+    ]
+}
+
+/// As large with numbers as without: else the window would come and go under the cursor that it follows.
+fn table(ui: &mut Ui, values: &Values) {
+    Grid::new("steps")
+        .num_columns(6)
+        .striped(true)
+        .show(ui, |ui| {
+            for ((name, how), values) in ROWS.into_iter().zip(values) {
+                ui.label(name);
+                ui.weak(how);
+                numbers(ui, values);
+                for _ in values.len()..4 {
+                    ui.label(value_text(format!("{:>10}", "")));
+                }
+                ui.end_row();
+            }
+        });
+}

@@ -1,0 +1,43 @@
+//! The one question before edits are dropped.
+
+use crate::viewer::ui::command::{Command, Intent, Reply};
+use egui::{Context, Id, Modal};
+
+/// In the middle of the window, before everything else.
+pub(super) fn show(ctx: &Context, intent: &Intent, commands: &mut Vec<Command>) {
+    let (what, go_on) = match intent {
+        Intent::Open(_) => ("opens other files", "Open, drop the edits"),
+        Intent::Reload => ("reads the files again", "Reload, drop the edits"),
+        Intent::Quit => ("closes the window", "Close, drop the edits"),
+    };
+    Modal::new(Id::unique("question")).show(ctx, |ui| {
+        ui.heading("Unsaved edits");
+        ui.label(format!(
+            "This {what}. What you have edited is in no file yet."
+        ));
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            let mut answer = |ui: &mut egui::Ui, text: &str, hint: &str, reply| {
+                if ui.button(text).on_hover_text(hint).clicked() {
+                    commands.push(Command::Reply(reply));
+                }
+            };
+            answer(
+                ui,
+                "Save first\u{2026}",
+                "as a scene file, and go on then",
+                Reply::Save,
+            );
+            if matches!(intent, Intent::Open(_)) {
+                answer(
+                    ui,
+                    "Add to the scene",
+                    "beside what is shown, edits and all",
+                    Reply::Add,
+                );
+            }
+            answer(ui, go_on, "they are gone then", Reply::GoOn);
+            answer(ui, "Cancel", "nothing happens (Esc)", Reply::Stay);
+        });
+    });
+}

@@ -1,0 +1,44 @@
+//! What the panels are given to show.
+
+use super::{objects::Filter, status::Statistics};
+use crate::viewer::{
+    jobs::{Chart, Checking},
+    model::State,
+    ui::{command::Intent, notice::Notices},
+};
+use egui::TextureId;
+
+/// Windows over the scene that are there when asked for.
+#[derive(Clone, Copy, Default)]
+pub(in crate::viewer) struct Floating {
+    /// Keys and mouse.
+    pub help: bool,
+    /// Matrices.
+    pub pipeline: bool,
+}
+
+/// What the panels show besides the state.
+pub(in crate::viewer) struct Shown<'a> {
+    /// What is to be seen and how.
+    pub state: &'a State,
+    /// Messages that wait to be read.
+    pub notices: &'a mut Notices,
+    /// How far a load has come, when there is one.
+    pub loading: Option<f32>,
+    /// Which windows are open over the scene.
+    pub floating: Floating,
+    /// What would drop edits, and waits for an answer.
+    pub question: Option<&'a Intent>,
+    /// The study's chart of what breaks, in the gallery.
+    pub chart: Option<&'a Chart>,
+    /// The comparison of drawn and picked.
+    pub checking: &'a Checking,
+    /// The pixels that differ, painted; transparent elsewhere.
+    pub marks: Option<TextureId>,
+    /// Frame time, adapter and the like.
+    pub statistics: &'a Statistics,
+    /// What narrows the list of objects.
+    pub filter: &'a mut Filter,
+    /// Whether to bring the selected object's row into view.
+    pub reveal_selection: bool,
+}

@@ -1,0 +1,66 @@
+//! The line at the bottom: how fast, on what, and what is under the cursor.
+
+use crate::{
+    camera::{Projection, View},
+    viewer::model::{Stage, State},
+};
+use egui::{RichText, Ui};
+use std::time::Duration;
+
+/// What the status line knows of the machine.
+#[derive(Clone, Debug, Default)]
+pub(in crate::viewer) struct Statistics {
+    /// CPU time of the last frame that drew the scene, GPU included where it is software.
+    pub frame: Duration,
+    /// The last pick.
+    pub pick: Option<Duration>,
+    /// The graphics adapter.
+    pub adapter: String,
+    /// Whether the adapter is the processor itself.
+    pub software: bool,
+}
+
+pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
+    ui.horizontal(|ui| {
+        ui.weak(format!(
+            "frame {:.1} ms",
+            1e3 * statistics.frame.as_secs_f64()
+        ));
+        if let Some(pick) = statistics.pick {
+            ui.weak(format!("pick {:.0} \u{b5}s", 1e6 * pick.as_secs_f64()));
+        }
+        ui.separator();
+        ui.weak(statistics.adapter.as_str());
+        if statistics.software {
+            ui.label(RichText::new("software").color(ui.visuals().warn_fg_color))
+                .on_hover_text("no graphics card is used: the processor draws");
+        }
+        ui.separator();
+        let lens = state.view().camera.lens();
+        ui.weak(format!(
+            "{}, {} depth",
+            projection_name(state.view()),
+            lens.depth
+        ));
+        let stage = Stage::ALL
+            .into_iter()
+            .find(|(stage, _)| *stage == state.stage());
+        if let Some((_, name)) = stage.filter(|(stage, _)| *stage != Stage::World) {
+            ui.separator();
+            ui.label(RichText::new(format!("shown with {name}")).color(ui.visuals().warn_fg_color))
+                .on_hover_text("not the world: the way back is in the pipeline (P)");
+        }
+        if let Some(object) = state.hover() {
+            ui.separator();
+            ui.label(&state.scene().objects()[object].name);
+        }
+    });
+}
+
+/// The word for a projection.
+fn projection_name(view: &View) -> &'static str {
+    match view.camera.lens().projection {
+        Projection::Perspective { .. } => "perspective",
+        Projection::Orthographic { .. } => "orthographic",
+    }
+}

@@ -1,0 +1,199 @@
+//! The panels without a window: what they say, and what keys ask for.
+
+use super::{
+    field::short,
+    layout::show,
+    objects::Filter,
+    shown::{Floating, Shown},
+    status::Statistics,
+};
+use crate::{
+    camera::{CameraChoice, Viewport},
+    geometry::Sides,
+    scene::{self, Progress},
+    study::gallery::BREAKS,
+    viewer::{
+        jobs::Checking,
+        model::{Action, State},
+        ui::{command::Command, keys::BINDINGS, notice::Notices},
+    },
+};
+use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
+use glam::DVec2;
+use std::collections::BTreeSet;
+
+fn opened(path: &str) -> State {
+    let loaded = scene::load(&[path.into()], &Progress::default()).expect("a scene");
+    let viewport = Viewport::new(549, 670).expect("a viewport");
+    State::new(loaded, CameraChoice::default(), viewport, Sides::Both).expect("a camera")
+}
+
+/// One pass over the panels: every text that they show, and what they ask for.
+fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
+    let context = egui::Context::default();
+    let screen_rect = Some(Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 720.0)));
+    let mut commands = Vec::new();
+    let mut run = |events| {
+        let input = RawInput {
+            screen_rect,
+            events,
+            ..RawInput::default()
+        };
+        let mut output = context.run_ui(input, |ui| {
+            let mut shown = Shown {
+                state,
+                notices: &mut Notices::new(),
+                loading: None,
+                floating: Floating::default(),
+                question: None,
+                chart: None,
+                checking: &Checking::Off,
+                marks: None,
+                statistics: &Statistics::default(),
+                filter: &mut Filter::default(),
+                reveal_selection: false,
+            };
+            commands.extend(show(ui, &mut shown, &mut None).1);
+        });
+        // egui minds when nobody takes its textures.
+        output.textures_delta.clear();
+        output.shapes
+    };
+    // The first pass only finds out how large things are.
+    run(Vec::new());
+    let shapes = run(events);
+    let mut texts = Vec::new();
+    for clipped in &shapes {
+        collect(&clipped.shape, &mut texts);
+    }
+    (texts.join("\n"), commands)
+}
+
+fn collect(shape: &Shape, texts: &mut Vec<String>) {
+    match shape {
+        Shape::Text(text) => texts.push(text.galley.text().to_owned()),
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, texts)),
+        _ => {}
+    }
+}
+
+fn press(key: Key, modifiers: Modifiers) -> Event {
+    Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    }
+}
+
+#[test]
+fn another_method_is_under_a_banner_and_the_default_is_not() {
+    const BANNER: &str = "Not the default: another method picks";
+    for broken in &BREAKS {
+        let mut state = opened(&format!("gallery:{}", broken.exhibit));
+        assert!(!pass(&state, Vec::new()).0.contains(BANNER));
+        state.apply(Action::PickBy(broken.swap()));
+        let (texts, _) = pass(&state, Vec::new());
+        let method = format!(
+            "{}: {}, {}",
+            broken.step.about.name, broken.method, broken.precision
+        );
+        assert!(texts.contains(BANNER), "{texts}");
+        assert!(texts.matches(&method).count() >= 2, "{method} in\n{texts}");
+        assert!(texts.contains("back (Esc)"), "{texts}");
+        state.apply(Action::PickBy(None));
+        assert!(!pass(&state, Vec::new()).0.contains(BANNER));
+    }
+}
+
+#[test]
+fn each_key_asks_for_what_its_line_says() {
+    let state = opened("gallery:needles");
+    let idle =
+        |command: &Command| !matches!(command, Command::Act(Action::Resize(_) | Action::Hover(_)));
+    for binding in BINDINGS {
+        for (modifiers, key) in binding.shortcuts {
+            let modifiers = Modifiers {
+                ctrl: modifiers.command,
+                ..*modifiers
+            };
+            let (_, asked) = pass(&state, vec![press(*key, modifiers)]);
+            let asked: Vec<_> = asked.into_iter().filter(idle).collect();
+            assert_eq!(
+                asked,
+                std::slice::from_ref(&binding.command),
+                "{key:?} with {modifiers:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_key_that_was_pressed_twice_within_a_frame_is_done_twice() {
+    for key in [Key::B, Key::Num5, Key::G] {
+        let mut state = opened("gallery:needles");
+        let shows = |state: &State| (state.view().sides, state.controls(), state.grid());
+        let before = shows(&state);
+        let twice = vec![press(key, Modifiers::NONE); 2];
+        for command in pass(&state, twice).1 {
+            if let Command::Act(action) = command {
+                state.apply(action);
+            }
+        }
+        assert_eq!(shows(&state), before, "{key:?}");
+    }
+}
+
+#[test]
+fn what_a_click_was_compared_with_is_marked_only_in_its_own_picture() {
+    let mut state = opened("gallery:small_and_far");
+    state.apply(Action::NextMethod { forward: true });
+    state.apply(Action::Click(DVec2::new(30.0, 300.0), 0.0));
+    let is_marked = |state: &State| pass(state, Vec::new()).0.contains("picked: ");
+    assert!(is_marked(&state));
+    state.apply(Action::Turn(DVec2::new(40.0, 0.0)));
+    assert!(!is_marked(&state));
+    state.apply(Action::Click(DVec2::new(30.0, 300.0), 9.0));
+    assert!(is_marked(&state));
+}
+
+#[test]
+fn short_numbers_read_as_the_number() {
+    let numbers = [
+        (0.0, "0"),
+        (-0.5, "-0.5"),
+        (1_234.567_89, "1234.57"),
+        (1e-7, "1e-7"),
+        (-2.5e12, "-2.5e12"),
+        (f64::INFINITY, "inf"),
+        (f64::NEG_INFINITY, "-inf"),
+        (f64::NAN, "NaN"),
+    ];
+    for (number, text) in numbers {
+        assert_eq!(short(number), text);
+    }
+}
+
+/// README's table, in which a key with Shift or Ctrl may stand as words beside the key alone.
+#[test]
+fn readme_names_every_key_and_no_other() {
+    let readme = include_str!("../../../../README.md");
+    let (_, rest) = readme.split_once("## Mouse and keys").expect("a heading");
+    let table = rest.split("\n\n").nth(1).expect("a table");
+    let inputs = (table.lines().skip(2)).filter_map(|row| row.split('|').nth(1));
+    let words = inputs.flat_map(str::split_whitespace);
+    let words = words.map(|word| word.trim_matches([',', ';']));
+    let is_key =
+        |word: &str| !word.starts_with(|c: char| c.is_lowercase() || "\u{b7}+".contains(c));
+    let named: BTreeSet<_> = words
+        .filter(|word| is_key(word) && !["Shift", "Ctrl"].contains(word))
+        .collect();
+    let mut bound = BTreeSet::new();
+    for binding in BINDINGS.iter().filter(|binding| !binding.keys.is_empty()) {
+        let keys: Vec<_> = binding.keys.split(", ").collect();
+        let alone = |key: &&str| !key.contains('+') || !keys.contains(&&key[key.len() - 1..]);
+        bound.extend(keys.iter().copied().filter(alone));
+    }
+    assert_eq!(named, bound);
+}

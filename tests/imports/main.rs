@@ -1,0 +1,158 @@
+//! Imports point one way, and only those who must know graphics and windows know them.
+
+mod viewer;
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Each module and what it may name, as the map in `lib.rs` has it: only what stands in rows above it.
+const MAY_NAME: [(&str, &str); 13] = [
+    ("colour", ""),
+    ("geometry", "colour"),
+    ("look", "colour"),
+    ("camera", "geometry"),
+    ("image", "camera"),
+    ("scene", "colour geometry camera"),
+    ("pick", "colour geometry look camera image scene"),
+    ("render", "colour geometry look camera image scene"),
+    ("verify", "colour geometry camera image scene pick render"),
+    ("study", "geometry camera image scene pick render"),
+    (
+        "viewer",
+        "colour geometry look camera image scene pick render verify study",
+    ),
+    (
+        "cli",
+        "geometry camera image scene pick render verify study viewer",
+    ),
+    ("main", "cli"),
+];
+
+/// Crates that only some modules may name.
+const KEPT: [(&str, &[&str]); 5] = [
+    ("wgpu", &["render", "viewer"]),
+    ("winit", &["viewer"]),
+    ("egui", &["viewer"]),
+    ("tobj", &["scene"]),
+    ("clap", &["cli"]),
+];
+
+/// Every file in a folder and those within it.
+fn files_under(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            files.extend(files_under(&path));
+        } else {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// Each source file and the module that it belongs to.
+fn sources() -> Vec<(String, PathBuf)> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let files = files_under(&src);
+    let module = |path: &Path| {
+        let first = path.strip_prefix(&src).ok()?.components().next()?;
+        let name = Path::new(&first).file_stem()?.to_str()?;
+        Some(name.to_owned())
+    };
+    let named = files
+        .into_iter()
+        .map(|path| (module(&path).expect("a name"), path));
+    named.filter(|(module, _)| module != "lib").collect()
+}
+
+/// The file without its comments.
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).expect("a source file");
+    let lines = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The words that follow `prefix` in paths: one, or the first of each path within braces.
+fn named_after<'a>(code: &'a str, prefix: &str) -> BTreeSet<&'a str> {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let first_word = |text: &'a str| text.trim_start().split(|c| !is_word(c)).next();
+    let mut words = BTreeSet::new();
+    for (at, _) in code.match_indices(prefix) {
+        let rest = &code[at + prefix.len()..];
+        let Some(inner) = rest.strip_prefix('{') else {
+            words.extend(first_word(rest));
+            continue;
+        };
+        let mut depth = 0;
+        let mut start = 0;
+        for (i, c) in inner.char_indices() {
+            match c {
+                '{' => depth += 1,
+                ',' | '}' if depth == 0 => {
+                    words.extend(first_word(&inner[start..i]));
+                    start = i + 1;
+                    if c == '}' {
+                        break;
+                    }
+                }
+                '}' => depth -= 1,
+                _ => {}
+            }
+        }
+    }
+    words.remove("");
+    words
+}
+
+#[test]
+fn modules_name_only_what_they_may() {
+    let mut seen = 0;
+    for (module, path) in sources() {
+        let row = MAY_NAME.iter().position(|(name, _)| *name == module);
+        let row = row.unwrap_or_else(|| panic!("{module} has no row"));
+        let may: Vec<&str> = MAY_NAME[row].1.split_whitespace().collect();
+        let above = MAY_NAME[..row].iter().map(|(name, _)| *name);
+        let above: Vec<&str> = above.collect();
+        assert!(may.iter().all(|name| above.contains(name)), "{module}");
+        let prefix = if module == "main" {
+            "sightline::"
+        } else {
+            "crate::"
+        };
+        for name in named_after(&code(&path), prefix) {
+            let own = name == module;
+            assert!(
+                own || may.contains(&name),
+                "{} names {name}",
+                path.display()
+            );
+            seen += usize::from(!own);
+        }
+    }
+    assert!(seen > 200, "{seen}: the search finds imports");
+}
+
+#[test]
+fn graphics_and_windows_are_known_to_those_who_draw_and_show() {
+    for (name, modules) in KEPT {
+        let mut seen = BTreeSet::new();
+        for (module, path) in sources() {
+            let code = code(&path);
+            if code.contains(&format!("{name}::")) || code.contains(&format!("use {name}")) {
+                assert!(
+                    modules.contains(&module.as_str()),
+                    "{} names {name}",
+                    path.display()
+                );
+                seen.insert(module);
+            }
+        }
+        assert_eq!(seen.len(), modules.len(), "{name}: {seen:?}");
+    }
+}

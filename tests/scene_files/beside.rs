@@ -1,0 +1,163 @@
+//! Scenes saved with their meshes: a folder can be moved, and what has no file gets one.
+
+use crate::{load, write};
+use glam::DVec3;
+use sightline::{
+    camera::CameraChoice,
+    colour::Srgb,
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement, crease_normals},
+    scene::{Loaded, Object, Scene, Shape, save},
+};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+const CORNERS: &str = "v 0.1 0 0\nv 1 0 0.3\nv 0 1 0\n";
+
+/// Everything about a scene that is drawn and picked.
+fn facts(loaded: &Scene) -> Vec<String> {
+    let objects = loaded.objects().iter();
+    let fact = |object: &Object| {
+        let Shape::Mesh { mesh, .. } = &object.shape else {
+            return format!("{object:?}");
+        };
+        let triangle = |triangle: u32| {
+            let bits = |corner: DVec3| corner.to_array().map(f64::to_bits);
+            let corners = mesh.corners(triangle).map(bits);
+            let data = mesh.data();
+            let own = data.triangles[triangle as usize].map(|corner| {
+                let corner = corner as usize;
+                let colour = data.vertex_colours.get(corner).copied();
+                (data.positions[corner].map(f32::to_bits), colour)
+            });
+            format!("{corners:?} {own:?} {:?}", mesh.triangle_colour(triangle))
+        };
+        let triangles = object.shape.triangles().expect("a mesh");
+        let triangles: Vec<_> = triangles.map(triangle).collect();
+        let at = object.placement.model();
+        format!("{} {:?} {at:?} {triangles:?}", object.name, object.colour)
+    };
+    objects.map(fact).collect()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let name = |entry: std::io::Result<std::fs::DirEntry>| {
+        entry
+            .expect("an entry")
+            .file_name()
+            .to_string_lossy()
+            .into_owned()
+    };
+    let mut names: Vec<_> = entries.map(name).collect();
+    names.sort();
+    names
+}
+
+fn saved(loaded: &Loaded, path: &Path) -> Vec<(PathBuf, Arc<Mesh>)> {
+    let saved = save(path, &loaded.scene, &loaded.camera, &loaded.meshes);
+    saved.unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn meshes_beside_or_below_move_with_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let elsewhere = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("parts")).unwrap();
+    let beside = write(&folder, "one.obj", &format!("{CORNERS}f 1 2 3\n"));
+    let below = write(&folder, "parts/two.obj", &format!("{CORNERS}f 3 2 1\n"));
+    let away = write(&elsewhere, "three.obj", &format!("{CORNERS}f 2 3 1\n"));
+    let loaded = load(&[beside, below, away.clone()]).unwrap();
+    let path = folder.path().join("scene.toml");
+    let files = saved(&loaded, &path);
+    assert_eq!(files.len(), 3);
+    let text = std::fs::read_to_string(&path).unwrap();
+    for file in ["one.obj", "parts/two.obj", away.to_str().unwrap()] {
+        assert!(
+            text.contains(&format!("file = \"{file}\"")),
+            "{file} in {text}"
+        );
+    }
+    let moved = elsewhere.path().join("moved");
+    std::fs::rename(folder.path(), &moved).unwrap();
+    let again = load(&[moved.join("scene.toml")]).unwrap();
+    assert_eq!(facts(&again.scene), facts(&loaded.scene));
+}
+
+#[test]
+fn a_mesh_whose_file_is_gone_is_written_beside() {
+    let folder = tempfile::tempdir().unwrap();
+    let coloured = "mtllib c.mtl\nv 1000000.25 0 0 1 0 0\nv 1000001 0 0.1 0 1 0\nv 1000000 1 0 0.2 0.4 0.6\n\
+        v 1000000 0 7 1 1 1\no Roof\nusemtl red\nf 1 2 3\nf 2 3 4\no Wall\nusemtl none\nf 1 2 4\nusemtl red\nf 1 3 4\n";
+    let obj = write(&folder, "gone.obj", coloured);
+    let mtl = write(
+        &folder,
+        "c.mtl",
+        "newmtl red\nKd 0.8 0.1 0.1\nnewmtl none\n",
+    );
+    let loaded = load(std::slice::from_ref(&obj)).unwrap();
+    let data = loaded.meshes[0].1.data();
+    assert!(
+        data.origin != DVec3::ZERO && data.colours.len() == 3 && !data.vertex_colours.is_empty()
+    );
+    std::fs::remove_file(obj).unwrap();
+    std::fs::remove_file(mtl).unwrap();
+    // A name that somebody has is left to him.
+    write(&folder, "scene-gone.obj", "his");
+    let path = folder.path().join("scene.toml");
+    for _ in 0..2 {
+        let files = saved(&loaded, &path);
+        assert_eq!(files[0].0, folder.path().join("scene-gone-2.obj"));
+    }
+    let all = [
+        "scene-gone-2.mtl",
+        "scene-gone-2.obj",
+        "scene-gone.obj",
+        "scene.toml",
+    ];
+    assert_eq!(
+        names(folder.path()),
+        all,
+        "what is the same is not written again"
+    );
+    assert_eq!(
+        std::fs::read(folder.path().join("scene-gone.obj")).unwrap(),
+        b"his"
+    );
+    let again = load(&[path]).unwrap();
+    assert_eq!(again.warnings.len(), 0, "{:?}", again.warnings);
+    assert_eq!(facts(&again.scene), facts(&loaded.scene));
+}
+
+#[test]
+fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    // A triangle without area, which readers of files leave out.
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let triangles = vec![[0, 1, 2], [0, 1, 1]];
+    let mesh = Mesh::new(MeshData {
+        normals: crease_normals(&positions, &triangles, 0.5),
+        positions,
+        triangles,
+        parts: vec![Part {
+            name: "flat".into(),
+            triangles: 0..2,
+        }],
+        colours: vec![ColourRun {
+            triangles: 0..2,
+            colour: Some(Srgb([1, 2, 3])),
+        }],
+        ..MeshData::default()
+    });
+    let shape = Shape::Mesh {
+        mesh: Arc::new(mesh.unwrap()),
+        part: 0,
+    };
+    let scene = Scene::new(vec![Object::new("flat", shape, Placement::IDENTITY)]);
+    let path = write(&folder, "scene.toml", "old");
+    let error = save(&path, &scene, &CameraChoice::default(), &[]).unwrap_err();
+    assert!(error.to_string().contains("flat"), "{error}");
+    assert_eq!(std::fs::read(&path).unwrap(), b"old");
+    assert_eq!(names(folder.path()), ["scene.toml"]);
+}

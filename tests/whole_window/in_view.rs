@@ -1,0 +1,150 @@
+//! What is open is in view, or something helps; what cannot be drawn is said.
+
+use super::*;
+use glam::DVec3;
+
+const NONE: Modifiers = Modifiers::NONE;
+
+fn is_whole(window: &Offscreen) -> bool {
+    let view = window.state().view();
+    let corners = window.state().scene().visible_bounds().corners();
+    let is_in = |corner| {
+        view.project(corner)
+            .is_some_and(|at| view.viewport.contains(at.px))
+    };
+    corners.into_iter().all(is_in)
+}
+
+/// Towers far apart: a wide scene, which a narrow picture crops first.
+fn wide(folder: &Path) -> PathBuf {
+    let path = folder.join("wide.obj");
+    let tower = |i: u32| {
+        let x = 3 * i;
+        format!(
+            "v {x} 0 0\nv {} 0 1\nv {x} 2 0\no T{i}\nf -3 -2 -1\n",
+            x + 1
+        )
+    };
+    let text: String = (0..40).map(tower).collect();
+    std::fs::write(&path, text).expect("writable");
+    path
+}
+
+#[test]
+fn files_open_whole_in_view_whatever_the_window_s_size() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = wide(folder.path());
+    for size in [[1280, 720], [800, 600], [1000, 1400], [2560, 1440]] {
+        let options = Options {
+            paths: vec![path.clone()],
+            ..Options::default()
+        };
+        let mut window = Offscreen::open(options, px(size, 1.0), 1.0);
+        assert!(is_whole(&window), "{size:?}");
+        // And after the window has got another size, until somebody moves the view.
+        window.resize(px([700, 720], 1.0));
+        assert!(is_whole(&window), "{size:?}");
+        press_key(&mut window, NONE, Key::Num3);
+        let camera = window.state().view().camera.eye();
+        window.resize(px([900, 720], 1.0));
+        assert_eq!(
+            window.state().view().camera.eye(),
+            camera,
+            "it is the user's now"
+        );
+    }
+}
+
+#[test]
+fn nothing_in_view_always_offers_a_way_that_helps() {
+    let nothing = "Nothing in view";
+    let planes = [("near", "50", ("far", "100")), ("far", "2", ("near", "1"))];
+    for (plane, typed, other) in planes {
+        for way in ["Frame all (A)", "A", "Reset"] {
+            let (mut window, _folder) = row(1.0);
+            assert!(!has_control(&window, nothing));
+            // The other plane first: both together must be planes.
+            for (plane, number) in [other, (plane, typed)] {
+                type_into(&mut window, plane, number);
+                press_key(&mut window, NONE, Key::Enter);
+            }
+            assert!(has_control(&window, nothing), "{plane}");
+            match way {
+                "A" => press_key(&mut window, NONE, Key::A),
+                button => click_on(&mut window, button),
+            }
+            assert!(!has_control(&window, nothing), "{plane}: {way} helps");
+        }
+    }
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, NONE, Key::U);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, NONE, Key::I);
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    click_on(&mut window, "Show all (U)");
+    assert!(
+        window
+            .state()
+            .scene()
+            .objects()
+            .iter()
+            .all(|object| object.visible)
+    );
+}
+
+#[test]
+fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
+    use std::fmt::Write;
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, NONE, Key::Num9);
+    window.draw().expect("a frame");
+    let before = *window.state().view();
+    let mut text = String::new();
+    for i in 0..600_000 {
+        let _ = writeln!(
+            text,
+            "[[object]]\nshape = \"sphere\"\nposition = [{i}, 0, 0]"
+        );
+    }
+    let large = folder.path().join("large.toml");
+    std::fs::write(&large, text).expect("writable");
+    window.drop_file(large);
+    window.draw().expect_err("too large");
+    let picture = window.picture().expect("the old one");
+    assert!(window.messages().any(|text| text.contains("the scene's")));
+    assert_eq!(window.state().name(), "row.toml");
+    assert_eq!(
+        (*window.state().view(), selected(&window)),
+        (before, Some("front"))
+    );
+    let lit = picture
+        .pixels()
+        .iter()
+        .filter(|pixel| pixel[0] > 150)
+        .count();
+    assert!(lit > 5_000, "{lit}: scene and panels are drawn");
+    assert!(window.is_at_rest());
+}
+
+/// Wider than the textures that egui assumes where nobody says what the device has.
+#[test]
+fn a_wide_picture_is_compared() {
+    let (mut window, _folder) = row(1.0);
+    window.resize(px([2900, 400], 1.0));
+    press_key(&mut window, NONE, Key::V);
+    window.picture().expect("a picture");
+    assert!(window.state().view().viewport.width() > 2048);
+    assert!(has_control(&window, "V closes this"));
+    let card = control(&window, "V closes this").rect;
+    assert!(
+        card.max.y < 400.0 && card.max.x < 2900.0 - 330.0,
+        "{card:?}"
+    );
+    assert_eq!(eye_z(&window), 10.0_f64.to_bits());
+}
+
+fn eye_z(window: &Offscreen) -> u64 {
+    let DVec3 { z, .. } = window.state().view().camera.eye();
+    z.to_bits()
+}

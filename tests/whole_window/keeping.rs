@@ -1,0 +1,276 @@
+//! Nothing is lost: undo by keys and buttons, the mark and the question about unsaved edits, saving.
+
+use super::*;
+use glam::DVec3;
+use sightline::scene::{self, Object, Progress, Shape};
+
+/// Hides the cube: an edit that everybody can make by keys.
+fn edit(window: &mut Offscreen) {
+    click(window, MIDDLE);
+    assert_eq!(selected(window), Some("front"));
+    press_key(window, Modifiers::SHIFT, Key::H);
+}
+
+fn shown(window: &Offscreen) -> Vec<bool> {
+    let objects = window.state().scene().objects().iter();
+    objects.map(|object| object.visible).collect()
+}
+
+fn eye(window: &Offscreen) -> DVec3 {
+    window.state().view().camera.eye()
+}
+
+fn is_asked(window: &Offscreen) -> bool {
+    has_control(window, "Unsaved edits")
+}
+
+fn is_marked(window: &Offscreen) -> bool {
+    window.title().starts_with('\u{2022}')
+}
+
+#[test]
+fn keys_and_buttons_undo_and_redo() {
+    let (mut window, _folder) = row(1.0);
+    assert!(!control(&window, "Undo").is_enabled);
+    edit(&mut window);
+    assert_eq!(shown(&window), [false, true, true]);
+    for redo in [(CTRL | Modifiers::SHIFT, Key::Z), (CTRL, Key::Y)] {
+        press_key(&mut window, CTRL, Key::Z);
+        assert_eq!(shown(&window), [true; 3]);
+        assert_eq!(selected(&window), Some("front"), "as before");
+        press_key(&mut window, redo.0, redo.1);
+        assert_eq!(shown(&window), [false, true, true], "{redo:?}");
+    }
+    click_on(&mut window, "Undo");
+    assert_eq!(shown(&window), [true; 3]);
+    assert!(!control(&window, "Undo").is_enabled);
+    click_on(&mut window, "Redo");
+    assert_eq!(shown(&window), [false, true, true]);
+    assert!(!control(&window, "Redo").is_enabled);
+}
+
+/// The Enter that takes the view away gives it back.
+#[test]
+fn a_view_that_was_thrown_away_comes_back() {
+    let (mut window, _folder) = row(1.0);
+    let to = MIDDLE + egui::vec2(90.0, -40.0);
+    drag(&mut window, PointerButton::Primary, MIDDLE, to);
+    let before = *window.state().view();
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(eye(&window), DVec3::new(0.0, 0.0, 10.0));
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(*window.state().view(), before);
+    assert!(!is_marked(&window), "a view is no edit");
+}
+
+#[test]
+fn the_gallery_and_back_keeps_everything() {
+    let (mut window, _folder) = row(1.0);
+    edit(&mut window);
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    click(&mut window, MIDDLE);
+    let before = (*window.state().view(), window.state().selection().cloned());
+    for way_back in 0..3 {
+        press_key(&mut window, Modifiers::NONE, Key::E);
+        assert!(window.state().showing().is_some() && !is_asked(&window));
+        assert!(is_marked(&window), "what was left has edits");
+        press_key(&mut window, Modifiers::NONE, Key::Num7);
+        if way_back == 0 {
+            press_key(&mut window, CTRL, Key::Z);
+            press_key(&mut window, CTRL, Key::Z);
+        } else {
+            press_key(&mut window, Modifiers::NONE, Key::E);
+            click_on(&mut window, "Gallery");
+            click_on(&mut window, "leave the gallery");
+        }
+        assert_eq!(window.state().name(), "row.toml");
+        assert_eq!(
+            (*window.state().view(), window.state().selection().cloned()),
+            before
+        );
+        assert_eq!(shown(&window), [false, true, true]);
+        assert!(window.state().scene().trees_are_built());
+    }
+}
+
+#[test]
+fn edits_are_marked_and_asked_about_before_they_go() {
+    let (mut window, folder) = row(1.0);
+    let other = folder.path().join("other.toml");
+    std::fs::write(&other, ROW).expect("writable");
+    edit(&mut window);
+    assert!(is_marked(&window), "{}", window.title());
+    press_key(&mut window, CTRL, Key::Z);
+    assert!(!is_marked(&window), "{}", window.title());
+    press_key(&mut window, CTRL, Key::Y);
+
+    // Each way to lose them asks, and staying loses nothing.
+    window.close();
+    assert!(is_asked(&window) && !window.has_quit());
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!is_asked(&window) && !window.has_quit());
+    press_key(&mut window, CTRL, Key::Q);
+    assert!(is_asked(&window) && !window.has_quit());
+    click_on(&mut window, "Cancel");
+    window.drop_file(other.clone());
+    assert!(is_asked(&window));
+    // While it is asked, other keys are nobody's.
+    let view = *window.state().view();
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    assert_eq!(*window.state().view(), view);
+    click_on(&mut window, "Cancel");
+    assert_eq!(window.state().name(), "row.toml");
+    assert_eq!(shown(&window), [false, true, true]);
+
+    // What is hidden stays hidden through a reload: there is nothing to ask.
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert!(!is_asked(&window));
+    assert_eq!(shown(&window), [false, true, true]);
+    assert!(is_marked(&window));
+
+    window.drop_file(other);
+    click_on(&mut window, "Open, drop the edits");
+    assert_eq!(window.state().name(), "other.toml");
+    assert!(!is_marked(&window));
+    window.close();
+    assert!(window.has_quit(), "nothing to ask");
+}
+
+#[test]
+fn what_is_saved_first_is_closed_then() {
+    let (mut window, folder) = row(1.0);
+    edit(&mut window);
+    window.close();
+    click_on(&mut window, "Save first\u{2026}");
+    assert!(!window.has_quit(), "it is not saved yet");
+    window.save_as(folder.path().join("kept.toml"));
+    assert!(window.has_quit());
+    let kept = scene::load(&[folder.path().join("kept.toml")], &Progress::default());
+    let visible: Vec<bool> = (kept.expect("a scene").scene.objects().iter())
+        .map(|object| object.visible)
+        .collect();
+    assert_eq!(visible, [false, true, true]);
+}
+
+/// A save that fails lets nothing go.
+#[test]
+fn what_could_not_be_saved_is_not_closed() {
+    let (mut window, folder) = row(1.0);
+    edit(&mut window);
+    window.close();
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(folder.path().join("no such folder/kept.toml"));
+    assert!(!window.has_quit() && is_marked(&window));
+    assert!(window.messages().any(|text| text.contains("kept.toml")));
+}
+
+#[test]
+fn dropped_files_can_be_added() {
+    let (mut window, folder) = row(1.0);
+    let other = folder.path().join("other.toml");
+    std::fs::write(&other, ROW).expect("writable");
+    edit(&mut window);
+    let before = eye(&window);
+    window.drop_file(other.clone());
+    click_on(&mut window, "Add to the scene");
+    assert_eq!(shown(&window), [false, true, true, true, true, true]);
+    assert_eq!(eye(&window), before);
+    // The command names both files, in the order of the ids.
+    press_key(&mut window, Modifiers::NONE, Key::C);
+    let command = window.copied().expect("a command").to_owned();
+    let (first, second) = (command.find("row.toml"), command.find("other.toml"));
+    assert!(first.is_some() && first < second, "{command}");
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(shown(&window), [false, true, true]);
+    press_key(&mut window, CTRL, Key::Y);
+    assert_eq!(shown(&window).len(), 6);
+    // With Shift at once.
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.drop_file(other);
+    assert!(!is_asked(&window));
+    assert_eq!(shown(&window).len(), 9);
+}
+
+#[test]
+fn a_scene_is_saved_as_it_was_when_asked() {
+    let (mut window, folder) = row(1.0);
+    edit(&mut window);
+    press_key(&mut window, CTRL, Key::S);
+    // The dialog is open. Meanwhile somebody goes on.
+    press_key(&mut window, Modifiers::NONE, Key::U);
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    click_on(&mut window, "show with P V M");
+    window.save_as(folder.path().join("kept.toml"));
+    assert_eq!(
+        window.state().stage(),
+        Stage::Ndc,
+        "saving changes nothing on screen"
+    );
+    let kept = scene::load(&[folder.path().join("kept.toml")], &Progress::default());
+    let kept = kept.expect("a scene");
+    assert!(!kept.scene.objects()[0].visible);
+    assert_eq!(kept.camera.eye, Some(DVec3::new(0.0, 0.0, 10.0)));
+    assert_eq!(window.state().name(), "kept.toml");
+    assert!(is_marked(&window), "what came after is not in it");
+    click_on(&mut window, "show with M");
+    for _ in 0..4 {
+        press_key(&mut window, CTRL, Key::Z);
+    }
+    assert!(!is_marked(&window), "back at what the file has");
+
+    // Or goes into the gallery: what was asked for is what is saved.
+    press_key(&mut window, Modifiers::NONE, Key::U);
+    press_key(&mut window, CTRL, Key::S);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert!(is_marked(&window));
+    window.save_as(folder.path().join("again.toml"));
+    assert!(!is_marked(&window), "it was the one that was left");
+    click_on(&mut window, "Gallery");
+    click_on(&mut window, "leave the gallery");
+    assert_eq!(window.state().name(), "again.toml");
+}
+
+/// Everything about a mesh that is drawn and picked.
+fn corners(object: &Object) -> Vec<[[u64; 3]; 3]> {
+    let Shape::Mesh { mesh, .. } = &object.shape else {
+        return Vec::new();
+    };
+    let bits = |corner: DVec3| corner.to_array().map(f64::to_bits);
+    let triangles = object.shape.triangles().expect("a mesh");
+    triangles
+        .map(|triangle| mesh.corners(triangle).map(bits))
+        .collect()
+}
+
+#[test]
+fn the_demo_and_the_gallery_are_saved_with_their_meshes() {
+    for paths in [Vec::new(), vec![PathBuf::from("gallery:needles")]] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = open(paths, 1.0);
+        let before = window.state().scene().objects().to_vec();
+        window.save_as(folder.path().join("mine.toml"));
+        let told: Vec<_> = window.messages().collect();
+        assert!(
+            told.iter().all(|text| text.starts_with("saved ")),
+            "{told:?}"
+        );
+        assert_eq!(window.state().name(), "mine.toml");
+        // Elsewhere, and all of it.
+        let elsewhere = folder.path().with_extension("moved");
+        std::fs::rename(folder.path(), &elsewhere).expect("ours");
+        let again = scene::load(&[elsewhere.join("mine.toml")], &Progress::default());
+        let again = again.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(again.warnings.len(), 0, "{:?}", again.warnings);
+        let mut triangles = 0;
+        for (a, b) in before.iter().zip(again.scene.objects()) {
+            assert_eq!((&a.name, a.colour), (&b.name, b.colour));
+            assert_eq!(a.placement, b.placement);
+            assert!(corners(a) == corners(b), "{}", a.name);
+            triangles += corners(a).len();
+        }
+        assert_eq!(before.len(), again.scene.objects().len());
+        assert!(triangles > 5, "{triangles}");
+        std::fs::remove_dir_all(elsewhere).expect("ours");
+    }
+}

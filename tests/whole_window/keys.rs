@@ -1,0 +1,276 @@
+//! Where keys go: into a field while it is edited, else to what they are the shortcut of. Every control has a name.
+
+use super::*;
+use egui::vec2;
+use glam::DVec3;
+use std::collections::HashMap;
+
+const NONE: Modifiers = Modifiers::NONE;
+
+fn eye(window: &Offscreen) -> DVec3 {
+    window.state().view().camera.eye()
+}
+
+fn focused(window: &Offscreen) -> Option<&str> {
+    let mut all = window.controls().iter();
+    all.find(|control| control.has_focus)
+        .map(|control| control.name.as_str())
+}
+
+/// A view that Enter would throw away.
+fn turned() -> (Offscreen, TempDir) {
+    let (mut window, folder) = row(1.0);
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        MIDDLE,
+        MIDDLE + vec2(90.0, -40.0),
+    );
+    (window, folder)
+}
+
+#[test]
+fn enter_commits_a_number_and_leaves_the_view() {
+    let (mut window, _folder) = turned();
+    let before = eye(&window);
+    type_into(&mut window, "fov", "20");
+    press_key(&mut window, NONE, Key::Enter);
+    assert!((window.state().controls().fov_deg - 20.0).abs() < f64::EPSILON);
+    assert_eq!(eye(&window), before, "the view is not reset");
+    assert_eq!(control(&window, "fov").value, "20");
+    // Nor by leaving the search field so.
+    click_on(&mut window, "search");
+    press_key(&mut window, NONE, Key::Enter);
+    assert_eq!(eye(&window), before);
+    // Afterwards it is the shortcut again.
+    press_key(&mut window, NONE, Key::Enter);
+    assert_eq!(eye(&window), DVec3::new(0.0, 0.0, 10.0));
+    // One step back is one number.
+    press_key(&mut window, CTRL, Key::Z);
+    press_key(&mut window, CTRL, Key::Z);
+    assert!((window.state().controls().fov_deg - 45.0).abs() < f64::EPSILON);
+}
+
+#[test]
+fn esc_gives_a_number_up_and_nothing_else() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    type_into(&mut window, "fov", "20");
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), Some("front"), "the selection stays");
+    assert_eq!(control(&window, "fov").value, "45");
+    assert!((window.state().controls().fov_deg - 45.0).abs() < f64::EPSILON);
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), None, "the next one is the shortcut");
+}
+
+#[test]
+fn arrows_step_a_number() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "fov");
+    let shift = Modifiers::SHIFT;
+    for (modifiers, key, expected) in [
+        (NONE, Key::ArrowUp, 46.0),
+        (NONE, Key::ArrowUp, 47.0),
+        (NONE, Key::ArrowDown, 46.0),
+        (shift, Key::ArrowUp, 56.0),
+        (shift, Key::ArrowDown, 46.0),
+    ] {
+        press_key(&mut window, modifiers, key);
+        assert!(
+            (window.state().controls().fov_deg - expected).abs() < 1e-9,
+            "{expected}"
+        );
+        assert_eq!(focused(&window), Some("fov"), "the field keeps the focus");
+    }
+    // From what is typed, and never to what cannot be.
+    type_into(&mut window, "fov", "179.5");
+    press_key(&mut window, NONE, Key::ArrowUp);
+    assert!((window.state().controls().fov_deg - 46.0).abs() < 1e-9);
+    press_key(&mut window, NONE, Key::ArrowDown);
+    assert!((window.state().controls().fov_deg - 178.5).abs() < 1e-9);
+    // The pose and the model matrix too.
+    click_on(&mut window, "eye z");
+    let before = eye(&window);
+    press_key(&mut window, NONE, Key::ArrowUp);
+    assert!((eye(&window) - before - 0.01 * before.length() * DVec3::Z).length() < 1e-9);
+}
+
+#[test]
+fn a_red_field_says_what_is_wrong_and_what_is_in_force() {
+    let (mut window, _folder) = row(1.0);
+    for (field, text, wrong, in_force) in [
+        ("fov", "abc", "not a number", "45 stays in force"),
+        ("fov", "200", "field of view", "45 stays in force"),
+        ("near", "-1", "near", "7.425 stays in force"),
+        ("eye x", "", "not a number", "0 stays in force"),
+    ] {
+        type_into(&mut window, field, text);
+        if text.is_empty() {
+            press_key(&mut window, NONE, Key::Backspace);
+        }
+        let said = control(&window, field).description.clone();
+        assert!(
+            said.contains(wrong) && said.contains(in_force),
+            "{field} {text}: {said}"
+        );
+        assert!(
+            has_control(&window, &said),
+            "it can be read while it is typed"
+        );
+        press_key(&mut window, NONE, Key::Enter);
+        assert_eq!(control(&window, field).value, text, "it stays to be mended");
+        assert_eq!(control(&window, field).description, said);
+        click_on(&mut window, field);
+        press_key(&mut window, NONE, Key::Escape);
+        let said = &control(&window, field).description;
+        assert!(!said.contains("stays in force"), "{said}");
+    }
+}
+
+/// What is typed for one object is not another's.
+#[test]
+fn a_red_field_is_of_its_own_object() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "abc");
+    press_key(&mut window, NONE, Key::Enter);
+    assert_eq!(control(&window, "position x").value, "abc");
+    click_on(&mut window, "back");
+    assert_eq!(selected(&window), Some("back"));
+    assert_eq!(control(&window, "position x").value, "0");
+    click_on(&mut window, "front");
+    assert_eq!(control(&window, "position x").value, "abc");
+}
+
+#[test]
+fn shortcuts_work_from_wherever_tab_leads() {
+    let (mut window, _folder) = row(1.0);
+    let mut seen = Vec::new();
+    for _ in 0..6 {
+        press_key(&mut window, NONE, Key::Tab);
+        seen.extend(focused(&window).map(str::to_owned));
+        let before = window.state().grid();
+        press_key(&mut window, NONE, Key::G);
+        assert_ne!(window.state().grid(), before, "at {seen:?}");
+    }
+    assert_eq!(seen.len(), 6, "{seen:?}");
+    // Enter and Space are for the button that has the focus, Esc puts it down.
+    let view = *window.state().view();
+    while focused(&window) != Some("Help") {
+        press_key(&mut window, NONE, Key::Tab);
+    }
+    press_key(&mut window, NONE, Key::Enter);
+    assert!(
+        has_control(&window, "Keys and mouse"),
+        "the button was pressed"
+    );
+    press_key(&mut window, NONE, Key::H);
+    assert_eq!(*window.state().view(), view, "and the view was not reset");
+    click(&mut window, MIDDLE);
+    press_key(&mut window, NONE, Key::Tab);
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!((focused(&window), selected(&window)), (None, Some("front")));
+}
+
+#[test]
+fn tab_walks_in_reading_order() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    let mut names: Vec<String> = Vec::new();
+    loop {
+        press_key(&mut window, NONE, Key::Tab);
+        let name = focused(&window).expect("something").to_owned();
+        if names.contains(&name) {
+            break;
+        }
+        names.push(name);
+    }
+    let at = |name: &str| {
+        let at = names.iter().position(|known| known == name);
+        at.unwrap_or_else(|| panic!("no {name} in {names:?}"))
+    };
+    let order = [
+        "Open\u{2026}",
+        "Save\u{2026}",
+        "Reload",
+        "Frame all",
+        "Help",
+        "search",
+        "show front",
+        "front",
+        "show back",
+        "perspective",
+        "fov",
+        "near",
+        "fit near",
+        "far",
+        "eye x",
+        "eye y",
+        "target x",
+        "up z",
+        "y points up",
+        "Model matrix",
+        "position x",
+        "position y",
+        "rotation x",
+        "scale z",
+        "copy JSON",
+    ];
+    for pair in order.windows(2) {
+        assert!(at(pair[0]) < at(pair[1]), "{pair:?} in {names:?}");
+    }
+}
+
+#[test]
+fn every_control_has_a_name() {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    window.drop_file(folder.path().join("absent.obj"));
+    for key in [Key::P, Key::T] {
+        press_key(&mut window, NONE, key);
+    }
+    for heading in [
+        "Model matrix",
+        "Distance",
+        "Depth buffer",
+        "In object space and NDC",
+    ] {
+        click_on(&mut window, heading);
+    }
+    click_on(&mut window, "Overlays");
+    let mut count = 0;
+    let mut check = |window: &Offscreen| {
+        // Scroll bars and the title bars of windows are egui's own.
+        let is_ours = |role| !matches!(role, Role::Label | Role::ScrollBar | Role::Unknown);
+        let mut known = HashMap::new();
+        for control in window
+            .controls()
+            .iter()
+            .filter(|control| is_ours(control.role))
+        {
+            assert!(!control.name.is_empty(), "{control:?}");
+            let twin = known.insert((&control.name, format!("{:?}", control.role)), control.rect);
+            assert!(
+                twin.is_none_or(|at| at == control.rect),
+                "{control:?} is called as another"
+            );
+            count += 1;
+        }
+    };
+    check(&window);
+    // Of two windows each has a cross of its own.
+    for key in [Key::Escape, Key::P, Key::H] {
+        press_key(&mut window, NONE, key);
+    }
+    check(&window);
+    press_key(&mut window, NONE, Key::H);
+    press_key(&mut window, NONE, Key::E);
+    press_key(&mut window, NONE, Key::M);
+    check(&window);
+    click_on(&mut window, "Gallery");
+    check(&window);
+    assert!(count > 100, "{count}");
+}

@@ -1,0 +1,370 @@
+//! Undo and redo: what was there before is there again, to the bit.
+
+use super::*;
+use crate::inspect::{STILL, picked};
+use sightline::{
+    geometry::Trs,
+    scene::gallery::Exhibit,
+    viewer::model::{RayHits, Selection},
+};
+use std::path::Path;
+
+/// All that a user sees of scene and view.
+#[derive(Clone, Debug, PartialEq)]
+struct Seen {
+    models: Vec<[u64; 12]>,
+    visible: Vec<bool>,
+    view: sightline::camera::View,
+    controls: LensControls,
+    up_axis: UpAxis,
+    stage: Stage,
+    selection: Option<Selection>,
+    hits: Option<RayHits>,
+    name: String,
+}
+
+fn seen(state: &State) -> Seen {
+    let objects = state.scene().objects();
+    let model = |object: &Object| object.placement.model().to_cols_array().map(f64::to_bits);
+    Seen {
+        models: objects.iter().map(model).collect(),
+        visible: objects.iter().map(|object| object.visible).collect(),
+        view: *state.view(),
+        controls: state.controls(),
+        up_axis: state.up_axis(),
+        stage: state.stage(),
+        selection: state.selection().cloned(),
+        hits: state.hits().cloned(),
+        name: state.name().to_owned(),
+    }
+}
+
+fn moved(x: f64) -> Action {
+    let trs = Trs {
+        translation: DVec3::new(x, 0.0, 2.0),
+        ..STILL
+    };
+    Action::Place(0, trs.to_model())
+}
+
+#[test]
+fn every_change_is_undone_and_done_again_to_the_bit() {
+    let lens = |change: fn(&mut LensControls)| {
+        let mut controls = front_view().controls();
+        change(&mut controls);
+        Action::Lens(controls)
+    };
+    let pasted = CameraChoice {
+        eye: Some(DVec3::new(3.0, 1.0, 9.0)),
+        target: Some(DVec3::ZERO),
+        ..CameraChoice::default()
+    };
+    let changes = [
+        moved(0.2),
+        moved(9.0),
+        Action::SetVisible(1, false),
+        Action::HideSelection,
+        Action::Isolate,
+        Action::FrameSelection,
+        Action::LookFrom(DVec3::X),
+        Action::Pose([DVec3::new(5.0, 4.0, 3.0), DVec3::ZERO, DVec3::Y]),
+        lens(|controls| controls.fov_deg = 20.0),
+        lens(|controls| controls.near = Some(8.25)),
+        Action::ToggleProjection,
+        Action::UpAxis(UpAxis::Z),
+        Action::Camera(pasted),
+        Action::Recentre(MIDDLE + 20.0),
+        Action::Stage(Stage::Object),
+        Action::Stage(Stage::View),
+        Action::Stage(Stage::Ndc),
+    ];
+    for change in changes {
+        let mut state = front_view();
+        assert_eq!(state.next_step(true), None);
+        state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+        state.apply(Action::Click(MIDDLE, 0.0));
+        let before = seen(&state);
+        assert!(before.hits.is_some());
+        state.apply(change);
+        let after = seen(&state);
+        assert_ne!(after, before, "{change:?} changes something");
+        assert!(state.next_step(true).is_some(), "{change:?}");
+        for _ in 0..2 {
+            state.apply(Action::Undo);
+            assert_eq!(seen(&state), before, "{change:?}");
+            assert_eq!((state.next_step(true), state.edited()), (None, false));
+            assert!(!state.unsaved());
+            state.apply(Action::Redo);
+            assert_eq!(seen(&state), after, "{change:?}");
+            assert_eq!(state.next_step(false), None);
+        }
+    }
+}
+
+/// A long history of everything, there and back again.
+#[test]
+fn a_history_is_walked_there_and_back() {
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let mut pictures = vec![seen(&state)];
+    let changes = [
+        moved(0.1),
+        Action::LookFrom(DVec3::ONE),
+        Action::SetVisible(2, false),
+        Action::Stage(Stage::View),
+        Action::ToggleProjection,
+        Action::SetVisible(2, true),
+        Action::Stage(Stage::World),
+        Action::FrameAll,
+        Action::Stage(Stage::Ndc),
+        Action::Stage(Stage::World),
+        moved(0.3),
+        Action::ShowAll,
+        Action::HideSelection,
+        Action::Select(Some(1)),
+        Action::Isolate,
+    ];
+    let mut done = 0;
+    for change in changes {
+        let steps = state.next_step(true);
+        state.apply(change);
+        let now = seen(&state);
+        let is_step = !matches!(change, Action::Select(_) | Action::ShowAll);
+        assert!(
+            !is_step || state.next_step(true).is_some(),
+            "{change:?} after {steps:?}"
+        );
+        if is_step {
+            pictures.push(now);
+            done += 1;
+        } else {
+            *pictures.last_mut().expect("one") = now;
+        }
+    }
+    for picture in pictures[..done].iter().rev() {
+        state.apply(Action::Undo);
+        assert_eq!(seen(&state), *picture);
+    }
+    let before = seen(&state);
+    state.apply(Action::Undo);
+    assert_eq!(seen(&state), before, "there is nothing before the first");
+    for _ in 0..done {
+        state.apply(Action::Redo);
+    }
+    // What is selected is no step of its own: it is as it was when a step was taken back.
+    let last = pictures.last().expect("one");
+    assert_eq!(
+        (&seen(&state).models, &seen(&state).visible),
+        (&last.models, &last.visible)
+    );
+    assert_eq!(seen(&state).view, last.view);
+    state.apply(Action::Undo);
+    state.apply(moved(0.7));
+    assert_eq!(state.next_step(false), None, "another way was taken");
+}
+
+#[test]
+fn what_is_dragged_or_slid_is_one_step() {
+    let mut state = front_view();
+    let before = seen(&state);
+    for x in 1..50 {
+        state.apply(moved(0.01 * f64::from(x)));
+        state.apply(Action::Hover(Some(MIDDLE)));
+    }
+    state.apply(Action::Release);
+    let dragged = seen(&state);
+    for fov_deg in 20..40 {
+        state.apply(Action::Lens(LensControls {
+            fov_deg: fov_deg.into(),
+            ..state.controls()
+        }));
+    }
+    state.apply(Action::Release);
+    state.apply(Action::Lens(LensControls {
+        fov_deg: 50.0,
+        ..state.controls()
+    }));
+    state.apply(Action::Undo);
+    state.apply(Action::Undo);
+    assert_eq!(seen(&state), dragged);
+    state.apply(Action::Undo);
+    assert_eq!(seen(&state), before);
+    assert_eq!(state.next_step(true), None);
+    // Another object's drag is another's.
+    state.apply(moved(0.1));
+    state.apply(Action::Place(1, DAffine3::from_translation(DVec3::X)));
+    state.apply(Action::Undo);
+    state.apply(Action::Undo);
+    assert_eq!(seen(&state), before);
+}
+
+#[test]
+fn what_changes_nothing_is_no_step() {
+    let mut state = front_view();
+    state.apply(Action::FrameAll);
+    state.apply(Action::Undo);
+    for nothing in [
+        Action::Place(0, STILL.to_model()),
+        Action::Place(9, STILL.to_model()),
+        Action::Place(0, DAffine3::ZERO),
+        Action::SetVisible(0, true),
+        Action::ShowAll,
+        Action::Isolate,
+        Action::HideSelection,
+        Action::Lens(state.controls()),
+        Action::Lens(LensControls {
+            fov_deg: 0.0,
+            ..state.controls()
+        }),
+        Action::Stage(Stage::World),
+        Action::LeaveGallery,
+    ] {
+        state.apply(nothing);
+        assert_eq!(state.next_step(true), None, "{nothing:?}");
+        assert!(
+            state.next_step(false).is_some(),
+            "{nothing:?} takes another way"
+        );
+    }
+}
+
+/// The camera's own way by mouse is no step, and a step of the scene leaves it alone.
+#[test]
+fn undoing_a_move_leaves_the_view() {
+    let mut state = front_view();
+    state.apply(moved(0.4));
+    state.apply(Action::Turn(DVec2::new(200.0, 30.0)));
+    let view = state.view().camera;
+    state.apply(Action::Undo);
+    assert_eq!(state.view().camera.eye(), view.eye());
+    let at = |state: &State| state.scene().objects()[0].placement.model();
+    assert_eq!(at(&state), STILL.to_model());
+}
+
+#[test]
+fn leaving_a_stage_brings_back_view_and_pick() {
+    let mut state = front_view();
+    state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let before = seen(&state);
+    for stage in [Stage::Object, Stage::View, Stage::Ndc] {
+        state.apply(Action::Stage(stage));
+        assert_eq!(picked(&state), None);
+        state.apply(Action::Turn(DVec2::new(70.0, 5.0)));
+        state.apply(Action::Stage(Stage::World));
+        assert_eq!(seen(&state), before, "{stage:?}");
+    }
+    // Also with a camera that was left standing: the stage is of that one, the view is the user's.
+    state.apply(Action::ToggleFreeze);
+    state.apply(Action::FrameAll);
+    let before = seen(&state);
+    state.apply(Action::Stage(Stage::Ndc));
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(seen(&state), before);
+    // What is selected at the stage stays selected.
+    state.apply(Action::Stage(Stage::Ndc));
+    state.apply(Action::Select(Some(2)));
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!((selected(&state), picked(&state)), (Some("back"), None));
+    // What was hidden there is on no ray here.
+    let mut state = front_view();
+    state.apply(Action::Click(MIDDLE, 9.0));
+    let count = |state: &State| state.hits().map(|hits| hits.picks.len());
+    let (all, name) = (count(&state), selected(&state).map(str::to_owned));
+    state.apply(Action::Stage(Stage::View));
+    state.apply(Action::SetVisible(1, false));
+    state.apply(Action::Stage(Stage::World));
+    assert_eq!(selected(&state), name.as_deref());
+    assert!(count(&state) < all, "{all:?}");
+}
+
+fn exhibit(name: &str) -> (Loaded, Vec<std::path::PathBuf>) {
+    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
+        .expect("a scene of the gallery")
+        .expect("not a file")
+        .path();
+    let paths = vec![path];
+    (
+        scene::load(&paths, &Progress::default()).expect("it loads"),
+        paths,
+    )
+}
+
+#[test]
+fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
+    let mut state = front_view();
+    state.apply(moved(0.25));
+    state.apply(Action::SetVisible(2, false));
+    state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
+    state.apply(Action::Click(MIDDLE, 0.0));
+    let before = seen(&state);
+    assert!(state.unsaved() && state.edited());
+    for name in ["needles", "stretched", "mirrored"] {
+        let (loaded, paths) = exhibit(name);
+        state.open(loaded, paths).expect("a scene");
+        assert!(!state.edited(), "the gallery's is not");
+        assert!(state.unsaved(), "but what was left is");
+        state.apply(Action::LookFrom(DVec3::X));
+    }
+    let revision = state.scene_revision();
+    let inside = seen(&state);
+    state.apply(Action::LeaveGallery);
+    assert_eq!(seen(&state), before);
+    assert!(state.edited() && state.showing().is_none());
+    assert_ne!(state.scene_revision(), revision, "it is drawn anew");
+    // It has its history still, and the gallery is a step forth.
+    for _ in 0..6 {
+        state.apply(Action::Redo);
+    }
+    assert_eq!(seen(&state), inside);
+    state.apply(Action::LeaveGallery);
+    state.apply(Action::Undo);
+    state.apply(Action::Undo);
+    assert!(!state.edited() && !state.unsaved());
+    assert_eq!(state.next_step(true), None);
+}
+
+/// However long one stays in the gallery.
+#[test]
+fn the_way_out_of_the_gallery_is_never_forgotten() {
+    let mut state = front_view();
+    state.apply(moved(0.25));
+    let before = seen(&state);
+    let (loaded, paths) = exhibit("stretched");
+    state.open(loaded, paths).expect("a scene");
+    for turn in 0..1000 {
+        state.apply(Action::LookFrom(if turn % 2 == 0 {
+            DVec3::X
+        } else {
+            DVec3::Y
+        }));
+    }
+    state.apply(Action::LeaveGallery);
+    assert_eq!(seen(&state), before);
+    let mut steps = 0;
+    while state.next_step(false).is_some() {
+        state.apply(Action::Redo);
+        steps += 1;
+    }
+    assert_eq!(steps, 256, "not without end");
+}
+
+#[test]
+fn another_file_begins_another_history() {
+    let mut state = front_view();
+    state.apply(moved(0.25));
+    state.open(row(), Vec::new()).expect("a scene");
+    assert_eq!((state.next_step(true), state.unsaved()), (None, false));
+    state.apply(moved(0.5));
+    state.reload(row());
+    assert_eq!((state.next_step(true), state.unsaved()), (None, false));
+    // A reload within the gallery keeps the way out.
+    state.apply(moved(0.5));
+    let before = seen(&state);
+    let (loaded, paths) = exhibit("stretched");
+    state.open(loaded, paths).expect("a scene");
+    state.apply(Action::SetVisible(0, false));
+    state.reload(exhibit("stretched").0);
+    state.apply(Action::LeaveGallery);
+    assert_eq!(seen(&state), before);
+}
