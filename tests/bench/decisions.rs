@@ -19,7 +19,7 @@ use std::{collections::HashMap, hint::black_box, path::PathBuf, sync::Arc, time:
 
 /// Of the pictures of ordinary scenes, in pixels.
 const SIZE: [u32; 2] = [160, 120];
-const ROUNDS: usize = 15;
+const ROUNDS: usize = 101;
 
 fn main() {
     println!("A pick at each position:");
@@ -34,37 +34,60 @@ fn main() {
     let ties = along_the_axes([0.0, 0.0, 0.0]);
     count("ties", &ties.0, &ties.1, &centres(&ties.1));
 
-    println!("\nOne decision, medians of {ROUNDS} passes over some hundred rays:");
-    doubt::report();
-    println!("\nA ray of the demo, medians of {ROUNDS} passes over its picture:");
-    let (scene, view) = demo;
-    let positions = centres(&view);
-    let nearest = |px: &DVec2| pick::closest(&scene, view.ray(*px), view.sides);
-    say("what is hit", time(&positions, nearest));
-    let few: Vec<DVec2> = positions.iter().step_by(37).copied().collect();
-    say(
-        "the whole record",
-        time(&few, |px| pick::pick(&scene, &view, *px)),
-    );
+    let (scene, view) = &demo;
+    let positions = centres(view);
+    let nearest = |px: &DVec2| pick::closest(scene, view.ray(*px), view.sides);
+    let hit = positions.iter().filter(|px| nearest(px).is_some());
+    let few: Vec<DVec2> = hit.step_by(97).copied().collect();
+    let record = |px: &DVec2| pick::pick(scene, view, *px);
+    let mut kinds = doubt::kinds();
+    kinds.push((
+        "a ray of the demo: what is hit",
+        Box::new(|| time(&positions, nearest)),
+    ));
+    kinds.push((
+        "a pick of the demo: the whole record",
+        Box::new(|| time(&few, record)),
+    ));
+    report(&kinds);
 }
 
-/// Nanoseconds a call: the median over passes of one pass's mean.
+/// What is timed: its name, and a pass over its inputs, which says what one of them took in nanoseconds.
+type Kind<'a> = (&'static str, Box<dyn Fn() -> f64 + 'a>);
+
+/// The mean of a pass over some inputs, in nanoseconds, after one that warms up.
 fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
     let pass = || {
         let start = Instant::now();
         for input in inputs {
             black_box(answer(black_box(input)));
         }
-        let calls = u32::try_from(inputs.len()).expect("few inputs");
-        1e9 * start.elapsed().as_secs_f64() / f64::from(calls)
+        start.elapsed().as_secs_f64()
     };
-    let mut passes: Vec<f64> = (0..ROUNDS).map(|_| pass()).collect();
-    passes.sort_by(f64::total_cmp);
-    passes[ROUNDS / 2]
+    pass();
+    let calls = u32::try_from(inputs.len()).expect("few inputs");
+    1e9 * pass() / f64::from(calls)
 }
 
-fn say(what: &str, nanoseconds: f64) {
-    println!("{what:52} {nanoseconds:9.0} ns");
+/// Times all kinds in turns, so that a busy machine is as busy for each, and prints medians.
+fn report(kinds: &[Kind]) {
+    let mut passes = vec![Vec::new(); kinds.len()];
+    for _ in 0..ROUNDS {
+        for ((_, pass), times) in kinds.iter().zip(&mut passes) {
+            times.push(pass());
+        }
+    }
+    println!("\nWhat one takes, medians of {ROUNDS} passes in turns; a triangle hit by f64 is 1:");
+    let medians = passes.iter_mut().map(|times| {
+        times.sort_by(f64::total_cmp);
+        times[ROUNDS / 2]
+    });
+    let medians: Vec<f64> = medians.collect();
+    let one = kinds.iter().position(|(name, _)| *name == doubt::UNIT);
+    let one = medians[one.expect("a kind of that name")];
+    for ((name, _), median) in kinds.iter().zip(&medians) {
+        println!("{name:52} {median:9.0} ns {:9.1}", median / one);
+    }
 }
 
 /// A scene as a window of this size opens it.

@@ -2,8 +2,9 @@
 //! matrices, and as long as numbers of models get.
 
 use crate::{
+    Kind,
     common::{Random, mesh, perspective, view},
-    say, time,
+    time,
 };
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
 use sightline::{
@@ -16,7 +17,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-const CASES: usize = 400;
+const CASES: usize = 100;
 
 /// A ray, and one shape where it stands.
 struct Case {
@@ -30,9 +31,12 @@ struct Case {
 /// Makes a case of each kind, with whether `f64` settles it.
 type Make = fn(&mut Random) -> Case;
 
+/// What the others are compared with.
+pub const UNIT: &str = "triangle by f64, hit";
+
 const TRIANGLES: [(&str, bool, Make); 6] = [
     ("triangle by f64, missed", true, missed),
-    ("triangle by f64, hit", true, hit),
+    (UNIT, true, hit),
     ("triangle, exact, short numbers", false, short_triangle),
     ("triangle, exact, a pixel's ray", false, pixel_triangle),
     (
@@ -64,33 +68,43 @@ const SOLIDS: [(&str, Make); 6] = [
     }),
 ];
 
-/// Measures and prints all of them.
-pub fn report() {
-    for (name, settled, make) in TRIANGLES {
+/// All of them, in this order.
+pub fn kinds() -> Vec<Kind<'static>> {
+    let triangles = TRIANGLES.into_iter().map(|(name, settled, make)| {
         let cases = cases(make, |case| is_in_doubt(case) != settled);
-        let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
-        let inputs: Vec<_> = cases
-            .iter()
-            .zip(&locals)
-            .map(|(case, local)| {
-                let mesh = case.mesh();
-                (VertexRay::new(local, mesh.data().origin), corners(mesh))
-            })
-            .collect();
-        say(
+        (
             name,
-            time(&inputs, |(ray, corners)| guarded_volume(ray, *corners)),
-        );
-    }
-    for (name, make) in SOLIDS {
+            Box::new(move || triangle_pass(&cases)) as Box<dyn Fn() -> f64>,
+        )
+    });
+    let solids = SOLIDS.into_iter().map(|(name, make)| {
         let cases = cases(make, is_exact);
-        let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
-        let cost = match cases[0].shape {
-            Shape::Sphere => time(&locals, |local| Sphere::hits(local)),
-            Shape::Cube => time(&locals, |local| Cuboid::hits(local)),
-            _ => time(&locals, |local| Square::hit(local)),
-        };
-        say(name, cost);
+        (
+            name,
+            Box::new(move || solid_pass(&cases)) as Box<dyn Fn() -> f64>,
+        )
+    });
+    triangles.chain(solids).collect()
+}
+
+fn triangle_pass(cases: &[Case]) -> f64 {
+    let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+    let pairs = cases.iter().zip(&locals);
+    let inputs: Vec<_> = pairs
+        .map(|(case, local)| {
+            let mesh = case.mesh();
+            (VertexRay::new(local, mesh.data().origin), corners(mesh))
+        })
+        .collect();
+    time(&inputs, |(ray, corners)| guarded_volume(ray, *corners))
+}
+
+fn solid_pass(cases: &[Case]) -> f64 {
+    let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+    match cases[0].shape {
+        Shape::Sphere => time(&locals, |local| Sphere::hits(local)),
+        Shape::Cube => time(&locals, |local| Cuboid::hits(local)),
+        _ => time(&locals, |local| Square::hit(local)),
     }
 }
 
