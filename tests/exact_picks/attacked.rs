@@ -51,7 +51,7 @@ fn the_gap_between_two_balls_is_a_quotient() {
     );
     let gap = found.and_then(|found| found.gap).expect("two balls");
     // 1/4 - f64(1/20), rounded to even.
-    assert_eq!(gap, 0.25 - 0.05);
+    assert_eq!(gap.to_bits(), f64::to_bits(0.25 - 0.05));
 }
 
 /// The ray is outside by less than the rounding of half a side and its bound.
