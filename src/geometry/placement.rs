@@ -60,7 +60,14 @@ impl Placement {
         let linear = model.matrix3;
         let (inverse_linear, inverse_error, mirrors) = match rounded_inverse(linear) {
             Some((inverse, error)) if error <= GOOD_INVERSE => {
-                (inverse, error, inverse.determinant() < 0.0)
+                let determinant = inverse.determinant();
+                // Products of three entries that are too large or too small for f64 have no sign.
+                let mirrors = if (1e-280..1e300).contains(&determinant.abs()) {
+                    determinant < 0.0
+                } else {
+                    exact::mirrors(linear)
+                };
+                (inverse, error, mirrors)
             }
             _ => {
                 let inverse = exact::inverse(linear).ok_or(PlacementError::Singular)?;
