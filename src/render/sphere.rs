@@ -21,7 +21,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4};
 #[must_use]
 pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
     let center = space.at_quickly(placement, DVec3::ZERO, DVec3::ZERO);
-    let Some(rect) = rect_px(space.view(), placement, &center) else {
+    let Some(rect) = rect_px(space, placement, &center) else {
         return Row::default();
     };
     if f64_suffices(space.view(), placement) {
@@ -194,7 +194,8 @@ fn base_depth<N: Number>(view: &View, rays: &Rays<N>) -> f64 {
 ///
 /// A plane `(1, 0, -x) . p = 0` through the eye touches the ellipsoid where its distance from the centre equals the
 /// ellipsoid's extent along the plane's normal: a quadratic in x.
-fn rect_px(view: &View, placement: &Placement, center: &ViewPoint) -> Option<[DVec2; 2]> {
+fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Option<[DVec2; 2]> {
+    let view = space.view();
     let lens = view.camera.lens();
     let rows = (view.camera.rotation() * placement.model().matrix3).transpose() * Sphere::RADIUS;
     let (x, y, z) = (rows.x_axis, rows.y_axis, rows.z_axis);
@@ -202,13 +203,17 @@ fn rect_px(view: &View, placement: &Placement, center: &ViewPoint) -> Option<[DV
     if !(center.past_near + z.length() >= 0.0 && from_far - z.length() < 0.0) {
         return None;
     }
-    let center = center.aside.extend(center.depth);
+    // Squares of squares of lengths: in view units they neither vanish nor overflow.
+    let unit = space.unit();
+    let center = unit * center.aside.extend(center.depth);
+    let [x, y, z] = [x, y, z].map(|row| unit * row);
     let front = center.z - z.length();
     let size = view.viewport.size_px();
     let half = lens.half_extent(view.viewport.aspect());
     let ends = |along: DVec3, middle: f64, half: f64| match lens.projection {
         Projection::Orthographic { .. } => {
-            Some([middle - along.length(), middle + along.length()].map(|end| end / half))
+            let ends = [middle - along.length(), middle + along.length()];
+            Some(ends.map(|end| end / (half * unit)))
         }
         Projection::Perspective { .. } if front > 0.0 => {
             let a = (center.z - z.length()) * (center.z + z.length());

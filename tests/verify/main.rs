@@ -1,6 +1,12 @@
 //! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker or a
 //! drawing that is wrong in any way is found out.
 
+#[allow(dead_code, reason = "the oracle's tests use the rest")]
+#[path = "../exact_picks/aim.rs"]
+mod aim;
+#[allow(dead_code, reason = "the oracle's tests use the rest")]
+#[path = "../exact_picks/blocks.rs"]
+mod blocks;
 mod broken;
 mod broken_drawings;
 mod cameras;
@@ -8,11 +14,20 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod conditions;
+mod extremes;
+#[path = "../exact_picks/families.rs"]
+mod families;
 #[path = "../common/images.rs"]
 mod images;
+#[allow(dead_code, reason = "the oracle's tests use the rest")]
+#[path = "../exact_picks/lattice.rs"]
+mod lattice;
 mod models;
 #[path = "../common/scenes.rs"]
 mod scenes;
+#[path = "../exact_picks/ties.rs"]
+mod ties;
+mod views;
 
 use sightline::{
     camera::View,

@@ -1,0 +1,126 @@
+//! The bounds of triangle tests, held against exact arithmetic.
+
+use super::*;
+use crate::geometry::random::Random;
+
+/// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
+#[test]
+fn products_that_vanish_or_overflow_decide_nothing() {
+    let mut random = Random(3);
+    let times_power = |v: DVec3, exponent: i32| {
+        let half = exponent / 2;
+        v * 2_f64.powi(half) * 2_f64.powi(exponent - half)
+    };
+    // Small integers, so that points coincide.
+    let mut point = |exponent| {
+        let small = DVec3::new(random.small(), random.small(), random.small());
+        times_power(small, exponent)
+    };
+    let mut hits = [0; 2];
+    for (vertex, away) in [-149, -100, 0, 125]
+        .into_iter()
+        .flat_map(|vertex| [-1074, -900, -600, -149, 0, 130, 700].map(|away| (vertex, away)))
+    {
+        for direction in [-1074, -1060, -900, -760, -500, -200, 0, 196, 765, 1000] {
+            for i in 0..500 {
+                let mut corners = [point(vertex), point(vertex), point(vertex)];
+                let mut near = point(vertex);
+                if i % 2 == 0 {
+                    (corners[0], near) = (DVec3::ZERO, DVec3::ZERO);
+                }
+                let origin = near + point(away);
+                // Anywhere, or past a point of an edge as nearly as can be.
+                let way = if i % 5 == 0 {
+                    point(0)
+                } else {
+                    let on_edge = corners[1].midpoint(corners[2]);
+                    (on_edge - origin).normalize_or(DVec3::X) / 3.0
+                };
+                let ray = Ray {
+                    origin,
+                    direction: times_power(way, direction),
+                    t_min: if i % 7 < 3 { 0.0 } else { f64::MIN },
+                    t_max: f64::MAX,
+                };
+                let ray = VertexRay::new(ray, DVec3::ZERO);
+                let exact = exact_volume(&ray, corners);
+                for hit in [guarded_volume(&ray, corners), settled_volume(&ray, corners)] {
+                    let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
+                    assert_eq!(exact.is_some(), hit.is_some(), "{case}");
+                    if let (Some(exact), Some(hit)) = (exact, hit) {
+                        assert_eq!(exact.front, hit.front, "{case}");
+                        let error = (exact.t - hit.t).abs();
+                        assert!(error <= exact.t_error + hit.t_error, "{case}");
+                        hits[usize::from(ray.is_bounded())] += 1;
+                    }
+                }
+            }
+        }
+    }
+    println!("hits of rays beyond relative bounds, and within: {hits:?}");
+    assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
+}
+
+/// The derivation of [`volume_bound`], held against exact volumes; of exact rays and of those that are off by as much as
+/// they say.
+#[test]
+fn volumes_round_by_less_than_their_bound() {
+    let mut random = Random(7);
+    let mut worst = [0.0_f64; 2];
+    for i in 0..200_000 {
+        let mut point = || random.point();
+        let away = [1.0, 1e3, 1e9][i % 3];
+        let corners = [point(), point(), point()].map(|p| p.as_vec3().as_dvec3());
+        // From anywhere near and far, from an origin with a tail, and at a corner.
+        let (mut origin, mut direction) = (away * point(), point());
+        let vertex_origin = if i % 2 == 0 {
+            DVec3::ZERO
+        } else {
+            1e3 * point()
+        };
+        origin += vertex_origin;
+        if i % 5 == 0 {
+            direction = corners[0] - (origin - vertex_origin);
+        }
+        let ray = Ray {
+            origin,
+            direction,
+            t_min: 0.0,
+            t_max: 1.0,
+        };
+        let mut seen = VertexRay::new(ray, vertex_origin);
+        let is_exact = i % 4 < 2;
+        if !is_exact {
+            // As if it had been rounded to 40 digits.
+            let most = 2_f64.powi(-40)
+                * DVec3::new(
+                    origin.abs().max_element(),
+                    direction.abs().max_element(),
+                    0.0,
+                );
+            let mut off = |v: DVec3, most: f64| v.map(|c| c + most * (0.999 * random.next()));
+            seen.errors = [most.x, most.y];
+            seen.ray.origin = off(seen.ray.origin, most.x);
+            seen.ray.direction = off(seen.ray.direction, most.y);
+        }
+        let from = corners.map(|corner| corner - seen.ray.origin);
+        let edges = edges(corners);
+        let m = largest(from) + seen.tail_as_length;
+        let errors = exact::volume_errors(
+            &ray,
+            vertex_origin,
+            corners,
+            volumes(seen.ray.direction, from, edges),
+        );
+        let bound = volume_bound(&seen, m, largest(edges));
+        for error in errors {
+            let worst = &mut worst[usize::from(is_exact)];
+            *worst = worst.max(error / bound);
+        }
+    }
+    println!("worst error over its bound, of inexact rays and exact ones: {worst:.2?}");
+    assert!(
+        worst.iter().all(|worst| (0.1..=0.9).contains(worst)),
+        "{worst:?}"
+    );
+}

@@ -1,0 +1,240 @@
+//! Views that drawing got wrong and verify excused, each by the command it was found with: planes on what is seen, planes
+//! close together in the distance, matrices that flatten, scenes too large for `f32`, eyes out of all proportion.
+
+use glam::DVec3;
+use serde_json::Value;
+use sightline::geometry::Aabb;
+use std::{
+    path::PathBuf,
+    process::{Command, Output},
+};
+
+/// A scene file in a folder of its own.
+fn scene(toml: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, toml).expect("a file");
+    (folder, file)
+}
+
+fn run(scene: Option<&PathBuf>, args: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
+    command.arg("verify").args(scene).arg("--json");
+    command
+        .args(args.split_whitespace())
+        .env("RUST_LOG", "error");
+    command.output().expect("the program runs")
+}
+
+/// The counts of a run, and its exit code.
+struct Counts {
+    line: Value,
+    code: Option<i32>,
+    stderr: String,
+}
+
+impl Counts {
+    fn of(output: Output) -> Self {
+        let stderr = String::from_utf8(output.stderr).expect("text");
+        let line = serde_json::from_slice(&output.stdout);
+        Self {
+            line: line.unwrap_or_else(|error| panic!("{error}: {stderr}")),
+            code: output.status.code(),
+            stderr,
+        }
+    }
+
+    fn get(&self, name: &str) -> u64 {
+        self.line[name]
+            .as_u64()
+            .unwrap_or_else(|| panic!("{name}: {}", self.line))
+    }
+
+    /// Nothing but edges differs, and something is shown.
+    #[track_caller]
+    fn agree(&self, least_shown: u64) {
+        assert_eq!(self.code, Some(0), "{} {}", self.line, self.stderr);
+        let differ = self.get("pixels") - self.get("same");
+        assert_eq!(
+            differ,
+            self.get("edge") + self.get("depth"),
+            "{}",
+            self.line
+        );
+        assert!(
+            self.get("edge") <= 10 && self.get("depth") <= 10,
+            "{}",
+            self.line
+        );
+        for side in ["drawn", "picked"] {
+            assert!(self.get(side) >= least_shown, "{}", self.line);
+        }
+    }
+}
+
+/// A wall at depth 2 exactly.
+const WALL: &str = "[[object]]\nshape = \"square\"\nscale = 3\n";
+
+#[test]
+fn a_plane_exactly_on_a_wall() {
+    let (_folder, wall) = scene(WALL);
+    let view = "--size 200x150 --eye 0,0,2 --look 0,0,-1";
+    let near = Counts::of(run(Some(&wall), &format!("{view} --near 2 --far 10")));
+    assert_eq!(near.get("same"), 200 * 150, "{}", near.line);
+    assert_eq!([near.get("drawn"), near.get("picked")], [200 * 150; 2]);
+    let far = Counts::of(run(Some(&wall), &format!("{view} --near 1 --far 2")));
+    assert_eq!(far.get("same"), 200 * 150, "{}", far.line);
+    assert_eq!([far.get("drawn"), far.get("picked")], [0, 0]);
+}
+
+const MIXED: &str = r#"
+[[object]]
+shape = "sphere"
+scale = [1, 0.8, 0.7]
+rotation = [20, 30, 40]
+position = [0.3, 0.1, 0]
+[[object]]
+shape = "cube"
+scale = 0.6
+rotation = [10, 70, 20]
+position = [-0.4, 0.1, 0]
+[[object]]
+shape = "square"
+rotation = [10, 20, 20]
+position = [-0.4, -0.5, 0]
+"#;
+
+/// Nothing of it was drawn, and all of it excused.
+#[test]
+fn planes_close_together_in_the_distance() {
+    let (_folder, mixed) = scene(MIXED);
+    let eye = "--size 320x240 --eye 60000000,48000000,100000000 --target 0,0,0 \
+               --fov 9.086558868057237e-07";
+    for planes in ["", "--near 126111057.16347557 --far 126111067.16347557"] {
+        for depth in ["reversed", "standard"] {
+            let view = format!("{eye} {planes} --depth {depth}");
+            Counts::of(run(Some(&mixed), &view)).agree(15_000);
+        }
+    }
+}
+
+/// Eyes 1e7 to 1e12 units away: each is as good as the demo from nearby.
+#[test]
+fn eyes_far_away() {
+    for distance in [1e7, 1e9, 1e11, 1e12] {
+        let eye = distance * DVec3::new(0.6, 0.48, 1.0);
+        let fov = (2.0 * (3.0 / eye.length()).atan()).to_degrees();
+        let view = format!(
+            "--size 160x120 --eye {},{},{} --target 0,0.5,0 --fov {fov}",
+            eye.x, eye.y, eye.z
+        );
+        Counts::of(run(None, &view)).agree(6000);
+    }
+}
+
+/// Columns that differ by 1e-14 of their length, and a cube 1e-8 thick through a long lens.
+#[test]
+fn matrices_that_flatten() {
+    let (_folder, sphere) = scene(
+        "[[object]]\nshape = \"sphere\"\nmatrix = [[0.9116846116771036, 0.9116846116771158, -0.04652421051992356, 0],
+        [0.3418817293789138, 0.34188172937888933, -0.4652421051992355, 0],
+        [-0.2279211529192759, -0.22792115291926365, -0.8839599998785473, 0]]\n",
+    );
+    Counts::of(run(Some(&sphere), "--size 160x120")).agree(900);
+    let (_folder, cube) = scene(
+        "[[object]]\nshape = \"cube\"\nmatrix = [[0.8383866435942036, -0.2593433800522308, 0.479425538604203, 0],
+        [5.210862105571308e-09, 6.394089303668974e-09, -5.653542083811438e-09, 0],
+        [-0.15992809950116813, 0.7238074543621006, 0.6712121661589577, 0]]\n",
+    );
+    Counts::of(run(Some(&cube), "--size 160x120")).agree(2000);
+    let long = "--size 160x120 --eye 60000,48000,100000 --target 0,0,0 --fov 0.0007";
+    Counts::of(run(Some(&cube), long)).agree(3000);
+}
+
+/// Framed, drawn and picked; or refused by a line.
+#[test]
+fn scenes_of_any_size() {
+    for exponent in [-95, -39, 39, 97] {
+        let text = format!(
+            "[[object]]\nshape = \"sphere\"\nscale = 1e{exponent}
+            [[object]]\nshape = \"cube\"\nscale = 1e{exponent}\nposition = [1e{exponent}, 0, 0]\n"
+        );
+        let (_folder, file) = scene(&text);
+        Counts::of(run(Some(&file), "--size 96x64")).agree(1500);
+    }
+    for exponent in [-101, 99, 150] {
+        let text = format!("[[object]]\nshape = \"cube\"\nscale = 1e{exponent}\n");
+        let (_folder, file) = scene(&text);
+        let output = run(Some(&file), "--size 96x64");
+        let stderr = String::from_utf8(output.stderr).expect("text");
+        assert_eq!(output.status.code(), Some(2), "1e{exponent}: {stderr}");
+        assert_eq!(stderr.lines().count(), 1, "{stderr}");
+        assert!(stderr.contains("units across"), "{stderr}");
+    }
+}
+
+/// Coordinates 1e12 times the features.
+#[test]
+fn far_from_the_origin() {
+    let at = DVec3::new(3e11, -7e11, 5e11);
+    let text = ["sphere", "cube", "square"].map(|shape| {
+        let x = at.x + [0.0, 1.0, 2.0][shape.len() % 3];
+        format!(
+            "[[object]]\nshape = \"{shape}\"\nposition = [{x}, {}, {}]\n",
+            at.y, at.z
+        )
+    });
+    let (_folder, file) = scene(&text.concat());
+    let bounds = Aabb::around([at - 0.5, at + 2.5]);
+    let eye = bounds.center() + DVec3::new(1.0, 2.0, 4.0);
+    let view = format!(
+        "--size 160x120 --eye {},{},{} --target {},{},{}",
+        eye.x, eye.y, eye.z, at.x, at.y, at.z
+    );
+    Counts::of(run(Some(&file), &view)).agree(1000);
+}
+
+/// What `f32` has no number for is not drawn right, and said to be beyond it.
+#[test]
+fn a_near_plane_below_what_f32_can_hold() {
+    for (near, least) in [("1e-35", 1), ("1e-36", 1000), ("1e-300", 1000)] {
+        let counts = Counts::of(run(None, &format!("--size 160x120 --near {near}")));
+        assert_eq!(counts.get("unexplained"), 0, "{near}: {}", counts.line);
+        assert_eq!(counts.code, Some(1), "{near}: {}", counts.line);
+        assert!(counts.get("picked") > 6000, "{near}: {}", counts.line);
+        assert!(counts.get("beyond_f32") >= least, "{near}: {}", counts.line);
+        assert!(
+            counts.stderr.contains("render --by raycast"),
+            "{}",
+            counts.stderr
+        );
+        assert_eq!(counts.stderr.lines().count(), 1, "{}", counts.stderr);
+    }
+}
+
+/// Lenses so wide that a pixel at the border spans more than the middle does.
+#[test]
+fn the_widest_lenses() {
+    for fov in ["179", "179.9", "179.999"] {
+        for depth in ["reversed", "standard"] {
+            let view = format!(
+                "--size 160x120 --eye 0.3,0.6,0.9 --target 0,0.5,0 --near 1e-4 --far 100 --fov {fov} --depth {depth}"
+            );
+            let counts = Counts::of(run(None, &view));
+            assert_eq!(
+                counts.get("unexplained"),
+                0,
+                "{fov} {depth}: {}",
+                counts.line
+            );
+            assert!(counts.get("drawn") > 50, "{fov} {depth}: {}", counts.line);
+            let failed = counts.get("beyond_f32") > 0;
+            assert_eq!(
+                counts.code,
+                Some(i32::from(failed)),
+                "{fov} {depth}: {}",
+                counts.line
+            );
+        }
+    }
+}

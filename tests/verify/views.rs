@@ -1,0 +1,186 @@
+//! The families of scenes that picks are held to exact arithmetic on (`tests/exact_picks`), each drawn and compared: what
+//! drawing in `f32` does there lies within its bounds, or the view is said to be beyond `f32`.
+//!
+//! `SIGHTLINE_VIEWS=1000 cargo test --locked --release --test verify -- --nocapture views` compares that many views of each
+//! family and prints a line for each.
+
+use crate::{
+    blocks::{Sample, chance},
+    common::Random,
+    drawn, families, lattice,
+    scenes::gpu,
+    ties,
+};
+use sightline::{
+    camera::{DepthMapping, Lens, View, Viewport},
+    pick,
+    render::{Gpu, Renderer, SceneBuffers},
+    verify::{Class, Report, Verdict, compare},
+};
+
+/// Views of each family in an ordinary run.
+const VIEWS: usize = 24;
+
+/// Small pictures: there are many.
+const SIZES: [[u32; 2]; 3] = [[64, 48], [61, 37], [31, 80]];
+
+/// Counts over the views of a family.
+#[derive(Default)]
+struct Tally {
+    picked: usize,
+    drawn: usize,
+    classes: [usize; 5],
+    /// Views with pixels that are beyond `f32`, and with nothing drawn or nothing picked.
+    beyond: usize,
+    one_sided: usize,
+    defects: Vec<String>,
+}
+
+impl Tally {
+    fn add(&mut self, report: &Report, sample: &Sample) {
+        self.picked += report.picked;
+        self.drawn += report.drawn;
+        for (count, class) in self.classes.iter_mut().zip(Class::ALL) {
+            *count += report.count(class);
+        }
+        match report.verdict() {
+            Verdict::Agrees => {}
+            Verdict::BeyondF32(_) => self.beyond += 1,
+            Verdict::NothingDrawn(_) | Verdict::NothingPicked(_) => self.one_sided += 1,
+            Verdict::Unexplained(pixels) => self.defects.push(format!(
+                "{pixels} pixels, {:?}, {:?}",
+                report.worst(),
+                sample.view
+            )),
+        }
+    }
+}
+
+/// What a family may come to.
+struct Expected {
+    /// Pixels that must show something on both sides, in a thousand.
+    shown: usize,
+    /// Views that may be beyond `f32`, in a thousand.
+    beyond: usize,
+    /// Views of which one picture may be empty, in a thousand: where a plane of the lens lies on what is seen.
+    one_sided: usize,
+}
+
+fn wanted() -> usize {
+    std::env::var("SIGHTLINE_VIEWS").map_or(VIEWS, |count| {
+        count.parse().expect("SIGHTLINE_VIEWS is a number")
+    })
+}
+
+fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expected) {
+    let gpu = gpu();
+    let mut renderer = Renderer::new(&gpu, 1);
+    let mut random = Random::new(seed);
+    let mut tally = Tally::default();
+    let mut pixels = 0;
+    for _ in 0..wanted() {
+        let mut sample = make(&mut random);
+        let [width, height] = SIZES[random.below(3)];
+        sample.view.viewport = Viewport::new(width, height).expect("a viewport");
+        if chance(&mut random, 4) {
+            let lens = Lens {
+                depth: DepthMapping::Standard,
+                ..*sample.view.camera.lens()
+            };
+            sample.view.camera = sample.view.camera.with_lens(lens).expect("a lens");
+        }
+        let report = compared(&gpu, &mut renderer, &sample);
+        pixels += report.pixels;
+        tally.add(&report, &sample);
+    }
+    let [edge, depth, limit, beyond, unexplained] = tally.classes;
+    println!(
+        "{name:16} {pixels:>9} pixels, {:>8} picked, {:>8} drawn: {edge} edge, {depth} depth, {limit} f32 limit, \
+         {beyond} beyond in {} views, {} one-sided, {unexplained} unexplained",
+        tally.picked, tally.drawn, tally.beyond, tally.one_sided
+    );
+    assert!(
+        tally.defects.is_empty(),
+        "{name}: {}",
+        tally.defects.join("\n")
+    );
+    let shown = tally.picked.min(tally.drawn) * 1000 / pixels;
+    assert!(
+        shown >= expected.shown,
+        "{name}: only {shown} in 1000 show something"
+    );
+    for (what, seen, most) in [
+        ("beyond f32", tally.beyond, expected.beyond),
+        ("one-sided", tally.one_sided, expected.one_sided),
+    ] {
+        // One by itself is no share of so few views.
+        let most = if most > 0 {
+            1 + most * wanted() / 1000
+        } else {
+            0
+        };
+        assert!(seen <= most, "{name}: {seen} views are {what}");
+    }
+}
+
+fn compared(gpu: &Gpu, renderer: &mut Renderer, sample: &Sample) -> Report {
+    let Sample { scene, view, .. } = sample;
+    scene.build_trees();
+    let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+    let drawn = drawn(gpu, renderer, &buffers, view);
+    compare(scene, view, &drawn, &pick::ids(scene, view))
+}
+
+/// The near or the far plane through what some pixel shows, at the `f64` that its depth rounds to.
+fn planes_through(random: &mut Random) -> Sample {
+    loop {
+        let make = [families::ordinary, families::far_eyes, families::condition][random.below(3)];
+        let mut sample = make(random);
+        let View { camera, .. } = sample.view;
+        let at = sample.positions[random.below(sample.positions.len())];
+        let hit = pick::closest(&sample.scene, sample.view.ray(at), sample.view.sides);
+        let Some(hit) = hit else { continue };
+        let lens = *camera.lens();
+        let lens = if chance(random, 2) {
+            Lens {
+                near: hit.hit.t,
+                ..lens
+            }
+        } else {
+            Lens {
+                far: hit.hit.t,
+                ..lens
+            }
+        };
+        if let Ok(camera) = camera.with_lens(lens) {
+            sample.view.camera = camera;
+            return sample;
+        }
+    }
+}
+
+macro_rules! families {
+    ($($name:ident, $seed:literal, $make:path, $shown:literal, $beyond:literal, $one_sided:literal;)*) => {
+        $(#[test] fn $name() {
+            let expected = Expected { shown: $shown, beyond: $beyond, one_sided: $one_sided };
+            run(stringify!($name), $seed, $make, &expected);
+        })*
+    };
+}
+
+// Beyond f32 are faces in one place that are seen nearly from the side; one-sided are pictures of a pixel or three.
+families! {
+    ordinary, 1, families::ordinary, 100, 0, 0;
+    culled, 2, families::culled, 100, 0, 0;
+    condition, 3, families::condition, 100, 5, 5;
+    far_eyes, 4, families::far_eyes, 100, 0, 0;
+    sizes, 5, families::sizes, 100, 0, 0;
+    beyond_sizes, 14, families::beyond_sizes, 100, 50, 0;
+    narrow_gaps, 6, families::narrow_gaps, 100, 50, 0;
+    through_planes, 8, planes_through, 50, 0, 5;
+    exact_borders, 9, lattice::exact_borders, 100, 10, 0;
+    planes, 10, lattice::planes, 50, 5, 5;
+    ties, 11, ties::ties, 100, 10, 0;
+    ties_at_the_eye, 12, ties::ties_at_the_eye, 100, 50, 0;
+    long_ties, 13, ties::long_ties, 100, 10, 0;
+}
