@@ -142,11 +142,17 @@ impl PixelGrid {
         right * self.right + up * self.up
     }
 
+    /// h / H: a factor of R or U for half a pixel.
+    #[inline]
+    fn per_half_px(&self) -> f64 {
+        self.half_height / f64::from(self.size_px[1])
+    }
+
     /// Of R and of U.
     #[inline]
     fn factors(&self, px: DVec2) -> [f64; 2] {
         let [width, height] = self.size_px.map(f64::from);
-        let per_half_px = self.half_height / height;
+        let per_half_px = self.per_half_px();
         [
             per_half_px * (2.0 * px.x - width),
             per_half_px * (height - 2.0 * px.y),
@@ -177,7 +183,7 @@ impl PixelGrid {
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         // A factor that underflowed would look like none.
-        let per_half_px = self.half_height / f64::from(self.size_px[1]);
+        let per_half_px = self.per_half_px();
         let is_bounded = is_moderate(per_half_px)
             && per_half_px != 0.0
             && is_moderate(right)

@@ -211,7 +211,7 @@ pub(super) fn compare_t(
     }
     let [a, b] = corners();
     // In one plane they are met at once, from wherever: that is cheaper to tell.
-    if a == b || exact::are_coplanar(a, b) {
+    if exact::are_coplanar(a, b) {
         return Ordering::Equal;
     }
     let exactly = ray.exactly();

@@ -7,7 +7,8 @@ use crate::{
     },
     scene::{Object, Scene, Shape},
 };
-use std::{cmp::Ordering, sync::Arc};
+use glam::DVec3;
+use std::cmp::Ordering;
 
 /// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
@@ -18,13 +19,18 @@ pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -
         .then(b.hit.front.cmp(&a.hit.front))
 }
 
-/// How far `next` lies behind `hit`: the exact difference in `t`, rounded once.
-pub(super) fn gap(scene: &Scene, ray: &WorldRay, hit: &SceneHit, next: &SceneHit) -> f64 {
+/// How far `next` lies behind `hit`, which is at `t`: the exact difference in `t`, rounded once.
+pub(super) fn gap(
+    scene: &Scene,
+    ray: &WorldRay,
+    (hit, t): (&SceneHit, Option<&Root>),
+    next: &SceneHit,
+) -> f64 {
     if is_same_place(scene, hit, next) {
         return 0.0;
     }
-    match [hit, next].map(|hit| root(scene, ray, hit)) {
-        [Some(hit), Some(next)] => next.behind(&hit),
+    match (t, root(scene, ray, next)) {
+        (Some(t), Some(next)) => next.behind(t),
         _ => (next.hit.t - hit.hit.t).max(0.0),
     }
 }
@@ -61,12 +67,10 @@ fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
         return false;
     }
     match (&on_a.shape, &on_b.shape) {
-        (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: other, .. }) => {
-            let [a, b] = [(a, mesh), (b, other)].map(|(hit, mesh)| vertex_corners(mesh, hit));
-            let is_one_space =
-                Arc::ptr_eq(mesh, other) || mesh.data().origin == other.data().origin;
-            is_one_space && is_one_plane(a, b)
-        }
+        (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: other, .. }) => is_one_plane(
+            (mesh, vertex_corners(mesh, a)),
+            (other, vertex_corners(other, b)),
+        ),
         (Shape::Mesh { .. }, _) | (_, Shape::Mesh { .. }) => false,
         (of_a, of_b) => of_a.kind() == of_b.kind() && a.hit.front == b.hit.front,
     }
@@ -79,7 +83,7 @@ pub(super) fn comes_later_in_plane(
     hit: &SceneHit,
     object: usize,
     triangle: u32,
-    corners: [glam::DVec3; 3],
+    corners: [DVec3; 3],
 ) -> bool {
     let Some(on) = hit.hit.on_triangle else {
         return false;
@@ -93,15 +97,15 @@ pub(super) fn comes_later_in_plane(
     let is_later = (hit.object, on.triangle) <= (object, triangle);
     is_later
         && of_hit.placement == other.placement
-        && (Arc::ptr_eq(mesh, of_other) || mesh.data().origin == of_other.data().origin)
-        && is_one_plane(vertex_corners(mesh, hit), corners)
+        && is_one_plane((mesh, vertex_corners(mesh, hit)), (of_other, corners))
 }
 
-fn is_one_plane(a: [glam::DVec3; 3], b: [glam::DVec3; 3]) -> bool {
-    a == b || are_coplanar(a, b)
+/// Whether two triangles, by their corners about their meshes' origins, lie in one plane of object space.
+fn is_one_plane(a: (&Mesh, [DVec3; 3]), b: (&Mesh, [DVec3; 3])) -> bool {
+    a.0.data().origin == b.0.data().origin && are_coplanar(a.1, b.1)
 }
 
-fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [glam::DVec3; 3] {
+fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
     mesh.vertex_corners(hit.hit.on_triangle.map_or(0, |at| at.triangle))
 }
 

@@ -119,7 +119,7 @@ impl Pick {
             normal_object: (normal / normal.abs().max_element()).normalize(),
             barycentric: order::barycentric(scene, &ray, found),
             edge_px: edge::edge_px(object, view, px, &hit),
-            gap: next.map(|next| order::gap(scene, &ray, found, next)),
+            gap: next.map(|next| order::gap(scene, &ray, (found, root.as_ref()), next)),
             exact,
             differs_px,
         }

@@ -53,8 +53,7 @@ impl SceneTree {
         let batches = scene.batches().iter().enumerate();
         let mut leaves: Vec<Node> = batches
             .filter_map(|(index, batch)| {
-                let parts = scene.bounds[batch.clone()].iter();
-                let bounds = parts.fold(Aabb::EMPTY, |all, part| all.union(*part));
+                let bounds = scene.bounds_of_batch(batch);
                 leaf(index, &scene.objects[batch.start], bounds)
             })
             .collect();

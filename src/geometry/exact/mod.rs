@@ -27,7 +27,7 @@ pub(super) use triangle::{compare, hit, reaches_plane};
 #[cfg(test)]
 pub(super) use world::errors;
 
-use super::{Placement, WorldRay, local_ray::Exactly, ray::Line};
+use super::{Placement, Ray, WorldRay, local_ray::Exactly, ray::Line};
 
 /// A surface that a ray's line meets in one place.
 #[derive(Clone, Copy)]
@@ -80,6 +80,11 @@ fn rounding_of(t: f64) -> f64 {
     } else {
         4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
     }
+}
+
+/// Whether the ends of a ray's interval are numbers.
+fn has_interval(ray: &Ray) -> bool {
+    !(ray.t_min.is_nan() || ray.t_max.is_nan())
 }
 
 fn is_finite(line: &Line) -> bool {

@@ -20,6 +20,12 @@ struct Crossing {
     touches: bool,
 }
 
+impl Crossing {
+    fn parameter(self, exit: bool) -> Root {
+        if exit { self.leave.0 } else { self.enter.0 }
+    }
+}
+
 /// A ray in object space, turned about where the placement mirrors; `None` where a number is not finite.
 fn local(exactly: &Exactly) -> Option<Integers> {
     if !super::is_finite(&exactly.line) {
@@ -121,22 +127,12 @@ fn negative(n: &Number<BigInt>) -> Number<BigInt> {
 
 /// Where the line of `exactly` meets the sphere; `exit` on its way out.
 pub(super) fn sphere_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    let crossing = sphere_crossing(&local(exactly)?)?;
-    Some(if exit {
-        crossing.leave.0
-    } else {
-        crossing.enter.0
-    })
+    Some(sphere_crossing(&local(exactly)?)?.parameter(exit))
 }
 
 /// Where the line of `exactly` meets the cube; `exit` on its way out.
 pub(super) fn cube_parameter(exactly: &Exactly, exit: bool) -> Option<Root> {
-    let crossing = cube_crossing(&local(exactly)?)?;
-    Some(if exit {
-        crossing.leave.0
-    } else {
-        crossing.enter.0
-    })
+    Some(cube_crossing(&local(exactly)?)?.parameter(exit))
 }
 
 /// Where the line of `exactly` meets the square.
@@ -201,7 +197,7 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
 }
 
-/// The point at a parameter in object space, each coordinate rounded once.
+/// The point at a parameter in object space, each coordinate to within three roundings.
 fn at(line: &Integers, root: &Root) -> DVec3 {
     let [numerator, denominator] = root.quotient_near().map(|integer| Number {
         integer,
@@ -225,8 +221,8 @@ pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
 
 /// A parameter that counts, rounded, and within the interval still.
 fn within(root: &Root, ray: &Ray) -> Option<f64> {
-    let has_interval = !(ray.t_min.is_nan() || ray.t_max.is_nan());
-    let counts =
-        has_interval && root.compare_to(ray.t_min).is_ge() && root.compare_to(ray.t_max).is_lt();
+    let counts = super::has_interval(ray)
+        && root.compare_to(ray.t_min).is_ge()
+        && root.compare_to(ray.t_max).is_lt();
     counts.then(|| root.to_f64().max(ray.t_min).min(ray.t_max.next_down()))
 }

@@ -144,8 +144,8 @@ pub(in super::super) fn hit(
         origin,
         corners,
     };
-    let has_interval = !(interval.t_min.is_nan() || interval.t_max.is_nan());
-    let is_finite = has_interval && triangle.is_finite() && super::is_finite(&exactly.line);
+    let is_finite =
+        super::has_interval(interval) && triangle.is_finite() && super::is_finite(&exactly.line);
     let formula = Hit {
         line: exactly.line,
         triangle,
@@ -250,6 +250,9 @@ pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
         fn answer<I: Integer>(&self, numbers: [Number<I>; 3]) -> bool {
             numbers.iter().all(|n| n.sign().is_eq())
         }
+    }
+    if a == b {
+        return true;
     }
     match short(a.into_iter().chain(b)) {
         Some(points) => are_coplanar_integers(&points),
