@@ -185,7 +185,7 @@ fn rays(case: &Case) -> Vec<Ray> {
 
 /// What `f64` and exact arithmetic say of every triangle.
 fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
-    let local = VertexRay::new(ray, DVec3::ZERO);
+    let local = VertexRay::exact(*ray);
     let corners = (0..case.triangles.len()).map(|triangle| case.corners(triangle));
     corners
         .map(|corners| guarded_volume(&local, corners))

@@ -122,8 +122,9 @@ mod tests {
                 Ok(Placement::IDENTITY)
             };
             let placement = placement.expect("invertible");
-            let local: LocalRay = placement.local_ray(&world);
-            let (exactly, ray) = (local.exactly(), &local.ray);
+            let placed = placement.local_ray(&world);
+            let local = LocalRay::from(&placed);
+            let (exactly, ray) = (local.exactly(), local.ray);
             let (in_doubt, found, truth) = match shape {
                 0 => (
                     Sphere::is_in_doubt(&local),

@@ -30,7 +30,7 @@ impl Sphere {
     #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
-        filter(&ray).unwrap_or_else(|InDoubt| exact::sphere(&ray.exactly(), &ray.ray))
+        filter(&ray).unwrap_or_else(|InDoubt| exact::sphere(&ray.exactly(), ray.ray))
     }
 
     /// Whether `f64` leaves [`Sphere::hits`] to exact arithmetic.
@@ -58,8 +58,8 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         origin: o,
         direction: d,
         ..
-    } = ray.ray;
-    let [p, f] = ray.errors();
+    } = *ray.ray;
+    let [p, f] = ray.errors;
     let (o_abs, d_abs) = (o.abs(), d.abs());
     let (o_max, d_max) = (o_abs.max_element(), d_abs.max_element());
     let moment = o.cross(d);
@@ -101,7 +101,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     };
     let (near, far) = (at(middle - root)?, at(middle + root)?);
     Ok([
-        near.hit(&ray.ray, ray.ray.at(near.value), true)?,
-        far.hit(&ray.ray, ray.ray.at(far.value), false)?,
+        near.hit(ray.ray, ray.ray.at(near.value), true)?,
+        far.hit(ray.ray, ray.ray.at(far.value), false)?,
     ])
 }

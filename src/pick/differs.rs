@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{Placement, Pyramid, WorldRay},
+    geometry::{LocalRay, Placement, Pyramid, WorldRay},
     scene::{Scene, Shape},
 };
 use glam::DVec2;
@@ -85,7 +85,7 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
         .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)));
     let pyramid_in = |placement: &Placement| {
         let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-        Pyramid::new(&local, 2.0 * ASIDE)
+        Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
     };
     let mut rivals = Vec::new();
     let mut is_complete = true;

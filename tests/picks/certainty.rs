@@ -64,7 +64,7 @@ fn edge_px_of_spheres_and_ellipsoids_is_the_way_to_their_outline() {
             {
                 let edge_px = pick::pick(&scene, &view, px).unwrap().edge_px.unwrap();
                 let truth = sampled_outline(px, |px| {
-                    Sphere::hits(placement.ray_to_object(&view.ray(px)))[0].is_some()
+                    Sphere::hits(&placement.ray_to_object(&view.ray(px)))[0].is_some()
                 });
                 // Sampling directions finds a little more than the least.
                 let close =

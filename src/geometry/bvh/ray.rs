@@ -115,16 +115,17 @@ impl TreeRay {
     pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
         /// Errors up to this, over the way, disappear in what the bounds have to spare.
         const NOTHING: f64 = f64::from_bits((1023 - 30) << 52);
-        let ray = &local.ray;
+        let ray = local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
         let is_near = away <= NEAR * frame.most;
-        let [of_origin, of_direction] = local.errors();
-        let is_exact = of_origin * frame.scale <= NOTHING * f64::from(frame.most)
-            && of_direction <= NOTHING * f64::from(size);
+        let [of_origin, of_direction] = local.errors;
+        let is_exact = local.is_exact()
+            || of_origin * frame.scale <= NOTHING * f64::from(frame.most)
+                && of_direction <= NOTHING * f64::from(size);
         let placed = if is_near && is_exact && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
             Placed {
                 origin,
@@ -221,8 +222,8 @@ impl Placed {
     /// A ray whose eye is to be moved, or its direction to be scaled.
     #[cold]
     fn far(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
-        let ray = &local.ray;
-        let [of_origin, of_direction] = local.errors();
+        let ray = local.ray;
+        let [of_origin, of_direction] = local.errors;
         let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
         let mut origin = (ray.origin - *center) * frame.scale;
         let mut direction = ray.direction;
@@ -330,7 +331,7 @@ mod tests {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let Ok(prepared) = TreeRay::prepare(&ray.into(), &DVec3::ZERO, &frame) else {
+            let Ok(prepared) = TreeRay::prepare(&(&ray).into(), &DVec3::ZERO, &frame) else {
                 continue;
             };
             for axis in 0..3 {

@@ -117,7 +117,7 @@ impl Mesh {
         accept: impl Fn(usize) -> bool,
     ) -> Vec<Hit> {
         let ray = &ray.into();
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let mut all = self.each(ray, sides, accept);
         all.sort_by(|a, b| self.order(a, b, &local));
         all
@@ -130,7 +130,7 @@ impl Mesh {
         sides: Sides,
         accept: impl Fn(usize) -> bool,
     ) -> Vec<Hit> {
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let mut all = Vec::new();
         self.visit::<true>(ray, &mut |triangle, corners| {
             if let Some(hit) = guarded_volume(&local, corners)
@@ -147,7 +147,7 @@ impl Mesh {
     /// Where an object-space ray meets one triangle.
     pub(crate) fn hit(&self, ray: &LocalRay, triangle: u32) -> Option<Hit> {
         let corners = self.vertex_corners(triangle);
-        let hit = guarded_volume(&VertexRay::new(ray, self.data.origin), corners)?;
+        let hit = guarded_volume(&VertexRay::new(ray, &self.data.origin), corners)?;
         Some(hit.on(triangle, corners))
     }
 
@@ -174,7 +174,7 @@ impl Mesh {
         accept: impl Fn(usize) -> bool,
     ) -> bool {
         let ray = &ray.into();
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let inverse = ray.ray.direction.recip();
         let mut found = false;
         let mut visit = |triangle, corners: [DVec3; 3]| {
@@ -290,14 +290,16 @@ impl<T: Test, A: Fn(usize, &Hit) -> bool> Visit for Nearest<'_, T, A> {
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64 {
         let local = self
             .local
-            .get_or_insert_with(|| VertexRay::new(self.ray, self.mesh.data.origin));
+            .get_or_insert_with(|| VertexRay::new(self.ray, &self.mesh.data.origin));
         if let Some(hit) = self.test.test(local, corners)
             && (self.sides == Sides::Both || hit.front)
         {
             let hit = hit.on(triangle, corners);
-            let is_first =
-                (self.best).is_none_or(|best| self.mesh.order(&hit, &best, local).is_lt());
-            if is_first && (self.accept)(self.mesh.part_of(triangle), &hit) {
+            // Of a copy, so that the hit itself need not lie in memory.
+            let is_first = |best: &Hit| self.mesh.order(&{ hit }, best, local).is_lt();
+            if self.best.as_ref().is_none_or(is_first)
+                && (self.accept)(self.mesh.part_of(triangle), &hit)
+            {
                 // The exact parameter may be this much further, and nearer or equal ones may lie before it.
                 self.end = self.end.min(hit.t + hit.t_error);
                 self.best = Some(hit);
