@@ -14,9 +14,12 @@
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
 
+pub(crate) mod binary;
 mod bounds;
 mod bvh;
+mod clip;
 mod cuboid;
+pub(crate) mod double_double;
 mod exact;
 mod interval;
 mod local_ray;
@@ -36,6 +39,7 @@ mod vertex_ray;
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
 pub use bvh::{Bvh, Simd, Visit};
+pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
@@ -47,6 +51,7 @@ pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
+pub(crate) use ray::RayDifferential;
 pub use ray::{PixelGrid, Ray, RayError, WorldRay};
 pub use sphere::Sphere;
 pub use square::Square;

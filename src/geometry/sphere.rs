@@ -1,7 +1,9 @@
 //! The sphere of radius 0.5 about the origin.
 
 use super::{
-    Aabb, Hit, LocalRay, Ray, U, exact,
+    Aabb, Hit, LocalRay, Ray, U,
+    binary::power_of_two,
+    exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -53,7 +55,7 @@ impl Sphere {
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     /// Squares of a direction above this are not short of digits.
-    const LEAST: f64 = f64::from_bits((1023 - 500) << 52);
+    const LEAST: f64 = power_of_two(-500);
     let Ray {
         origin: o,
         direction: d,

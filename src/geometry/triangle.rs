@@ -9,7 +9,9 @@
 )]
 
 use super::{
-    Corners, Hit, OnTriangle, Ray, U, VertexRay, exact,
+    Corners, Hit, OnTriangle, Ray, U, VertexRay,
+    binary::power_of_two,
+    exact,
     interval::{HALF_OF_THE_DIGITS, InDoubt},
 };
 use glam::DVec3;
@@ -17,7 +19,7 @@ use std::cmp::Ordering;
 
 /// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of triangles that
 /// `f32` can hold, and a direction of `2^-200`, make more.
-const LOST: f64 = f64::from_bits((1023 - 600) << 52);
+const LOST: f64 = power_of_two(-600);
 
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +77,7 @@ pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Tri
 }
 
 /// Weights that are less certain than this are worth exact arithmetic.
-const WORST_WEIGHT: f64 = f64::from_bits((1023 - 14) << 52);
+const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`guarded_volume`], all of it by exact arithmetic.
 #[cold]

@@ -1,10 +1,10 @@
 //! A ray as the triangles of a mesh see it.
 
-use super::{LocalRay, Ray, U, local_ray::Exactly};
+use super::{LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
 use glam::DVec3;
 
 /// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
-const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+const LARGE: f64 = power_of_two(200);
 
 /// A ray in the space of a mesh's vertices that lost no digit on the way from object space.
 ///

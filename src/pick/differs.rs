@@ -40,7 +40,7 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
     }
     let shown = Rival {
         object: here.object,
-        triangle: here.hit.on_triangle.map(|at| at.triangle),
+        triangle: here.triangle(),
     };
     let rivals = rivals(scene, view, px, here);
     let differs = |centre: DVec2| {
@@ -48,8 +48,7 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
         let Some(rivals) = &rivals else {
             let there = closest(scene, ray, view.sides);
             return there.is_none_or(|there| {
-                let triangle = there.hit.on_triangle.map(|at| at.triangle);
-                (there.object, triangle) != (shown.object, shown.triangle)
+                (there.object, there.triangle()) != (shown.object, shown.triangle)
             });
         };
         let Some(there) = first_of(scene, view, &ray, shown) else {

@@ -173,7 +173,7 @@ fn least(
         let found = of_batch(batch, &placement.local_ray(ray).until(limit));
         best = lesser(scene, ray, best, found);
         if let Some(best) = &best {
-            limit = best.hit.t + best.hit.t_error;
+            limit = best.limit();
         }
         limit
     });

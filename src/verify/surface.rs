@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Lens, Projection, View},
-    geometry::Placement,
+    geometry::{Placement, double_double::Vector},
     render::{
         transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
         view_space::ViewSpace,
@@ -222,26 +222,21 @@ pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
     steps: [DVec3; 2],
-    perspective: bool,
+    lens: Lens,
 }
 
 impl ViewRay {
     pub fn new(view: &View, px: DVec2) -> Self {
-        let lens = view.camera.lens();
-        let half = lens.half_extent(view.viewport.aspect());
-        let aside = view.viewport.px_to_ndc(px) * half;
-        let perspective = !lens.is_orthographic();
-        let (origin, direction) = if perspective {
-            (lens.near * aside, aside.extend(1.0))
-        } else {
-            (aside, DVec3::Z)
-        };
-        let step = 2.0 * half / view.viewport.size_px();
+        let lens = *view.camera.lens();
+        let grid = view.camera.pixel_grid(view.viewport).in_view_space();
+        let ray = grid.differential::<f64>(px, DVec3::ZERO);
+        let [origin, direction, right, down] =
+            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::narrow);
         Self {
-            origin: origin.extend(0.0),
+            origin: (origin + lens.near * direction).with_z(0.0),
             direction,
-            steps: [DVec3::X * step.x, DVec3::NEG_Y * step.y],
-            perspective,
+            steps: [right, down],
+            lens,
         }
     }
 
@@ -254,7 +249,7 @@ impl ViewRay {
     /// moves.
     pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        let w = if self.perspective { depth } else { 1.0 };
-        -w * DVec2::new(normal.dot(right), normal.dot(down)) / normal.dot(self.direction)
+        -self.lens.w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
+            / normal.dot(self.direction)
     }
 }

@@ -8,7 +8,7 @@ use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
 /// What formulas are made of. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
-pub(super) trait Integer: Clone {
+pub(crate) trait Integer: Clone {
     fn new(value: i64) -> Self;
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;

@@ -1,7 +1,12 @@
 //! A ray and a triangle in integers.
 
 use super::{
-    super::{Placement, Ray, TriangleHit, WorldRay, local_ray::Exactly, ray::Line},
+    super::{
+        Placement, Ray, TriangleHit, WorldRay,
+        binary::{power_of_two, power_of_two_below},
+        local_ray::Exactly,
+        ray::Line,
+    },
     integer::{Bits, Formula, Integer, solve},
     number::{Number, Vector},
     root::Root,
@@ -292,10 +297,9 @@ pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
 
 /// Six points as integers of 40 bits in one unit; `None` where they are longer.
 fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
-    const MOST: f64 = f64::from_bits((1023 + 40) << 52);
+    const MOST: f64 = power_of_two(40);
     let largest = (points.clone()).fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
-    // A power of two.
-    let scale = MOST / f64::from_bits(largest.to_bits() & !((1 << 52) - 1)) * 0.5;
+    let scale = MOST / power_of_two_below(largest) * 0.5;
     let mut integers = [[0; 3]; 6];
     for (integers, point) in integers.iter_mut().zip(points) {
         for (integer, c) in integers.iter_mut().zip((point * scale).to_array()) {

@@ -6,7 +6,7 @@
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, TriangleHit, TriangleTest, VertexRay, Visit,
+    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay, Visit,
     guarded_volume,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
@@ -27,6 +27,11 @@ impl Mesh {
 
     /// [`Mesh::build_tree`], given up soon after `stop` is set.
     pub fn build_tree_unless(&self, stop: &AtomicBool) {
+        self.build_tree_by(Simd::fastest(), stop);
+    }
+
+    /// [`Mesh::build_tree_unless`], to be walked by chosen instructions; there is no tree where the processor lacks them.
+    pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
         let MeshData {
             positions,
             triangles,
@@ -35,7 +40,7 @@ impl Mesh {
         if triangles.len() < WORTH_A_TREE || self.tree.get().is_some() {
             return;
         }
-        if let Some(tree) = Bvh::build(positions, triangles, stop) {
+        if let Some(tree) = Bvh::build(positions, triangles, simd, stop) {
             debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
             // Whoever else may have built one meanwhile has built the same.
             let _ = self.tree.set(tree);
