@@ -31,13 +31,14 @@ pub(super) struct Surface {
     pub source: Source,
 }
 
-/// What the GPU makes a surface from. From the same it makes the same, to the bit.
+/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three).
-    Vertices(VertexToView, [DVec3; 3]),
+    /// Vertices in this order (of a face the first three), about an origin in object space. `f32` may take two placements
+    /// for one, and a pick does not: both count.
+    Vertices(VertexToView, Placement, DVec3, [DVec3; 3]),
     /// A sphere's equations.
     Sphere(Placement),
 }
@@ -59,11 +60,25 @@ impl Surface {
                 nearest: nearness,
                 farthest: nearness,
                 rounding: 0.0,
+                step: 0.0,
                 beyond_f32: false,
             },
             source: Source::Empty,
         }
     }
+}
+
+/// Those of an object's surfaces at a pixel that may show there: not a solid's far side where its near side covers the
+/// pixel for certain.
+pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
+    let all = surfaces.clone();
+    surfaces.retain(|surface| {
+        let hides = |other: &Surface| {
+            other.covers && other.loose.is_none() && other.stored.farthest > surface.stored.nearest
+        };
+        !all.iter().any(hides)
+    });
+    surfaces
 }
 
 /// The best explanation for one surface having been drawn and the other picked; `None` when nothing explains it.

@@ -7,7 +7,7 @@ mod saving;
 mod study;
 mod trees;
 
-pub(super) use check::{Check, Checking};
+pub(super) use check::{Check, Checked, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use loading::Loading;
 pub(super) use saving::Saving;
