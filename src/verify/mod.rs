@@ -16,8 +16,10 @@
 //!   has no such pixel;
 //! * **unexplained**: anything else. Somebody is wrong.
 //!
+//! A surface has no outline where it goes on beyond an edge: there its neighbours may show, and nothing behind.
+//!
 //! A bound that is infinite or NaN is none. A picture that is empty where picks are not, or the reverse, fails whatever
-//! explains its pixels one by one ([`Report::verdict`]).
+//! explains its pixels one by one, but for a speck smaller than a pixel ([`Report::verdict`]).
 //!
 //! # What the bounds take for granted
 //!
@@ -38,9 +40,11 @@
 //!
 //! [`compare`] is pure: whatever answers for a pixel can be put to the test.
 
+mod adjoining;
 mod bound;
 mod flat;
 mod picture;
+mod polygon;
 mod report;
 mod round;
 mod surface;
@@ -50,6 +54,7 @@ pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
     camera::{View, pixel_centre},
+    geometry::Mesh,
     image::{Id, Image},
     render::{
         self,
@@ -58,10 +63,12 @@ use crate::{
     },
     scene::{Scene, Shape},
 };
+use adjoining::Adjoining;
 use bound::{Outline, Reason};
-use glam::DVec2;
+use flat::Flat;
+use glam::{DVec2, DVec3};
 use serde::Serialize;
-use std::collections::HashMap;
+use std::{collections::HashMap, sync::Arc};
 use surface::Surface;
 
 /// The most that drawing may move an outline by, in pixels, and be held to hold the view: a picture that is off by more
@@ -70,9 +77,10 @@ pub const OUTLINE_CEILING_PX: f64 = 0.5;
 
 /// The most that `f32` may be off in depth, in steps of the depth buffer, and be held to hold the view.
 ///
-/// In steps of 2^-23 of the depth, as reversed depth has them, it is 1/2048 of the depth: about what half a pixel spans sideways in a
-/// picture of 1,000 pixels. So depth may be off by as much as outlines may.
-pub const DEPTH_CEILING_STEPS: f64 = 4096.0;
+/// In steps of 2^-23 of the depth, as reversed depth has them, it is 1/8192 of the depth: no more than half a pixel spans
+/// sideways in a picture of 2,160 rows through a lens of 30 degrees. So depth may be off by no more than outlines may, in
+/// any ordinary picture.
+pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
 
 /// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.
 pub const GRID_PX: f64 = 1.0 / 256.0;
@@ -136,6 +144,7 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
         scene,
         space: ViewSpace::new(view),
         to_view: HashMap::new(),
+        adjoining: HashMap::new(),
     };
     let mut report = Report {
         pixels: drawn.pixels().len(),
@@ -175,16 +184,23 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 struct Explainer<'a> {
     scene: &'a Scene,
     space: ViewSpace,
-    /// What the vertex shader does to a batch, and how far off its numbers are, by the batch's first object.
-    to_view: HashMap<usize, (VertexToView, Rounding)>,
+    /// Where a batch's vertex space begins, in object space, what the vertex shader does to it, and how far off its numbers
+    /// are; by the batch's first object.
+    to_view: HashMap<usize, (DVec3, (VertexToView, Rounding))>,
+    /// Of each mesh that differs anywhere, by where it is kept.
+    adjoining: HashMap<*const Mesh, Adjoining>,
 }
 
 impl Explainer<'_> {
     fn explain(&mut self, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
         let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
         let sides = [drawn, picked].map(|id| self.surfaces(px, id));
+        // From the same the GPU makes the same: which of the two shows is settled by their order.
+        let twins =
+            (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);
         let pairs = sides[0]
             .iter()
+            .filter(|_| !twins)
             .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
         let explained = pairs.filter_map(|(of_drawn, of_picked)| {
             let reason = surface::explain(of_drawn, of_picked)?;
@@ -227,17 +243,44 @@ impl Explainer<'_> {
         let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
             return Vec::new();
         };
-        match object.shape {
-            Shape::Sphere => return round::surfaces(space, &object.placement, px),
-            Shape::Cube | Shape::Square | Shape::Mesh { .. } => {}
+        if let Shape::Sphere = object.shape {
+            return round::surfaces(space, &object.placement, px);
         }
         let batches = scene.batches();
         let batch = &batches[batches.partition_point(|batch| batch.end <= index)];
-        let to_view = self.to_view.entry(batch.start).or_insert_with(|| {
+        let (origin, to_view) = self.to_view.entry(batch.start).or_insert_with(|| {
             let (origin, bounds) = render::transform::vertex_space(scene, batch);
             let to_view = VertexToView::new(space, &object.placement, origin, &bounds);
-            (to_view, to_view.rounding(space, &object.placement, origin))
+            let rounding = to_view.rounding(space, &object.placement, origin);
+            (origin, (to_view, rounding))
         });
-        flat::surfaces(space, object, to_view, px, id.triangle)
+        let flat = Flat {
+            space,
+            placement: &object.placement,
+            origin: *origin,
+            to_view,
+            px,
+        };
+        match &object.shape {
+            Shape::Sphere => Vec::new(),
+            Shape::Square => flat.square(),
+            Shape::Cube => flat.cube(),
+            Shape::Mesh { mesh, part } => {
+                let data = mesh.data();
+                let triangles = &data.parts[*part].triangles;
+                let triangle = triangles.start.checked_add(id.triangle.wrapping_sub(1));
+                let Some(triangle) = triangle.filter(|triangle| triangles.contains(triangle))
+                else {
+                    return Vec::new();
+                };
+                let adjoining = (self.adjoining.entry(Arc::as_ptr(mesh)))
+                    .or_insert_with(|| Adjoining::new(data));
+                let is_shown = |triangle| {
+                    let object = (mesh.part_of(triangle) + index).checked_sub(*part);
+                    object.is_some_and(|i| batch.contains(&i) && scene.objects()[i].visible)
+                };
+                flat.triangle(data, adjoining, batch.start, triangle, is_shown)
+            }
+        }
     }
 }

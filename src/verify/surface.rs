@@ -19,6 +19,10 @@ use glam::{DVec2, DVec3};
 pub(super) struct Surface {
     /// Why it may be there for one side only: an outline or the near plane's cut is near enough.
     pub loose: Option<Reason>,
+    /// Why a neighbour may be there in its place, or it in a neighbour's: an edge between them is near enough.
+    pub crossed: Option<Reason>,
+    /// Of a mesh's triangle: its batch's first object and its number.
+    pub triangle: Option<(usize, u32)>,
     /// Its nearest outline, near enough or not.
     pub outline: Outline,
     /// Whether it really covers the centre, behind the near plane.
@@ -51,6 +55,8 @@ impl Surface {
         };
         Self {
             loose: None,
+            crossed: None,
+            triangle: None,
             outline: Outline::NONE,
             covers: true,
             depth: f64::NAN,
@@ -72,6 +78,10 @@ impl Surface {
 /// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
 /// which of them shows is settled by their order, and nothing excuses another answer.
 pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
+    if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
+        // Both sides come to the same one, edge by edge.
+        return drawn.crossed;
+    }
     if drawn.source == picked.source {
         return None;
     }
@@ -86,9 +96,15 @@ pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
     let hides = precedes.then_some(Class::Edge);
     let picked_only = (hides.into_iter().chain(missing(drawn)).min())
         .and_then(|class| Some(picked.loose?.and(class)));
-    let by_depth = (drawn.covers && picked.covers)
-        .then(|| drawn.stored.reason(&picked.stored))
-        .flatten();
+    // A neighbour's depth may be what counts.
+    let may_cover = |surface: &Surface| {
+        let reached = || Some(surface.crossed?.class);
+        surface.covers.then_some(Class::Edge).or_else(reached)
+    };
+    let by_depth = may_cover(drawn).zip(may_cover(picked)).and_then(|(a, b)| {
+        let reason = drawn.stored.reason(&picked.stored)?;
+        Some(reason.and(a).and(b))
+    });
     let all = [drawn_only, picked_only, by_depth];
     all.into_iter().flatten().reduce(Reason::or)
 }

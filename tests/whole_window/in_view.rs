@@ -144,6 +144,31 @@ fn a_wide_picture_is_compared() {
     assert_eq!(eye_z(&window), 10.0_f64.to_bits());
 }
 
+/// `f32` has no number for such a near plane: V says so, and what to do.
+#[test]
+fn a_view_beyond_f32_says_what_to_do() {
+    let (mut window, _folder) = row(1.0);
+    let advice = |window: &Offscreen| {
+        let lines = window.controls().iter().map(|control| &control.name);
+        let of_them = lines.filter(|name| name.contains("sightline render --by raycast"));
+        of_them.cloned().collect::<Vec<_>>()
+    };
+    for (near, said) in [("1", 0), ("1e-300", 1)] {
+        type_into(&mut window, "near", near);
+        press_key(&mut window, NONE, Key::Enter);
+        press_key(&mut window, NONE, Key::V);
+        window.picture().expect("a picture");
+        assert!(has_control(&window, "V closes this"), "near {near}");
+        let advice = advice(&window);
+        assert_eq!(advice.len(), said, "near {near}: {advice:?}");
+        assert!(
+            advice
+                .iter()
+                .all(|text| text.contains("f32 cannot hold this view"))
+        );
+    }
+}
+
 fn eye_z(window: &Offscreen) -> u64 {
     let DVec3 { z, .. } = window.state().view().camera.eye();
     z.to_bits()
