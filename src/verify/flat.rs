@@ -129,7 +129,8 @@ impl Flat<'_> {
             view: self.view(corner),
             error: to_view.error_view(rounding, corner.as_vec3()),
         });
-        let source = Source::Vertices(*to_view, [0, 1, 2].map(|i| corners_vertex_space[i]));
+        let [a, b, c] = [0, 1, 2].map(|i| corners_vertex_space[i]);
+        let source = Source::Vertices(*to_view, *self.placement, [self.origin, a, b, c]);
         polygon(self.space, self.px, &corners.collect::<Vec<_>>(), source)
     }
 

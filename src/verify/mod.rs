@@ -29,7 +29,8 @@
 //!   device with fewer sub-pixel bits this bound is too small, and pixels on edges are called unexplained.
 //! * A pixel is covered when its centre is, by edges through the rounded corners; clipping at a border of the picture makes new
 //!   corners between old ones and rounds them.
-//! * Depth over a triangle is the plane through its corners, with slopes that are rounded relatively to their terms.
+//! * Depth over a triangle is the plane through its corners, with slopes that are rounded relatively to their terms; of one
+//!   that leaves the picture, through corners of what is left of it within the picture's borders, or as good as that.
 //! * The same numbers drawn twice give the same pixels and depths, to the bit, and the first of equal depths stays.
 //! * The geometry here is in `f64`. Its own roundings are small beside those of `f32`.
 //!
@@ -43,6 +44,7 @@
 mod adjoining;
 mod bound;
 mod flat;
+mod interpolation;
 mod picture;
 mod polygon;
 mod report;

@@ -3,12 +3,13 @@
 use super::{
     GRID_PX,
     bound::{self, Cut, Outline, Reason, Stored},
+    interpolation,
     surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
     camera::{Projection, View},
     render::{
-        transform::{U, UNDERFLOW, ViewError, depth_origin},
+        transform::{U, ViewError, depth_origin},
         view_space::ViewSpace,
     },
 };
@@ -68,12 +69,17 @@ pub(super) fn polygon(
     };
     let seen = clip_near(corners, nearest);
     let ends = depth_ends(&seen)?;
-    let border = border(
+    let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
+    let shown = interpolation::within_picture(view, &seen_views);
+    // Clipping's new corners are some of these.
+    let nearest_shown = shown.iter().map(|corner| corner.z).reduce(f64::min);
+    let border_px = shift_px(
         view,
         px,
-        corners,
-        shift_px(view, px, depths.w(ends[0]), &clipped),
+        depths.w(nearest_shown.unwrap_or(ends[0])),
+        &clipped,
     );
+    let border = border(view, px, corners, border_px);
     let sides = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let sides = sides.filter(|[from, to]| !(from.is_cut && to.is_cut));
     let edges: Vec<(usize, Outline)> = sides
@@ -95,7 +101,8 @@ pub(super) fn polygon(
         ends
     };
     let rounding = may_be.map(|end| depths.error(end, &error));
-    let rounding = rounding[0].max(rounding[1]) + interpolation_error(view, &depths, &seen);
+    let rounding = rounding[0].max(rounding[1])
+        + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
     let step = may_be.map(|end| depths.step(end));
     let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
     let covers = covers(&ray, corners);
@@ -215,13 +222,13 @@ fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
 }
 
 /// Clip space's w of a view-space point, z being depth past near.
-fn w(view: &View, point: DVec3) -> f64 {
+pub(super) fn w(view: &View, point: DVec3) -> f64 {
     let lens = view.camera.lens();
     lens.w(lens.near + point.z)
 }
 
 /// A view-space point, z being depth past near, in the picture.
-fn project(view: &View, point: DVec3) -> DVec2 {
+pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
     let half = view.camera.lens().half_extent(view.viewport.aspect());
     (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point)))
 }
@@ -270,30 +277,4 @@ fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
         depth: of(&|p| lens.near + p.z),
         measured: of(&|p| p.z - to_origin),
     }
-}
-
-/// What interpolating depth over the picture takes: the plane through three corners has slopes that are differences of
-/// products of corner differences over the area, relative to which they round; so off by some U times the range of
-/// depths, longest side squared over area, at the far end of the triangle. And a few roundings of the largest depth.
-fn interpolation_error(view: &View, depths: &Depths, seen: &[SeenCorner]) -> f64 {
-    let stored = seen.iter().map(|corner| depths.stored(corner.at.view.z));
-    let (least, most) = stored.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), ndc| {
-        (least.min(ndc), most.max(ndc))
-    });
-    let px: Vec<DVec2> = seen
-        .iter()
-        .map(|corner| project(view, corner.at.view))
-        .collect();
-    let slimness = (2..px.len()).map(|i| {
-        let [u, v] = [px[i - 1] - px[0], px[i] - px[0]];
-        let longest = u
-            .length_squared()
-            .max(v.length_squared())
-            .max(u.distance_squared(v));
-        longest / u.perp_dot(v).abs()
-    });
-    let slimness = slimness.fold(1.0, f64::max);
-    // Slopes are of a pixel, and count over the whole picture.
-    let underflow = UNDERFLOW * slimness * view.viewport.size_px().element_sum();
-    8.0 * U * ((most - least) * slimness + most.abs().max(least.abs())) + underflow
 }

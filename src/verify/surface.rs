@@ -35,13 +35,14 @@ pub(super) struct Surface {
     pub source: Source,
 }
 
-/// What the GPU makes a surface from. From the same it makes the same, to the bit.
+/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick: their order settles
+/// which shows. Of placements that differ by less than `f32` can tell, the GPU makes the same, and a pick does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three).
-    Vertices(VertexToView, [DVec3; 3]),
+    /// Vertices in this order (of a face the first three) about an origin, under a placement and what the GPU has of it.
+    Vertices(VertexToView, Placement, [DVec3; 4]),
     /// A sphere's equations.
     Sphere(Placement),
 }

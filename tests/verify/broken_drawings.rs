@@ -272,6 +272,70 @@ fn a_triangle_missing() {
     });
 }
 
+/// From before the eye to behind it, with a near plane a millionth of a step away: what is behind the eye takes no digits
+/// from what is seen.
+#[test]
+fn a_floor_under_the_eye_missing() {
+    let floor = DAffine3::from_rotation_x(-std::f64::consts::FRAC_PI_2)
+        * DAffine3::from_scale(DVec3::splat(40.0));
+    let scene = Scene::new(vec![
+        object("floor", Shape::Square, floor, None),
+        object(
+            "box",
+            Shape::Cube,
+            DAffine3::from_translation(DVec3::new(0.3, 0.5, -4.0)),
+            None,
+        ),
+    ]);
+    for near in [1e-2, 1e-6] {
+        let lens = perspective(60.0, near, 100.0);
+        let view = view([0.0, 1.6, 1.0], [0.5, 1.2, -4.0], lens, SIZE);
+        let picked = pick::ids(&scene, &view);
+        let right = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+        assert_eq!(
+            right.verdict(),
+            Verdict::Agrees,
+            "{near}: {:?}",
+            right.worst()
+        );
+        let shown = picked.pixels().iter().filter(|id| id.object == 1).count();
+        assert!(shown > 10_000, "only {shown} pixels show the floor");
+        let mut without = scene.clone();
+        without.set_visible(0, false);
+        let wrong = compare(&scene, &view, &drawn_once(&without, &view), &picked);
+        let found = wrong.count(Class::Unexplained);
+        assert!(
+            found >= shown * 9 / 10,
+            "{near}: {found} of {shown} are found out"
+        );
+    }
+}
+
+/// The GPU gets the same numbers for both, of which a pick tells the second one to be nearer.
+#[test]
+fn what_f32_cannot_tell_apart_is_as_deep() {
+    let square = |depth: f64| {
+        let turn = DAffine3::from_rotation_y(0.3) * DAffine3::from_scale(DVec3::splat(3.0));
+        object(
+            "square",
+            Shape::Square,
+            DAffine3::from_translation(depth * DVec3::Z) * turn,
+            None,
+        )
+    };
+    let scene = Scene::new(vec![square(0.0), square(1e-11)]);
+    let view = view(
+        [0.0, 0.0, 5.0],
+        [0.0, 0.0, 0.0],
+        perspective(45.0, 1.0, 30.0),
+        SIZE,
+    );
+    let picked = pick::ids(&scene, &view);
+    let report = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+    assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+    assert!(report.count(Class::Depth) > 5000, "{report:?}");
+}
+
 /// Squares and wires in a picture of a unit a pixel, whose pixel centres lie at halves: centre and size.
 fn in_pixels(squares: &[(DVec3, DVec2)]) -> (Scene, View) {
     let squares = squares.iter().map(|(centre, size)| {
