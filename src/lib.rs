@@ -10,7 +10,7 @@
 //! a save:   State -> Snapshot -> scene::save -> scene file, meshes beside it
 //! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
-//! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> LocalRay -> shape or Mesh (Bvh)
+//! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> PlacedRay, LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //! ```

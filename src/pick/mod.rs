@@ -86,6 +86,11 @@ impl SceneHit {
         overlap(t(&self.hit), t(&other.hit))
     }
 
+    /// The triangle of a mesh that was hit.
+    fn triangle(&self) -> Option<u32> {
+        self.hit.on_triangle.map(|at| at.triangle)
+    }
+
     /// Nothing that may come before it begins behind this `t`.
     fn limit(&self) -> f64 {
         self.hit.t + self.hit.t_error

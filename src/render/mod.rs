@@ -15,7 +15,6 @@
 //! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
-pub(crate) mod double_double;
 mod gpu;
 pub mod layout;
 mod lines;

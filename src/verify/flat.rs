@@ -130,8 +130,8 @@ impl Flat<'_> {
             error: to_view.error_view(rounding, corner.as_vec3()),
         });
         let [a, b, c] = [0, 1, 2].map(|i| corners_vertex_space[i]);
-        let source = Source::Vertices(*to_view, *self.placement, [self.origin, a, b, c]);
-        polygon(self.space, self.px, &corners.collect::<Vec<_>>(), source)
+        let source = Source::Vertices(*to_view, self.placement.model(), [self.origin, a, b, c]);
+        polygon(self.space, self.px, &corners.collect::<Vec<_>>(), &source)
     }
 
     /// In view space, z being depth past near.

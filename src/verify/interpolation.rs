@@ -7,6 +7,7 @@ use super::{
 };
 use crate::{
     camera::View,
+    geometry::clip,
     render::transform::{U, UNDERFLOW},
 };
 use glam::{DVec2, DVec3};
@@ -60,11 +61,10 @@ pub(super) fn error(
         })
 }
 
-/// What is left of a polygon within the borders of the picture and before the far plane (Sutherland & Hodgman, "Reentrant
-/// Polygon Clipping", 1974). In view space, z being depth past near; nothing of it before the near plane.
+/// What is left of a polygon within the borders of the picture and before the far plane. In view space, z being depth past near; nothing of it before the near plane.
 pub(super) fn within_picture(view: &View, corners: &[DVec3]) -> Vec<DVec3> {
     let lens = view.camera.lens();
-    let half = lens.half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let inside = |side: usize, p: DVec3| match side {
         0 => w(view, p) * half.x - p.x,
         1 => w(view, p) * half.x + p.x,
@@ -72,21 +72,9 @@ pub(super) fn within_picture(view: &View, corners: &[DVec3]) -> Vec<DVec3> {
         3 => w(view, p) * half.y + p.y,
         _ => lens.far - lens.near - p.z,
     };
-    let mut left = corners.to_vec();
-    for side in 0..5 {
-        let all = std::mem::take(&mut left);
-        for (i, &a) in all.iter().enumerate() {
-            let b = all[(i + 1) % all.len()];
-            let [da, db] = [a, b].map(|p| inside(side, p));
-            if da >= 0.0 {
-                left.push(a);
-            }
-            if (da >= 0.0) != (db >= 0.0) {
-                left.push(a.lerp(b, da / (da - db)));
-            }
-        }
-    }
-    left
+    (0..5).fold(corners.to_vec(), |left, side| {
+        clip(&left, |p| inside(side, *p), |a, b, s| a.lerp(*b, s))
+    })
 }
 
 fn sides_px(triangle: &[Corner; 3]) -> [DVec2; 3] {

@@ -37,7 +37,8 @@
 //! # What it cannot see
 //!
 //! A ray's error below the bound at a pixel: whether a pick is exactly right, this does not tell. That is held by an
-//! oracle (`tests/exact_picks`).
+//! oracle (`tests/exact_picks`). Where a pixel's ray runs is defined once for picks, for the drawing of spheres and for the
+//! bounds here ([`PixelGrid`](crate::geometry::PixelGrid)); vertices go through matrices and do not share it.
 //!
 //! [`compare`] is pure: whatever answers for a pixel can be put to the test.
 

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     camera::{Projection, View},
+    geometry::clip,
     render::{
         transform::{U, ViewError, depth_origin},
         view_space::ViewSpace,
@@ -45,7 +46,7 @@ pub(super) fn polygon(
     space: &ViewSpace,
     px: DVec2,
     corners: &[Corner],
-    source: Source,
+    source: &Source,
 ) -> Option<Polygon> {
     let (view, depths) = (space.view(), Depths::new(space));
     let near = view.camera.lens().near;
@@ -67,7 +68,23 @@ pub(super) fn polygon(
         Projection::Perspective { .. } => -cut_error.min(0.5 * near),
         Projection::Orthographic { .. } => -cut_error,
     };
-    let seen = clip_near(corners, nearest);
+    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
+        at,
+        is_cut: false,
+        edge,
+    });
+    let seen = clip(
+        &tagged.collect::<Vec<_>>(),
+        |corner| corner.at.view.z - nearest,
+        |a, b, s| SeenCorner {
+            at: Corner {
+                view: a.at.view.lerp(b.at.view, s),
+                error: a.at.error.lerp(b.at.error, s),
+            },
+            is_cut: true,
+            edge: a.edge,
+        },
+    );
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
@@ -131,7 +148,7 @@ pub(super) fn polygon(
             rounding,
             beyond_f32,
         },
-        source,
+        source: *source,
     };
     Some(Polygon { surface, edges })
 }
@@ -153,28 +170,6 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
         (least.min(side), most.max(side))
     });
     least >= 0.0 || most <= 0.0
-}
-
-/// What is left of a polygon from this depth on (Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974).
-fn clip_near(corners: &[Corner], nearest: f64) -> Vec<SeenCorner> {
-    let mut seen = Vec::with_capacity(corners.len() + 1);
-    for edge in 0..corners.len() {
-        let [a, b] = [corners[edge], corners[(edge + 1) % corners.len()]];
-        let [da, db] = [a, b].map(|corner| corner.view.z - nearest);
-        let mut push = |at, is_cut| seen.push(SeenCorner { at, is_cut, edge });
-        if da >= 0.0 {
-            push(a, false);
-        }
-        if (da >= 0.0) != (db >= 0.0) {
-            let s = da / (da - db);
-            let cut = Corner {
-                view: a.view.lerp(b.view, s),
-                error: a.error.lerp(b.error, s),
-            };
-            push(cut, true);
-        }
-    }
-    seen
 }
 
 /// The edge between two corners, neither in front of the near plane.
@@ -205,7 +200,7 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outl
 /// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
 /// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
 fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let size = view.viewport.size_px();
     let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
     let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
@@ -229,15 +224,14 @@ pub(super) fn w(view: &View, point: DVec3) -> f64 {
 
 /// A view-space point, z being depth past near, in the picture.
 pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
-    (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point)))
+    view.px_of(point.truncate(), w(view, point))
 }
 
 /// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
 /// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
 /// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
 fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let size = view.viewport.size_px();
     let aside = 0.5 * size / half * error.aside / w;
     let towards = match view.camera.lens().projection {
@@ -252,7 +246,7 @@ fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
 /// picture as a whole, and nothing of a coordinate that is the same at both.
 fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let lens = view.camera.lens();
-    let half = lens.half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let inside = |p: DVec3| {
         let aside = p.truncate().abs().cmple(half * w(view, p));
         aside.all() && (0.0..lens.far - lens.near).contains(&p.z)

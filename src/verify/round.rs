@@ -6,13 +6,11 @@ use super::{
 };
 use crate::{
     camera::Projection,
-    geometry::{Placement, Sides, Sphere},
-    render::{
+    geometry::{
+        Placement, RayDifferential, Sides, Sphere,
         double_double::{DoubleDouble, Vector},
-        sphere::{self, Rays},
-        transform::ViewError,
-        view_space::ViewSpace,
     },
+    render::{sphere, transform::ViewError, view_space::ViewSpace},
 };
 use glam::DVec2;
 
@@ -24,16 +22,16 @@ pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> V
     let (view, depths) = (space.view(), Depths::new(space));
     let lens = view.camera.lens();
     let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
-    let rays = Rays::<DoubleDouble>::new(view, placement, px);
-    let d2 = rays.direction.narrow().length_squared();
+    let ray = sphere::ray_object::<DoubleDouble>(view, placement, px);
+    let d2 = ray.direction.narrow().length_squared();
     // About the ray's point nearest to the centre, where nothing cancels.
-    let (middle, outside) = rays.middle();
+    let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
     let rim = Outline {
-        distance_px: least_distance(lens.projection, &rays, discriminant),
+        distance_px: least_distance(lens.projection, &ray, discriminant),
         grid_px: 0.0,
-        f32_px: least_distance(lens.projection, &rays, error.discriminant),
+        f32_px: least_distance(lens.projection, &ray, error.discriminant),
     };
     let root = (-outside.min(0.0) / d2).sqrt();
     let [entry, exit] = [middle - root, middle + root];
@@ -89,12 +87,12 @@ pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> V
 /// perspective, of the origin o in orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is
 /// `2 r^2 d.w - 2 (o x d).(o x w)` or `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
 /// Within distance s it changes by at most `slope s + bend s^2`.
-fn least_distance(projection: Projection, rays: &Rays<DoubleDouble>, change: f64) -> f64 {
-    let (o, d) = (rays.origin, rays.direction);
+fn least_distance(projection: Projection, ray: &RayDifferential<DoubleDouble>, change: f64) -> f64 {
+    let (o, d) = (ray.origin, ray.direction);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
     let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
     let moment = across(o, d);
-    let [(x, bend_x), (y, bend_y)] = [rays.right, rays.down].map(|step| match projection {
+    let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
         Projection::Perspective { .. } => {
             let turn = across(o, step);
             let (d, step) = (d.narrow(), step.narrow());

@@ -6,13 +6,13 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Lens, Projection, View},
-    geometry::Placement,
+    geometry::{Placement, double_double::Vector},
     render::{
         transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
         view_space::ViewSpace,
     },
 };
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 /// What an id may have shown at a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -36,13 +36,13 @@ pub(super) struct Surface {
 }
 
 /// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick: their order settles
-/// which shows. Of placements that differ by less than `f32` can tell, the GPU makes the same, and a pick does not.
+/// which shows. Of matrices that differ by less than `f32` can tell, the GPU makes the same, and a pick does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three) about an origin, under a placement and what the GPU has of it.
-    Vertices(VertexToView, Placement, [DVec3; 4]),
+    /// Vertices in this order (of a face the first three) about an origin, under a model matrix and what the GPU has of it.
+    Vertices(VertexToView, DAffine3, [DVec3; 4]),
     /// A sphere's equations.
     Sphere(Placement),
 }
@@ -239,26 +239,21 @@ pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
     steps: [DVec3; 2],
-    perspective: bool,
+    lens: Lens,
 }
 
 impl ViewRay {
     pub fn new(view: &View, px: DVec2) -> Self {
-        let lens = view.camera.lens();
-        let half = lens.half_extent(view.viewport.aspect());
-        let aside = view.viewport.px_to_ndc(px) * half;
-        let perspective = !lens.is_orthographic();
-        let (origin, direction) = if perspective {
-            (lens.near * aside, aside.extend(1.0))
-        } else {
-            (aside, DVec3::Z)
-        };
-        let step = 2.0 * half / view.viewport.size_px();
+        let lens = *view.camera.lens();
+        let grid = view.camera.pixel_grid(view.viewport).in_view_space();
+        let ray = grid.differential::<f64>(px, DVec3::ZERO);
+        let [origin, direction, right, down] =
+            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::narrow);
         Self {
-            origin: origin.extend(0.0),
+            origin: (origin + lens.near * direction).with_z(0.0),
             direction,
-            steps: [DVec3::X * step.x, DVec3::NEG_Y * step.y],
-            perspective,
+            steps: [right, down],
+            lens,
         }
     }
 
@@ -271,7 +266,7 @@ impl ViewRay {
     /// moves.
     pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        let w = if self.perspective { depth } else { 1.0 };
-        -w * DVec2::new(normal.dot(right), normal.dot(down)) / normal.dot(self.direction)
+        -self.lens.w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
+            / normal.dot(self.direction)
     }
 }

@@ -3,8 +3,11 @@
 mod certainty;
 #[path = "../common/mod.rs"]
 mod common;
+mod edge_cases;
+mod edges;
 #[path = "../common/exact/mod.rs"]
 mod exact;
+mod wide;
 
 use common::{
     Random, assert_close, assert_near, mesh, orthographic, perspective, placements, scene_of, view,

@@ -184,13 +184,14 @@ fn far_from_the_origin() {
         matrix = [[{}, {}, {}, 0], [{}, {}, {}, 0], [{}, {}, {}, 0]]\n",
         x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]
     );
-    for (i, shape) in ["sphere", "cube", "square"].into_iter().enumerate() {
-        let place = at + DVec3::X * [1.0, -1.2, -0.4][i] + DVec3::Z;
-        text += &format!(
-            "[[object]]\nshape = \"{shape}\"\nposition = [{}, {}, {}]\n",
-            place.x, place.y, place.z
-        );
-    }
+    let others = ["sphere", "cube", "square"]
+        .into_iter()
+        .zip([1.0, -1.2, -0.4]);
+    let others = others.map(|(shape, aside)| {
+        let DVec3 { x, y, z } = at + aside * DVec3::X + DVec3::Z;
+        format!("[[object]]\nshape = \"{shape}\"\nposition = [{x}, {y}, {z}]\n")
+    });
+    text.extend(others);
     let (folder, file) = scene(&text);
     let corners = [
         [0.0, 0.0, 0.0],
