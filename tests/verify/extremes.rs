@@ -172,11 +172,11 @@ fn scenes_of_any_size() {
     }
 }
 
-/// Coordinates 1e12 times the features: of placements, and of a mesh's own vertices under a matrix that turns.
+/// Coordinates 1e13 times the features: of placements, and of a mesh's own vertices under a matrix that turns.
 #[test]
 fn far_from_the_origin() {
     let turn = DMat3::from_rotation_y(0.5) * DMat3::from_rotation_x(0.3);
-    let vertex = DVec3::new(3e11, -7e11, 5e11);
+    let vertex = DVec3::new(3e12, -7e12, 5e12);
     let at = turn * vertex;
     let [x, y, z] = [0, 1, 2].map(|i| turn.row(i).to_array());
     let mut text = format!(
