@@ -112,8 +112,8 @@ fn what_f32_cannot_tell_apart_is_as_deep() {
     };
     let scene = Scene::new(vec![square(0.0), square(1e-11)]);
     let view = view(
-        [0.0, 0.0, 5.0],
-        [0.0, 0.0, 0.0],
+        [0.1, 0.2, 5.0],
+        [0.4, 0.3, 0.0],
         perspective(45.0, 1.0, 30.0),
         SIZE,
     );
