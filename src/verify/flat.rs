@@ -25,6 +25,10 @@ use std::collections::HashSet;
 /// may move an edge by.
 const MOST: usize = 1024;
 
+/// The sine of the angle under which a triangle is seen edge-on: far more than `f64` loses of it, and next to nothing of a
+/// pixel.
+const EDGE_ON: f64 = 1e-6;
+
 /// Flat surfaces of one placement at a pixel.
 pub(super) struct Flat<'a> {
     pub space: &'a ViewSpace,
@@ -140,8 +144,8 @@ impl Flat<'_> {
         at.aside.extend(at.past_near)
     }
 
-    /// Whether what is behind an edge with `other` goes on where what is with `apex` ends, as the picture shows them: not if
-    /// both are on one side of the plane through the edge and the eye.
+    /// Whether the picture shows `other` beyond an edge on whose near side it shows `apex`: the plane through the edge and
+    /// the eye lies between them. Not where either is seen edge-on, so that nobody knows its side.
     fn is_beyond(&self, edge: [DVec3; 2], apex: DVec3, other: DVec3) -> bool {
         let lens = self.space.view().camera.lens();
         let [a, b, apex, other] = [edge[0], edge[1], apex, other].map(|point| self.view(point));
@@ -149,8 +153,10 @@ impl Flat<'_> {
             Projection::Perspective { .. } => a + lens.near * DVec3::Z,
             Projection::Orthographic { .. } => DVec3::Z,
         };
-        let across = to_eye.cross(b - a);
-        across.dot(apex - a) * across.dot(other - a).signum() <= 0.0
+        let across = to_eye.cross(b - a).normalize_or_zero();
+        let [side, other_side] =
+            [apex, other].map(|point| across.dot((point - a).normalize_or_zero()));
+        side.signum() != other_side.signum() && side.abs().min(other_side.abs()) > EDGE_ON
     }
 }
 
