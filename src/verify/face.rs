@@ -1,14 +1,19 @@
 //! What ids and hits stand for: flat faces by their corners, spheres by their placements; and what the GPU makes of them
 //! at a pixel.
 
-use super::{flat, round, surface::Surface};
+use super::{
+    adjoining::Adjoining,
+    flat::{Flat, Vertices},
+    round,
+    surface::Surface,
+};
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Sides, Square},
+    geometry::{Cuboid, Hit, Square},
     image::Id,
     pick::SceneHit,
     render::{
-        transform::{self, Rounding, VertexToView},
+        transform::{self, VertexToView},
         view_space::ViewSpace,
     },
     scene::{Object, Scene, Shape},
@@ -17,7 +22,7 @@ use glam::{DVec2, DVec3};
 use std::{
     collections::HashMap,
     ops::Range,
-    sync::{PoisonError, RwLock},
+    sync::{Arc, PoisonError, RwLock},
 };
 
 /// A flat face: its corners in vertex space, and that space's origin in object space.
@@ -27,19 +32,14 @@ pub(super) struct Face {
     pub corners: Vec<DVec3>,
 }
 
-/// What the vertex shader does to a batch, and how far off its numbers are.
-#[derive(Clone, Copy)]
-pub(super) struct Vertices {
-    pub to_view: VertexToView,
-    pub rounding: Rounding,
-}
-
 /// The surfaces of a scene at the pixels of a view.
 pub(super) struct Surfaces<'a> {
     pub scene: &'a Scene,
     pub space: ViewSpace,
     /// By the batch's first object; of those that were asked for.
     vertices: RwLock<HashMap<usize, Vertices>>,
+    /// By where the mesh is kept; of those that were asked for.
+    adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
 }
 
 impl Face {
@@ -54,32 +54,6 @@ impl Face {
         Self {
             origin: DVec3::ZERO,
             corners: Cuboid::face(normal).into(),
-        }
-    }
-
-    /// The faces that an object's triangle (from 1) may stand for at a pixel, or 0 on a cube or square.
-    fn of_id(object: &Object, view: &View, px: DVec2, triangle: u32) -> Vec<Self> {
-        match &object.shape {
-            Shape::Sphere => Vec::new(),
-            Shape::Mesh { mesh, part } => {
-                let data = mesh.data();
-                let part = &data.parts[*part].triangles;
-                let index = part.start.checked_add(triangle.wrapping_sub(1));
-                let index = index.filter(|index| part.contains(index));
-                let face = index.map(|index| Self {
-                    origin: data.origin,
-                    corners: mesh.vertex_corners(index).into(),
-                });
-                face.into_iter().collect()
-            }
-            Shape::Square => vec![Self::of_square()],
-            Shape::Cube => {
-                let ray = object.placement.ray_to_object(&view.ray(px));
-                let shown = Cuboid::NORMALS
-                    .into_iter()
-                    .filter(|normal| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0);
-                shown.map(Self::of_cube).collect()
-            }
         }
     }
 
@@ -115,6 +89,7 @@ impl<'a> Surfaces<'a> {
             scene,
             space: ViewSpace::new(view),
             vertices: RwLock::default(),
+            adjoining: RwLock::default(),
         }
     }
 
@@ -123,17 +98,32 @@ impl<'a> Surfaces<'a> {
         let Some(index) = (id.object as usize).checked_sub(1) else {
             return vec![Surface::background(self.space.view())];
         };
-        let Some(object) = self.scene.objects().get(index) else {
+        let scene = self.scene;
+        let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
             return Vec::new();
         };
-        match object.shape {
-            _ if !object.visible => Vec::new(),
+        match &object.shape {
             Shape::Sphere => round::surfaces(&self.space, &object.placement, px),
-            Shape::Cube | Shape::Square | Shape::Mesh { .. } => {
-                let faces = Face::of_id(object, self.space.view(), px, id.triangle);
-                let vertices = self.vertices(index);
-                let of = |face| flat::surface(&self.space, &object.placement, &vertices, px, face);
-                faces.iter().filter_map(of).collect()
+            Shape::Square => self.flat(px, index).square(),
+            Shape::Cube => self.flat(px, index).cube(),
+            Shape::Mesh { mesh, part } => {
+                let data = mesh.data();
+                let triangles = &data.parts[*part].triangles;
+                let triangle = triangles.start.checked_add(id.triangle.wrapping_sub(1));
+                let Some(triangle) = triangle.filter(|triangle| triangles.contains(triangle))
+                else {
+                    return Vec::new();
+                };
+                let batch = batch_of(scene, index);
+                let is_shown = |triangle| {
+                    let object = (mesh.part_of(triangle) + index).checked_sub(*part);
+                    object.is_some_and(|i| batch.contains(&i) && scene.objects()[i].visible)
+                };
+                let adjoining = kept(&self.adjoining, Arc::as_ptr(mesh).addr(), || {
+                    Arc::new(Adjoining::new(data))
+                });
+                let flat = self.flat(px, index);
+                flat.triangle(data, &adjoining, batch.start, triangle, is_shown)
             }
         }
     }
@@ -145,36 +135,46 @@ impl<'a> Surfaces<'a> {
             let (both, _) = round::both(&self.space, placement, px);
             return Some(both[usize::from(!hit.hit.front)]);
         };
-        let vertices = self.vertices(hit.object);
-        flat::surface(&self.space, placement, &vertices, px, face)
+        self.flat(px, hit.object).face(&face.corners)
     }
 
     /// Whether two faces of an object's batch meet at a pixel, in an edge or a corner.
-    pub fn meet(&self, px: DVec2, object: usize, faces: [&Face; 2]) -> bool {
-        let placement = &self.scene.objects()[object].placement;
-        let vertices = self.vertices(object);
-        flat::meet(&self.space, placement, &vertices, px, faces)
+    pub fn meet(&self, px: DVec2, object: usize, [a, b]: [&Face; 2]) -> bool {
+        self.flat(px, object).is_at(&a.shared_corners(b))
     }
 
-    fn vertices(&self, object: usize) -> Vertices {
-        let (scene, space) = (self.scene, &self.space);
-        let batch = batch_of(scene, object);
-        // Nobody can panic while they hold it.
-        let known = self.vertices.read().unwrap_or_else(PoisonError::into_inner);
-        if let Some(vertices) = known.get(&batch.start) {
-            return *vertices;
+    fn flat(&self, px: DVec2, object: usize) -> Flat<'_> {
+        let placement = &self.scene.objects()[object].placement;
+        let batch = batch_of(self.scene, object);
+        let vertices = kept(&self.vertices, batch.start, || {
+            let (origin, bounds) = transform::vertex_space(self.scene, batch);
+            let to_view = VertexToView::new(&self.space, placement, origin, &bounds);
+            Vertices {
+                origin,
+                to_view,
+                rounding: to_view.rounding(&self.space, placement, origin),
+            }
+        });
+        Flat {
+            space: &self.space,
+            placement,
+            vertices,
+            px,
         }
-        drop(known);
-        let placement = &scene.objects()[batch.start].placement;
-        let (origin, bounds) = transform::vertex_space(scene, batch);
-        let to_view = VertexToView::new(space, placement, origin, &bounds);
-        let vertices = Vertices {
-            to_view,
-            rounding: to_view.rounding(space, placement, origin),
-        };
-        let mut known = (self.vertices.write()).unwrap_or_else(PoisonError::into_inner);
-        *known.entry(batch.start).or_insert(vertices)
     }
+}
+
+/// What is kept for a key, made the first time that it is asked for.
+fn kept<T: Clone>(all: &RwLock<HashMap<usize, T>>, key: usize, make: impl FnOnce() -> T) -> T {
+    // Nobody can panic while they hold it.
+    let known = all.read().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = known.get(&key) {
+        return found.clone();
+    }
+    drop(known);
+    let made = make();
+    let mut known = all.write().unwrap_or_else(PoisonError::into_inner);
+    known.entry(key).or_insert(made).clone()
 }
 
 /// The batch that an object is drawn with.

@@ -1,324 +1,207 @@
 //! Triangles, squares and the faces of cubes at a pixel.
+//!
+//! An edge across which the surface goes on is no outline: drawing that moves it shows the neighbour there, and nothing
+//! behind. So an id stands for all triangles that may show in its place, edge by edge, and has an outline only where one
+//! of them ends.
 
 use super::{
-    GRID_PX,
-    bound::{self, Cut, Outline, Reason, Stored},
-    face::{Face, Vertices},
-    surface::{Depths, Source, Surface, ViewRay},
+    adjoining::Adjoining,
+    bound::Reason,
+    polygon::{Corner, Polygon, outline, polygon},
+    surface::{Source, Surface},
 };
 use crate::{
-    camera::{Projection, View},
-    geometry::{Placement, clip},
+    camera::Projection,
+    geometry::{Cuboid, MeshData, Placement, Sides, Square},
     render::{
-        transform::{U, UNDERFLOW, ViewError, depth_origin},
+        transform::{Rounding, VertexToView},
         view_space::ViewSpace,
     },
 };
 use glam::{DVec2, DVec3};
+use std::collections::HashSet;
 
-/// A corner in view space, z being depth past near, and how far the vertex shader may put it from there.
+/// Where more triangles than these may show, their edges are outlines: all of them together are smaller than what drawing
+/// may move an edge by.
+const MOST: usize = 1024;
+
+/// The sine of the angle under which a triangle is seen edge-on: far more than `f64` loses of it, and next to nothing of a
+/// pixel.
+const EDGE_ON: f64 = 1e-6;
+
+/// Flat surfaces of one placement at a pixel.
+pub(super) struct Flat<'a> {
+    pub space: &'a ViewSpace,
+    pub placement: &'a Placement,
+    pub vertices: Vertices,
+    pub px: DVec2,
+}
+
+/// What the vertex shader does to a batch.
 #[derive(Clone, Copy)]
-struct Corner {
-    view: DVec3,
-    error: ViewError,
-    /// Made by the near plane and not by the shape.
-    is_cut: bool,
+pub(super) struct Vertices {
+    /// Where vertex space begins, in object space.
+    pub origin: DVec3,
+    pub to_view: VertexToView,
+    /// How far off its numbers are.
+    pub rounding: Rounding,
 }
 
-impl Corner {
-    /// A corner of vertex space, whose origin this is in object space.
-    fn of(
-        space: &ViewSpace,
-        placement: &Placement,
-        vertices: &Vertices,
-        origin: DVec3,
-        corner: DVec3,
-    ) -> Self {
-        let at = space.at(placement, origin, corner);
-        let error = (vertices.to_view).error_view(&vertices.rounding, corner.as_vec3());
-        Self {
-            view: at.aside.extend(at.past_near),
-            error,
-            is_cut: false,
+impl Flat<'_> {
+    /// A face by itself: all its edges are outlines. `None` when all of it lies before the near plane.
+    pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
+        let polygon = self.polygon(corners_vertex_space)?;
+        Some(surface(polygon, |_, _| false))
+    }
+
+    /// The square.
+    pub fn square(&self) -> Vec<Surface> {
+        self.face(&Square::corners()).into_iter().collect()
+    }
+
+    /// Whether an edge or a corner, given by its ends, lies at the pixel's centre to what drawing may move it by.
+    pub fn is_at(&self, ends_vertex_space: &[DVec3]) -> bool {
+        let ends: Vec<_> = (ends_vertex_space.iter())
+            .map(|&corner| self.corner(corner))
+            .collect();
+        outline(self.space.view(), self.px, &ends).is_some_and(|outline| outline.reason().is_some())
+    }
+
+    /// The faces of the cube that may be seen.
+    pub fn cube(&self) -> Vec<Surface> {
+        let view = self.space.view();
+        let ray = self.placement.ray_to_object(&view.ray(self.px));
+        let is_shown =
+            |normal: &DVec3| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0;
+        let shown = Cuboid::NORMALS.into_iter().filter(is_shown);
+        let shown: Vec<[DVec3; 4]> = shown.map(Cuboid::face).collect();
+        let faces = shown.iter().filter_map(|face| {
+            let polygon = self.polygon(face)?;
+            let goes_on = |i: usize, _| {
+                let [a, b, apex] = [0, 1, 2].map(|k| face[(i + k) % 4]);
+                let mut others = shown
+                    .iter()
+                    .filter(|other| *other != face && other.contains(&a) && other.contains(&b));
+                others.any(|other| {
+                    let mut off = other.iter().filter(|corner| **corner != a && **corner != b);
+                    off.next()
+                        .is_some_and(|&off| self.is_beyond([a, b], apex, off))
+                })
+            };
+            Some(surface(polygon, goes_on))
+        });
+        faces.collect()
+    }
+
+    /// A triangle of the mesh of the batch that begins with this object, and all that may show in its place of those that
+    /// `is_shown` is true of.
+    pub fn triangle(
+        &self,
+        mesh: &MeshData,
+        adjoining: &Adjoining,
+        batch: usize,
+        triangle: u32,
+        is_shown: impl Fn(u32) -> bool,
+    ) -> Vec<Surface> {
+        let corner = |i: u32| DVec3::from_array(mesh.positions[i as usize].map(f64::from));
+        let sides = self.space.view().sides;
+        let mut surfaces = Vec::new();
+        let mut found = vec![(triangle, None)];
+        let mut known = HashSet::from([triangle]);
+        let mut next = 0;
+        while let Some(&(triangle, reached)) = found.get(next) {
+            next += 1;
+            let vertices = mesh.triangles[triangle as usize];
+            let Some(polygon) = self.polygon(&vertices.map(corner)) else {
+                continue;
+            };
+            let goes_on = |i: usize, reason: Reason| {
+                let [a, b, apex] = [0, 1, 2].map(|k| vertices[(i + k) % 3]);
+                let edge = [a, b].map(corner);
+                let beyond = adjoining.across(mesh, [a, b]).filter(|other| {
+                    other.triangle != triangle
+                        && is_shown(other.triangle)
+                        && (other.faces_alike || sides == Sides::Both)
+                        && self.is_beyond(edge, corner(apex), corner(other.apex))
+                });
+                let mut goes_on = false;
+                for other in beyond {
+                    if known.len() >= MOST {
+                        return false;
+                    }
+                    goes_on = true;
+                    if known.insert(other.triangle) {
+                        found.push((other.triangle, Some(reason)));
+                    }
+                }
+                goes_on
+            };
+            let own = surface(polygon, goes_on);
+            surfaces.push(Surface {
+                crossed: own.crossed.into_iter().chain(reached).reduce(Reason::or),
+                triangle: Some((batch, triangle)),
+                ..own
+            });
+        }
+        surfaces
+    }
+
+    fn polygon(&self, corners_vertex_space: &[DVec3]) -> Option<Polygon> {
+        let corners = corners_vertex_space.iter();
+        let corners: Vec<_> = corners.map(|&corner| self.corner(corner)).collect();
+        let [a, b, c] = [0, 1, 2].map(|i| corners_vertex_space[i]);
+        let Vertices {
+            origin, to_view, ..
+        } = self.vertices;
+        let source = Source::Vertices(to_view, self.placement.model(), [origin, a, b, c]);
+        polygon(self.space, self.px, &corners, &source)
+    }
+
+    fn corner(&self, corner_vertex_space: DVec3) -> Corner {
+        let Vertices {
+            to_view, rounding, ..
+        } = &self.vertices;
+        Corner {
+            view: self.view(corner_vertex_space),
+            error: to_view.error_view(rounding, corner_vertex_space.as_vec3()),
         }
     }
-}
 
-/// A flat face at a pixel; `None` when all of it lies before the near plane.
-pub(super) fn surface(
-    space: &ViewSpace,
-    placement: &Placement,
-    vertices: &Vertices,
-    px: DVec2,
-    face: &Face,
-) -> Option<Surface> {
-    let corner = |&at| Corner::of(space, placement, vertices, face.origin, at);
-    let corners: Vec<_> = face.corners.iter().map(corner).collect();
-    let first = [0, 1, 2].map(|i| face.corners[i]);
-    let source = Source::Vertices(vertices.to_view, *placement, face.origin, first);
-    polygon(space, px, &corners, &source)
-}
+    /// In view space, z being depth past near.
+    fn view(&self, point_vertex_space: DVec3) -> DVec3 {
+        let at = (self.space).at(self.placement, self.vertices.origin, point_vertex_space);
+        at.aside.extend(at.past_near)
+    }
 
-/// Whether two faces made from the same vertices meet at a pixel: in an edge or a corner of both, which lies there to
-/// what drawing may move it by.
-pub(super) fn meet(
-    space: &ViewSpace,
-    placement: &Placement,
-    vertices: &Vertices,
-    px: DVec2,
-    [a, b]: [&Face; 2],
-) -> bool {
-    let shared = a.shared_corners(b).into_iter();
-    let shared: Vec<_> = shared
-        .map(|at| Corner::of(space, placement, vertices, a.origin, at))
-        .collect();
-    let seen = clip_near(&shared, 0.0);
-    let (Some(&from), Some(&to)) = (seen.first(), seen.last()) else {
-        return false;
-    };
-    let clipped = clipping_error(space.view(), &shared);
-    edge(space.view(), px, [from, to], clipped)
-        .reason()
-        .is_some()
-}
-
-/// A flat convex polygon at a pixel; `None` when all of it lies before the near plane.
-fn polygon(space: &ViewSpace, px: DVec2, corners: &[Corner], source: &Source) -> Option<Surface> {
-    let (view, depths) = (space.view(), Depths::new(space));
-    let near = view.camera.lens().near;
-    let ray = ViewRay::new(view, px);
-    let [a, b, c] = [0, 1, 2].map(|i| corners[i].view);
-    let normal = (b - a).cross(c - a);
-    let past_near = ray.depth_on(a, normal);
-    let clipped = clipping_error(view, corners);
-    let error = corners
-        .iter()
-        .fold(ViewError::default(), |all, at| all.max(at.error))
-        + clipped;
-    let exact = corners
-        .iter()
-        .all(|corner| depths.clips_exactly(corner.view.z));
-    let cut_error = depths.near_error(&error, exact);
-    // All that may be behind the near plane; but the eye's plane has no place in the picture.
-    let nearest = match view.camera.lens().projection {
-        Projection::Perspective { .. } => -cut_error.min(0.5 * near),
-        Projection::Orthographic { .. } => -cut_error,
-    };
-    let seen = clip_near(corners, nearest);
-    let ends = depth_ends(&seen)?;
-    let border = border(
-        view,
-        px,
-        corners,
-        shift_px(view, px, depths.w(ends[0]), &clipped),
-    );
-    let edges = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
-    let edges = edges.filter(|[from, to]| !(from.is_cut && to.is_cut));
-    let edges = edges.map(|ends| edge(view, px, ends, clipped));
-    let outlines: Vec<Outline> = edges.chain([border]).collect();
-    // Seen edge-on it may be as deep as any of it.
-    let slope = ray.slope(near + past_near, normal).length();
-    let at = if past_near.is_finite() {
-        past_near
-    } else {
-        ends[0]
-    };
-    let at = at.clamp(ends[0], ends[1]);
-    let f32_px = shift_px(view, px, depths.w(at), &error);
-    let aside = slope * (GRID_PX + f32_px);
-    let may_be = if aside.is_finite() {
-        [past_near - aside, past_near + aside].map(|end| end.clamp(ends[0], ends[1]))
-    } else {
-        ends
-    };
-    let rounding = may_be.map(|end| depths.error(end, &error));
-    let rounding = rounding[0].max(rounding[1]) + interpolation_error(view, &depths, &seen);
-    let step = may_be.map(|end| depths.step(end));
-    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
-    let covers = covers(&ray, corners);
-    let cut = Cut {
-        gap: past_near.abs(),
-        grid: slope * GRID_PX,
-        f32: slope * f32_px + cut_error,
-    };
-    // Corners are cut off before anything is interpolated.
-    let cut_steps = cut_error * depths.stored_per_depth(0.0) / depths.step(0.0);
-    let cut_beyond = bound::beyond_f32(GRID_PX + f32_px, cut_steps);
-    let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
-    let reasons = outlines.iter().filter_map(|outline| outline.reason());
-    let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
-    Some(Surface {
-        loose: reasons.chain(cut).reduce(Reason::or),
-        outline: outlines.into_iter().fold(Outline::NONE, Outline::nearer),
-        covers: covers && past_near >= 0.0,
-        depth: near + past_near,
-        stored: Stored {
-            nearness: depths.nearness(at),
-            nearest: nearest + rounding,
-            farthest: farthest - rounding,
-            rounding,
-            step: depths.step(at),
-            beyond_f32,
-        },
-        source: *source,
-    })
-}
-
-/// The least and the largest depth of corners; `None` of none.
-fn depth_ends(corners: &[Corner]) -> Option<[f64; 2]> {
-    let depths = corners.iter().map(|corner| corner.view.z);
-    let least = depths.clone().reduce(f64::min)?;
-    Some([least, depths.reduce(f64::max)?])
-}
-
-/// Whether a line passes through a convex polygon: on one side of all its edges.
-fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
-    let sides = (0..corners.len()).map(|i| {
-        let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|p| p.view - ray.origin);
-        ray.direction.dot(a.cross(b))
-    });
-    let (least, most) = sides.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), side| {
-        (least.min(side), most.max(side))
-    });
-    least >= 0.0 || most <= 0.0
-}
-
-/// What is left of a polygon from this depth past near on.
-fn clip_near(corners: &[Corner], nearest: f64) -> Vec<Corner> {
-    clip(
-        corners,
-        |corner| corner.view.z - nearest,
-        |a, b, s| Corner {
-            view: a.view.lerp(b.view, s),
-            error: a.error.lerp(b.error, s),
-            is_cut: true,
-        },
-    )
-}
-
-/// The edge between two corners, neither in front of the near plane.
-///
-/// On its way to the picture a point that lies the share `s` along the edge is moved by `1 - s` of what moves one end
-/// and `s` of what moves the other.
-fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
-    let [from, to] = [a, b].map(|corner| project(view, corner.view));
-    let along = to - from;
-    let s = (px - from).dot(along) / along.length_squared();
-    // An edge seen end-on has no length: either end is as near.
-    let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
-    // Shares of the picture's edge to shares of the edge: weighed by 1 / w.
-    let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
-    let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
-    Outline {
-        distance_px: px.distance(from + s_px * along),
-        grid_px: GRID_PX,
-        f32_px: shift_px(
-            view,
-            px,
-            wa + s * (wb - wa),
-            &(a.error.lerp(b.error, s) + clipped),
-        ),
+    /// Whether the picture shows `other` beyond an edge on whose near side it shows `apex`: the plane through the edge and
+    /// the eye lies between them. Not where either is seen edge-on, so that nobody knows its side.
+    fn is_beyond(&self, edge: [DVec3; 2], apex: DVec3, other: DVec3) -> bool {
+        let lens = self.space.view().camera.lens();
+        let [a, b, apex, other] = [edge[0], edge[1], apex, other].map(|point| self.view(point));
+        let to_eye = match lens.projection {
+            Projection::Perspective { .. } => a + lens.near * DVec3::Z,
+            Projection::Orthographic { .. } => DVec3::Z,
+        };
+        let across = to_eye.cross(b - a).normalize_or_zero();
+        let [side, other_side] =
+            [apex, other].map(|point| across.dot((point - a).normalize_or_zero()));
+        side.signum() != other_side.signum() && side.abs().min(other_side.abs()) > EDGE_ON
     }
 }
 
-/// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
-/// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
-fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
-    let half = view.half_extent();
-    let size = view.viewport.size_px();
-    let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
-    let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
-    let cut_by = |side: &DVec2| {
-        let beyond = |p: DVec3| side.dot(p.truncate() / half) > w(view, p);
-        corners.iter().any(|corner| beyond(corner.view))
-    };
-    let cut = sides.iter().zip(distances).filter(|(side, _)| cut_by(side));
-    Outline {
-        distance_px: cut.map(|(_, px)| px).fold(f64::INFINITY, f64::min),
-        grid_px: GRID_PX,
-        f32_px,
-    }
-}
-
-/// Clip space's w of a view-space point, z being depth past near.
-fn w(view: &View, point: DVec3) -> f64 {
-    let lens = view.camera.lens();
-    lens.w(lens.near + point.z)
-}
-
-/// A view-space point, z being depth past near, in the picture.
-fn project(view: &View, point: DVec3) -> DVec2 {
-    view.px_of(point.truncate(), w(view, point))
-}
-
-/// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
-/// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
-/// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
-fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
-    let half = view.half_extent();
-    let size = view.viewport.size_px();
-    let aside = 0.5 * size / half * error.aside / w;
-    let towards = match view.camera.lens().projection {
-        Projection::Perspective { .. } => error.depth / w * (px - 0.5 * size).abs(),
-        Projection::Orthographic { .. } => DVec2::ZERO,
-    };
-    (aside + towards).length() + 4.0 * U * size.length()
-}
-
-/// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference
-/// and one of the sum, all at most twice the largest coordinate, for each of two borders. Nothing for what lies in the
-/// picture as a whole, and nothing of a coordinate that is the same at both.
-fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
-    let lens = view.camera.lens();
-    let half = view.half_extent();
-    let inside = |p: DVec3| {
-        let aside = p.truncate().abs().cmple(half * w(view, p));
-        aside.all() && (0.0..lens.far - lens.near).contains(&p.z)
-    };
-    if corners.iter().all(|corner| inside(corner.view)) {
-        return ViewError::default();
-    }
-    let to_origin = depth_origin(view) - lens.near;
-    // What all corners share, the new ones share too.
-    let of = |coordinate: &dyn Fn(DVec3) -> f64| {
-        let all = corners.iter().map(|corner| coordinate(corner.view));
-        let [least, most] = [f64::min, f64::max].map(|end| all.clone().reduce(end));
-        if least == most {
-            0.0
+/// A polygon with its near edges as what they are: ways across, of which `goes_on` is true, or outlines.
+fn surface(polygon: Polygon, mut goes_on: impl FnMut(usize, Reason) -> bool) -> Surface {
+    let Polygon { mut surface, edges } = polygon;
+    for (i, outline) in edges {
+        let Some(reason) = outline.reason() else {
+            continue;
+        };
+        let of_edge = if goes_on(i, reason) {
+            &mut surface.crossed
         } else {
-            let largest = all.map(f64::abs).fold(0.0, f64::max);
-            10.0 * U * largest
-        }
-    };
-    ViewError {
-        aside: DVec2::new(of(&|p| p.x), of(&|p| p.y)),
-        depth: of(&|p| lens.near + p.z),
-        measured: of(&|p| p.z - to_origin),
+            &mut surface.loose
+        };
+        *of_edge = of_edge.map(|other| other.or(reason)).or(Some(reason));
     }
-}
-
-/// What interpolating depth over the picture takes: the plane through three corners has slopes that are differences of
-/// products of corner differences over the area, relative to which they round; so off by some U times the range of
-/// depths, longest side squared over area, at the far end of the triangle. And a few roundings of the largest depth.
-fn interpolation_error(view: &View, depths: &Depths, seen: &[Corner]) -> f64 {
-    let stored = seen.iter().map(|corner| depths.stored(corner.view.z));
-    let (least, most) = stored.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), ndc| {
-        (least.min(ndc), most.max(ndc))
-    });
-    let px: Vec<DVec2> = seen
-        .iter()
-        .map(|corner| project(view, corner.view))
-        .collect();
-    let slimness = (2..px.len()).map(|i| {
-        let [u, v] = [px[i - 1] - px[0], px[i] - px[0]];
-        let longest = u
-            .length_squared()
-            .max(v.length_squared())
-            .max(u.distance_squared(v));
-        longest / u.perp_dot(v).abs()
-    });
-    let slimness = slimness.fold(1.0, f64::max);
-    // Slopes are of a pixel, and count over the whole picture.
-    let underflow = UNDERFLOW * slimness * view.viewport.size_px().element_sum();
-    8.0 * U * ((most - least) * slimness + most.abs().max(least.abs())) + underflow
+    surface
 }

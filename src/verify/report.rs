@@ -43,6 +43,9 @@ pub struct Report {
     pub disagreements: Vec<Disagreement>,
 }
 
+/// As many pixels as something has that is no wider than one.
+const SPECK_PX: usize = 4;
+
 /// What a comparison comes to. All but the first are failures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -50,9 +53,10 @@ pub enum Verdict {
     Agrees,
     /// So many pixels differ where drawing in `f32` cannot hold the view. The rest is explained.
     BeyondF32(usize),
-    /// So many pixels are picked and not one is drawn, whatever explains them one by one.
+    /// So many pixels are picked and not one is drawn, whatever explains them one by one; unless all that is picked is at
+    /// most four pixels, each on an edge: something smaller than a pixel may be seen or not.
     NothingDrawn(usize),
-    /// So many pixels are drawn and not one is picked, whatever explains them one by one.
+    /// So many pixels are drawn and not one is picked, likewise.
     NothingPicked(usize),
     /// So many pixels are defects.
     Unexplained(usize),
@@ -92,11 +96,16 @@ impl Report {
         let [beyond, unexplained] = [Class::BeyondF32, Class::Unexplained].map(|c| self.count(c));
         match (self.drawn, self.picked) {
             _ if unexplained > 0 => Verdict::Unexplained(unexplained),
-            (0, 1..) => Verdict::NothingDrawn(self.picked),
-            (1.., 0) => Verdict::NothingPicked(self.drawn),
+            (0, 1..) if !self.is_a_speck() => Verdict::NothingDrawn(self.picked),
+            (1.., 0) if !self.is_a_speck() => Verdict::NothingPicked(self.drawn),
             _ if beyond > 0 => Verdict::BeyondF32(beyond),
             _ => Verdict::Agrees,
         }
+    }
+
+    /// Whether all that differs is so little that it may be one thing smaller than a pixel, beside whose edge the centre lies.
+    fn is_a_speck(&self) -> bool {
+        self.disagreements.len() <= SPECK_PX && self.count(Class::Edge) == self.disagreements.len()
     }
 
     /// The pixel hardest to explain: of the gravest class the one with the most strain.

@@ -65,6 +65,8 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let cut = cut.reason(bound::beyond_f32(0.0, cut_steps));
         Surface {
             loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
+            crossed: None,
+            triangle: None,
             outline: rim,
             covers: discriminant >= 0.0 && past_near >= 0.0,
             depth: lens.near + past_near,

@@ -12,13 +12,17 @@ use crate::{
         view_space::ViewSpace,
     },
 };
-use glam::{DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
 /// What an id may have shown at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
     /// Why it may be there for one side only: an outline or the near plane's cut is near enough.
     pub loose: Option<Reason>,
+    /// Why a neighbour may be there in its place, or it in a neighbour's: an edge between them is near enough.
+    pub crossed: Option<Reason>,
+    /// Of a mesh's triangle: its batch's first object and its number.
+    pub triangle: Option<(usize, u32)>,
     /// Its nearest outline, near enough or not.
     pub outline: Outline,
     /// Whether it really covers the centre, behind the near plane.
@@ -31,14 +35,14 @@ pub(super) struct Surface {
     pub source: Source,
 }
 
-/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick.
+/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick: their order settles
+/// which shows. Of matrices that differ by less than `f32` can tell, the GPU makes the same, and a pick does not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three), about an origin in object space. `f32` may take two placements
-    /// for one, and a pick does not: both count.
-    Vertices(VertexToView, Placement, DVec3, [DVec3; 3]),
+    /// Vertices in this order (of a face the first three) about an origin, under a model matrix and what the GPU has of it.
+    Vertices(VertexToView, DAffine3, [DVec3; 4]),
     /// A sphere's equations.
     Sphere(Placement),
 }
@@ -52,6 +56,8 @@ impl Surface {
         };
         Self {
             loose: None,
+            crossed: None,
+            triangle: None,
             outline: Outline::NONE,
             covers: true,
             depth: f64::NAN,
@@ -74,7 +80,8 @@ pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     let all = surfaces.clone();
     surfaces.retain(|surface| {
         let hides = |other: &Surface| {
-            other.covers && other.loose.is_none() && other.stored.farthest > surface.stored.nearest
+            let is_loose = other.loose.or(other.crossed).is_some();
+            other.covers && !is_loose && other.stored.farthest > surface.stored.nearest
         };
         !all.iter().any(hides)
     });
@@ -87,6 +94,10 @@ pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
 /// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
 /// which of them shows is settled by their order, and nothing excuses another answer.
 pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
+    if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
+        // Both sides come to the same one, edge by edge.
+        return drawn.crossed;
+    }
     if drawn.source == picked.source {
         return None;
     }
@@ -101,9 +112,15 @@ pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
     let hides = precedes.then_some(Class::Edge);
     let picked_only = (hides.into_iter().chain(missing(drawn)).min())
         .and_then(|class| Some(picked.loose?.and(class)));
-    let by_depth = (drawn.covers && picked.covers)
-        .then(|| drawn.stored.reason(&picked.stored))
-        .flatten();
+    // A neighbour's depth may be what counts.
+    let may_cover = |surface: &Surface| {
+        let reached = || Some(surface.crossed?.class);
+        surface.covers.then_some(Class::Edge).or_else(reached)
+    };
+    let by_depth = may_cover(drawn).zip(may_cover(picked)).and_then(|(a, b)| {
+        let reason = drawn.stored.reason(&picked.stored)?;
+        Some(reason.and(a).and(b))
+    });
     let all = [drawn_only, picked_only, by_depth];
     all.into_iter().flatten().reduce(Reason::or)
 }

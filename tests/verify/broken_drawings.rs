@@ -16,7 +16,7 @@ use sightline::{
     verify::{Class, Report, Verdict, compare},
 };
 
-const SIZE: [u32; 2] = [200, 150];
+pub const SIZE: [u32; 2] = [200, 150];
 
 /// A scene, a view of it, and what is drawn rightly.
 struct Case {
@@ -108,7 +108,7 @@ fn a_blank_picture_fails_where_depth_explains_each_pixel() {
 }
 
 /// An id picture from another one's ids.
-fn mapped(size: &Image<Id>, id: impl Fn(u32, u32) -> Id) -> Image<Id> {
+pub fn mapped(size: &Image<Id>, id: impl Fn(u32, u32) -> Id) -> Image<Id> {
     let mut picture = size.clone();
     let width = size.size().width();
     let positions: Vec<_> = size.positions().collect();
@@ -201,5 +201,30 @@ fn an_object_moved_by_a_hundredth() {
             }
         });
         drawn_once(&Scene::new(objects.collect()), &case.view)
+    });
+}
+
+/// Pixels that show one triangle of a mesh show what is behind it.
+#[test]
+fn a_triangle_missing() {
+    found_out(2, |case| {
+        let mut counts = std::collections::BTreeMap::new();
+        for id in case.picked.pixels().iter().filter(|id| id.triangle > 0) {
+            *counts.entry([id.object, id.triangle]).or_insert(0) += 1;
+        }
+        let most = counts.into_iter().max_by_key(|&(_, count)| count);
+        let [object, triangle] = most.expect("a mesh is shown").0;
+        let missing = Id { object, triangle };
+        let behind = pick::ids_by(&case.scene, &case.view, |px| {
+            let hits = pick::all(&case.scene, case.view.ray(px), case.view.sides);
+            hits.get(1).copied()
+        });
+        mapped(&case.drawn, |x, y| {
+            if case.drawn.at(x, y) == missing {
+                behind.at(x, y)
+            } else {
+                case.drawn.at(x, y)
+            }
+        })
     });
 }

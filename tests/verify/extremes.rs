@@ -1,9 +1,8 @@
 //! Views that drawing got wrong and verify excused, each by the command it was found with: planes on what is seen, planes
 //! close together in the distance, matrices that flatten, scenes too large for `f32`, eyes out of all proportion.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use serde_json::Value;
-use sightline::geometry::Aabb;
 use std::{
     path::PathBuf,
     process::{Command, Output},
@@ -173,25 +172,45 @@ fn scenes_of_any_size() {
     }
 }
 
-/// Coordinates 1e12 times the features.
+/// Coordinates 1e13 times the features: of placements, and of a mesh's own vertices under a matrix that turns.
 #[test]
 fn far_from_the_origin() {
-    let at = DVec3::new(3e11, -7e11, 5e11);
-    let text = ["sphere", "cube", "square"].map(|shape| {
-        let x = at.x + [0.0, 1.0, 2.0][shape.len() % 3];
-        format!(
-            "[[object]]\nshape = \"{shape}\"\nposition = [{x}, {}, {}]\n",
-            at.y, at.z
-        )
+    let turn = DMat3::from_rotation_y(0.5) * DMat3::from_rotation_x(0.3);
+    let vertex = DVec3::new(3e12, -7e12, 5e12);
+    let at = turn * vertex;
+    let [x, y, z] = [0, 1, 2].map(|i| turn.row(i).to_array());
+    let mut text = format!(
+        "[[object]]\nshape = \"mesh\"\nfile = \"far.obj\"
+        matrix = [[{}, {}, {}, 0], [{}, {}, {}, 0], [{}, {}, {}, 0]]\n",
+        x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]
+    );
+    let others = ["sphere", "cube", "square"]
+        .into_iter()
+        .zip([1.0, -1.2, -0.4]);
+    let others = others.map(|(shape, aside)| {
+        let DVec3 { x, y, z } = at + aside * DVec3::X + DVec3::Z;
+        format!("[[object]]\nshape = \"{shape}\"\nposition = [{x}, {y}, {z}]\n")
     });
-    let (_folder, file) = scene(&text.concat());
-    let bounds = Aabb::around([at - 0.5, at + 2.5]);
-    let eye = bounds.center() + DVec3::new(1.0, 2.0, 4.0);
+    text.extend(others);
+    let (folder, file) = scene(&text);
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [1.5, 0.0, 0.5],
+        [0.0, 1.5, 0.5],
+        [-1.0, -1.0, 0.5],
+    ];
+    let corners = corners.map(|corner| vertex + DVec3::from_array(corner));
+    let mut obj: String = corners
+        .map(|p| format!("v {} {} {}\n", p.x, p.y, p.z))
+        .concat();
+    obj += "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+    std::fs::write(folder.path().join("far.obj"), obj).expect("a file");
+    let eye = at + DVec3::new(1.0, 2.0, 4.0);
     let view = format!(
         "--size 160x120 --eye {},{},{} --target {},{},{}",
         eye.x, eye.y, eye.z, at.x, at.y, at.z
     );
-    Counts::of(run(Some(&file), &view)).agree(1000);
+    Counts::of(run(Some(&file), &view)).agree(3000);
 }
 
 /// What `f32` has no number for is not drawn right, and said to be beyond it.

@@ -144,6 +144,35 @@ fn a_wide_picture_is_compared() {
     assert_eq!(eye_z(&window), 10.0_f64.to_bits());
 }
 
+/// `f32` has no number for such near planes: V says what that comes to, and what to do.
+#[test]
+fn a_view_beyond_f32_says_what_to_do() {
+    let (mut window, _folder) = row(1.0);
+    let views = [
+        ("1", None),
+        ("1e-36", Some("Drawing in f32 cannot hold this view.")),
+        ("1e-300", Some("Nothing is drawn where picks hit.")),
+    ];
+    for (near, said) in views {
+        type_into(&mut window, "near", near);
+        press_key(&mut window, NONE, Key::Enter);
+        press_key(&mut window, NONE, Key::V);
+        window.picture().expect("a picture");
+        assert!(has_control(&window, "V closes this"), "near {near}");
+        let lines = window.controls().iter().map(|control| &control.name);
+        let advice: Vec<_> = lines
+            .filter(|name| name.contains("sightline render --by raycast"))
+            .collect();
+        assert_eq!(
+            advice.len(),
+            usize::from(said.is_some()),
+            "near {near}: {advice:?}"
+        );
+        let says = |text: &&String| said.is_some_and(|said| text.starts_with(said));
+        assert!(advice.iter().all(says), "near {near}: {advice:?}");
+    }
+}
+
 fn eye_z(window: &Offscreen) -> u64 {
     let DVec3 { z, .. } = window.state().view().camera.eye();
     z.to_bits()

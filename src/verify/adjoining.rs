@@ -1,0 +1,83 @@
+//! Which triangles of a mesh go on where another one ends.
+
+use crate::geometry::MeshData;
+use std::collections::HashMap;
+
+/// A mesh's triangles by where their corners are. Corners in one place are one, however often the mesh lists them: the
+/// vertex shader makes the same of them.
+pub(super) struct Adjoining {
+    /// Of each vertex, the first that is in the same place.
+    places: Vec<u32>,
+    /// Where each place's triangles begin in `triangles`, and where the last one's end.
+    starts: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Adjoining {
+    /// Of all triangles of a mesh.
+    pub fn new(mesh: &MeshData) -> Self {
+        let mut first = HashMap::with_capacity(mesh.positions.len());
+        let places: Vec<u32> = (0..)
+            .zip(&mesh.positions)
+            .map(|(i, position)| {
+                // Added to 0, -0 is 0.
+                *first
+                    .entry(position.map(|c| (c + 0.0).to_bits()))
+                    .or_insert(i)
+            })
+            .collect();
+        let mut starts = vec![0; places.len() + 1];
+        let corners = || mesh.triangles.iter().map(|t| t.map(|i| places[i as usize]));
+        for place in corners().flatten() {
+            starts[place as usize + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut next = starts.clone();
+        let mut triangles = vec![0; 3 * mesh.triangles.len()];
+        for (triangle, corners) in (0..).zip(corners()) {
+            for place in corners {
+                triangles[next[place as usize] as usize] = triangle;
+                next[place as usize] += 1;
+            }
+        }
+        Self {
+            places,
+            starts,
+            triangles,
+        }
+    }
+
+    /// The triangles with an edge from one vertex's place to another's, or back.
+    pub fn across<'a>(
+        &'a self,
+        mesh: &'a MeshData,
+        edge: [u32; 2],
+    ) -> impl Iterator<Item = Neighbour> + 'a {
+        let place = |i: u32| self.places[i as usize];
+        let [from, to] = edge.map(place);
+        let about = self.starts[from as usize] as usize..self.starts[from as usize + 1] as usize;
+        self.triangles[about].iter().filter_map(move |&triangle| {
+            let [i, j, k] = mesh.triangles[triangle as usize];
+            let mut sides = [[i, j, k], [j, k, i], [k, i, j]].into_iter();
+            sides.find_map(|[start, end, apex]| {
+                let ends = [start, end].map(place);
+                (ends == [to, from] || ends == [from, to]).then_some(Neighbour {
+                    triangle,
+                    apex,
+                    faces_alike: ends == [to, from],
+                })
+            })
+        })
+    }
+}
+
+/// A triangle at an edge of another one.
+pub(super) struct Neighbour {
+    pub triangle: u32,
+    /// Its vertex off the edge.
+    pub apex: u32,
+    /// Whether it runs the edge the other way, as two that face one way do.
+    pub faces_alike: bool,
+}

@@ -1,0 +1,192 @@
+//! What a bound must not excuse and what it must: surfaces of triangles slimmer than the grid, floors that run under the eye,
+//! specks, and what `f32` cannot tell apart.
+
+use crate::{
+    broken_drawings::{SIZE, mapped},
+    common::{mesh, orthographic, perspective, view},
+    drawn_once,
+    scenes::object,
+};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
+use sightline::{
+    camera::View,
+    image::Id,
+    pick,
+    scene::{Scene, Shape},
+    verify::{Class, Verdict, compare},
+};
+
+/// A pipe through the middle of a wall, six pixels wide, of strips a four-hundredth of a pixel wide: each pixel lies as near
+/// to an edge as drawing may move edges, and yet nothing but the pipe can show.
+fn pipe() -> (Scene, View) {
+    const STRIPS: u32 = 4000;
+    let mut positions = Vec::new();
+    let mut triangles = Vec::new();
+    for i in 0..STRIPS {
+        let (x, z) = (std::f64::consts::TAU * f64::from(i) / f64::from(STRIPS)).sin_cos();
+        positions
+            .extend([-1.0, 1.0].map(|y| DVec3::new(0.15 * x, y, 0.15 * z).as_vec3().to_array()));
+        let [a, b] = [2 * i, 2 * ((i + 1) % STRIPS)];
+        triangles.extend([[a, b, b + 1], [a, b + 1, a + 1]]);
+    }
+    let mesh = Shape::Mesh {
+        mesh: mesh(positions, triangles, DVec3::ZERO),
+        part: 0,
+    };
+    let wall =
+        DAffine3::from_scale_rotation_translation(DVec3::splat(4.0), DQuat::IDENTITY, DVec3::NEG_Z);
+    let scene = Scene::new(vec![
+        object("pipe", mesh, DAffine3::from_rotation_z(0.3), None),
+        object("wall", Shape::Square, wall, None),
+    ]);
+    let lens = orthographic(7.5, 0.5, 20.0);
+    let view = view([0.0, 0.0, 5.0], [0.01, 0.02, 0.0], lens, SIZE);
+    (scene, view)
+}
+
+#[test]
+fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
+    let (scene, view) = pipe();
+    let picked = pick::ids(&scene, &view);
+    let right = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+    assert_eq!(right.verdict(), Verdict::Agrees, "{:?}", right.worst());
+    let shown = picked.pixels().iter().filter(|id| id.object == 1).count();
+    assert!(shown > 150, "only {shown} pixels show the pipe");
+    let mut without = scene.clone();
+    without.set_visible(0, false);
+    let wrong = compare(&scene, &view, &drawn_once(&without, &view), &picked);
+    let found = wrong.count(Class::Unexplained);
+    assert!(found >= shown * 9 / 10, "{found} of {shown} are found out");
+}
+
+/// From before the eye to behind it, with a near plane a millionth of a step away: what is behind the eye takes no digits
+/// from what is seen.
+#[test]
+fn a_floor_under_the_eye_missing() {
+    let floor = DAffine3::from_rotation_x(-std::f64::consts::FRAC_PI_2)
+        * DAffine3::from_scale(DVec3::splat(40.0));
+    let scene = Scene::new(vec![
+        object("floor", Shape::Square, floor, None),
+        object(
+            "box",
+            Shape::Cube,
+            DAffine3::from_translation(DVec3::new(0.3, 0.5, -4.0)),
+            None,
+        ),
+    ]);
+    for near in [1e-2, 1e-6] {
+        let lens = perspective(60.0, near, 100.0);
+        let view = view([0.0, 1.6, 1.0], [0.5, 1.2, -4.0], lens, SIZE);
+        let picked = pick::ids(&scene, &view);
+        let right = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+        assert_eq!(
+            right.verdict(),
+            Verdict::Agrees,
+            "{near}: {:?}",
+            right.worst()
+        );
+        let shown = picked.pixels().iter().filter(|id| id.object == 1).count();
+        assert!(shown > 10_000, "only {shown} pixels show the floor");
+        let mut without = scene.clone();
+        without.set_visible(0, false);
+        let wrong = compare(&scene, &view, &drawn_once(&without, &view), &picked);
+        let found = wrong.count(Class::Unexplained);
+        assert!(
+            found >= shown * 9 / 10,
+            "{near}: {found} of {shown} are found out"
+        );
+    }
+}
+
+/// The GPU gets the same numbers for both, of which a pick tells the second one to be nearer.
+#[test]
+fn what_f32_cannot_tell_apart_is_as_deep() {
+    let square = |depth: f64| {
+        let turn = DAffine3::from_rotation_y(0.3) * DAffine3::from_scale(DVec3::splat(3.0));
+        object(
+            "square",
+            Shape::Square,
+            DAffine3::from_translation(depth * DVec3::Z) * turn,
+            None,
+        )
+    };
+    let scene = Scene::new(vec![square(0.0), square(1e-11)]);
+    let view = view(
+        [0.1, 0.2, 5.0],
+        [0.4, 0.3, 0.0],
+        perspective(45.0, 1.0, 30.0),
+        SIZE,
+    );
+    let picked = pick::ids(&scene, &view);
+    let report = compare(&scene, &view, &drawn_once(&scene, &view), &picked);
+    assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+    assert!(report.count(Class::Depth) > 5000, "{report:?}");
+}
+
+/// Squares and wires in a picture of a unit a pixel, whose pixel centres lie at halves: centre and size.
+fn in_pixels(squares: &[(DVec3, DVec2)]) -> (Scene, View) {
+    let squares = squares.iter().map(|(centre, size)| {
+        let scale = DAffine3::from_scale(size.extend(1.0));
+        let at = DAffine3::from_translation(*centre) * scale;
+        object("square", Shape::Square, at, None)
+    });
+    let lens = orthographic(SIZE[1].into(), 1.0, 100.0);
+    let view = view([0.0, 0.0, 50.0], [0.0, 0.0, 0.0], lens, SIZE);
+    (Scene::new(squares.collect()), view)
+}
+
+/// What a blank drawing of it comes to, and what picks of nothing where all of it is drawn come to.
+fn one_sided(squares: &[(DVec3, DVec2)]) -> [Verdict; 2] {
+    let (scene, view) = in_pixels(squares);
+    let all = pick::ids(&scene, &view);
+    let blank = mapped(&all, |_, _| Id::default());
+    [(&blank, &all), (&all, &blank)]
+        .map(|(drawn, picked)| compare(&scene, &view, drawn, picked).verdict())
+}
+
+/// Something smaller than a pixel may be seen or not where a centre lies on its edge, to the grid; where it lies inside, it
+/// must be.
+#[test]
+fn a_speck_at_an_edge_is_no_blank_picture() {
+    let at = |px: f64, inside: f64| {
+        (
+            DVec3::new(px + 0.5 - 0.2 + inside, 0.5, 0.0),
+            DVec2::splat(0.4),
+        )
+    };
+    let speck = [at(3.0, 0.001)];
+    assert_eq!(one_sided(&speck), [Verdict::Agrees; 2]);
+    // Drawing leaves it out indeed.
+    let (scene, view) = in_pixels(&speck);
+    assert_eq!(
+        pick::ids(&scene, &view)
+            .pixels()
+            .iter()
+            .filter(|id| id.object > 0)
+            .count(),
+        1
+    );
+    let drawn = drawn_once(&scene, &view);
+    assert!(
+        drawn.pixels().iter().all(|id| id.object == 0),
+        "it is drawn"
+    );
+    assert_eq!(one_sided(&[at(3.0, 0.2)]), [Verdict::Unexplained(1); 2]);
+    let four: Vec<_> = (0..4).map(|i| at(f64::from(i), 0.001)).collect();
+    assert_eq!(one_sided(&four), [Verdict::Agrees; 2]);
+    let five: Vec<_> = (0..5).map(|i| at(f64::from(i), 0.001)).collect();
+    assert_eq!(
+        one_sided(&five),
+        [Verdict::NothingDrawn(5), Verdict::NothingPicked(5)]
+    );
+}
+
+/// A wire through the centres of a row: each of its pixels lies on an edge, but all of them are a picture.
+#[test]
+fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
+    let wire = [(DVec3::new(0.0, 0.5, 0.0), DVec2::new(150.0, 0.002))];
+    assert_eq!(
+        one_sided(&wire),
+        [Verdict::NothingDrawn(150), Verdict::NothingPicked(150)]
+    );
+}
