@@ -199,6 +199,7 @@ impl Offscreen {
         let input = self.input(events, Vec::new());
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
+        self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
         drawn
     }
 
