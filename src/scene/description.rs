@@ -33,7 +33,8 @@
 //! A `name` replaces that of a mesh file's only object, or goes in front of the names when there are several.
 
 use super::{
-    DescriptionError, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene, Warning, entry::Entry,
+    DescriptionError, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene, Warning,
+    entry::Entry,
 };
 use crate::{camera::CameraChoice, geometry::Mesh};
 use glam::DVec3;

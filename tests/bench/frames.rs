@@ -138,7 +138,7 @@ fn scene(paths: Vec<PathBuf>) {
     press(&mut window, Key::P);
     for stage in ["no matrix", "V M", "P V M", "M"] {
         let mut costs = Costs::default();
-        let at = named(&window, stage);
+        let at = named(&window, &format!("show with {stage}"));
         window.send([Event::PointerMoved(at), button(at, true)]);
         costs.of(&mut window, button(at, false));
         costs.report(stage);
@@ -201,7 +201,10 @@ fn button(pos: Pos2, pressed: bool) -> Event {
 
 /// The middle of a control.
 fn named(window: &Offscreen, name: &str) -> Pos2 {
-    let control = window.controls().iter().find(|control| control.name == name);
+    let control = window
+        .controls()
+        .iter()
+        .find(|control| control.name == name);
     let Some(control) = control else {
         panic!("no {name}");
     };

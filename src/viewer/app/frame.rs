@@ -68,6 +68,7 @@ impl App {
         self.take_saved();
         self.take_checked();
         self.take_chart();
+        self.take_waiting();
     }
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.
@@ -134,6 +135,7 @@ impl App {
 
     /// Draws a pass, on another device where the one before is lost, and does what waited for it.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
+        self.behind = false;
         if screen.restore()? {
             self.textures.renew();
         }
@@ -149,9 +151,10 @@ impl App {
         canvas.take_textures(self.textures.news());
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
-            Ok(anew) => {
+            Ok(progress) => {
                 self.state.accepted();
-                if *anew {
+                self.behind = progress.behind;
+                if progress.anew {
                     self.announce();
                 }
             }
@@ -163,9 +166,14 @@ impl App {
             Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
+            let seen = canvas.on_screen().filter(|_| self.behind);
+            self.state.see(seen);
             self.follow_up(canvas, laid);
         }
-        drawn
+        if self.behind {
+            self.context.request_repaint();
+        }
+        drawn.map(|progress| progress.anew)
     }
 
     /// What waited for a frame to be drawn, and what only drawing shows to be impossible.

@@ -2,11 +2,11 @@
 
 use super::wake::{Wake, Waker};
 use crate::{
-    camera::{CameraChoice, Viewport},
+    camera::{CameraChoice, View, Viewport},
     scene::{Loaded, Warning},
     viewer::{
         jobs::{Chart, Checking, Loading, Saving, TreeBuild},
-        model::{Snapshot, State},
+        model::{Action, Snapshot, State},
         options::Options,
         screen::Textures,
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
@@ -81,6 +81,10 @@ pub(in crate::viewer) struct App {
     pub max_texture_side: Option<usize>,
     /// What is to go on the clipboard.
     pub copied: Option<String>,
+    /// A click, and through which view, that waits for trees.
+    pub(super) waiting: Option<(Action, View)>,
+    /// The picture on screen is not yet the one that is wanted.
+    pub behind: bool,
     /// The user is done.
     pub quit: bool,
 }
@@ -115,6 +119,8 @@ impl App {
             statistics: Statistics::default(),
             max_texture_side: None,
             copied: None,
+            waiting: None,
+            behind: false,
             quit: false,
             context: ui::context(),
             textures: Textures::default(),

@@ -208,12 +208,20 @@ impl Offscreen {
     /// # Errors
     /// When there is no graphics adapter, or it fails.
     pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
-        self.draw()?;
+        self.draw_whole()?;
         // What the first frame began, as a comparison with what it drew.
         self.settle();
-        self.draw()?;
+        self.draw_whole()?;
         let (canvas, texture) = self.page.drawing.as_ref().ok_or(GpuError::NoAdapter)?;
         read_rgb(&canvas.gpu, texture, self.page.size)
+    }
+
+    fn draw_whole(&mut self) -> Result<(), GpuError> {
+        self.draw()?;
+        while self.app.behind {
+            self.draw()?;
+        }
+        Ok(())
     }
 
     /// Takes the device away, as a driver that restarts does.

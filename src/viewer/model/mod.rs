@@ -11,6 +11,7 @@ mod on_screen;
 mod opening;
 mod overlay;
 mod picking;
+mod seeing;
 mod showing;
 mod stages;
 mod staging;

@@ -49,6 +49,7 @@ impl State {
                 viewport,
                 sides,
             },
+            seen: None,
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
             selection: None,

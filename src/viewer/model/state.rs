@@ -4,6 +4,7 @@
 use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
+    on_screen::OnScreen,
     overlay::Overlays,
     showing::Showing,
     stages::Stage,
@@ -148,6 +149,8 @@ pub struct State {
     /// Height of the orthographic picture over the orbit's distance.
     pub(super) height_per_distance: f64,
     pub(super) view: View,
+    /// What is on screen, while that is still another picture.
+    pub(super) seen: Option<OnScreen>,
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
