@@ -12,7 +12,7 @@ use std::{
 
 /// Meshes in graphics memory, each once for all scenes that show it. A clone shares them.
 #[derive(Clone, Debug, Default)]
-pub struct MeshStore(HashMap<usize, (Weak<Mesh>, MeshBuffers)>);
+pub struct MeshStore(Arc<HashMap<usize, (Weak<Mesh>, MeshBuffers)>>);
 
 impl MeshStore {
     /// The buffers of a mesh, made where there are none.
@@ -24,13 +24,13 @@ impl MeshStore {
             return Ok(buffers.clone());
         }
         let buffers = MeshBuffers::upload(gpu, mesh)?;
-        self.0
-            .insert(address, (Arc::downgrade(mesh), buffers.clone()));
+        let entry = (Arc::downgrade(mesh), buffers.clone());
+        Arc::make_mut(&mut self.0).insert(address, entry);
         Ok(buffers)
     }
 
     /// Gives up the meshes that nobody shows any more, or could show again.
     pub fn forget_dropped(&mut self) {
-        self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        Arc::make_mut(&mut self.0).retain(|_, (mesh, _)| mesh.strong_count() > 0);
     }
 }

@@ -4,6 +4,7 @@ mod changes;
 mod demo;
 pub mod description;
 mod entry;
+mod extent;
 mod file;
 pub mod gallery;
 mod load;
@@ -30,10 +31,11 @@ pub use warning::Warning;
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
+use extent::Extent;
 use std::{
     collections::HashSet,
     ops::Range,
-    sync::{Arc, OnceLock, atomic::AtomicBool},
+    sync::{Arc, OnceLock, Weak, atomic::AtomicBool},
 };
 use sums::Sums;
 use tree::SceneTree;
@@ -48,6 +50,24 @@ pub struct NoSuchObject {
     pub objects: usize,
 }
 
+/// What a scene and its clones are known by, until they are changed. It keeps nothing of them.
+#[derive(Clone, Debug)]
+pub struct SceneKey(Weak<Vec<Object>>);
+
+impl SceneKey {
+    /// Whether it is of this scene, as it is now.
+    #[must_use]
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        Weak::ptr_eq(&self.0, &Arc::downgrade(&scene.objects))
+    }
+
+    /// Whether somebody still has such a scene.
+    #[must_use]
+    pub fn is_in_use(&self) -> bool {
+        self.0.strong_count() > 0
+    }
+}
+
 /// Objects in order. Ids for people are index + 1. A clone costs next to nothing, until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
@@ -59,6 +79,8 @@ pub struct Scene {
     /// Until an object is changed.
     sums: OnceLock<Sums>,
     changes: Changes,
+    /// Of the object that was moved last.
+    extent: Option<Arc<Extent>>,
 }
 
 impl Scene {
@@ -76,16 +98,17 @@ impl Scene {
             tree: Arc::default(),
             sums: OnceLock::new(),
             changes: Changes::default(),
+            extent: None,
         };
         scene.tree = Arc::new(SceneTree::new(&scene));
         scene.sums();
         scene
     }
 
-    /// Whether both are clones of one, or one of the other, and neither was changed since.
+    /// What this very scene is known by, until it is changed.
     #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.objects, &other.objects)
+    pub fn key(&self) -> SceneKey {
+        SceneKey(Arc::downgrade(&self.objects))
     }
 
     /// All objects, hidden ones too.
@@ -151,7 +174,7 @@ impl Scene {
     pub fn place(&mut self, object: usize, placement: Placement) {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
-        Arc::make_mut(&mut self.bounds)[object] = self.objects[object].bounds_world();
+        Arc::make_mut(&mut self.bounds)[object] = self.bounds_when_moved(object);
         self.changed(object);
         if self.joins(object) == before {
             let batch = self.batches.partition_point(|batch| batch.end <= object);
@@ -162,6 +185,22 @@ impl Scene {
             self.batches = Arc::new(batches(&self.objects));
             self.tree = Arc::new(SceneTree::new(self));
             self.changes.everything();
+        }
+    }
+
+    /// The box about an object that may be moved again soon.
+    fn bounds_when_moved(&mut self, object: usize) -> Aabb {
+        let moved = &self.objects[object];
+        if self
+            .extent
+            .as_ref()
+            .is_none_or(|extent| !extent.is_of(object))
+        {
+            self.extent = Extent::of(object, moved).map(Arc::new);
+        }
+        match &self.extent {
+            Some(extent) => extent.bounds_world(&moved.placement),
+            None => moved.bounds_world(),
         }
     }
 

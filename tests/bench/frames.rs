@@ -2,7 +2,7 @@
 //! Without arguments: terrains of 100,000 and a million triangles, and 50,000 objects.
 //!
 //! Of each gesture: the window thread's own processor time a pass, which waiting does not count in, and the time from an
-//! event until nothing is left to do. The window is unseen; what a screen adds is its presentation. The first passes over
+//! event until nothing is left to do, with what all threads worked meanwhile. The window is unseen; what a screen adds is its presentation. The first passes over
 //! a scene are counted as "open".
 
 mod terrain;
@@ -218,31 +218,35 @@ struct Costs {
     cpu: Vec<f64>,
     /// From each event until nothing was left to do.
     done: Vec<f64>,
+    /// What all threads worked in that time.
+    all: Vec<f64>,
 }
 
 impl Costs {
     /// An event's pass, drawn, and those that follow from it.
     fn of(&mut self, window: &mut Offscreen, event: Event) {
-        let start = Instant::now();
+        let (start, worked) = (Instant::now(), worked_ms(ClockId::ProcessCPUTime));
         let mut event = Some(event);
         for _ in 0..MOST_PASSES {
-            let before = thread_ms();
+            let before = worked_ms(ClockId::ThreadCPUTime);
             let drawn = match event.take() {
                 Some(event) => window.frame(event),
                 None => window.draw(),
             };
             drawn.unwrap_or_else(|error| panic!("{error}"));
-            self.cpu.push(thread_ms() - before);
+            self.cpu.push(worked_ms(ClockId::ThreadCPUTime) - before);
             if window.is_at_rest() {
                 break;
             }
         }
         self.done.push(1e3 * start.elapsed().as_secs_f64());
+        self.all.push(worked_ms(ClockId::ProcessCPUTime) - worked);
     }
 
     fn report(&mut self, name: &str) {
         self.cpu.sort_unstable_by(f64::total_cmp);
         self.done.sort_unstable_by(f64::total_cmp);
+        self.all.sort_unstable_by(f64::total_cmp);
         let at = |of: &[f64], share: f64| {
             #[expect(
                 clippy::cast_possible_truncation,
@@ -256,15 +260,16 @@ impl Costs {
         let [median, most, worst] = [0.5, 0.99, 1.0].map(|share| at(&self.cpu, share));
         let [done, last] = [0.5, 1.0].map(|share| at(&self.done, share));
         println!(
-            "{name:9} {:4} passes of {median:7.2} ms, 99 % {most:7.2}, worst {worst:7.2}; done after {done:7.1}, at worst {last:7.1}",
-            self.cpu.len()
+            "{name:9} {:4} passes of {median:7.2} ms, 99 % {most:7.2}, worst {worst:7.2}; done after {done:7.1}, at worst {last:7.1}, all threads {:7.1}",
+            self.cpu.len(),
+            at(&self.all, 0.5)
         );
     }
 }
 
-/// Processor time of this thread.
-fn thread_ms() -> f64 {
-    let time = clock_gettime(ClockId::ThreadCPUTime);
+/// Processor time of this thread, or of all.
+fn worked_ms(of: ClockId) -> f64 {
+    let time = clock_gettime(of);
     #[expect(clippy::cast_precision_loss, reason = "milliseconds")]
     let [s, ns] = [time.tv_sec as f64, time.tv_nsec as f64];
     1e3 * s + 1e-6 * ns

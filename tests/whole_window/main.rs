@@ -12,6 +12,7 @@ mod keeping;
 mod keys;
 mod overlays;
 mod pictures;
+mod stalls;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;

@@ -13,6 +13,11 @@ use std::{io::Write, time::Instant};
 impl App {
     /// Does something to scene or view.
     pub fn act(&mut self, action: Action) {
+        if let Action::Stage(stage) = action
+            && self.begin_stage(stage)
+        {
+            return;
+        }
         let clicks = matches!(action, Action::Click(..));
         if clicks && !self.state.rays_are_quick() {
             self.waiting = Some((action, *self.state.view()));

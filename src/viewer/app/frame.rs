@@ -65,6 +65,8 @@ impl App {
     /// Takes what jobs have done by now.
     pub fn take_finished(&mut self) {
         self.take_loaded();
+        self.take_staged();
+        self.take_uploaded();
         self.take_saved();
         self.take_checked();
         self.take_chart();
@@ -80,11 +82,12 @@ impl App {
         let mut commands = Vec::new();
         let mut place = None;
         let context = self.context.clone();
+        let underway = self.underway();
         let mut output = context.run_ui(input, |ui| {
             let mut shown = Shown {
                 state: &self.state,
                 notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
+                underway,
                 floating: self.floating,
                 question: self.question.as_ref(),
                 chart: self.chart.as_ref(),
@@ -120,7 +123,7 @@ impl App {
         let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
         if acted || follows_cursor || hovered(cursor) != self.state.hover() {
             context.request_repaint();
-        } else if self.loading.is_some() {
+        } else if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
         }
         let copied = self.copied.take().map(egui::OutputCommand::CopyText);
@@ -149,6 +152,9 @@ impl App {
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(self.textures.news());
+        if let Some(uploaded) = self.uploaded.take() {
+            canvas.take_uploaded(uploaded);
+        }
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
             Ok(progress) => {
@@ -166,6 +172,7 @@ impl App {
             Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
+            self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
             let seen = canvas.on_screen().filter(|_| self.behind);
             self.state.see(seen);
             self.follow_up(canvas, laid);

@@ -1,11 +1,15 @@
 //! The program behind the window: all that outlives frames, devices and windows, and what it says.
 
-use super::wake::{Wake, Waker};
+use super::{
+    arriving::Arrival,
+    wake::{Wake, Waker},
+};
 use crate::{
     camera::{CameraChoice, View, Viewport},
+    render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{Chart, Checking, Loading, Saving, TreeBuild},
+        jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
         model::{Action, Snapshot, State},
         options::Options,
         screen::Textures,
@@ -51,6 +55,14 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
+    /// The device that pictures are drawn with, once one was, and the meshes that it has.
+    pub(super) gpu: Option<(Gpu, MeshStore)>,
+    /// The stage that is being made.
+    pub(super) staging: Option<Staging>,
+    /// What is on its way into graphics memory, to be shown then.
+    pub(super) arriving: Option<(Upload, Arrival)>,
+    /// What is there, for the next picture.
+    pub(super) uploaded: Option<Uploaded>,
     /// The load under way, of which files, and what for.
     pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
     /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
@@ -99,6 +111,10 @@ impl App {
             options.sides,
         );
         Self {
+            gpu: None,
+            staging: None,
+            arriving: None,
+            uploaded: None,
             loading: None,
             to_save: None,
             saving: Vec::new(),
@@ -137,7 +153,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        let files = self.loading.is_some() || !self.saving.is_empty();
+        let files = self.underway().is_some() || !self.saving.is_empty();
         files || checks || studies || !self.state.scene().trees_are_built()
     }
 

@@ -152,7 +152,7 @@ impl Offscreen {
     /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.at_rest
+        self.at_rest && !self.app.behind
     }
 
     /// What was put on the clipboard last.

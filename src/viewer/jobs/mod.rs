@@ -4,12 +4,16 @@ mod check;
 mod dialogs;
 mod loading;
 mod saving;
+mod staging;
 mod study;
 mod trees;
+mod uploading;
 
 pub(super) use check::{Check, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use loading::Loading;
 pub(super) use saving::Saving;
+pub(super) use staging::Staging;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
+pub(super) use uploading::{Upload, Uploaded};

@@ -29,6 +29,7 @@ pub(super) use on_screen::OnScreen;
 pub(super) use opening::Snapshot;
 pub use overlay::{Overlay, Overlays};
 pub use showing::{Compared, Distance, Fault, Showing};
+pub(super) use stages::Prepared;
 pub use stages::{Stage, staged};
 pub use state::{Cursor, DOUBLE_CLICK_S, Frozen, Selection, Source, State};
 pub use viewing::CannotBe;

@@ -70,6 +70,7 @@ impl State {
             frozen: None,
             stage: Stage::World,
             world: None,
+            prepared: None,
             showing: loaded.exhibit.map(Showing::new),
         })
     }

@@ -7,7 +7,7 @@ use super::{
     on_screen::OnScreen,
     overlay::Overlays,
     showing::Showing,
-    stages::Stage,
+    stages::{Prepared, Stage},
     timeline::Timeline,
 };
 use crate::{
@@ -172,6 +172,8 @@ pub struct State {
     pub(super) stage: Stage,
     /// The scene itself, while a stage of it is shown instead.
     pub(super) world: Option<World>,
+    /// A stage that may be shown next.
+    pub(super) prepared: Option<Prepared>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
 }

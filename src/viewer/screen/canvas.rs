@@ -7,8 +7,11 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Id, Image, Rgb},
-    render::{Destination, Gpu, GpuError, read_rgb},
-    viewer::model::{OnScreen, State},
+    render::{Destination, Gpu, GpuError, MeshStore, read_rgb},
+    viewer::{
+        jobs::Uploaded,
+        model::{OnScreen, State},
+    },
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
 use std::mem;
@@ -77,6 +80,16 @@ impl Canvas {
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
         self.scene.read_ids(&self.gpu, wanted)
+    }
+
+    /// Takes a scene that is in graphics memory, and is to be shown next.
+    pub fn take_uploaded(&mut self, uploaded: Uploaded) {
+        self.scene.take_uploaded(uploaded);
+    }
+
+    /// The meshes in graphics memory.
+    pub fn meshes(&self) -> MeshStore {
+        self.scene.meshes().clone()
     }
 
     /// What is on screen of the scene.

@@ -20,22 +20,33 @@ const INSTANCES: u32 = 16_384;
 #[derive(Debug)]
 pub(super) struct Pace {
     work: u64,
-    /// The work of the piece that is being drawn.
-    under_way: Option<u64>,
-    /// Seconds that it took, once it is done.
-    took: Arc<Mutex<Option<f64>>>,
+    /// What is drawn is waited for in every pass: when it is done is known at once, and not only when somebody asks.
+    is_waited_for: bool,
+    under_way: Option<Piecework>,
+}
+
+/// A piece that is being drawn.
+#[derive(Debug)]
+struct Piecework {
+    work: u64,
+    begun: Instant,
+    /// For how long it was known not to be done, in seconds.
+    longer_than_s: f64,
+    /// After how many seconds it was known to be done.
+    done_s: Arc<Mutex<Option<f64>>>,
 }
 
 impl Pace {
     pub fn new(gpu: &Gpu) -> Self {
+        let is_software = gpu.is_software();
         Self {
-            work: if gpu.is_software() {
+            work: if is_software {
                 SOFTWARE_WORK
             } else {
                 HARDWARE_WORK
             },
+            is_waited_for: is_software,
             under_way: None,
-            took: Arc::default(),
         }
     }
 
@@ -48,38 +59,58 @@ impl Pace {
     }
 
     /// Whether the adapter has drawn all pieces: more would only wait, and what is shown after them too.
-    pub fn is_free(&mut self) -> bool {
-        let took = self.took.lock().map_or(None, |mut took| took.take());
-        if let (Some(work), Some(took_s)) = (self.under_way, took) {
-            self.under_way = None;
-            self.learn(work, took_s);
-        }
-        self.under_way.is_none()
+    pub fn is_free(&mut self, gpu: &Gpu) -> bool {
+        let Some(piece) = &mut self.under_way else {
+            return true;
+        };
+        // What is wrong with the device, the next frame finds out.
+        let _ = gpu.device.poll(wgpu::PollType::Poll);
+        let Some(done_s) = piece.done_s.lock().map_or(None, |mut done| done.take()) else {
+            piece.longer_than_s = piece.begun.elapsed().as_secs_f64();
+            return false;
+        };
+        let (work, longer_than_s) = (piece.work, piece.longer_than_s);
+        self.under_way = None;
+        let at_least_s = if self.is_waited_for {
+            done_s
+        } else {
+            longer_than_s
+        };
+        self.learn(work, [at_least_s, done_s]);
+        true
     }
 
     /// A piece was submitted.
     pub fn began(&mut self, gpu: &Gpu, work: u64) {
-        let (start, took) = (Instant::now(), Arc::clone(&self.took));
-        self.under_way = Some(work);
+        if self.under_way.is_some() {
+            return;
+        }
+        let (begun, done_s) = (Instant::now(), Arc::new(Mutex::new(None)));
+        self.under_way = Some(Piecework {
+            work,
+            begun,
+            longer_than_s: 0.0,
+            done_s: Arc::clone(&done_s),
+        });
         gpu.queue.on_submitted_work_done(move || {
-            if let Ok(mut took) = took.lock() {
-                *took = Some(start.elapsed().as_secs_f64());
+            if let Ok(mut done) = done_s.lock() {
+                *done = Some(begun.elapsed().as_secs_f64());
             }
         });
     }
 
     /// Less where a piece took too long; more where one that was nearly as large as may be was done in no time.
-    fn learn(&mut self, work: u64, took_s: f64) {
-        if took_s > LONGEST_S {
+    fn learn(&mut self, work: u64, [at_least_s, at_most_s]: [f64; 2]) {
+        if at_least_s > LONGEST_S {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 clippy::cast_precision_loss,
                 reason = "an estimate"
             )]
-            let fits = (work as f64 * LONGEST_S / took_s) as u64;
+            let fits = (work as f64 * LONGEST_S / at_least_s) as u64;
             self.work = self.work.min(fits.max(LEAST_WORK));
-        } else if took_s < 0.5 * LONGEST_S && work > self.work / 2 {
+        } else if at_most_s < 0.5 * LONGEST_S && work > self.work / 2 {
             self.work = self.work.saturating_mul(2);
         }
     }
@@ -93,17 +124,18 @@ mod tests {
     fn pieces_shrink_to_what_fits_and_grow_again() {
         let mut pace = Pace {
             work: 100_000,
+            is_waited_for: false,
             under_way: None,
-            took: Arc::default(),
         };
-        pace.learn(100_000, 0.4);
+        pace.learn(100_000, [0.4, 0.5]);
         assert_eq!(pace.most().work, 20_000);
-        pace.learn(20_000, 10.0);
+        pace.learn(20_000, [10.0, 10.0]);
         assert_eq!(pace.most().work, LEAST_WORK);
-        pace.learn(LEAST_WORK, 0.01);
+        pace.learn(LEAST_WORK, [0.0, 0.01]);
         assert_eq!(pace.most().work, 2 * LEAST_WORK);
-        // Little that is done soon says nothing of much.
-        pace.learn(LEAST_WORK / 2, 0.001);
+        // Little that is done soon says nothing of much, nor does what was asked for late.
+        pace.learn(LEAST_WORK / 2, [0.0, 0.001]);
+        pace.learn(2 * LEAST_WORK, [0.0, 30.0]);
         assert_eq!(pace.most().work, 2 * LEAST_WORK);
     }
 }

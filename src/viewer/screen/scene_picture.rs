@@ -5,12 +5,19 @@ use crate::{
     camera::{UpAxis, View, Viewport},
     image::{Id, Image},
     render::{
-        Destination, Drawing, Gpu, GpuError, Line, Marks, Piece, Renderer, SceneBuffers, Targets,
-        Wireframe,
+        Destination, Drawing, Gpu, GpuError, Line, Marks, MeshStore, Piece, Renderer, SceneBuffers,
+        Targets, Wireframe,
     },
-    viewer::model::{Frozen, OnScreen, Overlay, Overlays, State},
+    scene::{Scene, SceneKey},
+    viewer::{
+        jobs::Uploaded,
+        model::{Frozen, OnScreen, Overlay, Overlays, State},
+    },
 };
-use std::time::{Duration, Instant};
+use std::{
+    mem,
+    time::{Duration, Instant},
+};
 
 /// No further piece is begun in a pass that has worked for as long as this.
 const WORKED: Duration = Duration::from_millis(4);
@@ -18,7 +25,12 @@ const WORKED: Duration = Duration::from_millis(4);
 /// The scene on the GPU, and pictures of it.
 pub(super) struct ScenePicture {
     pub renderer: Renderer,
-    scene: Option<Uploaded>,
+    scene: Option<OnGpu>,
+    /// What came ahead of its scene.
+    ready: Option<Uploaded>,
+    /// The scene before this one, as long as it may come back.
+    before: Option<OnGpu>,
+    meshes: MeshStore,
     /// The scene that does not fit, and why: it is not tried again.
     unfit: Option<(u64, GpuError)>,
     shown: Option<Picture>,
@@ -28,9 +40,10 @@ pub(super) struct ScenePicture {
     pace: Pace,
 }
 
-/// The scene on the GPU and which one it is.
-struct Uploaded {
+/// A scene on the GPU and which one it is.
+struct OnGpu {
     buffers: SceneBuffers,
+    key: SceneKey,
     revision: u64,
     visibility: u64,
 }
@@ -115,12 +128,26 @@ impl ScenePicture {
         Self {
             renderer: Renderer::new(gpu, gpu.colour_samples()),
             scene: None,
+            ready: None,
+            before: None,
+            meshes: MeshStore::default(),
             unfit: None,
             shown: None,
             next: None,
             spare: None,
             pace: Pace::new(gpu),
         }
+    }
+
+    /// Takes a scene that is to be shown next.
+    pub fn take_uploaded(&mut self, mut uploaded: Uploaded) {
+        self.meshes = mem::take(&mut uploaded.meshes);
+        self.ready = Some(uploaded);
+    }
+
+    /// The meshes on the GPU.
+    pub fn meshes(&self) -> &MeshStore {
+        &self.meshes
     }
 
     /// What is on screen.
@@ -144,6 +171,13 @@ impl ScenePicture {
         viewport: Viewport,
     ) -> Result<Progress, GpuError> {
         let revision = state.scene_revision();
+        if self
+            .before
+            .take_if(|before| !before.key.is_in_use())
+            .is_some()
+        {
+            self.meshes.forget_dropped();
+        }
         self.next.take_if(|next| next.of.revision != revision);
         if self.next.is_none() {
             self.upload(gpu, state)?;
@@ -209,7 +243,7 @@ impl ScenePicture {
     fn proceed(&mut self, gpu: &Gpu) -> Result<bool, GpuError> {
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
         let most = self.pace.most();
-        let is_free = self.pace.is_free();
+        let is_free = self.pace.is_free(gpu);
         while let (Some(next), Some(scene)) = (&mut self.next, &self.scene) {
             let piece = if next.at_once {
                 Piece::WHOLE
@@ -301,24 +335,40 @@ impl ScenePicture {
                 if scene.visibility != visibility {
                     scene.buffers.update(gpu, state.scene())?;
                     scene.visibility = visibility;
+                    scene.key = state.scene().key();
                 }
             }
             _ => {
                 if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                     return Err(error.clone());
                 }
-                let buffers = SceneBuffers::upload(gpu, state.scene());
+                let buffers = match self.known(state.scene()) {
+                    Some(buffers) => Ok(buffers),
+                    None => SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes),
+                };
                 let buffers = buffers.inspect_err(|error| {
                     self.unfit = Some((revision, error.clone()));
                 })?;
-                self.scene = Some(Uploaded {
+                self.before = self.scene.replace(OnGpu {
                     buffers,
+                    key: state.scene().key(),
                     revision,
                     visibility,
                 });
             }
         }
         Ok(())
+    }
+}
+
+impl ScenePicture {
+    /// The buffers of a scene that came ahead of it, or stayed from before.
+    fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
+        let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
+        let before = self.before.take_if(|before| before.key.is_of(scene));
+        ready
+            .map(|ready| ready.buffers)
+            .or(before.map(|before| before.buffers))
     }
 }
 
