@@ -1,28 +1,21 @@
 //! What is made ready beside the window before it is shown: stages, and scenes on their way into graphics memory.
 
 use super::{
-    program::{App, Purpose},
+    program::{App, Arrival},
     wake::Wake,
 };
 use crate::{
     render::GpuError,
-    scene::{Loaded, Scene},
+    scene::Scene,
     viewer::{
         jobs::{Staging, Upload},
         model::{Action, Stage},
         ui::Underway,
     },
 };
-use std::path::PathBuf;
 
 /// Of so many objects and triangles a scene is there as soon as a job would have begun.
 const LITTLE: usize = 20_000;
-
-/// What is shown once it is in graphics memory.
-pub(super) enum Arrival {
-    Loaded(Loaded, Vec<PathBuf>, Purpose),
-    Stage(Stage),
-}
 
 impl App {
     /// Begins to make a stage that takes long; it is shown when it is ready. Returns whether that is so.

@@ -1,8 +1,7 @@
 //! What is open: loading it, loading it again, adding to it, saving it.
 
 use super::{
-    arriving::Arrival,
-    program::{App, Host, Purpose},
+    program::{App, Arrival, Host, Purpose},
     wake::{Wake, Waker},
 };
 use crate::{

@@ -1,16 +1,13 @@
 //! The program behind the window: all that outlives frames, devices and windows, and what it says.
 
-use super::{
-    arriving::Arrival,
-    wake::{Wake, Waker},
-};
+use super::wake::{Wake, Waker};
 use crate::{
     camera::{CameraChoice, View, Viewport},
     render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
         jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
-        model::{Action, Snapshot, State},
+        model::{Action, Snapshot, Stage, State},
         options::Options,
         screen::Textures,
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
@@ -27,6 +24,12 @@ pub(super) enum Purpose {
     Reload,
     /// Beside what is shown.
     Add,
+}
+
+/// What is shown once it is in graphics memory.
+pub(super) enum Arrival {
+    Loaded(Loaded, Vec<PathBuf>, Purpose),
+    Stage(Stage),
 }
 
 /// Screenshots that are asked for.
