@@ -48,7 +48,7 @@ fn main() {
         }
     }
     if !files.is_empty() {
-        return scene(files);
+        return files.into_iter().for_each(scene);
     }
     for triangles in triangles {
         let side = (f64::from(triangles) / 2.0).sqrt().round();
@@ -58,12 +58,10 @@ fn main() {
             reason = "below 2^16"
         )]
         let side = side as u32;
-        scene(vec![
-            terrain::write(folder.path(), side).expect("a writable folder"),
-        ]);
+        scene(terrain::write(folder.path(), side).expect("a writable folder"));
     }
     for objects in objects {
-        scene(vec![grid(folder.path(), objects)]);
+        scene(grid(folder.path(), objects));
     }
 }
 
@@ -84,14 +82,12 @@ fn grid(folder: &Path, objects: u32) -> PathBuf {
     file
 }
 
-/// All gestures on one scene.
-fn scene(paths: Vec<PathBuf>) {
-    let options = Options {
-        paths,
-        ..Options::default()
-    };
+/// All gestures on one scene, which comes after the demo.
+fn scene(file: PathBuf) {
     let size = Viewport::new(1280, 720).expect("a viewport");
-    let mut window = Offscreen::open(options, size, 1.0);
+    let mut window = Offscreen::open(Options::default(), size, 1.0);
+    window.draw().unwrap_or_else(|error| panic!("{error}"));
+    window.drop_file(file);
     let scene = window.state().scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     println!("{objects} objects, {triangles} triangles, 1280x720");
@@ -101,17 +97,10 @@ fn scene(paths: Vec<PathBuf>) {
 
     let step = |i: u16| f32::from(i % 20);
     let at = |i: u16| MIDDLE + vec2(6.0 * step(i), 3.0 * step(i));
-    let moves = |window: &mut Offscreen, name: &str, at: &dyn Fn(u16) -> Pos2| {
-        let mut costs = Costs::default();
-        for i in 0..EVENTS {
-            costs.of(window, Event::PointerMoved(at(i)));
-        }
-        costs.report(name);
-    };
-    moves(&mut window, "panel", &|i| PANEL + vec2(0.0, step(i)));
-    moves(&mut window, "hover", &at);
+    moves(&mut window, "panel", |i| PANEL + vec2(0.0, step(i)));
+    moves(&mut window, "hover", at);
     window.send([Event::PointerMoved(MIDDLE), button(MIDDLE, true)]);
-    moves(&mut window, "turn", &|i| at(i + 1));
+    moves(&mut window, "turn", |i| at(i + 1));
     window.send([button(at(EVENTS), false)]);
 
     let mut costs = Costs::default();
@@ -125,7 +114,7 @@ fn scene(paths: Vec<PathBuf>) {
 
     press(&mut window, Key::F);
     if window.state().selection().is_some() {
-        place(&mut window, &moves);
+        place(&mut window);
         let keys = [(Modifiers::SHIFT, Key::H), (Modifiers::NONE, Key::U)];
         keyed(&mut window, "hide", &keys);
         window.send([button(MIDDLE, true), button(MIDDLE, false)]);
@@ -146,8 +135,17 @@ fn scene(paths: Vec<PathBuf>) {
     println!("on {}\n", window.adapter_name());
 }
 
+/// Moves of the mouse.
+fn moves(window: &mut Offscreen, name: &str, at: impl Fn(u16) -> Pos2) {
+    let mut costs = Costs::default();
+    for i in 0..EVENTS {
+        costs.of(window, Event::PointerMoved(at(i)));
+    }
+    costs.report(name);
+}
+
 /// Drags at a letter of the selected object's matrix.
-fn place(window: &mut Offscreen, moves: &dyn Fn(&mut Offscreen, &str, &dyn Fn(u16) -> Pos2)) {
+fn place(window: &mut Offscreen) {
     let header = named(window, "Model matrix");
     window.send([
         Event::PointerMoved(header),
@@ -162,7 +160,7 @@ fn place(window: &mut Offscreen, moves: &dyn Fn(&mut Offscreen, &str, &dyn Fn(u1
         .expect("the matrix");
     let letter = field.rect.left_center() - vec2(6.0, 0.0);
     window.send([Event::PointerMoved(letter), button(letter, true)]);
-    moves(window, "matrix", &|i| letter + vec2(f32::from(i + 4), 0.0));
+    moves(window, "matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
     window.send([button(letter, false)]);
 }
 

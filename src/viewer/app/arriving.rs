@@ -84,7 +84,7 @@ impl App {
         match what {
             Arrival::Stage(stage) => self.act(Action::Stage(stage)),
             Arrival::Loaded(loaded, paths, purpose) => {
-                match self.show_scene(loaded, paths, purpose) {
+                match self.show_scene(*loaded, paths, purpose) {
                     Ok(()) => self.build_trees(),
                     Err(text) => self.complain(text),
                 }

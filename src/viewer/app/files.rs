@@ -54,7 +54,7 @@ impl App {
         match result {
             Ok(loaded) => {
                 let scene = loaded.scene.clone();
-                self.arrive(&scene, Arrival::Loaded(loaded, paths, purpose));
+                self.arrive(&scene, Arrival::Loaded(Box::new(loaded), paths, purpose));
             }
             Err(error) => self.complain(error.to_string()),
         }

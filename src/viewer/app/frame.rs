@@ -9,7 +9,7 @@ use crate::{
     render::GpuError,
     viewer::{
         model::{Action, Cursor, Overlay},
-        screen::{Canvas, Laid, SceneRect, Screen, write_screenshot},
+        screen::{Canvas, Laid, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
 };
@@ -138,7 +138,7 @@ impl App {
 
     /// Draws a pass, on another device where the one before is lost, and does what waited for it.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
-        self.behind = false;
+        self.picture = Progress::default();
         if screen.restore()? {
             self.textures.renew();
         }
@@ -159,7 +159,7 @@ impl App {
         match &drawn {
             Ok(progress) => {
                 self.state.accepted();
-                self.behind = progress.behind;
+                self.picture = *progress;
                 if progress.anew {
                     self.announce();
                 }
@@ -173,11 +173,11 @@ impl App {
         }
         if let Some(canvas) = screen.canvas() {
             self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
-            let seen = canvas.on_screen().filter(|_| self.behind);
+            let seen = canvas.on_screen().filter(|_| self.picture.behind);
             self.state.see(seen);
             self.follow_up(canvas, laid);
         }
-        if self.behind {
+        if self.picture.behind {
             self.context.request_repaint();
         }
         drawn.map(|progress| progress.anew)

@@ -9,7 +9,7 @@ use crate::{
         jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
         model::{Action, Snapshot, Stage, State},
         options::Options,
-        screen::Textures,
+        screen::{Progress, Textures},
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
     },
 };
@@ -28,7 +28,7 @@ pub(super) enum Purpose {
 
 /// What is shown once it is in graphics memory.
 pub(super) enum Arrival {
-    Loaded(Loaded, Vec<PathBuf>, Purpose),
+    Loaded(Box<Loaded>, Vec<PathBuf>, Purpose),
     Stage(Stage),
 }
 
@@ -98,8 +98,8 @@ pub(in crate::viewer) struct App {
     pub copied: Option<String>,
     /// A click, and through which view, that waits for trees.
     pub(super) waiting: Option<(Action, View)>,
-    /// The picture on screen is not yet the one that is wanted.
-    pub behind: bool,
+    /// How far the scene's picture has come.
+    pub picture: Progress,
     /// The user is done.
     pub quit: bool,
 }
@@ -139,7 +139,7 @@ impl App {
             max_texture_side: None,
             copied: None,
             waiting: None,
-            behind: false,
+            picture: Progress::default(),
             quit: false,
             context: ui::context(),
             textures: Textures::default(),

@@ -152,7 +152,7 @@ impl Offscreen {
     /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.at_rest && !self.app.behind
+        self.at_rest && !self.app.picture.behind
     }
 
     /// What was put on the clipboard last.
@@ -218,7 +218,7 @@ impl Offscreen {
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
         self.draw()?;
-        while self.app.behind {
+        while self.app.picture.behind {
             self.draw()?;
         }
         Ok(())
