@@ -98,7 +98,8 @@ fn objects_that_move_are_drawn_where_they_are() {
     let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     let up = DAffine3::from_translation(DVec3::new(0.1, 0.3, 0.0));
     for by in [up, mirror] {
-        for object in [0, 1, 6, 9, 10] {
+        // Without a mirror no more than single rows: none of these is one of several parts.
+        for object in [0, 1, 6, 9] {
             let model = by * scene.objects()[object].placement.model();
             scene.place(object, Placement::new(model).expect("invertible"));
         }
