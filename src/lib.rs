@@ -10,9 +10,10 @@
 //! a save:   State -> Snapshot -> scene::save -> scene file, meshes beside it
 //! a click:  event -> viewer::ui -> Action -> viewer::model::State -> pick::pick_all -> Pick -> panel, JSON
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
-//! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> LocalRay -> shape or Mesh (Bvh)
+//! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> PlacedRay, LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
+//!           Scene, View, pixel -> pick::all -> verify::Places -> pick::InOnePlace -> panel, JSON; a check's tint
 //! ```
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
@@ -36,6 +37,7 @@
 //!
 //! # Words
 //!
+//! * **in one place**: of surfaces, closer together at a position than drawing can tell ([`verify::Places`]).
 //! * **placement**: an object's model matrix and its inverse.
 //! * **view**: camera, viewport and whether back faces show: all that decides, with the scene, what a pixel shows
 //!   ([`camera::View`]); *view space* is the camera's.

@@ -39,6 +39,30 @@ fn through_matrix(view: &View, point_world: DVec3) -> DVec3 {
 }
 
 #[test]
+fn a_segment_is_shown_from_the_near_plane_on() {
+    let seen = view(
+        [0.0; 3],
+        [0.0, 0.0, -1.0],
+        perspective(90.0, 1.0, 10.0),
+        [100, 100],
+    );
+    let px = |point: DVec3| seen.project(point).unwrap().px;
+    // From depth 5 to depth -1; two thirds of the way lie behind the near plane at depth 1.
+    let (shown, behind) = (dvec3(4.0, 2.0, -5.0), dvec3(0.0, -2.0, 1.0));
+    let cut = px(dvec3(4.0 / 3.0, -2.0 / 3.0, -1.0));
+    let [first, last] = seen.project_segment(shown, behind).unwrap();
+    assert_near(first.extend(0.0), px(shown).extend(0.0), 1e-9);
+    assert_near(last.extend(0.0), cut.extend(0.0), 1e-9);
+    let [first, last] = seen.project_segment(behind, shown).unwrap();
+    assert_near(first.extend(0.0), cut.extend(0.0), 1e-9);
+    assert_near(last.extend(0.0), px(shown).extend(0.0), 1e-9);
+    let beside = shown + DVec3::X;
+    let whole = seen.project_segment(shown, beside).unwrap();
+    assert_eq!(whole, [px(shown), px(beside)]);
+    assert!(seen.project_segment(behind, DVec3::ZERO).is_none());
+}
+
+#[test]
 fn worked_values_of_the_course() {
     let standard = |lens| with_depth(lens, DepthMapping::Standard);
     let square = [100, 100];

@@ -11,7 +11,7 @@ use common::{Random, mesh};
 use families::{Case, FAMILIES, Family};
 use glam::DVec3;
 use sightline::geometry::{
-    Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume, signed_volume,
+    LocalRay, Mesh, Ray, Sides, TriangleHit, VertexRay, guarded_volume, signed_volume,
 };
 use std::{sync::Arc, thread};
 
@@ -51,7 +51,8 @@ fn judge(case: &Case, count: &mut Count) {
         vertex_origin,
         triangles,
     } = case;
-    let seen = VertexRay::new(ray, *vertex_origin);
+    let local = LocalRay::from(ray);
+    let seen = VertexRay::new(&local, vertex_origin);
     let truth: Vec<_> = triangles
         .iter()
         .map(|&corners| oracle::hit(ray, *vertex_origin, corners))
@@ -195,7 +196,7 @@ fn the_tree_decides_as_brute_force_does() {
             let [brute, tree] = [(), ()].map(|()| mesh_of(&triangles, vertex_origin));
             tree.build_tree();
             for ray in rays {
-                let all = |mesh: &Mesh| mesh.all(ray, Sides::Both, |_| true);
+                let all = |mesh: &Mesh| mesh.all(&ray, Sides::Both, |_| true);
                 let expected = all(&brute);
                 assert_eq!(all(&tree), expected, "{}: {ray:?}", family.name);
                 let first = expected
@@ -214,7 +215,7 @@ fn the_tree_decides_as_brute_force_does() {
                     "{}: {ray:?}",
                     family.name
                 );
-                let doubt = |mesh: &Mesh| mesh.is_in_doubt(ray, |_| true);
+                let doubt = |mesh: &Mesh| mesh.is_in_doubt(&ray, |_| true);
                 assert_eq!(doubt(&tree), doubt(&brute), "{}: {ray:?}", family.name);
                 count += 1;
                 hits += u32::from(first.is_some());

@@ -185,7 +185,7 @@ fn rays(case: &Case) -> Vec<Ray> {
 
 /// What `f64` and exact arithmetic say of every triangle.
 fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
-    let local = VertexRay::new(ray, DVec3::ZERO);
+    let local = VertexRay::exact(*ray);
     let corners = (0..case.triangles.len()).map(|triangle| case.corners(triangle));
     corners
         .map(|corners| guarded_volume(&local, corners))
@@ -193,34 +193,23 @@ fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
 }
 
 /// The triangles that are hit, of those that a tree leaves over.
-fn all(
-    case: &Case,
-    tree: &Bvh,
-    simd: Simd,
-    ray: &Ray,
-    truth: &[Option<TriangleHit>],
-) -> Vec<usize> {
+fn all(case: &Case, tree: &Bvh, ray: &Ray, truth: &[Option<TriangleHit>]) -> Vec<usize> {
     let mut found = Vec::new();
-    tree.visit_by(
-        simd,
-        &ray.into(),
-        &DVec3::ZERO,
-        &mut |triangle: u32, corners| {
-            let triangle = triangle as usize;
-            assert_eq!(corners, case.corners(triangle));
-            found.extend(truth[triangle].is_some().then_some(triangle));
-            ray.t_max
-        },
-    );
+    tree.visit(&ray.into(), &DVec3::ZERO, &mut |triangle: u32, corners| {
+        let triangle = triangle as usize;
+        assert_eq!(corners, case.corners(triangle));
+        found.extend(truth[triangle].is_some().then_some(triangle));
+        ray.t_max
+    });
     found.sort_unstable();
     found
 }
 
 /// The nearest `t`, by a search that ends ever earlier.
-fn nearest(tree: &Bvh, simd: Simd, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
+fn nearest(tree: &Bvh, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
     let mut end = ray.t_max;
     let mut best: Option<f64> = None;
-    tree.visit_by(simd, &ray.into(), &DVec3::ZERO, &mut |triangle: u32, _| {
+    tree.visit(&ray.into(), &DVec3::ZERO, &mut |triangle: u32, _| {
         if let Some(hit) = truth[triangle as usize] {
             best = Some(best.map_or(hit.t, |best| best.min(hit.t)));
             end = end.min(hit.t + hit.t_error);
@@ -241,12 +230,13 @@ fn every_path_finds_what_brute_force_finds() {
     for case in cases() {
         let name = case.name;
         let stop = AtomicBool::new(false);
-        let tree = Bvh::build(&case.positions, &case.triangles, &stop).expect("a tree");
-        assert_eq!(
-            tree.validate(&case.positions, &case.triangles),
-            Ok(()),
-            "{name}"
-        );
+        let trees = paths.iter().map(|&simd| {
+            let tree = Bvh::build(&case.positions, &case.triangles, simd, &stop).expect("a tree");
+            let is_valid = tree.validate(&case.positions, &case.triangles);
+            assert_eq!(is_valid, Ok(()), "{name} {simd:?}");
+            (simd, tree)
+        });
+        let trees: Vec<_> = trees.collect();
         let (mut hits, mut misses) = (0, 0);
         for ray in rays(&case) {
             let truth = truth(&case, &ray);
@@ -256,11 +246,11 @@ fn every_path_finds_what_brute_force_finds() {
                 .flatten()
                 .map(|hit| hit.t)
                 .min_by(f64::total_cmp);
-            for &simd in &paths {
-                let found = all(&case, &tree, simd, &ray, &truth);
+            for (simd, tree) in &trees {
+                let found = all(&case, tree, &ray, &truth);
                 assert_eq!(found, expected, "{name} {simd:?} {ray:?}");
                 assert_eq!(
-                    nearest(&tree, simd, &ray, &truth),
+                    nearest(tree, &ray, &truth),
                     first,
                     "{name} {simd:?} {ray:?}"
                 );
@@ -281,15 +271,16 @@ fn what_no_tree_can_hold_has_none() {
     let stop = AtomicBool::new(false);
     let triangle = [[0, 1, 2]];
     let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0_f32]];
-    assert!(Bvh::build(&positions, &triangle, &stop).is_some());
-    assert!(Bvh::build(&positions, &[], &stop).is_none());
+    let simd = Simd::fastest();
+    assert!(Bvh::build(&positions, &triangle, simd, &stop).is_some());
+    assert!(Bvh::build(&positions, &[], simd, &stop).is_none());
     // Coordinates that differ by more orders of magnitude than floats have.
     let apart = [
         [f32::MIN_POSITIVE, 0.0, 0.0],
         [1e38, 0.0, 0.0],
         [0.0, 1e38, 0.0_f32],
     ];
-    assert!(Bvh::build(&apart, &triangle, &stop).is_none());
+    assert!(Bvh::build(&apart, &triangle, simd, &stop).is_none());
     // Nor one that nobody wants any more.
-    assert!(Bvh::build(&positions, &triangle, &AtomicBool::new(true)).is_none());
+    assert!(Bvh::build(&positions, &triangle, simd, &AtomicBool::new(true)).is_none());
 }

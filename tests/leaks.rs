@@ -231,7 +231,7 @@ fn rays_exactly_through_corners_and_edges_do_not_leave_either() {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let unguarded = solid.closest_by(ray, Sides::Both, signed_volume, |_| true);
+            let unguarded = solid.closest_by(&ray, Sides::Both, signed_volume, |_| true);
             leaks[0] += u32::from(hit(&solid, &ray).is_none());
             leaks[1] += u32::from(unguarded.is_none());
         }

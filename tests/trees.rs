@@ -64,14 +64,14 @@ fn the_tree_finds_what_brute_force_finds() {
                 (ray.t_min, ray.t_max) = (0.3 * scale, 1.5 * scale);
             }
             for sides in [Sides::Both, Sides::Front] {
-                let expected = brute.all(ray, sides, |_| true);
+                let expected = brute.all(&ray, sides, |_| true);
                 assert_eq!(
-                    with_tree.all(ray, sides, |_| true),
+                    with_tree.all(&ray, sides, |_| true),
                     expected,
                     "ray {i} of seed {seed}"
                 );
                 for mesh in [&brute, &with_tree] {
-                    let closest = mesh.closest(ray, sides, |_| true);
+                    let closest = mesh.closest(&ray, sides, |_| true);
                     assert_eq!(closest.as_ref(), expected.first(), "ray {i} of seed {seed}");
                 }
                 if expected.is_empty() {
@@ -296,7 +296,7 @@ fn triangles_without_area_are_never_hit() {
                 ray_to(target - step, target),
             ] {
                 assert_eq!(
-                    guarded_volume(&VertexRay::new(ray, DVec3::ZERO), corners),
+                    guarded_volume(&VertexRay::exact(ray), corners),
                     None,
                     "{ray:?} {corners:?}"
                 );
@@ -309,19 +309,13 @@ fn triangles_without_area_are_never_hit() {
             direction: dvec3(1.0, 0.5, 0.0),
             ..ray_to(a - DVec3::X, a)
         };
-        assert_eq!(
-            guarded_volume(&VertexRay::new(within, DVec3::ZERO), [a, b, c]),
-            None
-        );
+        assert_eq!(guarded_volume(&VertexRay::exact(within), [a, b, c]), None);
     }
     assert_eq!(tried, 20_000);
     for bad in [f64::NAN, f64::INFINITY] {
         let corners = [dvec3(bad, 0.0, 0.0), DVec3::Y, DVec3::X];
         assert_eq!(
-            guarded_volume(
-                &VertexRay::new(ray_to(DVec3::Z, DVec3::ZERO), DVec3::ZERO),
-                corners
-            ),
+            guarded_volume(&VertexRay::exact(ray_to(DVec3::Z, DVec3::ZERO)), corners),
             None
         );
     }

@@ -256,17 +256,21 @@ impl Camera {
         DVec2::new(self.half_height * viewport.aspect(), self.half_height)
     }
 
+    /// NDC x and y of what lies `aside` of the line of sight where w of clip space is `w`.
+    fn ndc_of(&self, viewport: Viewport, aside: DVec2, w: f64) -> DVec2 {
+        aside / (self.half_extent(viewport) * w)
+    }
+
     /// Where the picture shows a world point, clipped by nothing; `None` at or behind the eye in perspective,
     /// where no picture shows it.
     #[must_use]
     pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
         let view = self.to_view(point_world);
-        let half = self.half_extent(viewport);
         let w = self.lens.w(view.z);
         if !(w > 0.0) {
             return None;
         }
-        let ndc = DVec2::new(view.x / (half.x * w), view.y / (half.y * w));
+        let ndc = self.ndc_of(viewport, view.truncate(), w);
         Some(Projected {
             ndc: ndc.extend(self.lens.ndc_depth(view.z)),
             px: viewport.ndc_to_px(ndc),

@@ -1,7 +1,7 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Projected};
-use crate::geometry::{Aabb, Sides, WorldRay};
+use crate::geometry::{Aabb, Sides, WorldRay, clip};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -95,14 +95,9 @@ impl View {
     /// clipped by nothing else. `None` where there is no such part.
     #[must_use]
     pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
-        let near = self.camera.lens().near;
-        let [da, db] = [a, b].map(|p| self.camera.to_view(p).z - near);
-        let cut = || a.lerp(b, da / (da - db));
-        let [a, b] = match (da >= 0.0, db >= 0.0) {
-            (true, true) => [a, b],
-            (true, false) => [a, cut()],
-            (false, true) => [cut(), b],
-            (false, false) => return None,
+        let past_near = |p: &DVec3| self.camera.to_view(*p).z - self.camera.lens().near;
+        let [a, b, ..] = clip(&[a, b], past_near, |a, b, s| a.lerp(*b, s))[..] else {
+            return None;
         };
         Some([self.project(a)?.px, self.project(b)?.px])
     }
@@ -123,6 +118,20 @@ impl View {
         } else {
             t * (grid.forward + aside)
         }
+    }
+
+    /// Half of what the picture shows, to the right and upwards; see [`Lens::half_extent`](super::Lens::half_extent).
+    #[must_use]
+    pub fn half_extent(&self) -> DVec2 {
+        self.camera.half_extent(self.viewport)
+    }
+
+    /// The position in pixels of what lies `aside` of the line of sight, to the right and upwards, where w of clip space is
+    /// `w`; see [`Lens::w`](super::Lens::w).
+    #[must_use]
+    pub fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
+        let ndc = self.camera.ndc_of(self.viewport, aside, w);
+        self.viewport.ndc_to_px(ndc)
     }
 
     /// Where the picture shows a world point; see [`Camera::project`].
@@ -150,7 +159,7 @@ impl View {
     #[must_use]
     pub fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
-        let half = lens.half_extent(self.viewport.aspect());
+        let half = self.half_extent();
         let excess = bounds_world.corners().map(|corner| {
             let p = self.camera.to_view(corner);
             let w = lens.w(p.z);

@@ -56,7 +56,15 @@ of each of \"hits\":
                    hits is nearer, and exact arithmetic decided
   differs_px       pixels from the position to the nearest centre of a pixel,
                    its own too, that shows another object, another triangle or
-                   the background; null where there is none within 8";
+                   the background; null where there is none within 8
+
+Beside \"hit\" or \"hits\":
+  in_one_place     what drawing cannot tell from the nearest surface: it and all
+                   that lie behind it by less than drawing may be off in depth;
+                   count, and named: the first 8, each with object, id, triangle
+                   and front. null where the nearest lies by itself. Two faces
+                   that meet right there, in an edge of both, are no two, nor
+                   are the near and the far side of one cube or sphere";
 
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\

@@ -5,6 +5,7 @@ use crate::{
     camera::{View, Viewport},
     pick::{self, PickLine, PickLines},
     scene::Scene,
+    verify,
 };
 use glam::DVec2;
 use std::io::{BufRead, StdoutLock, Write};
@@ -105,12 +106,21 @@ struct Picker<'a> {
 
 impl Picker<'_> {
     fn pick(&mut self, px: DVec2) -> Result<(), CliError> {
+        let in_one_place = verify::in_one_place(self.scene, self.view, px);
         let line = if self.all_hits {
             let hits = pick::pick_all(self.scene, self.view, px);
-            serde_json::to_string(&PickLines { px, hits })
+            serde_json::to_string(&PickLines {
+                px,
+                hits,
+                in_one_place,
+            })
         } else {
             let hit = pick::pick(self.scene, self.view, px);
-            serde_json::to_string(&PickLine { px, hit })
+            serde_json::to_string(&PickLine {
+                px,
+                hit,
+                in_one_place,
+            })
         };
         line.map_err(std::io::Error::from)
             .and_then(|line| writeln!(self.out, "{line}"))

@@ -9,8 +9,8 @@ use crate::{
     scene::Scene,
     study::methods::usual,
     verify::{
-        self, COLOURS, Class, DEPTH_CEILING_STEPS, Disagreement, OUTLINE_CEILING_PX, Report,
-        Verdict,
+        self, COLOURS, Class, DEPTH_CEILING_STEPS, Disagreement, IN_ONE_PLACE, OUTLINE_CEILING_PX,
+        Places, Report, Verdict,
     },
 };
 use serde::Serialize;
@@ -22,7 +22,7 @@ pub struct VerifyArgs {
     /// What to look at.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// Write the picture in grey, each pixel that differs in its class's colour with a dark rim about it
+    /// Write the picture in grey, each pixel that differs in its class's colour with a dark rim about it, and each whose surfaces lie in one place tinted
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub image: Option<PathBuf>,
     /// One line of JSON in place of the table
@@ -60,12 +60,14 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let picked = picked(args.picker, scene, &view);
     let picked_s = start.elapsed().as_secs_f64();
     let report = verify::compare(scene, &view, &drawn, &picked);
+    let in_one_place = Places::new(scene, &view).pixels(|| false);
     if let Some(path) = &args.image {
-        verify::paint(&colours, &report.disagreements).write_png(path)?;
+        verify::paint(&colours, &in_one_place, &report.disagreements).write_png(path)?;
     }
     let outcome = Outcome {
         scene,
         report: &report,
+        in_one_place: in_one_place.len(),
         size: [view.viewport.width(), view.viewport.height()],
         adapter: gpu.adapter_name(),
         seconds: [drawn_s, picked_s],
@@ -98,6 +100,8 @@ fn picked(picker: Picker, scene: &Scene, view: &View) -> Image<Id> {
 struct Outcome<'a> {
     scene: &'a Scene,
     report: &'a Report,
+    /// Pixels whose surfaces lie in one place.
+    in_one_place: usize,
     size: [u32; 2],
     adapter: &'a str,
     /// Spent drawing and picking.
@@ -119,6 +123,7 @@ struct Line<'a> {
     f32_limit: usize,
     beyond_f32: usize,
     unexplained: usize,
+    in_one_place: usize,
     share_of_outline: f64,
     worst: Option<Worst<'a>>,
     adapter: &'a str,
@@ -193,6 +198,7 @@ impl<'a> Outcome<'a> {
             f32_limit: report.count(Class::F32Limit),
             beyond_f32: report.count(Class::BeyondF32),
             unexplained: report.count(Class::Unexplained),
+            in_one_place: self.in_one_place,
             share_of_outline: report.share_of_outline(),
             worst: report.worst().map(|at| self.worst(at)),
             adapter: self.adapter,
@@ -216,8 +222,15 @@ impl<'a> Outcome<'a> {
             let _ = writeln!(
                 text,
                 "{}",
-                format!("{name:<12}{count:>9}  {what}").trim_end()
+                format!("{name:<13}{count:>9}  {what}").trim_end()
             );
+        };
+        let painted = |colour: &str| {
+            if with_image {
+                format!(" ({colour})")
+            } else {
+                String::new()
+            }
         };
         row("same", report.same(), "");
         for (class, _, colour) in COLOURS {
@@ -234,17 +247,19 @@ impl<'a> Outcome<'a> {
                 }
                 Class::Unexplained => "defects".to_owned(),
             };
-            let painted = if with_image {
-                format!(" ({colour})")
-            } else {
-                String::new()
-            };
             row(
                 class.name(),
                 report.count(class),
-                &format!("{what}{painted}"),
+                &format!("{what}{}", painted(colour)),
             );
         }
+        let what = "of all these: surfaces closer together than drawing can tell";
+        let painted = painted(IN_ONE_PLACE.1);
+        row(
+            "in one place",
+            self.in_one_place,
+            &format!("{what}{painted}"),
+        );
         let _ = writeln!(
             text,
             "{} of {} outline pixels differ ({:.2} %), {} elsewhere",

@@ -50,7 +50,7 @@ impl Cuboid {
     #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
-        filter(&ray).unwrap_or_else(|InDoubt| exact::cube(&ray.exactly(), &ray.ray))
+        filter(&ray).unwrap_or_else(|InDoubt| exact::cube(&ray.exactly(), ray.ray))
     }
 
     /// Whether `f64` leaves [`Cuboid::hits`] to exact arithmetic.
@@ -65,7 +65,7 @@ impl Cuboid {
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let Ray {
         origin, direction, ..
-    } = ray.ray;
+    } = *ray.ray;
     let mut enter: [Option<Approximate>; 3] = [None; 3];
     let mut leave: [Option<Approximate>; 3] = [None; 3];
     let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -112,8 +112,8 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     }
     let outward = |axis: usize| DVec3::AXES[axis] * direction[axis].signum();
     Ok([
-        entry.1.hit(&ray.ray, -outward(entry.0), true)?,
-        exit.1.hit(&ray.ray, outward(exit.0), false)?,
+        entry.1.hit(ray.ray, -outward(entry.0), true)?,
+        exit.1.hit(ray.ray, outward(exit.0), false)?,
     ])
 }
 

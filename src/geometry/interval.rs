@@ -1,10 +1,10 @@
 //! Numbers with a bound on their error, and what they decide.
 
-use super::{Hit, Ray, U};
+use super::{Hit, Ray, U, binary::power_of_two};
 use glam::DVec3;
 
 /// A parameter that is less certain than this, relatively, is worth exact arithmetic.
-pub(crate) const HALF_OF_THE_DIGITS: f64 = f64::from_bits((1023 - 26) << 52);
+pub(crate) const HALF_OF_THE_DIGITS: f64 = power_of_two(-26);
 
 /// A computed number and an upper bound on how far it is from the exact one.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ impl Approximate {
     /// is slack for underflow.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
-        const SMALL: f64 = f64::from_bits((1023 - 20) << 52);
+        const SMALL: f64 = power_of_two(-20);
         let size = denominator.value.abs();
         // A subnormal denominator has fewer digits than the bounds reckon with.
         if !(denominator.error <= SMALL * size && size >= f64::MIN_POSITIVE) {
@@ -122,8 +122,9 @@ mod tests {
                 Ok(Placement::IDENTITY)
             };
             let placement = placement.expect("invertible");
-            let local: LocalRay = placement.local_ray(&world);
-            let (exactly, ray) = (local.exactly(), &local.ray);
+            let placed = placement.local_ray(&world);
+            let local = LocalRay::from(&placed);
+            let (exactly, ray) = (local.exactly(), local.ray);
             let (in_doubt, found, truth) = match shape {
                 0 => (
                     Sphere::is_in_doubt(&local),

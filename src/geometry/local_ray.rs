@@ -3,22 +3,36 @@
 use super::{Placement, Ray, RayError, WorldRay, ray::Line};
 use glam::DVec3;
 
-/// An object-space ray: rounded numbers, bounds on how far they are off, and the world-space ray and placement that it is
-/// exactly made of. Its `t` is the world ray's.
+/// A world-space ray in the object space of a placement: its numbers there, rounded, and bounds on how far they are off.
+#[derive(Clone, Copy, Debug)]
+pub struct PlacedRay<'a> {
+    ray: Ray,
+    error: RayError,
+    /// The largest component of each error.
+    errors: [f64; 2],
+    world: &'a WorldRay,
+    placement: &'a Placement,
+}
+
+/// An object-space ray as shapes take it: a [`PlacedRay`], whose exact numbers it can ask for, or a [`Ray`], which is exact
+/// as it stands. Its `t` is the world ray's.
 ///
-/// A [`Ray`] that is turned into one is exact as it stands.
+/// It refers to their numbers: copies that are read at once would cost a walk through a tree a quarter.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalRay<'a> {
     /// Rounded.
-    pub ray: Ray,
+    pub ray: &'a Ray,
     /// How far from the exact one.
-    pub error: RayError,
+    pub error: &'a RayError,
     /// Surfaces that are met beyond this are of no interest, wherever the interval ends: something nearer was found.
     pub limit: f64,
-    exact: Option<(&'a WorldRay, &'a Placement)>,
+    /// The largest component of each error: of the origin, and of the direction.
+    pub(super) errors: [f64; 2],
+    /// The world-space ray and the placement that it is made of; `None` of one that is exact as it stands.
+    source: Option<(&'a WorldRay, &'a Placement)>,
 }
 
-/// What a local ray is exactly.
+/// What an object-space ray is exactly.
 #[derive(Clone, Copy)]
 pub(super) struct Exactly<'a> {
     /// In the world of the placement.
@@ -27,72 +41,96 @@ pub(super) struct Exactly<'a> {
     pub placement: Option<&'a Placement>,
 }
 
-impl<'a> LocalRay<'a> {
+impl<'a> PlacedRay<'a> {
     /// `world` in the object space of `placement`, where it is `ray`, off by `error` at most.
+    #[inline]
     pub(super) fn new(
         ray: Ray,
         error: RayError,
         world: &'a WorldRay,
         placement: &'a Placement,
     ) -> Self {
+        let errors = [error.origin, error.direction].map(DVec3::max_element);
         Self {
             ray,
             error,
-            limit: ray.t_max,
-            exact: Some((world, placement)),
+            errors,
+            world,
+            placement,
         }
     }
 
-    /// The same, when what lies beyond `limit` is of no interest.
+    /// It, when what lies beyond `limit` is of no interest.
+    #[inline]
     #[must_use]
-    pub fn until(self, limit: f64) -> Self {
-        Self {
-            limit: self.limit.min(limit),
-            ..self
+    pub fn until(&self, limit: f64) -> LocalRay<'_> {
+        LocalRay {
+            ray: &self.ray,
+            error: &self.error,
+            limit: limit.min(self.ray.t_max),
+            errors: self.errors,
+            source: Some((self.world, self.placement)),
         }
+    }
+}
+
+impl Exactly<'_> {
+    /// A ray that is exact as it stands.
+    pub fn given(ray: &Ray) -> Self {
+        let &Ray {
+            origin, direction, ..
+        } = ray;
+        Self {
+            line: Line::Given { origin, direction },
+            placement: None,
+        }
+    }
+}
+
+impl<'a> LocalRay<'a> {
+    /// Whether its numbers are exact as they stand.
+    #[inline]
+    pub(super) fn is_exact(&self) -> bool {
+        self.source.is_none()
     }
 
     pub(super) fn exactly(&self) -> Exactly<'a> {
-        match self.exact {
+        match self.source {
             Some((world, placement)) => Exactly {
                 line: *world.line(),
                 placement: Some(placement),
             },
-            None => Exactly {
-                line: Line::Given {
-                    origin: self.ray.origin,
-                    direction: self.ray.direction,
-                },
-                placement: None,
-            },
+            None => Exactly::given(self.ray),
         }
-    }
-
-    /// The largest bound on a component of the origin, and of the direction.
-    #[inline]
-    pub(super) fn errors(&self) -> [f64; 2] {
-        [self.error.origin, self.error.direction].map(DVec3::max_element)
     }
 }
 
-impl From<Ray> for LocalRay<'static> {
-    fn from(ray: Ray) -> Self {
+impl<'a> From<&'a Ray> for LocalRay<'a> {
+    #[inline]
+    fn from(ray: &'a Ray) -> Self {
+        const NONE: &RayError = &RayError {
+            origin: DVec3::ZERO,
+            direction: DVec3::ZERO,
+        };
         Self {
             ray,
-            error: RayError::default(),
+            error: NONE,
             limit: ray.t_max,
-            exact: None,
+            errors: [0.0; 2],
+            source: None,
         }
     }
 }
 
-impl From<&Ray> for LocalRay<'static> {
-    fn from(ray: &Ray) -> Self {
-        (*ray).into()
+impl<'a> From<&'a PlacedRay<'_>> for LocalRay<'a> {
+    #[inline]
+    fn from(ray: &'a PlacedRay) -> Self {
+        ray.until(ray.ray.t_max)
     }
 }
 
 impl<'a> From<&LocalRay<'a>> for LocalRay<'a> {
+    #[inline]
     fn from(ray: &LocalRay<'a>) -> Self {
         *ray
     }

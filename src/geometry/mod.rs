@@ -7,16 +7,19 @@
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
 //! * A hit counts when `t_min <= t < t_max`; nothing else clips.
 //! * **The exact ray** of a decision is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`]
-//!   holds the numbers that a pixel's ray is made of ([`PixelGrid`]), a [`LocalRay`] also the model matrix that it went
+//!   holds the numbers that a pixel's ray is made of ([`PixelGrid`]), a [`PlacedRay`] also the model matrix that it went
 //!   through; both carry bounds on how far their rounded numbers are off. Shapes decide as exact arithmetic would for the
 //!   exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the contract).
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
 
+pub(crate) mod binary;
 mod bounds;
 mod bvh;
+mod clip;
 mod cuboid;
+pub(crate) mod double_double;
 mod exact;
 mod interval;
 mod local_ray;
@@ -36,17 +39,19 @@ mod vertex_ray;
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
 pub use bvh::{Bvh, Simd, Visit};
+pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
     Corners, Root, Surface, are_coplanar, compare_surfaces, parameter, point_object, weights,
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;
-pub use local_ray::LocalRay;
+pub use local_ray::{LocalRay, PlacedRay};
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
+pub(crate) use ray::RayDifferential;
 pub use ray::{PixelGrid, Ray, RayError, WorldRay};
 pub use sphere::Sphere;
 pub use square::Square;

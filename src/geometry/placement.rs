@@ -1,6 +1,6 @@
 //! Model matrices: where a shape stands in the world.
 
-use super::{LocalRay, Ray, RayError, U, WorldRay, exact};
+use super::{PlacedRay, Ray, RayError, U, WorldRay, exact};
 use glam::{DAffine3, DMat3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -120,10 +120,10 @@ impl Placement {
     /// vector itself may be off, times the row's sum.
     #[inline]
     #[must_use]
-    pub fn local_ray<'a>(&'a self, world: &'a WorldRay) -> LocalRay<'a> {
+    pub fn local_ray<'a>(&'a self, world: &'a WorldRay) -> PlacedRay<'a> {
         let error = world.error();
         if self.is_identity {
-            return LocalRay::new(**world, error, world, self);
+            return PlacedRay::new(**world, error, world, self);
         }
         let from_translation = world.origin - self.model.translation;
         let ray = Ray {
@@ -141,7 +141,7 @@ impl Placement {
             origin: of(from_translation, error.origin),
             direction: of(world.direction, error.direction),
         };
-        LocalRay::new(ray, error, world, self)
+        PlacedRay::new(ray, error, world, self)
     }
 
     /// A world-space ray in object space, rounded, with the same `t`.
@@ -278,7 +278,8 @@ mod tests {
                 px
             };
             let world = camera.ray(px, [0.0, 1.0]);
-            let local = placement.local_ray(&world);
+            let placed = placement.local_ray(&world);
+            let local = crate::geometry::LocalRay::from(&placed);
             let errors = exact::errors(&local);
             let bounds = [local.error.origin, local.error.direction];
             for (of, (error, bound)) in errors.into_iter().zip(bounds).enumerate() {

@@ -23,8 +23,8 @@ impl Pyramid {
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];
         for (i, plane) in planes.iter_mut().enumerate() {
             let [here, next, before] = [0, 1, 3].map(|by| corners[(i + by) % 4].ray);
-            let [p, f] = corners[i].errors();
-            let [next_p, next_f] = corners[(i + 1) % 4].errors();
+            let [p, f] = corners[i].errors;
+            let [next_p, next_f] = corners[(i + 1) % 4].errors;
             let (o, d) = (here.origin, here.direction);
             let (o_max, d_max) = (o.abs().max_element(), d.abs().max_element());
             let is_pyramid = o == next.origin;

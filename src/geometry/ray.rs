@@ -1,6 +1,10 @@
 //! Rays: the numbers of one, and what a pixel's ray is made of.
 
-use super::U;
+use super::{
+    U,
+    binary::power_of_two,
+    double_double::{Number, Vector},
+};
 use glam::{DVec2, DVec3};
 use std::ops::Deref;
 
@@ -59,6 +63,32 @@ pub struct PixelGrid {
     pub size_px: [u32; 2],
     /// Whether all rays run along F.
     pub is_orthographic: bool,
+}
+
+/// A pixel's ray, `origin + t direction`, and how it changes over the picture (Igehy, "Tracing Ray Differentials", SIGGRAPH
+/// 1999): by what the direction moves in perspective, the origin in orthographic projection.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RayDifferential<N> {
+    pub origin: Vector<N>,
+    pub direction: Vector<N>,
+    /// For one pixel to the right.
+    pub right: Vector<N>,
+    /// For one pixel down.
+    pub down: Vector<N>,
+}
+
+impl<N> RayDifferential<N> {
+    /// The same in another space with the same origin.
+    pub fn map(self, linear: impl Fn(Vector<N>) -> Vector<N>) -> Self {
+        let [origin, direction, right, down] =
+            [self.origin, self.direction, self.right, self.down].map(linear);
+        Self {
+            origin,
+            direction,
+            right,
+            down,
+        }
+    }
 }
 
 /// What a ray is exactly.
@@ -127,7 +157,7 @@ impl From<&Self> for WorldRay {
 }
 
 /// Factors between this and its reciprocal make no product that underflows or overflows.
-const MODERATE: f64 = f64::from_bits((1023 + 300) << 52);
+const MODERATE: f64 = power_of_two(300);
 
 /// Whether a factor is 0 or so moderate that bounds relative to products of three of them hold. False for NaN.
 fn is_moderate(factor: f64) -> bool {
@@ -135,28 +165,60 @@ fn is_moderate(factor: f64) -> bool {
 }
 
 impl PixelGrid {
+    /// The same picture in view space: seen from the origin along z, with x to the right and y upwards.
+    #[must_use]
+    pub fn in_view_space(&self) -> Self {
+        Self {
+            eye: DVec3::ZERO,
+            right: DVec3::X,
+            up: DVec3::Y,
+            forward: DVec3::Z,
+            ..*self
+        }
+    }
+
     /// `a` of [`PixelGrid::ray`]: from the middle of the picture to a position, at view depth 1 in perspective.
     #[must_use]
     pub fn aside(&self, px: DVec2) -> DVec3 {
-        let [right, up] = self.factors(px);
+        let [right, up] = self.factors::<f64>(px);
         right * self.right + up * self.up
     }
 
     /// h / H: a factor of R or U for half a pixel.
     #[inline]
-    fn per_half_px(&self) -> f64 {
-        self.half_height / f64::from(self.size_px[1])
+    fn per_half_px<N: Number>(&self) -> N {
+        N::from(self.half_height) / N::from(self.size_px[1].into())
     }
 
     /// Of R and of U.
     #[inline]
-    fn factors(&self, px: DVec2) -> [f64; 2] {
-        let [width, height] = self.size_px.map(f64::from);
-        let per_half_px = self.per_half_px();
-        [
-            per_half_px * (2.0 * px.x - width),
-            per_half_px * (height - 2.0 * px.y),
-        ]
+    fn factors<N: Number>(&self, px: DVec2) -> [N; 2] {
+        let [width, height] = self.size_px.map(|size| N::from(size.into()));
+        let [x, y] = [px.x, px.y].map(|at| N::from(2.0 * at));
+        let per_half_px = self.per_half_px::<N>();
+        [per_half_px * (x - width), per_half_px * (height - y)]
+    }
+
+    /// [`PixelGrid::ray`], its origin seen from `origin`, without bounds, in `f64` or where that is too coarse in pairs of
+    /// them; with what changes from pixel to pixel.
+    pub(crate) fn differential<N: Number>(&self, px: DVec2, origin: DVec3) -> RayDifferential<N> {
+        let [right, up] = [self.right, self.up].map(Vector::<N>::from);
+        let [of_right, of_up] = self.factors::<N>(px);
+        let aside = right * of_right + up * of_up;
+        let eye = Vector::from(self.eye) - origin.into();
+        let forward = Vector::from(self.forward);
+        let (origin, direction) = if self.is_orthographic {
+            (eye + aside, forward)
+        } else {
+            (eye, forward + aside)
+        };
+        let per_px = N::from(2.0) * self.per_half_px::<N>();
+        RayDifferential {
+            origin,
+            direction,
+            right: right * per_px,
+            down: up * -per_px,
+        }
     }
 
     /// The ray through a position in pixels, with the interval of view depth that counts. The direction is not normalised,
@@ -171,7 +233,7 @@ impl PixelGrid {
     #[inline]
     #[must_use]
     pub fn ray(&self, px: DVec2, [near, far]: [f64; 2]) -> WorldRay {
-        let [right, up] = self.factors(px);
+        let [right, up] = self.factors::<f64>(px);
         let (a, b) = (right * self.right, up * self.up);
         let aside = a + b;
         let base = if self.is_orthographic {
@@ -183,7 +245,7 @@ impl PixelGrid {
         let size = a.abs() + b.abs();
         let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
         // A factor that underflowed would look like none.
-        let per_half_px = self.per_half_px();
+        let per_half_px = self.per_half_px::<f64>();
         let is_bounded = is_moderate(per_half_px)
             && per_half_px != 0.0
             && is_moderate(right)

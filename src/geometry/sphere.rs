@@ -1,7 +1,9 @@
 //! The sphere of radius 0.5 about the origin.
 
 use super::{
-    Aabb, Hit, LocalRay, Ray, U, exact,
+    Aabb, Hit, LocalRay, Ray, U,
+    binary::power_of_two,
+    exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -30,7 +32,7 @@ impl Sphere {
     #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
-        filter(&ray).unwrap_or_else(|InDoubt| exact::sphere(&ray.exactly(), &ray.ray))
+        filter(&ray).unwrap_or_else(|InDoubt| exact::sphere(&ray.exactly(), ray.ray))
     }
 
     /// Whether `f64` leaves [`Sphere::hits`] to exact arithmetic.
@@ -53,13 +55,13 @@ impl Sphere {
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     /// Squares of a direction above this are not short of digits.
-    const LEAST: f64 = f64::from_bits((1023 - 500) << 52);
+    const LEAST: f64 = power_of_two(-500);
     let Ray {
         origin: o,
         direction: d,
         ..
-    } = ray.ray;
-    let [p, f] = ray.errors();
+    } = *ray.ray;
+    let [p, f] = ray.errors;
     let (o_abs, d_abs) = (o.abs(), d.abs());
     let (o_max, d_max) = (o_abs.max_element(), d_abs.max_element());
     let moment = o.cross(d);
@@ -101,7 +103,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     };
     let (near, far) = (at(middle - root)?, at(middle + root)?);
     Ok([
-        near.hit(&ray.ray, ray.ray.at(near.value), true)?,
-        far.hit(&ray.ray, ray.ray.at(far.value), false)?,
+        near.hit(ray.ray, ray.ray.at(near.value), true)?,
+        far.hit(ray.ray, ray.ray.at(far.value), false)?,
     ])
 }

@@ -38,7 +38,7 @@ impl Square {
     #[must_use]
     pub fn hit<'a>(ray: impl Into<LocalRay<'a>>) -> Option<Hit> {
         let ray = ray.into();
-        filter(&ray).unwrap_or_else(|InDoubt| exact::square(&ray.exactly(), &ray.ray))
+        filter(&ray).unwrap_or_else(|InDoubt| exact::square(&ray.exactly(), ray.ray))
     }
 
     /// Whether `f64` leaves [`Square::hit`] to exact arithmetic.
@@ -57,7 +57,7 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         origin: o,
         direction: d,
         ..
-    } = ray.ray;
+    } = *ray.ray;
     let (p, f) = (ray.error.origin, ray.error.direction);
     if d.z == 0.0 && f.z == 0.0 {
         return Ok(None);
@@ -88,5 +88,5 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         value: d.z,
         error: f.z,
     })?;
-    at.hit(&ray.ray, DVec3::Z, d.z < 0.0)
+    at.hit(ray.ray, DVec3::Z, d.z < 0.0)
 }

@@ -9,7 +9,9 @@
 )]
 
 use super::{
-    Corners, Hit, OnTriangle, Ray, U, VertexRay, exact,
+    Corners, Hit, OnTriangle, Ray, U, VertexRay,
+    binary::power_of_two,
+    exact,
     interval::{HALF_OF_THE_DIGITS, InDoubt},
 };
 use glam::DVec3;
@@ -17,7 +19,7 @@ use std::cmp::Ordering;
 
 /// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of triangles that
 /// `f32` can hold, and a direction of `2^-200`, make more.
-const LOST: f64 = f64::from_bits((1023 - 600) << 52);
+const LOST: f64 = power_of_two(-600);
 
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +77,7 @@ pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Tri
 }
 
 /// Weights that are less certain than this are worth exact arithmetic.
-const WORST_WEIGHT: f64 = f64::from_bits((1023 - 14) << 52);
+const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`guarded_volume`], all of it by exact arithmetic.
 #[cold]
@@ -117,6 +119,40 @@ fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     s * (per_length * (m + o) + 2.0 * ray.taxicab * o) + LOST
 }
 
+/// Times the largest corner it is more than any edge.
+const EDGE_OVER_CORNER: f64 = 2.01;
+
+/// Which side of a triangle its volumes say that the ray meets; `None` where it passes by.
+///
+/// Mostly a bound suffices that takes no look at the edges.
+#[inline(always)]
+fn side(
+    ray: &VertexRay,
+    m: f64,
+    edges: [DVec3; 3],
+    volumes: [f64; 3],
+) -> Result<Option<bool>, InDoubt> {
+    by_sign(volumes, volume_bound(ray, m, EDGE_OVER_CORNER * m))
+        .or_else(|InDoubt| by_sign(volumes, volume_bound(ray, m, largest(edges))))
+}
+
+/// What volumes say that err by no more than `bound`. Weights that are none too certain are in doubt as well. Written so
+/// that NaN is.
+#[inline(always)]
+fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
+    let (least, greatest) = (least(volumes), greatest(volumes));
+    if least < -bound && greatest > bound {
+        return Ok(None);
+    }
+    let is_sure = bound <= WORST_WEIGHT * sum(volumes).abs();
+    let front = greatest < -bound;
+    if is_sure && (front || least > bound) {
+        Ok(Some(front))
+    } else {
+        Err(InDoubt)
+    }
+}
+
 /// Whether the ray misses for certain, as it does most triangles, by far.
 ///
 /// The tail is reckoned as an error: with `m` larger by the length whose rounding it is, a corner is within `U m`.
@@ -124,10 +160,9 @@ fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
 fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let edges = edges(corners);
-    let bound = volume_bound(ray, largest(seen) + ray.tail_as_length, largest(edges));
+    let m = largest(seen) + ray.tail_as_length;
     let volumes = volumes(ray.ray.direction, seen, edges);
-    // Written so that NaN is in doubt.
-    least(volumes) < -bound && greatest(volumes) > bound
+    matches!(side(ray, m, edges, volumes), Ok(None))
 }
 
 /// For triangles that may be hit: the tail is taken off the corners, which are then within `2 U`.
@@ -135,20 +170,12 @@ fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
 fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let edges = edges(corners);
-    let bound = volume_bound(ray, largest(seen), largest(edges));
     let volumes = volumes(ray.ray.direction, seen, edges);
-    let (least, greatest) = (least(volumes), greatest(volumes));
-    if least < -bound && greatest > bound {
+    let Some(front) = side(ray, largest(seen), edges, volumes)? else {
         return Ok(None);
-    }
-    let front = greatest < -bound;
-    if !(front || least > bound) {
-        return Err(InDoubt);
-    }
+    };
     let (t, t_error) = parameter(ray, edges, seen[0]);
-    let [u, v, w] = volumes;
-    let sum = u + v + w;
-    if !(t_error <= HALF_OF_THE_DIGITS * t.abs() && bound <= WORST_WEIGHT * sum.abs()) {
+    if !(t_error <= HALF_OF_THE_DIGITS * t.abs()) {
         return Err(InDoubt);
     }
     let Ray { t_min, t_max, .. } = ray.ray;
@@ -156,6 +183,7 @@ fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
     if high < t_min || low >= t_max {
         Ok(None)
     } else if low >= t_min && high < t_max {
+        let sum = sum(volumes);
         Ok(Some(TriangleHit {
             t,
             t_error,
@@ -243,7 +271,7 @@ pub fn signed_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit
     if !(volumes.iter().all(|v| *v >= 0.0) || volumes.iter().all(|v| *v <= 0.0)) {
         return None;
     }
-    let sum: f64 = volumes.iter().sum();
+    let sum = sum(volumes);
     if sum == 0.0 {
         return None;
     }
@@ -276,6 +304,11 @@ fn largest<const N: usize>(vectors: [DVec3; N]) -> f64 {
         greatest([v.x, v.y, v.z])
     });
     sizes.into_iter().fold(0.0, max)
+}
+
+#[inline]
+fn sum([a, b, c]: [f64; 3]) -> f64 {
+    a + b + c
 }
 
 #[inline]

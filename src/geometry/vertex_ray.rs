@@ -1,10 +1,10 @@
 //! A ray as the triangles of a mesh see it.
 
-use super::{LocalRay, Ray, U, local_ray::Exactly};
+use super::{LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
 use glam::DVec3;
 
 /// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
-const LARGE: f64 = f64::from_bits((1023 + 200) << 52);
+const LARGE: f64 = power_of_two(200);
 
 /// A ray in the space of a mesh's vertices that lost no digit on the way from object space.
 ///
@@ -23,43 +23,58 @@ pub struct VertexRay<'a> {
     pub(super) taxicab: f64,
     /// How far a component of origin and tail, and of the direction, may be from the exact ray's.
     pub(super) errors: [f64; 2],
-    local: LocalRay<'a>,
-    vertex_origin: DVec3,
+    /// In object space, and the vertices' (0, 0, 0) there; `None` where that is object space's own, and the ray is exact.
+    object: Option<(&'a LocalRay<'a>, &'a DVec3)>,
 }
 
 impl<'a> VertexRay<'a> {
     /// A ray of object space, as vertices about `vertex_origin` see it.
     #[inline]
     #[must_use]
-    pub fn new(ray: impl Into<LocalRay<'a>>, vertex_origin: DVec3) -> Self {
-        let local = ray.into();
-        let ray = &local.ray;
-        let origin = ray.origin - vertex_origin;
+    pub fn new(ray: &'a LocalRay<'a>, vertex_origin: &'a DVec3) -> Self {
+        let origin = ray.ray.origin - *vertex_origin;
         // Knuth's two-difference: the error of a difference is an f64 (Shewchuk 1997, theorem 7).
-        let from_ray = ray.origin - origin;
-        let tail = (ray.origin - (origin + from_ray)) + (from_ray - vertex_origin);
+        let from_ray = ray.ray.origin - origin;
+        let tail = (ray.ray.origin - (origin + from_ray)) + (from_ray - *vertex_origin);
+        Self {
+            errors: ray.errors,
+            object: Some((ray, vertex_origin)),
+            ..Self::of(Ray { origin, ..*ray.ray }, tail)
+        }
+    }
+
+    /// A ray that is exact as it stands, as vertices about (0, 0, 0) see it.
+    #[must_use]
+    pub fn exact(ray: Ray) -> Self {
+        Self::of(ray, DVec3::ZERO)
+    }
+
+    #[inline]
+    fn of(ray: Ray, tail: DVec3) -> Self {
         let taxicab = ray.direction.abs().element_sum();
         // Written so that NaN is false.
-        let is_moderate = origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
+        let is_moderate = ray.origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
         Self {
-            ray: Ray { origin, ..*ray },
+            ray,
             tail,
             tail_as_length: tail.abs().max_element() / U,
             taxicab: if is_moderate { taxicab } else { f64::INFINITY },
-            errors: local.errors(),
-            local,
-            vertex_origin,
+            errors: [0.0; 2],
+            object: None,
         }
     }
 
     /// Where the vertices' (0, 0, 0) lies in object space.
     pub(super) fn vertex_origin(&self) -> DVec3 {
-        self.vertex_origin
+        self.object.map_or(DVec3::ZERO, |(_, origin)| *origin)
     }
 
-    /// What the ray is exactly.
+    /// What the ray is exactly, in object space or beyond.
     pub(super) fn exactly(&self) -> Exactly<'a> {
-        self.local.exactly()
+        match self.object {
+            Some((ray, _)) => ray.exactly(),
+            None => Exactly::given(&self.ray),
+        }
     }
 
     /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{Placement, Pyramid, WorldRay},
+    geometry::{LocalRay, Placement, Pyramid, WorldRay},
     scene::{Scene, Shape},
 };
 use glam::DVec2;
@@ -40,7 +40,7 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
     }
     let shown = Rival {
         object: here.object,
-        triangle: here.hit.on_triangle.map(|at| at.triangle),
+        triangle: here.triangle(),
     };
     let rivals = rivals(scene, view, px, here);
     let differs = |centre: DVec2| {
@@ -48,8 +48,7 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
         let Some(rivals) = &rivals else {
             let there = closest(scene, ray, view.sides);
             return there.is_none_or(|there| {
-                let triangle = there.hit.on_triangle.map(|at| at.triangle);
-                (there.object, triangle) != (shown.object, shown.triangle)
+                (there.object, there.triangle()) != (shown.object, shown.triangle)
             });
         };
         let Some(there) = first_of(scene, view, &ray, shown) else {
@@ -85,7 +84,7 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
         .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)));
     let pyramid_in = |placement: &Placement| {
         let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-        Pyramid::new(&local, 2.0 * ASIDE)
+        Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
     };
     let mut rivals = Vec::new();
     let mut is_complete = true;

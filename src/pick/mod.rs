@@ -48,17 +48,23 @@
 //! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once, and so is `gap`, the
 //! difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
 //! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
+//!
+//! The order of picks is exact however close two surfaces lie; a drawing's is not. Where others lie so close to the nearest
+//! one that drawing may show any of them, a line says so and names them ([`InOnePlace`], found by
+//! [`verify::in_one_place`](crate::verify::in_one_place)).
 
 mod differs;
 mod edge;
 mod nearest;
+mod one_place;
 mod order;
 mod picture;
 mod record;
 mod selection;
 
 pub use nearest::{all, closest, closest_by};
-pub use picture::{ids, ids_by, raycast};
+pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
+pub use picture::{each_pixel, ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 
@@ -84,6 +90,11 @@ impl SceneHit {
     fn overlaps(&self, other: &Self) -> bool {
         let t = |hit: &Hit| (hit.t, hit.t_error);
         overlap(t(&self.hit), t(&other.hit))
+    }
+
+    /// The triangle of a mesh that was hit.
+    fn triangle(&self) -> Option<u32> {
+        self.hit.on_triangle.map(|at| at.triangle)
     }
 
     /// Nothing that may come before it begins behind this `t`.

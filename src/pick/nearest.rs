@@ -45,7 +45,8 @@ pub fn closest_by(
     // Another test may hit what the ray misses: no batch is passed over.
     for batch in scene.batches() {
         let first = &scene.objects()[batch.start];
-        let local = first.placement.local_ray(ray);
+        let placed = first.placement.local_ray(ray);
+        let local = LocalRay::from(&placed);
         let found = match &first.shape {
             Shape::Mesh { mesh, part } => {
                 let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
@@ -66,7 +67,8 @@ pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHi
     let mut all = Vec::new();
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        let local = first.placement.local_ray(ray);
+        let placed = first.placement.local_ray(ray);
+        let local = LocalRay::from(&placed);
         match &first.shape {
             Shape::Mesh { mesh, part } => {
                 let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
@@ -97,7 +99,8 @@ pub(super) fn hits_of(
     let Object {
         shape, placement, ..
     } = &scene.objects()[object];
-    let local = placement.local_ray(ray);
+    let placed = placement.local_ray(ray);
+    let local = LocalRay::from(&placed);
     let hits = match (shape, triangle) {
         (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
         _ => analytic_hits(shape, &local),
@@ -110,11 +113,14 @@ pub(super) fn hits_of(
 /// same with and without trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
     let mut found = false;
-    let world = VertexRay::new(Placement::IDENTITY.local_ray(ray), DVec3::ZERO);
+    let placed = Placement::IDENTITY.local_ray(ray);
+    let local = LocalRay::from(&placed);
+    let world = VertexRay::new(&local, &DVec3::ZERO);
     let inverse = ray.direction.recip();
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
-        let local = first.placement.local_ray(ray).until(limit);
+        let placed = first.placement.local_ray(ray);
+        let local = placed.until(limit);
         // A tree over the scene passes by what this does, and perhaps more.
         let may_matter = || {
             let bounds = scene.bounds_of_batch(batch);
@@ -145,7 +151,8 @@ pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHi
     let mut found = false;
     scene.visit_batches(ray, |batch| {
         let placement = &scene.objects()[batch.start].placement;
-        let local = placement.local_ray(ray).until(limit);
+        let placed = placement.local_ray(ray);
+        let local = placed.until(limit);
         let overlaps = |other: &SceneHit| other != hit && other.overlaps(hit);
         found = found || in_batch(scene, batch, &local, sides, overlaps).is_some();
         if found { f64::NEG_INFINITY } else { limit }
@@ -166,7 +173,7 @@ fn least(
         let found = of_batch(batch, &placement.local_ray(ray).until(limit));
         best = lesser(scene, ray, best, found);
         if let Some(best) = &best {
-            limit = best.hit.t + best.hit.t_error;
+            limit = best.limit();
         }
         limit
     });

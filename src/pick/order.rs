@@ -12,10 +12,9 @@ use std::cmp::Ordering;
 
 /// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    let triangle = |hit: &SceneHit| hit.hit.on_triangle.map(|at| at.triangle);
     by_t(scene, ray, a, b)
         .then(a.object.cmp(&b.object))
-        .then(triangle(a).cmp(&triangle(b)))
+        .then(a.triangle().cmp(&b.triangle()))
         .then(b.hit.front.cmp(&a.hit.front))
 }
 

@@ -42,7 +42,8 @@ pub fn ids_by(
 }
 
 /// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
-pub(super) fn each_pixel<T: Clone + Default + Send>(
+#[must_use]
+pub fn each_pixel<T: Clone + Default + Send>(
     view: &View,
     cast: impl Fn(DVec2) -> T + Sync,
 ) -> Vec<T> {

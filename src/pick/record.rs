@@ -1,6 +1,6 @@
 //! All that is known about a pick, and its JSON.
 
-use super::{SceneHit, edge, order};
+use super::{InOnePlace, SceneHit, edge, order};
 use crate::{
     camera::View,
     geometry::{Placement, Root, point_object},
@@ -60,6 +60,8 @@ pub struct PickLine {
     pub px: DVec2,
     /// What is there; `None` for the background.
     pub hit: Option<Pick>,
+    /// What drawing cannot tell from the nearest surface there; `None` where that lies by itself.
+    pub in_one_place: Option<InOnePlace>,
 }
 
 /// All surfaces at a position as a line of JSON.
@@ -69,6 +71,8 @@ pub struct PickLines {
     pub px: DVec2,
     /// What is there, from front to back.
     pub hits: Vec<Pick>,
+    /// What drawing cannot tell from the first of them; `None` where that lies by itself.
+    pub in_one_place: Option<InOnePlace>,
 }
 
 /// Where a pick is made.

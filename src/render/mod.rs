@@ -16,7 +16,6 @@
 //! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
-pub(crate) mod double_double;
 mod drawing;
 mod gpu;
 pub mod layout;

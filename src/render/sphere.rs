@@ -6,14 +6,16 @@
 //! sphere is: the outline is out by a few roundings of the picture's size in pixels, nothing else.
 
 use super::{
-    double_double::{DoubleDouble, Number, Rows, Vector},
     layout::{Quadratic, Sphere as Row},
     transform::{U, UNDERFLOW, depth_origin, narrow, normal_to_view},
     view_space::{ViewPoint, ViewSpace},
 };
 use crate::{
     camera::{Projection, View, pixel_centre},
-    geometry::{Placement, Sides, Sphere},
+    geometry::{
+        Placement, RayDifferential, Sides, Sphere,
+        double_double::{DoubleDouble, Number, Rows, Vector},
+    },
 };
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
@@ -49,13 +51,13 @@ fn row<N: Number>(
 ) -> Row {
     let (view, unit) = (space.view(), space.unit());
     let pivot_px = pivot_px(view, center, [min, max]);
-    let rays = Rays::<N>::new(view, placement, pivot_px);
-    let depth = base_depth(view, &rays);
+    let ray = ray_object::<N>(view, placement, pivot_px);
+    let depth = base_depth(view, &ray);
     // A unit direction keeps squares in range; roots are then in object units.
-    let speed = rays.direction.narrow().length();
+    let speed = ray.direction.narrow().length();
     let scaled = |v: Vector<N>| v * N::from(speed.recip());
-    let [d, right, down] = [rays.direction, rays.right, rays.down].map(scaled);
-    let n = rays.origin + rays.direction * N::from(depth);
+    let [d, right, down] = [ray.direction, ray.right, ray.down].map(scaled);
+    let n = ray.origin + ray.direction * N::from(depth);
     let (origin_step, direction_step) = match view.camera.lens().projection {
         Projection::Perspective { .. } => (depth * speed, 1.0),
         Projection::Orthographic { .. } => (speed, 0.0),
@@ -115,58 +117,36 @@ fn row<N: Number>(
     }
 }
 
-/// The rays through the picture in object space: `origin + depth * direction`, and the step of whichever of the two
-/// moves (the direction in perspective, the origin in orthographic projection) from pixel to pixel.
-pub(crate) struct Rays<N> {
-    pub origin: Vector<N>,
-    pub direction: Vector<N>,
-    pub right: Vector<N>,
-    pub down: Vector<N>,
+/// The ray through a position in the object space of a placement.
+pub(crate) fn ray_object<N: Number>(
+    view: &View,
+    placement: &Placement,
+    px: DVec2,
+) -> RayDifferential<N> {
+    let model = placement.model();
+    let to_object = Rows::<N>::inverse_of(model.matrix3);
+    let grid = view.camera.pixel_grid(view.viewport);
+    grid.differential(px, model.translation)
+        .map(|v| to_object.times(v))
 }
 
-impl<N: Number> Rays<N> {
-    pub fn new(view: &View, placement: &Placement, px: DVec2) -> Self {
-        let camera = &view.camera;
-        let size = view.viewport.size_px();
-        let pixel = N::from(camera.half_height()) / N::from(size.y);
-        let [right, up] = [camera.right(), camera.up()].map(Vector::<N>::from);
-        let across = right * N::from(2.0 * px.x - size.x) + up * N::from(size.y - 2.0 * px.y);
-        let aside = across * pixel;
-        let eye = Vector::<N>::from(camera.eye()) - placement.model().translation.into();
-        let forward = Vector::from(camera.forward());
-        let (origin, direction) = match camera.lens().projection {
-            Projection::Perspective { .. } => (eye, forward + aside),
-            Projection::Orthographic { .. } => (eye + aside, forward),
-        };
-        let to_object = Rows::<N>::inverse_of(placement.model().matrix3);
-        let step = pixel * N::from(2.0);
-        Self {
-            origin: to_object.times(origin),
-            direction: to_object.times(direction),
-            right: to_object.times(right * step),
-            down: to_object.times(up * -step),
-        }
-    }
-
-    /// View depth of the point nearest to the sphere's centre, and by how much its square distance from there exceeds the
-    /// square of the radius.
-    pub fn middle(&self) -> (N, f64) {
-        let (o, d) = (self.origin, self.direction);
-        let depth = -o.dot(d) / d.dot(d);
-        let distance = (o + d * depth).narrow().length();
-        (
-            depth,
-            (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS),
-        )
-    }
+/// View depth of a ray's point nearest to the sphere's centre, and by how much its square distance from there exceeds the
+/// square of the radius.
+pub(crate) fn nearest_to_centre<N: Number>(ray: &RayDifferential<N>) -> (N, f64) {
+    let (o, d) = (ray.origin, ray.direction);
+    let depth = -o.dot(d) / d.dot(d);
+    let distance = (o + d * depth).narrow().length();
+    (
+        depth,
+        (distance - Sphere::RADIUS) * (distance + Sphere::RADIUS),
+    )
 }
 
 /// The pixel centre in the rectangle nearest to the sphere's centre.
 fn pivot_px(view: &View, center: &ViewPoint, [min, max]: [DVec2; 2]) -> DVec2 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
-    let ndc = center.aside / (half * view.camera.lens().w(center.depth));
-    let px = if center.depth > 0.0 && ndc.is_finite() {
-        view.viewport.ndc_to_px(ndc)
+    let px = view.px_of(center.aside, view.camera.lens().w(center.depth));
+    let px = if center.depth > 0.0 && px.is_finite() {
+        px
     } else {
         0.5 * (min + max)
     };
@@ -174,11 +154,11 @@ fn pivot_px(view: &View, center: &ViewPoint, [min, max]: [DVec2; 2]) -> DVec2 {
 }
 
 /// View depth from which roots are counted: of the surface that shows there, or else of the point nearest to the centre.
-fn base_depth<N: Number>(view: &View, rays: &Rays<N>) -> f64 {
+fn base_depth<N: Number>(view: &View, ray: &RayDifferential<N>) -> f64 {
     let lens = view.camera.lens();
-    let (middle, outside) = rays.middle();
+    let (middle, outside) = nearest_to_centre(ray);
     let middle: f64 = middle.into();
-    let root = (-outside).max(0.0).sqrt() / rays.direction.narrow().length();
+    let root = (-outside).max(0.0).sqrt() / ray.direction.narrow().length();
     let [entry, exit] = [middle - root, middle + root];
     let seen = |depth: f64| (lens.near..lens.far).contains(&depth);
     if seen(entry) {
@@ -209,7 +189,7 @@ fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Opti
     let [x, y, z] = [x, y, z].map(|row| unit * row);
     let front = center.z - z.length();
     let size = view.viewport.size_px();
-    let half = lens.half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let ends = |along: DVec3, middle: f64, half: f64| match lens.projection {
         Projection::Orthographic { .. } => {
             let ends = [middle - along.length(), middle + along.length()];

@@ -1,10 +1,13 @@
 //! From the `f64` camera and model matrices to the few `f32` numbers that shaders get. All products are composed
 //! before they are rounded: the error is that of one rounding of the result, wherever in the world things stand.
 
-use super::{double_double::power_of_two_below, layout, view_space::ViewSpace};
+use super::{layout, view_space::ViewSpace};
 use crate::{
     camera::{DepthMapping, Projection, View},
-    geometry::{Aabb, Cuboid, Placement, Sides, Square},
+    geometry::{
+        Aabb, Cuboid, Placement, Sides, Square,
+        binary::{power_of_two_below, split, times_power_of_two},
+    },
     look,
     scene::{Scene, Shape},
 };
@@ -45,7 +48,7 @@ pub fn view_unit(view: &View) -> f64 {
 #[must_use]
 pub fn frame(view: &View) -> layout::Frame {
     let lens = view.camera.lens();
-    let half = lens.half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
     let [ambient, key, fill] = look::LIGHT;
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
@@ -240,26 +243,16 @@ pub(crate) fn is_f32(value: f64) -> bool {
 /// Whether `f32` sums these without rounding, in any order: all are multiples of the lowest bit set in any of them, and
 /// so are their sums, which have room in 24 bits.
 fn sums_exactly(terms: [f64; 4]) -> bool {
-    let lowest = terms
-        .map(lowest_bit)
-        .into_iter()
-        .fold(f64::INFINITY, f64::min);
+    let exponents = terms
+        .iter()
+        .filter(|term| **term != 0.0)
+        .map(|&term| split(term).1);
+    let Some(lowest) = exponents.min() else {
+        return true;
+    };
     let largest: f64 = terms.iter().map(|term| term.abs()).sum();
-    largest == 0.0 || (lowest >= UNDERFLOW && largest <= lowest / U)
-}
-
-/// The place value of a number's lowest bit; infinite for 0, nothing for numbers that are not normal.
-fn lowest_bit(value: f64) -> f64 {
-    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
-    if value == 0.0 {
-        return f64::INFINITY;
-    }
-    let bits = value.to_bits();
-    let exponent = (bits >> FRACTION) & 0x7ff;
-    // A 1 stands before the fraction.
-    let zeros = (bits | 1 << FRACTION).trailing_zeros();
-    let lowest = (exponent + u64::from(zeros)).saturating_sub(FRACTION.into());
-    f64::from_bits(lowest << FRACTION)
+    // Written so that NaN is refused.
+    lowest >= i64::from(f32::MIN_EXP - 1) && largest <= times_power_of_two(1.0 / U, lowest)
 }
 
 /// The point to subtract from vertices, where `f32` is finest. What counts is the error over the depth: a pivot

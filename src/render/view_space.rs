@@ -1,10 +1,13 @@
 //! Points of objects in view space, with all digits that `f32` may need.
 
-use super::{
-    double_double::{DoubleDouble, Rows, Vector},
-    transform::{U, depth_origin, view_unit},
+use super::transform::{U, depth_origin, view_unit};
+use crate::{
+    camera::View,
+    geometry::{
+        Placement,
+        double_double::{DoubleDouble, Rows, Vector},
+    },
 };
-use crate::{camera::View, geometry::Placement};
 use glam::{DMat3, DVec2, DVec3};
 
 /// View space in double-double, for what lies too far from the eye or the origin for `f64`.

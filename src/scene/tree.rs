@@ -14,7 +14,7 @@
 //! and, as far as the box, by its direction's; boxes grow by twice that as they are asked.
 
 use super::{Object, Scene};
-use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, entry};
+use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
 use glam::{DMat3, DVec3};
 
 /// Fewer batches are asked one after the other.
@@ -23,7 +23,7 @@ const WORTH_A_TREE: usize = 8;
 const DEEPEST: usize = 64;
 
 /// How much boxes grow, before `k^2 D`.
-const ROOM: f64 = f64::from_bits((1023 - 40) << 52);
+const ROOM: f64 = power_of_two(-40);
 
 /// A binary tree over the boxes of batches.
 #[derive(Clone, Debug, Default)]

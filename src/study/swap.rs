@@ -223,11 +223,11 @@ impl Step for PlacedCase {
                     return None;
                 }
                 let [entry, exit] = match &object.shape {
-                    Shape::Sphere => Sphere::hits(local),
-                    Shape::Cube => Cuboid::hits(local),
-                    Shape::Square => [Square::hit(local), None],
+                    Shape::Sphere => Sphere::hits(&local),
+                    Shape::Cube => Cuboid::hits(&local),
+                    Shape::Square => [Square::hit(&local), None],
                     Shape::Mesh { mesh, part } => [
-                        mesh.closest(local, view.sides, |other| other == *part),
+                        mesh.closest(&local, view.sides, |other| other == *part),
                         None,
                     ],
                 };

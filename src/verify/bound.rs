@@ -47,6 +47,8 @@ pub(super) struct Stored {
     pub farthest: f64,
     /// What rounding may take of that, apart from moving the surface aside.
     pub rounding: f64,
+    /// A step of the depth buffer there.
+    pub step: f64,
     /// Whether the bounds lie above a ceiling.
     pub beyond_f32: bool,
 }
@@ -165,6 +167,30 @@ impl Stored {
             strain: strain(near.nearness - far.nearness, allowed)?,
             outline: Outline::NONE,
         })
+    }
+
+    /// Whether the buffer may order two surfaces either way that both cover a pixel; a bound above a ceiling counts as the
+    /// ceiling.
+    pub fn is_in_one_place(&self, other: &Self) -> bool {
+        self.capped().reason(&other.capped()).is_some()
+    }
+
+    /// The same of two that drawing moves aside together.
+    pub fn is_in_one_place_unmoved(&self, other: &Self) -> bool {
+        (self.nearness - other.nearness).abs() <= self.rounding + other.rounding
+    }
+
+    /// With bounds in depth of no more than the ceiling, where they lie above one.
+    fn capped(&self) -> Self {
+        if !self.beyond_f32 {
+            return *self;
+        }
+        let most = DEPTH_CEILING_STEPS * self.step;
+        Self {
+            nearest: self.nearest.min(self.nearness + most),
+            farthest: self.farthest.max(self.nearness - most),
+            ..*self
+        }
     }
 
     fn class_with(&self, other: &Self) -> Class {

@@ -3,16 +3,16 @@
 use super::{
     GRID_PX,
     bound::{self, Cut, Outline, Reason, Stored},
+    face::{Face, Vertices},
     surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
     camera::{Projection, View},
-    geometry::{Cuboid, Sides, Square},
+    geometry::{Placement, clip},
     render::{
-        transform::{Rounding, U, UNDERFLOW, VertexToView, ViewError, depth_origin},
+        transform::{U, UNDERFLOW, ViewError, depth_origin},
         view_space::ViewSpace,
     },
-    scene::{Object, Shape},
 };
 use glam::{DVec2, DVec3};
 
@@ -25,55 +25,65 @@ struct Corner {
     is_cut: bool,
 }
 
-/// The flat surfaces that an id may stand for at a pixel: its triangle, or the faces of a cube or square.
-pub(super) fn surfaces(
-    space: &ViewSpace,
-    object: &Object,
-    (to_view, rounding): &(VertexToView, Rounding),
-    px: DVec2,
-    triangle: u32,
-) -> Vec<Surface> {
-    let view = space.view();
-    let of = |origin: DVec3, corners_vertex_space: &[DVec3]| {
-        let corners = corners_vertex_space.iter().map(|&corner| {
-            let at = space.at(&object.placement, origin, corner);
-            Corner {
-                view: at.aside.extend(at.past_near),
-                error: to_view.error_view(rounding, corner.as_vec3()),
-                is_cut: false,
-            }
-        });
-        let source = Source::Vertices(*to_view, [0, 1, 2].map(|i| corners_vertex_space[i]));
-        polygon(space, px, &corners.collect::<Vec<_>>(), source)
-    };
-    match &object.shape {
-        Shape::Sphere => Vec::new(),
-        Shape::Mesh { mesh, part } => {
-            let data = mesh.data();
-            let part = &data.parts[*part].triangles;
-            let index = part.start.checked_add(triangle.wrapping_sub(1));
-            let Some(index) = index.filter(|index| part.contains(index)) else {
-                return Vec::new();
-            };
-            let corners = data.triangles[index as usize]
-                .map(|i| DVec3::from_array(data.positions[i as usize].map(f64::from)));
-            of(data.origin, &corners).into_iter().collect()
-        }
-        Shape::Square => of(DVec3::ZERO, &Square::corners()).into_iter().collect(),
-        Shape::Cube => {
-            let ray = object.placement.ray_to_object(&view.ray(px));
-            let shown = Cuboid::NORMALS
-                .into_iter()
-                .filter(|normal| view.sides == Sides::Both || normal.dot(ray.direction) <= 0.0);
-            shown
-                .filter_map(|normal| of(DVec3::ZERO, &Cuboid::face(normal)))
-                .collect()
+impl Corner {
+    /// A corner of vertex space, whose origin this is in object space.
+    fn of(
+        space: &ViewSpace,
+        placement: &Placement,
+        vertices: &Vertices,
+        origin: DVec3,
+        corner: DVec3,
+    ) -> Self {
+        let at = space.at(placement, origin, corner);
+        let error = (vertices.to_view).error_view(&vertices.rounding, corner.as_vec3());
+        Self {
+            view: at.aside.extend(at.past_near),
+            error,
+            is_cut: false,
         }
     }
 }
 
+/// A flat face at a pixel; `None` when all of it lies before the near plane.
+pub(super) fn surface(
+    space: &ViewSpace,
+    placement: &Placement,
+    vertices: &Vertices,
+    px: DVec2,
+    face: &Face,
+) -> Option<Surface> {
+    let corner = |&at| Corner::of(space, placement, vertices, face.origin, at);
+    let corners: Vec<_> = face.corners.iter().map(corner).collect();
+    let first = [0, 1, 2].map(|i| face.corners[i]);
+    let source = Source::Vertices(vertices.to_view, *placement, face.origin, first);
+    polygon(space, px, &corners, &source)
+}
+
+/// Whether two faces made from the same vertices meet at a pixel: in an edge or a corner of both, which lies there to
+/// what drawing may move it by.
+pub(super) fn meet(
+    space: &ViewSpace,
+    placement: &Placement,
+    vertices: &Vertices,
+    px: DVec2,
+    [a, b]: [&Face; 2],
+) -> bool {
+    let shared = a.shared_corners(b).into_iter();
+    let shared: Vec<_> = shared
+        .map(|at| Corner::of(space, placement, vertices, a.origin, at))
+        .collect();
+    let seen = clip_near(&shared, 0.0);
+    let (Some(&from), Some(&to)) = (seen.first(), seen.last()) else {
+        return false;
+    };
+    let clipped = clipping_error(space.view(), &shared);
+    edge(space.view(), px, [from, to], clipped)
+        .reason()
+        .is_some()
+}
+
 /// A flat convex polygon at a pixel; `None` when all of it lies before the near plane.
-fn polygon(space: &ViewSpace, px: DVec2, corners: &[Corner], source: Source) -> Option<Surface> {
+fn polygon(space: &ViewSpace, px: DVec2, corners: &[Corner], source: &Source) -> Option<Surface> {
     let (view, depths) = (space.view(), Depths::new(space));
     let near = view.camera.lens().near;
     let ray = ViewRay::new(view, px);
@@ -147,9 +157,10 @@ fn polygon(space: &ViewSpace, px: DVec2, corners: &[Corner], source: Source) -> 
             nearest: nearest + rounding,
             farthest: farthest - rounding,
             rounding,
+            step: depths.step(at),
             beyond_f32,
         },
-        source,
+        source: *source,
     })
 }
 
@@ -172,25 +183,17 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
     least >= 0.0 || most <= 0.0
 }
 
-/// What is left of a polygon from this depth on (Sutherland & Hodgman, "Reentrant Polygon Clipping", 1974).
+/// What is left of a polygon from this depth past near on.
 fn clip_near(corners: &[Corner], nearest: f64) -> Vec<Corner> {
-    let mut seen = Vec::with_capacity(corners.len() + 1);
-    for i in 0..corners.len() {
-        let [a, b] = [corners[i], corners[(i + 1) % corners.len()]];
-        let [da, db] = [a, b].map(|corner| corner.view.z - nearest);
-        if da >= 0.0 {
-            seen.push(a);
-        }
-        if (da >= 0.0) != (db >= 0.0) {
-            let s = da / (da - db);
-            seen.push(Corner {
-                view: a.view.lerp(b.view, s),
-                error: a.error.lerp(b.error, s),
-                is_cut: true,
-            });
-        }
-    }
-    seen
+    clip(
+        corners,
+        |corner| corner.view.z - nearest,
+        |a, b, s| Corner {
+            view: a.view.lerp(b.view, s),
+            error: a.error.lerp(b.error, s),
+            is_cut: true,
+        },
+    )
 }
 
 /// The edge between two corners, neither in front of the near plane.
@@ -221,7 +224,7 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outl
 /// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
 /// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
 fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let size = view.viewport.size_px();
     let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
     let sides = [DVec2::NEG_X, DVec2::X, DVec2::NEG_Y, DVec2::Y];
@@ -245,15 +248,14 @@ fn w(view: &View, point: DVec3) -> f64 {
 
 /// A view-space point, z being depth past near, in the picture.
 fn project(view: &View, point: DVec3) -> DVec2 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
-    (view.viewport).ndc_to_px(point.truncate() / (half * w(view, point)))
+    view.px_of(point.truncate(), w(view, point))
 }
 
 /// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
 /// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
 /// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
 fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
-    let half = view.camera.lens().half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let size = view.viewport.size_px();
     let aside = 0.5 * size / half * error.aside / w;
     let towards = match view.camera.lens().projection {
@@ -268,7 +270,7 @@ fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
 /// picture as a whole, and nothing of a coordinate that is the same at both.
 fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let lens = view.camera.lens();
-    let half = lens.half_extent(view.viewport.aspect());
+    let half = view.half_extent();
     let inside = |p: DVec3| {
         let aside = p.truncate().abs().cmple(half * w(view, p));
         aside.all() && (0.0..lens.far - lens.near).contains(&p.z)

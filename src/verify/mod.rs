@@ -19,6 +19,9 @@
 //! A bound that is infinite or NaN is none. A picture that is empty where picks are not, or the reverse, fails whatever
 //! explains its pixels one by one ([`Report::verdict`]).
 //!
+//! Whether drawing and pick differ there or not: where the bounds leave the order of two surfaces open, they lie *in one
+//! place* ([`Places`]).
+//!
 //! # What the bounds take for granted
 //!
 //! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
@@ -34,34 +37,33 @@
 //! # What it cannot see
 //!
 //! A ray's error below the bound at a pixel: whether a pick is exactly right, this does not tell. That is held by an
-//! oracle (`tests/exact_picks`).
+//! oracle (`tests/exact_picks`). Where a pixel's ray runs is defined once for picks, for the drawing of spheres and for the
+//! bounds here ([`PixelGrid`](crate::geometry::PixelGrid)); vertices go through matrices and do not share it.
 //!
 //! [`compare`] is pure: whatever answers for a pixel can be put to the test.
 
 mod bound;
+mod face;
 mod flat;
+mod one_place;
 mod picture;
 mod report;
 mod round;
 mod surface;
 
-pub use picture::{COLOURS, marks, paint};
+pub use one_place::{Places, in_one_place};
+pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
 pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
-    render::{
-        self,
-        transform::{Rounding, VertexToView},
-        view_space::ViewSpace,
-    },
-    scene::{Scene, Shape},
+    scene::Scene,
 };
 use bound::{Outline, Reason};
+use face::Surfaces;
 use glam::DVec2;
 use serde::Serialize;
-use std::collections::HashMap;
 use surface::Surface;
 
 /// The most that drawing may move an outline by, in pixels, and be held to hold the view: a picture that is off by more
@@ -132,11 +134,7 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
         view.viewport,
         "the picked picture is the view's"
     );
-    let mut explainer = Explainer {
-        scene,
-        space: ViewSpace::new(view),
-        to_view: HashMap::new(),
-    };
+    let surfaces = Surfaces::new(scene, view);
     let mut report = Report {
         pixels: drawn.pixels().len(),
         ..Report::default()
@@ -150,7 +148,8 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
         report.outline += usize::from(is_outline);
         if ids[0] != ids[1] {
             report.outline_differ += usize::from(is_outline);
-            report.disagreements.push(explainer.explain([x, y], ids));
+            let difference = explain(&surfaces, [x, y], ids);
+            report.disagreements.push(difference);
         }
     }
     report
@@ -171,73 +170,41 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
         .any(|(i, j)| ids.at(i, j) != ids.at(x, y))
 }
 
-/// Puts differences down to geometry.
-struct Explainer<'a> {
-    scene: &'a Scene,
-    space: ViewSpace,
-    /// What the vertex shader does to a batch, and how far off its numbers are, by the batch's first object.
-    to_view: HashMap<usize, (VertexToView, Rounding)>,
-}
-
-impl Explainer<'_> {
-    fn explain(&mut self, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
-        let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
-        let sides = [drawn, picked].map(|id| self.surfaces(px, id));
-        let pairs = sides[0]
-            .iter()
-            .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
-        let explained = pairs.filter_map(|(of_drawn, of_picked)| {
-            let reason = surface::explain(of_drawn, of_picked)?;
-            Some((reason, [of_drawn.depth, of_picked.depth]))
+/// Puts a difference down to geometry.
+fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
+    let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
+    let sides = [drawn, picked].map(|id| surface::shown(surfaces.of_id(px, id)));
+    let pairs = sides[0]
+        .iter()
+        .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
+    let explained = pairs.filter_map(|(of_drawn, of_picked)| {
+        let reason = surface::explain(of_drawn, of_picked)?;
+        Some((reason, [of_drawn.depth, of_picked.depth]))
+    });
+    let best = explained
+        .min_by(|(a, _), (b, _)| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
+    let unexplained = || {
+        let outlines = sides.iter().flatten().map(|surface| surface.outline);
+        let reason = Reason {
+            class: Class::Unexplained,
+            strain: f64::INFINITY,
+            outline: outlines.fold(Outline::NONE, Outline::nearer),
+        };
+        let depths = [0, 1].map(|side| {
+            let depths = sides[side].iter().map(|surface: &Surface| surface.depth);
+            depths.fold(f64::NAN, f64::min)
         });
-        let best = explained
-            .min_by(|(a, _), (b, _)| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
-        let unexplained = || {
-            let outlines = sides.iter().flatten().map(|surface| surface.outline);
-            let reason = Reason {
-                class: Class::Unexplained,
-                strain: f64::INFINITY,
-                outline: outlines.fold(Outline::NONE, Outline::nearer),
-            };
-            let depths = [0, 1].map(|side| {
-                let depths = sides[side].iter().map(|surface: &Surface| surface.depth);
-                depths.fold(f64::NAN, f64::min)
-            });
-            (reason, depths)
-        };
-        let (reason, depth) = best.unwrap_or_else(unexplained);
-        Disagreement {
-            pixel,
-            drawn,
-            picked,
-            class: reason.class,
-            strain: reason.strain,
-            outline_px: reason.outline.distance_px,
-            outline_error_px: reason.outline.error_px(),
-            depth,
-        }
-    }
-
-    /// The surfaces that an id may stand for at a pixel: one, or the faces of a cube, or a sphere's front and back.
-    fn surfaces(&mut self, px: DVec2, id: Id) -> Vec<Surface> {
-        let Some(index) = (id.object as usize).checked_sub(1) else {
-            return vec![Surface::background(self.space.view())];
-        };
-        let (scene, space) = (self.scene, &self.space);
-        let Some(object) = scene.objects().get(index).filter(|object| object.visible) else {
-            return Vec::new();
-        };
-        match object.shape {
-            Shape::Sphere => return round::surfaces(space, &object.placement, px),
-            Shape::Cube | Shape::Square | Shape::Mesh { .. } => {}
-        }
-        let batches = scene.batches();
-        let batch = &batches[batches.partition_point(|batch| batch.end <= index)];
-        let to_view = self.to_view.entry(batch.start).or_insert_with(|| {
-            let (origin, bounds) = render::transform::vertex_space(scene, batch);
-            let to_view = VertexToView::new(space, &object.placement, origin, &bounds);
-            (to_view, to_view.rounding(space, &object.placement, origin))
-        });
-        flat::surfaces(space, object, to_view, px, id.triangle)
+        (reason, depths)
+    };
+    let (reason, depth) = best.unwrap_or_else(unexplained);
+    Disagreement {
+        pixel,
+        drawn,
+        picked,
+        class: reason.class,
+        strain: reason.strain,
+        outline_px: reason.outline.distance_px,
+        outline_error_px: reason.outline.error_px(),
+        depth,
     }
 }

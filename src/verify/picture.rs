@@ -16,9 +16,16 @@ pub const COLOURS: [(Class, Srgb, &str); 5] = [
     (Class::Unexplained, Srgb([213, 94, 0]), "orange"),
 ];
 
-/// The picture in grey with its [`marks`].
+/// What pixels are tinted in whose surfaces lie in one place, and the colour's name; apart from those of the classes.
+pub const IN_ONE_PLACE: (Srgb, &str) = (Srgb([0, 114, 178]), "dark blue");
+
+/// The picture in grey, with pixels `in_one_place` tinted and its [`marks`] over them.
 #[must_use]
-pub fn paint(colours: &Image<Rgb>, disagreements: &[Disagreement]) -> Image<Rgb> {
+pub fn paint(
+    colours: &Image<Rgb>,
+    in_one_place: &[[u32; 2]],
+    disagreements: &[Disagreement],
+) -> Image<Rgb> {
     let mut picture = colours.clone();
     for pixel in picture.pixels_mut() {
         *pixel = grey(*pixel);
@@ -26,6 +33,13 @@ pub fn paint(colours: &Image<Rgb>, disagreements: &[Disagreement]) -> Image<Rgb>
     let size = picture.size();
     let width = size.width() as usize;
     let pixels = picture.pixels_mut();
+    let (Srgb(tint), _) = IN_ONE_PLACE;
+    for [x, y] in in_one_place {
+        let pixel = &mut pixels[*y as usize * width + *x as usize];
+        for (channel, tint) in pixel.iter_mut().zip(tint) {
+            *channel = channel.midpoint(tint);
+        }
+    }
     for ([x, y], Srgb(colour)) in marks(size, disagreements) {
         pixels[y as usize * width + x as usize] = colour;
     }

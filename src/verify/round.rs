@@ -6,78 +6,80 @@ use super::{
 };
 use crate::{
     camera::Projection,
-    geometry::{Placement, Sides, Sphere},
-    render::{
+    geometry::{
+        Placement, RayDifferential, Sides, Sphere,
         double_double::{DoubleDouble, Vector},
-        sphere::{self, Rays},
-        transform::ViewError,
-        view_space::ViewSpace,
     },
+    render::{sphere, transform::ViewError, view_space::ViewSpace},
 };
 use glam::DVec2;
 
-/// The sphere's front and, where the near plane opens it or the eye is inside, its back at a pixel.
+/// The sphere's front and, where the near plane opens it or the eye is inside, its back at a pixel: what drawing may show.
+pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
+    let (both, is_opened) = both(space, placement, px);
+    let shown = 1 + usize::from(is_opened && space.view().sides == Sides::Both);
+    both.into_iter().take(shown).collect()
+}
+
+/// The sphere's front and its back at a pixel, and whether the near plane may open it.
 ///
 /// No vertices make a sphere, so no grid moves it: the shader solves the ray's quadratic at the pixel's very centre.
 /// Only `f32` is to blame, as far as [`sphere::rounding`] goes.
-pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
+pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Surface; 2], bool) {
     let (view, depths) = (space.view(), Depths::new(space));
     let lens = view.camera.lens();
     let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
-    let rays = Rays::<DoubleDouble>::new(view, placement, px);
-    let d2 = rays.direction.narrow().length_squared();
+    let ray = sphere::ray_object::<DoubleDouble>(view, placement, px);
+    let d2 = ray.direction.narrow().length_squared();
     // About the ray's point nearest to the centre, where nothing cancels.
-    let (middle, outside) = rays.middle();
+    let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
     let rim = Outline {
-        distance_px: least_distance(lens.projection, &rays, discriminant),
+        distance_px: least_distance(lens.projection, &ray, discriminant),
         grid_px: 0.0,
-        f32_px: least_distance(lens.projection, &rays, error.discriminant),
+        f32_px: least_distance(lens.projection, &ray, error.discriminant),
     };
     let root = (-outside.min(0.0) / d2).sqrt();
-    let [entry, exit] = [middle - root, middle + root];
+    let ends = [middle - root, middle + root];
     let errors = [0, 1].map(|i| ViewError {
         aside: DVec2::ZERO,
         depth: error.depth[i],
         measured: error.measured[i],
     });
-    let opened = entry < depths.near_error(&errors[0], false);
-    let shown = [(entry, true), (exit, opened && view.sides == Sides::Both)];
-    let shown = shown
-        .into_iter()
-        .zip(errors)
-        .filter(|((_, shown), _)| *shown);
-    shown
-        .map(|((past_near, _), error)| {
-            let nearness = depths.nearness(past_near);
-            let rounding = depths.error(past_near, &error);
-            // No grid, and the rim by itself: at the centre nothing moves the surface aside.
-            let beyond_f32 = bound::beyond_f32(0.0, rounding / depths.step(past_near));
-            let near_error = depths.near_error(&error, false);
-            let cut_steps = near_error * depths.stored_per_depth(0.0) / depths.step(0.0);
-            let cut = Cut {
-                gap: past_near.abs(),
-                grid: 0.0,
-                f32: near_error,
-            };
-            let cut = cut.reason(bound::beyond_f32(0.0, cut_steps));
-            Surface {
-                loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
-                outline: rim,
-                covers: discriminant >= 0.0 && past_near >= 0.0,
-                depth: lens.near + past_near,
-                stored: Stored {
-                    nearness,
-                    nearest: nearness + rounding,
-                    farthest: nearness - rounding,
-                    rounding,
-                    beyond_f32,
-                },
-                source: Source::Sphere(*placement),
-            }
-        })
-        .collect()
+    let is_opened = ends[0] < depths.near_error(&errors[0], false);
+    let both = [0, 1].map(|i| {
+        let (past_near, error) = (ends[i], errors[i]);
+        let nearness = depths.nearness(past_near);
+        let rounding = depths.error(past_near, &error);
+        // No grid, and the rim by itself: at the centre nothing moves the surface aside.
+        let step = depths.step(past_near);
+        let beyond_f32 = bound::beyond_f32(0.0, rounding / step);
+        let near_error = depths.near_error(&error, false);
+        let cut_steps = near_error * depths.stored_per_depth(0.0) / depths.step(0.0);
+        let cut = Cut {
+            gap: past_near.abs(),
+            grid: 0.0,
+            f32: near_error,
+        };
+        let cut = cut.reason(bound::beyond_f32(0.0, cut_steps));
+        Surface {
+            loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
+            outline: rim,
+            covers: discriminant >= 0.0 && past_near >= 0.0,
+            depth: lens.near + past_near,
+            stored: Stored {
+                nearness,
+                nearest: nearness + rounding,
+                farthest: nearness - rounding,
+                rounding,
+                step,
+                beyond_f32,
+            },
+            source: Source::Sphere(*placement),
+        }
+    });
+    (both, is_opened)
 }
 
 /// No pixel position nearer than this, in pixels, has a discriminant that differs by `change` from the one at the
@@ -87,12 +89,12 @@ pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> V
 /// perspective, of the origin o in orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is
 /// `2 r^2 d.w - 2 (o x d).(o x w)` or `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
 /// Within distance s it changes by at most `slope s + bend s^2`.
-fn least_distance(projection: Projection, rays: &Rays<DoubleDouble>, change: f64) -> f64 {
-    let (o, d) = (rays.origin, rays.direction);
+fn least_distance(projection: Projection, ray: &RayDifferential<DoubleDouble>, change: f64) -> f64 {
+    let (o, d) = (ray.origin, ray.direction);
     let r2 = Sphere::RADIUS * Sphere::RADIUS;
     let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
     let moment = across(o, d);
-    let [(x, bend_x), (y, bend_y)] = [rays.right, rays.down].map(|step| match projection {
+    let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
         Projection::Perspective { .. } => {
             let turn = across(o, step);
             let (d, step) = (d.narrow(), step.narrow());

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     camera::{DepthMapping, Lens, Projection, View},
-    geometry::Placement,
+    geometry::{Placement, double_double::Vector},
     render::{
         transform::{U, UNDERFLOW, VertexToView, ViewError, is_f32},
         view_space::ViewSpace,
@@ -31,13 +31,14 @@ pub(super) struct Surface {
     pub source: Source,
 }
 
-/// What the GPU makes a surface from. From the same it makes the same, to the bit.
+/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three).
-    Vertices(VertexToView, [DVec3; 3]),
+    /// Vertices in this order (of a face the first three), about an origin in object space. `f32` may take two placements
+    /// for one, and a pick does not: both count.
+    Vertices(VertexToView, Placement, DVec3, [DVec3; 3]),
     /// A sphere's equations.
     Sphere(Placement),
 }
@@ -59,11 +60,25 @@ impl Surface {
                 nearest: nearness,
                 farthest: nearness,
                 rounding: 0.0,
+                step: 0.0,
                 beyond_f32: false,
             },
             source: Source::Empty,
         }
     }
+}
+
+/// Those of an object's surfaces at a pixel that may show there: not a solid's far side where its near side covers the
+/// pixel for certain.
+pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
+    let all = surfaces.clone();
+    surfaces.retain(|surface| {
+        let hides = |other: &Surface| {
+            other.covers && other.loose.is_none() && other.stored.farthest > surface.stored.nearest
+        };
+        !all.iter().any(hides)
+    });
+    surfaces
 }
 
 /// The best explanation for one surface having been drawn and the other picked; `None` when nothing explains it.
@@ -222,26 +237,21 @@ pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
     steps: [DVec3; 2],
-    perspective: bool,
+    lens: Lens,
 }
 
 impl ViewRay {
     pub fn new(view: &View, px: DVec2) -> Self {
-        let lens = view.camera.lens();
-        let half = lens.half_extent(view.viewport.aspect());
-        let aside = view.viewport.px_to_ndc(px) * half;
-        let perspective = !lens.is_orthographic();
-        let (origin, direction) = if perspective {
-            (lens.near * aside, aside.extend(1.0))
-        } else {
-            (aside, DVec3::Z)
-        };
-        let step = 2.0 * half / view.viewport.size_px();
+        let lens = *view.camera.lens();
+        let grid = view.camera.pixel_grid(view.viewport).in_view_space();
+        let ray = grid.differential::<f64>(px, DVec3::ZERO);
+        let [origin, direction, right, down] =
+            [ray.origin, ray.direction, ray.right, ray.down].map(Vector::narrow);
         Self {
-            origin: origin.extend(0.0),
+            origin: (origin + lens.near * direction).with_z(0.0),
             direction,
-            steps: [DVec3::X * step.x, DVec3::NEG_Y * step.y],
-            perspective,
+            steps: [right, down],
+            lens,
         }
     }
 
@@ -254,7 +264,7 @@ impl ViewRay {
     /// moves.
     pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;
-        let w = if self.perspective { depth } else { 1.0 };
-        -w * DVec2::new(normal.dot(right), normal.dot(down)) / normal.dot(self.direction)
+        -self.lens.w(depth) * DVec2::new(normal.dot(right), normal.dot(down))
+            / normal.dot(self.direction)
     }
 }

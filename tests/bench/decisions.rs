@@ -197,7 +197,7 @@ impl<'a> Triangles<'a> {
         let is_in_doubt = |(placement, mesh): &&(&Placement, Arc<Mesh>)| {
             [&ray, &whole]
                 .iter()
-                .any(|ray| mesh.is_in_doubt(placement.local_ray(ray), |_| true))
+                .any(|ray| mesh.is_in_doubt(&placement.local_ray(ray), |_| true))
         };
         self.0.iter().filter(is_in_doubt).count()
     }

@@ -10,8 +10,8 @@ use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2, dvec3};
 use sightline::{
     camera::View,
     geometry::{
-        Cuboid, LocalRay, Mesh, Placement, Ray, Sides, Sphere, Square, VertexRay, WorldRay,
-        guarded_volume,
+        Cuboid, LocalRay, Mesh, PlacedRay, Placement, Ray, Sides, Sphere, Square, VertexRay,
+        WorldRay, guarded_volume,
     },
     pick,
     scene::{Object, Scene, Shape},
@@ -88,19 +88,21 @@ pub fn kinds() -> Vec<Kind<'static>> {
 }
 
 fn triangle_pass(cases: &[Case]) -> f64 {
-    let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+    let placed: Vec<PlacedRay> = cases.iter().map(Case::placed).collect();
+    let locals: Vec<LocalRay> = placed.iter().map(LocalRay::from).collect();
     let pairs = cases.iter().zip(&locals);
     let inputs: Vec<_> = pairs
         .map(|(case, local)| {
             let mesh = case.mesh();
-            (VertexRay::new(local, mesh.data().origin), corners(mesh))
+            (VertexRay::new(local, &mesh.data().origin), corners(mesh))
         })
         .collect();
     time(&inputs, |(ray, corners)| guarded_volume(ray, *corners))
 }
 
 fn solid_pass(cases: &[Case]) -> f64 {
-    let locals: Vec<LocalRay> = cases.iter().map(Case::local).collect();
+    let placed: Vec<PlacedRay> = cases.iter().map(Case::placed).collect();
+    let locals: Vec<LocalRay> = placed.iter().map(LocalRay::from).collect();
     match cases[0].shape {
         Shape::Sphere => time(&locals, |local| Sphere::hits(local)),
         Shape::Cube => time(&locals, |local| Cuboid::hits(local)),
@@ -118,13 +120,13 @@ fn cases(make: Make, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
 }
 
 impl Case {
-    fn local(&self) -> LocalRay<'_> {
+    fn placed(&self) -> PlacedRay<'_> {
         self.placement.local_ray(&self.ray)
     }
 
     fn hits(&self) -> bool {
         self.mesh()
-            .closest(self.local(), Sides::Both, |_| true)
+            .closest(&self.placed(), Sides::Both, |_| true)
             .is_some()
     }
 
@@ -143,7 +145,7 @@ fn corners(mesh: &Mesh) -> [DVec3; 3] {
 }
 
 fn is_in_doubt(case: &Case) -> bool {
-    case.mesh().is_in_doubt(case.local(), |_| true)
+    case.mesh().is_in_doubt(&case.placed(), |_| true)
 }
 
 /// Whether a pick in a scene of this shape alone says so, which only one that hits does. A ray of short numbers runs exactly

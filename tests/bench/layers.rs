@@ -1,5 +1,5 @@
 //! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of whole picks, with
-//! everything that a record says.
+//! everything that a record says, and of what lies in one place with it.
 #![expect(clippy::cast_precision_loss, reason = "counts are small")]
 
 use glam::{DAffine3, DVec2, DVec3};
@@ -8,6 +8,7 @@ use sightline::{
     geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
     pick,
     scene::{Object, Scene, Shape},
+    verify,
 };
 use std::{sync::Arc, time::Instant};
 
@@ -20,10 +21,11 @@ fn main() {
         scene.build_trees();
         let closest = median(|| assert!(pick::closest(scene, view.ray(px), view.sides).is_some()));
         let one = median(|| assert!(pick::pick(scene, &view, px).is_some()));
+        let place = median(|| drop(verify::in_one_place(scene, &view, px)));
         let mut hits = 0;
         let all = median(|| hits = pick::all(scene, view.ray(px), view.sides).len());
         println!(
-            "{name:44} {hits:7} hits: nearest {closest:9.3} ms, pick {one:9.3} ms, all in order {all:9.3} ms"
+            "{name:44} {hits:7} hits: nearest {closest:9.3} ms, pick {one:9.3} ms, in one place {place:9.3} ms, all in order {all:9.3} ms"
         );
     };
     for count in [500, 4_000] {

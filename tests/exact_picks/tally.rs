@@ -26,6 +26,8 @@ pub struct Tally {
     pub hairs: usize,
     /// Pairs of positions, one step of `f64` apart, with two answers.
     pub steps: usize,
+    /// Positions with a hit that a tree found, asked by all instructions.
+    pub walks: usize,
     /// Positions with a wrong answer.
     pub wrong: usize,
     /// Positions with a wrong answer once trees are built.
@@ -46,7 +48,7 @@ impl Tally {
 
     pub fn row(&self) -> String {
         format!(
-            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
             self.positions,
             self.hits,
             self.ties,
@@ -54,6 +56,7 @@ impl Tally {
             self.planes,
             self.hairs,
             self.steps,
+            self.walks,
             self.worst_t,
             self.wrong,
             self.wrong_with_trees

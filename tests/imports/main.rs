@@ -1,5 +1,6 @@
 //! Imports point one way, and only those who must know graphics and windows know them.
 
+mod reached;
 mod viewer;
 
 use std::{

@@ -131,7 +131,7 @@ fn tiny_near(random: &mut Random, shape: &Shape) -> Option<Case> {
 fn near_an_edge(random: &mut Random, shape: &Shape) -> Option<Case> {
     let Case { object, view, px } = ordinary(random, shape)?;
     let scene = Scene::new(vec![object.clone()]);
-    let hits = |px: DVec2| !pick::all(&scene, &view.ray(px), view.sides).is_empty();
+    let hits = |px: DVec2| !pick::all(&scene, view.ray(px), view.sides).is_empty();
     let direction = DVec2::from_angle(random.within(0.0, 6.3));
     let (mut inside, mut outside) = (0.0, 1e4);
     for _ in 0..5 + random.below(55) {

@@ -3,8 +3,11 @@
 mod certainty;
 #[path = "../common/mod.rs"]
 mod common;
+mod edge_cases;
+mod edges;
 #[path = "../common/exact/mod.rs"]
 mod exact;
+mod wide;
 
 use common::{
     Random, assert_close, assert_near, mesh, orthographic, perspective, placements, scene_of, view,
@@ -16,6 +19,7 @@ use sightline::{
     geometry::{Placement, Sides},
     pick::{self, Pick, PickLine, PickLines},
     scene::{Object, Scene, Shape},
+    verify,
 };
 
 /// Something of every shape, one behind the other, about a point.
@@ -314,24 +318,35 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
     let line = PickLine {
         px,
         hit: pick::pick(&scene, &view, px),
+        in_one_place: verify::in_one_place(&scene, &view, px),
     };
     // Of 90 degrees the camera stores half a height of 0.999..., so the square is shown as much wider.
     assert_eq!(
         serde_json::to_string(&line).unwrap(),
-        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0000000000000002,"gap":null,"exact":false,"differs_px":1.5811388300841898}}"#
+        r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0000000000000002,"gap":null,"exact":false,"differs_px":1.5811388300841898},"in_one_place":null}"#
     );
-    let miss = PickLine { px, hit: None };
+    let miss = PickLine {
+        px,
+        hit: None,
+        in_one_place: None,
+    };
     assert_eq!(
         serde_json::to_string(&miss).unwrap(),
-        r#"{"px":[4.0,4.0],"hit":null}"#
+        r#"{"px":[4.0,4.0],"hit":null,"in_one_place":null}"#
+    );
+    let twice = Scene::new(
+        [&scene, &scene]
+            .map(|scene| scene.objects()[0].clone())
+            .into(),
     );
     let none = PickLines {
         px,
         hits: Vec::new(),
+        in_one_place: verify::in_one_place(&twice, &view, px),
     };
     assert_eq!(
         serde_json::to_string(&none).unwrap(),
-        r#"{"px":[4.0,4.0],"hits":[]}"#
+        r#"{"px":[4.0,4.0],"hits":[],"in_one_place":{"count":2,"named":[{"object":"it","id":1,"triangle":null,"front":true},{"object":"it","id":2,"triangle":null,"front":true}]}}"#
     );
 }
 

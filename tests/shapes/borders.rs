@@ -46,16 +46,16 @@ fn only_what_lies_in_the_interval_counts() {
         t_min,
         t_max,
     };
-    assert!(Square::hit(down(1.0, 1.5)).is_some());
-    assert!(Square::hit(down(0.0, 1.0)).is_none());
+    assert!(Square::hit(&down(1.0, 1.5)).is_some());
+    assert!(Square::hit(&down(0.0, 1.0)).is_none());
     let corners = [
         dvec3(-1.0, -1.0, 0.0),
         dvec3(1.0, -1.0, 0.0),
         dvec3(0.0, 1.0, 0.0),
     ];
-    assert!(guarded_volume(&VertexRay::new(down(1.0, 1.5), DVec3::ZERO), corners).is_some());
-    assert!(guarded_volume(&VertexRay::new(down(0.0, 1.0), DVec3::ZERO), corners).is_none());
-    assert!(guarded_volume(&VertexRay::new(down(-2.0, 0.5), DVec3::ZERO), corners).is_none());
+    assert!(guarded_volume(&VertexRay::exact(down(1.0, 1.5)), corners).is_some());
+    assert!(guarded_volume(&VertexRay::exact(down(0.0, 1.0)), corners).is_none());
+    assert!(guarded_volume(&VertexRay::exact(down(-2.0, 0.5)), corners).is_none());
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn from_inside_the_way_out_is_hit() {
     }
     // On the surface: in as well as out.
     let ray = ray_to(dvec3(-0.5, 0.0, 0.0), DVec3::ZERO);
-    for hits in [Sphere::hits(ray), Cuboid::hits(ray)] {
+    for hits in [Sphere::hits(&ray), Cuboid::hits(&ray)] {
         assert_eq!(hits.map(|hit| hit.map(|hit| hit.t)), [Some(0.0), Some(1.0)]);
     }
 }
@@ -82,7 +82,7 @@ fn a_sphere_is_touched_once() {
         t_max: 9.0,
     };
     assert_eq!(
-        Sphere::hits(tangent).map(|hit| hit.map(|hit| hit.t)),
+        Sphere::hits(&tangent).map(|hit| hit.map(|hit| hit.t)),
         [Some(3.0), None]
     );
     // From where it touches, t is 0 and not 0 / 0.
@@ -91,14 +91,14 @@ fn a_sphere_is_touched_once() {
         ..tangent
     };
     assert_eq!(
-        Sphere::hits(there).map(|hit| hit.map(|hit| hit.t)),
+        Sphere::hits(&there).map(|hit| hit.map(|hit| hit.t)),
         [Some(0.0), None]
     );
     let past = Ray {
         origin: dvec3(-3.0, 0.5_f64.next_up(), 0.0),
         ..tangent
     };
-    assert_eq!(Sphere::hits(past), [None, None]);
+    assert_eq!(Sphere::hits(&past), [None, None]);
 }
 
 /// All directions with coordinates of -1, 0 and 1, each zero with both signs.
@@ -142,7 +142,7 @@ fn axis_parallel_rays_within_a_face_hit_the_cube() {
                     } else {
                         [None, None]
                     };
-                    let found = Cuboid::hits(ray).map(|hit| hit.map(|hit| hit.t));
+                    let found = Cuboid::hits(&ray).map(|hit| hit.map(|hit| hit.t));
                     assert_eq!(found, expected, "{ray:?}");
                     hits += usize::from(found[0].is_some());
                 }
@@ -167,7 +167,7 @@ fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
             (0.0, 0.0, true),
             (0.75, 0.0, false),
         ] {
-            let hit = Square::hit(through(x, y));
+            let hit = Square::hit(&through(x, y));
             assert_eq!(
                 hit.map(|hit| hit.t),
                 (inside && direction.z != 0.0).then_some(2.0)

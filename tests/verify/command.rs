@@ -20,7 +20,7 @@ fn the_demo_is_explained() {
     let unexplained = text.lines().find(|line| line.starts_with("unexplained"));
     assert_eq!(
         unexplained,
-        Some("unexplained         0  defects"),
+        Some("unexplained          0  defects"),
         "{text}"
     );
 }
@@ -42,6 +42,40 @@ fn json_counts_every_pixel_once() {
     assert!(count("drawn") > 10_000, "{line}");
     assert!(count("picked") > 10_000, "{line}");
     assert!(count("outline") > 1000, "{line}");
+}
+
+/// Tinted in the picture, counted in the line and in the text beside the classes, among whose pixels they are.
+#[test]
+fn pixels_in_one_place_are_counted_and_tinted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, image) = (
+        folder.path().join("two.toml"),
+        folder.path().join("two.png"),
+    );
+    let square = "[[object]]\nshape = \"square\"\n";
+    std::fs::write(&file, format!("{square}{square}rotation = [0, 0, 30]\n")).expect("a file");
+    let view = "--size 160x120 --eye 0,0,3 --target 0,0,0";
+    let args = format!(
+        "verify {} {view} --image {}",
+        file.display(),
+        image.display()
+    );
+    let output = run(&format!("{args} --json"));
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
+    let count = line["in_one_place"].as_u64().expect("a count");
+    assert!((1000..3000).contains(&count), "{line}");
+    let picture = super::images::read(&image);
+    let tinted = picture
+        .pixels()
+        .iter()
+        .filter(|[red, _, blue]| blue > &(red.saturating_add(40)));
+    let differ = line["pixels"].as_u64().unwrap_or(0) - line["same"].as_u64().unwrap_or(0);
+    let off = count.abs_diff(u64::try_from(tinted.count()).expect("few"));
+    assert!(off <= 9 * differ, "{off} of {line}");
+    let text = String::from_utf8(run(&args).stdout).expect("text");
+    let row = format!("in one place {count:>9}  of all these: ");
+    assert!(text.contains(&row), "{text}");
 }
 
 /// Seen from afar through a long lens the usual picker is wrong, and verify says so in every way it has.

@@ -23,6 +23,7 @@ mod images;
 #[path = "../exact_picks/lattice.rs"]
 mod lattice;
 mod models;
+mod one_place;
 #[path = "../common/scenes.rs"]
 mod scenes;
 #[path = "../exact_picks/ties.rs"]

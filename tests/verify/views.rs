@@ -8,6 +8,7 @@ use crate::{
     blocks::{Sample, chance},
     common::Random,
     drawn, families, lattice,
+    one_place::{is_of_two_surfaces, name},
     scenes::gpu,
     ties,
 };
@@ -15,7 +16,7 @@ use sightline::{
     camera::{DepthMapping, Lens, View, Viewport},
     pick,
     render::{Gpu, Renderer, SceneBuffers},
-    verify::{Class, Report, Verdict, compare},
+    verify::{Class, Places, Report, Verdict, compare},
 };
 
 /// Views of each family in an ordinary run.
@@ -34,6 +35,8 @@ struct Tally {
     beyond: usize,
     one_sided: usize,
     defects: Vec<String>,
+    /// Pixels of the class *depth* by two surfaces; picks there name what is drawn.
+    of_two: usize,
 }
 
 impl Tally {
@@ -90,20 +93,25 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
             sample.view.camera = sample.view.camera.with_lens(lens).expect("a lens");
         }
         let report = compared(&gpu, &mut renderer, &sample);
+        tally.of_two += depths_are_named(name, &sample, &report);
         pixels += report.pixels;
         tally.add(&report, &sample);
     }
     let [edge, depth, limit, beyond, unexplained] = tally.classes;
     println!(
         "{name:16} {pixels:>9} pixels, {:>8} picked, {:>8} drawn: {edge} edge, {depth} depth, {limit} f32 limit, \
-         {beyond} beyond in {} views, {} one-sided, {unexplained} unexplained",
-        tally.picked, tally.drawn, tally.beyond, tally.one_sided
+         {beyond} beyond in {} views, {} one-sided, {unexplained} unexplained, {} of two",
+        tally.picked, tally.drawn, tally.beyond, tally.one_sided, tally.of_two
     );
     assert!(
         tally.defects.is_empty(),
         "{name}: {}",
         tally.defects.join("\n")
     );
+    // The rest of the class has a plane of the lens for one of the two.
+    if expected.one_sided == 0 {
+        assert_eq!(tally.of_two, depth, "{name}");
+    }
     let shown = tally.picked.min(tally.drawn) * 1000 / pixels;
     assert!(
         shown >= expected.shown,
@@ -129,6 +137,23 @@ fn compared(gpu: &Gpu, renderer: &mut Renderer, sample: &Sample) -> Report {
     let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
     let drawn = drawn(gpu, renderer, &buffers, view);
     compare(scene, view, &drawn, &pick::ids(scene, view))
+}
+
+/// How many pixels of the class *depth* show one surface and pick another; fails where a pick does not name both.
+fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &Report) -> usize {
+    let places = Places::new(scene, view);
+    let of_two = report.disagreements.iter();
+    let of_two = of_two.filter(|at| is_of_two_surfaces(view, at));
+    of_two
+        .map(|at| {
+            for id in [at.drawn, at.picked] {
+                assert!(
+                    name(scene, &places, at.pixel, id),
+                    "{family}: {at:?}, {view:?}"
+                );
+            }
+        })
+        .count()
 }
 
 /// The near or the far plane through what some pixel shows, at the `f64` that its depth rounds to.

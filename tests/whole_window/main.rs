@@ -10,6 +10,7 @@ mod in_view;
 mod inspect;
 mod keeping;
 mod keys;
+mod one_place;
 mod overlays;
 mod pictures;
 mod stalls;

@@ -30,6 +30,7 @@ const JOBS_PER_THREAD: usize = 16;
 pub(super) fn build(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],
+    instructions: Instructions,
     stop: &AtomicBool,
 ) -> Option<Bvh> {
     let count = u32::try_from(triangles.len())
@@ -47,7 +48,6 @@ pub(super) fn build(
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
-    let instructions = Instructions::fastest();
     let all = instructions.run(Whole(&mut leaves));
     let [min, max] = all.bounds();
     let site = Site {

@@ -53,17 +53,19 @@ pub struct Bvh {
 
 impl Bvh {
     /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
-    /// finite.
+    /// finite. `simd` names the instructions that build it and that rays walk it by: one of [`Simd::available`].
     ///
-    /// `None` when `stop` was set meanwhile, and for meshes that a tree cannot hold: without triangles, with more than
-    /// `2^27` of them, or with coordinates that differ by so many orders of magnitude that scaling would change them.
+    /// `None` when `stop` was set meanwhile, for instructions that this processor has not got, and for meshes that a tree
+    /// cannot hold: without triangles, with more than `2^27` of them, or with coordinates that differ by so many orders of
+    /// magnitude that scaling would change them.
     #[must_use]
     pub fn build(
         positions: &[[f32; 3]],
         triangles: &[[u32; 3]],
+        simd: Simd,
         stop: &AtomicBool,
     ) -> Option<Self> {
-        build::build(positions, triangles, stop)
+        build::build(positions, triangles, Instructions::of(simd)?, stop)
     }
 
     /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, nearer
@@ -74,17 +76,6 @@ impl Bvh {
     #[inline]
     pub fn visit(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         self.instructions.run(Walk::<_, true> {
-            tree: self,
-            ray,
-            center,
-            visit,
-        });
-    }
-
-    /// [`Bvh::visit`] by chosen instructions.
-    #[inline]
-    pub fn visit_by(&self, simd: Simd, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
-        simd.run(Walk::<_, true> {
             tree: self,
             ray,
             center,

@@ -36,7 +36,7 @@
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
 
-use crate::geometry::{Aabb, LocalRay, Ray, entry};
+use crate::geometry::{Aabb, LocalRay, Ray, binary, entry};
 use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
@@ -114,17 +114,18 @@ impl TreeRay {
     #[inline(always)]
     pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
         /// Errors up to this, over the way, disappear in what the bounds have to spare.
-        const NOTHING: f64 = f64::from_bits((1023 - 30) << 52);
-        let ray = &local.ray;
+        const NOTHING: f64 = binary::power_of_two(-30);
+        let ray = local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
         // Written so that NaN is false.
         let is_near = away <= NEAR * frame.most;
-        let [of_origin, of_direction] = local.errors();
-        let is_exact = of_origin * frame.scale <= NOTHING * f64::from(frame.most)
-            && of_direction <= NOTHING * f64::from(size);
+        let [of_origin, of_direction] = local.errors;
+        let is_exact = local.is_exact()
+            || of_origin * frame.scale <= NOTHING * f64::from(frame.most)
+                && of_direction <= NOTHING * f64::from(size);
         let placed = if is_near && is_exact && (LEAST_SIZE..=1.0 / LEAST_SIZE).contains(&size) {
             Placed {
                 origin,
@@ -221,15 +222,15 @@ impl Placed {
     /// A ray whose eye is to be moved, or its direction to be scaled.
     #[cold]
     fn far(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
-        let ray = &local.ray;
-        let [of_origin, of_direction] = local.errors();
+        let ray = local.ray;
+        let [of_origin, of_direction] = local.errors;
         let (least, most) = (f64::from(LEAST_SIZE), f64::from(frame.most));
         let mut origin = (ray.origin - *center) * frame.scale;
         let mut direction = ray.direction;
         let (mut t_scale, mut t_start) = (frame.scale, 0.0);
         let mut size = direction.abs().max_element();
         if !(least..=1.0 / least).contains(&size) {
-            let by = like(size);
+            let by = binary::power_of_two_below(size);
             (direction, size) = (direction / by, size / by);
             t_scale *= by;
         }
@@ -237,7 +238,8 @@ impl Placed {
         let of_way = of_direction / ray.direction.abs().max_element() * (away + most);
         let far = 8.0 * U64 * (away + most) + 2.0 * (of_origin * frame.scale + of_way);
         // Written so that NaN is false.
-        if !(far < most && size <= 1.0 / least && t_scale.is_normal()) {
+        let is_scaled = (least..=1.0 / least).contains(&size) && t_scale.is_normal();
+        if !(far < most && is_scaled) {
             return Err(Unplaced::BeyondF32);
         }
         let mut distance = away + most;
@@ -275,12 +277,6 @@ pub(super) struct ShearedRay {
     pub size: f32,
     /// How far a corner may be from where this sees it.
     pub reach: f32,
-}
-
-/// The power of two below `size`.
-fn like(size: f64) -> f64 {
-    const MANTISSA: u64 = (1 << 52) - 1;
-    f64::from_bits(size.to_bits() & !MANTISSA)
 }
 
 /// As [`f64::max`], but `b` where either is NaN.
@@ -330,7 +326,7 @@ mod tests {
                 t_min: 0.0,
                 t_max: f64::INFINITY,
             };
-            let Ok(prepared) = TreeRay::prepare(&ray.into(), &DVec3::ZERO, &frame) else {
+            let Ok(prepared) = TreeRay::prepare(&(&ray).into(), &DVec3::ZERO, &frame) else {
                 continue;
             };
             for axis in 0..3 {

@@ -18,7 +18,7 @@
 
 use std::mem::MaybeUninit;
 
-/// Which instructions walk a tree. All give the same hits.
+/// Which instructions build a tree and walk it. All give the same hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Simd {
     /// As AVX2, with twice the registers: x86-64 of servers, and of desktops since about 2022.
@@ -32,38 +32,21 @@ pub enum Simd {
 }
 
 impl Simd {
-    /// What this processor can do, fastest first.
+    /// What this processor can do, fastest first; plain Rust is the last.
     pub fn available() -> impl Iterator<Item = Self> {
-        let avx512 = Avx512::detect().map(|_| Self::Avx512);
-        let avx2 = Avx2::detect().map(|_| Self::Avx2);
-        let sse2 = cfg!(target_arch = "x86_64").then_some(Self::Sse2);
-        [avx512, avx2, sse2, Some(Self::Portable)]
-            .into_iter()
-            .flatten()
+        let all = [Self::Avx512, Self::Avx2, Self::Sse2, Self::Portable];
+        all.into_iter()
+            .filter(|simd| Instructions::of(*simd).is_some())
     }
 
-    /// Runs `work` by these instructions, or the portable ones where the processor has no such.
-    #[inline]
-    pub(super) fn run<W: Work>(self, work: W) -> W::Output {
-        match self {
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => match Avx512::detect() {
-                Some(avx512) => avx512.run(work),
-                None => work.run(Portable),
-            },
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx2 => match Avx2::detect() {
-                Some(avx2) => avx2.run(work),
-                None => work.run(Portable),
-            },
-            #[cfg(target_arch = "x86_64")]
-            Self::Sse2 => work.run(x86::Sse2),
-            _ => work.run(Portable),
-        }
+    /// The first of them.
+    #[must_use]
+    pub fn fastest() -> Self {
+        Self::available().next().unwrap_or(Self::Portable)
     }
 }
 
-/// The fastest instructions of this processor, which it was seen to have: who keeps this need not look again.
+/// Instructions that this processor was seen to have: who keeps this need not look again.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Instructions {
     #[cfg(target_arch = "x86_64")]
@@ -72,23 +55,23 @@ pub(super) enum Instructions {
     Avx2(Avx2),
     #[cfg(target_arch = "x86_64")]
     Sse2,
-    #[cfg(not(target_arch = "x86_64"))]
     Portable,
 }
 
 impl Instructions {
-    /// Looks.
-    pub fn fastest() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx512) = Avx512::detect() {
-            Self::Avx512(avx512)
-        } else if let Some(avx2) = Avx2::detect() {
-            Self::Avx2(avx2)
-        } else {
-            Self::Sse2
+    /// Those of this name; `None` where this processor has not got them.
+    pub fn of(simd: Simd) -> Option<Self> {
+        match simd {
+            #[cfg(target_arch = "x86_64")]
+            Simd::Avx512 => Avx512::detect().map(Self::Avx512),
+            #[cfg(target_arch = "x86_64")]
+            Simd::Avx2 => Avx2::detect().map(Self::Avx2),
+            #[cfg(target_arch = "x86_64")]
+            Simd::Sse2 => Some(Self::Sse2),
+            #[cfg(not(target_arch = "x86_64"))]
+            Simd::Avx512 | Simd::Avx2 | Simd::Sse2 => None,
+            Simd::Portable => Some(Self::Portable),
         }
-        #[cfg(not(target_arch = "x86_64"))]
-        Self::Portable
     }
 
     /// Does `work` by them.
@@ -101,8 +84,7 @@ impl Instructions {
             Self::Avx2(avx2) => avx2.run(work),
             #[cfg(target_arch = "x86_64")]
             Self::Sse2 => work.run(x86::Sse2),
-            #[cfg(not(target_arch = "x86_64"))]
-            Self::Portable => work.run(Portable),
+            Self::Portable => Portable.apart(work),
         }
     }
 }
@@ -184,21 +166,6 @@ impl Lanes for Portable {
 
 #[cfg(target_arch = "x86_64")]
 use x86::{Avx2, Avx512};
-
-#[cfg(not(target_arch = "x86_64"))]
-use nowhere::{Nowhere as Avx2, Nowhere as Avx512};
-
-#[cfg(not(target_arch = "x86_64"))]
-mod nowhere {
-    /// Instructions that this processor has not.
-    pub(super) struct Nowhere;
-
-    impl Nowhere {
-        pub fn detect() -> Option<Self> {
-            None
-        }
-    }
-}
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {

@@ -1,4 +1,4 @@
-//! Integers of a width that fits: the same formulas in 256, 512 or 1024 bits, or any number of them.
+//! Integers of a width that fits: the same formulas in 128, 256, 512 or 1024 bits, or any number of them.
 //!
 //! Fixed widths need no memory of their own and are ten times as fast. Which one suffices is found by running a formula on
 //! [`Bits`], which only counts how long each number may become.
@@ -8,7 +8,7 @@ use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
 /// What formulas are made of. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
-pub(super) trait Integer: Clone {
+pub(crate) trait Integer: Clone {
     fn new(value: i64) -> Self;
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;
@@ -20,6 +20,46 @@ pub(super) trait Integer: Clone {
     fn to_big(&self) -> BigInt;
     /// A number times a power of two, by its exponent: the value, to within one rounding.
     fn rounded(&self) -> (f64, i64);
+}
+
+impl Integer for i128 {
+    #[inline]
+    fn new(value: i64) -> Self {
+        value.into()
+    }
+
+    #[inline]
+    fn plus(&self, other: &Self) -> Self {
+        self.wrapping_add(*other)
+    }
+
+    #[inline]
+    fn minus(&self, other: &Self) -> Self {
+        self.wrapping_sub(*other)
+    }
+
+    #[inline]
+    fn times(&self, other: &Self) -> Self {
+        self.wrapping_mul(*other)
+    }
+
+    #[inline]
+    fn shifted(&self, by: u32) -> Self {
+        self.wrapping_shl(by)
+    }
+
+    fn sign(&self) -> Ordering {
+        self.cmp(&0)
+    }
+
+    fn to_big(&self) -> BigInt {
+        (*self).into()
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "this is the rounding")]
+    fn rounded(&self) -> (f64, i64) {
+        (*self as f64, 0)
+    }
 }
 
 impl<const N: usize> Integer for BInt<N> {
@@ -208,7 +248,8 @@ pub(super) fn solve<F: Formula>(formula: &F) -> F::Answer {
     }
     // One bit for the sign.
     match F::most_bits(&formula.numbers::<Bits>()) {
-        0..=255 => by::<BInt<4>, F>(formula),
+        0..=127 => by::<i128, F>(formula),
+        128..=255 => by::<BInt<4>, F>(formula),
         256..=511 => by::<BInt<8>, F>(formula),
         512..=1023 => by::<BInt<16>, F>(formula),
         _ => by::<BigInt, F>(formula),
@@ -241,20 +282,25 @@ mod tests {
             }
         }
         let mut random = Random(5);
-        let mut widths = [0; 4];
+        let mut widths = [0; 5];
         for i in 0..20_000_u32 {
-            let longest = [60.0, 180.0, 450.0, 700.0][i as usize % 4];
+            let kind = i as usize % 5;
+            let longest = [20.0, 60.0, 180.0, 450.0, 700.0][kind];
+            let largest = if kind == 0 { 1e9 } else { 9e18 };
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "small"
             )]
             let formula = Determinant(
-                [(); 4].map(|()| (random.next() * 9e18) as i64),
+                [(); 4].map(|()| (random.next() * largest) as i64),
                 [(); 4].map(|()| (random.next().abs() * longest) as u32),
             );
             let bits = Determinant::most_bits(&formula.numbers::<Bits>());
-            widths[[255, 511, 1023].iter().filter(|most| bits > **most).count()] += 1;
+            widths[[127, 255, 511, 1023]
+                .iter()
+                .filter(|most| bits > **most)
+                .count()] += 1;
             let big = formula.answer(formula.numbers::<BigInt>());
             assert!(big.bits() <= u64::from(bits), "{big} {bits}");
             assert_eq!(solve(&formula), big);

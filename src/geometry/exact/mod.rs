@@ -1,12 +1,12 @@
 //! Rays against shapes in exact arithmetic, from the numbers that are stored, for the few that `f64` cannot decide.
 //!
 //! Every finite `f64` is an integer times a power of two, and so is every sum and product of such: integers neither round
-//! nor overflow. Triangles are decided in the world, by the volumes that the ray spans with their edges; spheres, cubes
-//! and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
+//! nor overflow. Triangles are decided in the world, by what their corners weigh where the ray meets their plane; spheres,
+//! cubes and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
 //! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`root`]).
 //!
-//! Integers have 256, 512 or 1024 bits where that is enough, which takes about a microsecond, and any number of them
-//! where it is not. (Floating-point expansions, Shewchuk 1997, fail as soon as a product underflows.)
+//! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
+//! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
 pub(crate) mod dyadic;
 mod integer;

@@ -1,20 +1,23 @@
 //! Numbers and vectors that are integers times a power of two: every finite `f64`, and every sum and product of such.
 
-use super::integer::Integer;
+use super::{
+    super::binary::{split, times_power_of_two},
+    integer::Integer,
+};
 use glam::DVec3;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
 /// `integer * 2^exponent`.
 #[derive(Clone, Debug)]
-pub(super) struct Number<I> {
+pub(crate) struct Number<I> {
     pub integer: I,
     pub exponent: i64,
 }
 
 /// Three integers times one power of two.
 #[derive(Clone, Debug)]
-pub(super) struct Vector<I> {
+pub(crate) struct Vector<I> {
     pub integers: [I; 3],
     pub exponent: i64,
 }
@@ -169,35 +172,4 @@ impl<I: Integer> Vector<I> {
             exponent: self.exponent,
         }
     }
-}
-
-/// A finite number as an odd integer (or 0) times a power of two, by its exponent.
-pub(super) fn split(value: f64) -> (i64, i64) {
-    const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
-    let bits = value.to_bits();
-    let fraction = bits & ((1 << FRACTION_BITS) - 1);
-    let biased = (bits >> FRACTION_BITS & 0x7FF).cast_signed();
-    // Subnormal numbers have no leading one and the exponent of the least normal ones.
-    let (mantissa, biased) = if biased == 0 {
-        (fraction, 1)
-    } else {
-        (fraction | 1 << FRACTION_BITS, biased)
-    };
-    if mantissa == 0 {
-        return (0, 0);
-    }
-    let zeros = mantissa.trailing_zeros();
-    let odd = (mantissa >> zeros).cast_signed();
-    let exponent = biased - 1023 - i64::from(FRACTION_BITS) + i64::from(zeros);
-    (if value < 0.0 { -odd } else { odd }, exponent)
-}
-
-/// `value * 2^exponent`, in steps that a power of two in `f64` can take.
-pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
-    while exponent != 0 && value != 0.0 && value.is_finite() {
-        let step = exponent.clamp(-1000, 1000);
-        value *= f64::from_bits((1023 + step).cast_unsigned() << (f64::MANTISSA_DIGITS - 1));
-        exponent -= step;
-    }
-    value
 }

@@ -1,6 +1,9 @@
 //! Ray parameters as they are: quotients and roots of quadratics, compared and rounded without error.
 
-use super::number::{Number, split, times_power_of_two};
+use super::{
+    super::binary::{split, times_power_of_two},
+    number::Number,
+};
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 

@@ -1,13 +1,19 @@
 //! A ray and a triangle in integers.
 
 use super::{
-    super::{Placement, Ray, TriangleHit, WorldRay, local_ray::Exactly, ray::Line},
+    super::{
+        Placement, Ray, TriangleHit, WorldRay,
+        binary::{power_of_two, power_of_two_below},
+        local_ray::Exactly,
+        ray::Line,
+    },
     integer::{Bits, Formula, Integer, solve},
     number::{Number, Vector},
     root::Root,
-    world::{Adjugate, ExactLine, point},
+    world::{ExactLine, point, way},
 };
 use glam::DVec3;
+#[cfg(test)]
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
@@ -26,40 +32,87 @@ impl Corners<'_> {
     }
 }
 
-/// The volumes that a ray spans with a triangle's edges, and where it meets its plane.
-#[expect(clippy::struct_field_names, reason = "what they are")]
-struct Volumes<I> {
-    /// `d . (p x q)` for each edge, the first opposite to the first corner.
-    volumes: [Number<I>; 3],
-    /// Their sum.
-    sum: Number<I>,
-    /// `a . (b x c)`: the plane is met where `t` is this over the sum.
+/// Where a ray meets a triangle's plane: at `t = numerator / denominator`. It runs along it where the denominator is 0.
+struct Plane<I> {
     numerator: Number<I>,
+    denominator: Number<I>,
 }
 
-impl<I: Integer> Volumes<I> {
+/// What the corners weigh there, times a sum that has the sign of `direction . normal` (Moeller & Trumbore, "Fast, Minimum
+/// Storage Ray/Triangle Intersection", JGT 2(1), 1997).
+struct Weights<I> {
+    corners: [Number<I>; 3],
+    sum: Number<I>,
+}
+
+/// A triangle as a ray sees it.
+struct Seen<I> {
+    line: ExactLine<I>,
+    /// From the ray's origin to the first corner, times the ray's weight.
+    corner: Vector<I>,
+    /// From the second corner to the first, and on to the third.
+    edges: [Vector<I>; 2],
+    plane: Plane<I>,
+}
+
+impl<I: Integer> Seen<I> {
     fn new(line: &Line, triangle: &Corners) -> Self {
         let line = ExactLine::new(line);
-        let seen = (triangle.corners)
-            .map(|corner| line.to(&point(triangle.placement, [triangle.origin, corner])));
-        let unit = seen.iter().map(|corner| corner.exponent).min().unwrap_or(0);
-        let [a, b, c] = seen.map(|corner: Vector<I>| corner.in_unit(unit));
-        let volumes = [(&b, &c), (&c, &a), (&a, &b)].map(|(p, q)| p.cross(q));
-        let numerator = a.dot(&volumes[0]);
-        let volumes = volumes.map(|normal| line.direction.dot(&normal));
-        let sum = volumes[0].plus(&volumes[1]).plus(&volumes[2]);
+        let Corners {
+            placement,
+            origin,
+            corners: [a, b, c],
+        } = *triangle;
+        let corner = line.to(&point(placement, [origin, a]));
+        let edges = [[b, a], [a, c]].map(|[from, to]| way(placement, from, to));
+        let normal = edges[1].cross(&edges[0]);
+        let plane = Plane {
+            numerator: corner.dot(&normal),
+            denominator: line.direction.dot(&normal),
+        };
         Self {
-            volumes,
+            line,
+            corner,
+            edges,
+            plane,
+        }
+    }
+
+    fn weights(&self) -> Weights<I> {
+        let moment = self.corner.cross(&self.line.direction);
+        let [c, b] = self.edges.each_ref().map(|edge| edge.dot(&moment));
+        let sum = self.plane.denominator.times(&self.line.weight);
+        Weights {
+            corners: [sum.minus(&b).minus(&c), b, c],
             sum,
-            numerator,
         }
     }
 }
 
-impl Volumes<Bits> {
+impl<I: Integer> Plane<I> {
+    fn root(&self) -> Option<Root> {
+        Root::quotient(self.numerator.to_big(), self.denominator.to_big())
+    }
+}
+
+impl<I: Integer> Weights<I> {
+    /// The quotients, each within three roundings.
+    fn rounded(&self) -> [f64; 3] {
+        self.corners
+            .each_ref()
+            .map(|corner| corner.ratio(&self.sum))
+    }
+}
+
+impl Plane<Bits> {
     fn most_bits(&self) -> u32 {
-        let [u, v, w] = &self.volumes;
-        Bits::most([u, v, w, &self.sum, &self.numerator].map(|n| n.integer))
+        Bits::most([&self.numerator, &self.denominator].map(|n| n.integer))
+    }
+}
+
+impl Weights<Bits> {
+    fn most_bits(&self) -> u32 {
+        Bits::most(self.corners.each_ref().map(|n| n.integer))
     }
 }
 
@@ -71,62 +124,43 @@ struct Hit<'a> {
 }
 
 impl Formula for Hit<'_> {
-    /// The volumes; and whether object space is mirrored, by the sign.
-    type Numbers<I: Integer> = (Volumes<I>, [Number<I>; 2], Option<Number<I>>);
+    type Numbers<I: Integer> = (Plane<I>, Weights<I>);
     type Answer = Option<TriangleHit>;
 
     fn numbers<I: Integer>(&self) -> Self::Numbers<I> {
-        let volumes = Volumes::new(&self.line, &self.triangle);
-        let beyond = [self.interval.t_min, self.interval.t_max].map(|end| {
-            let end = Number::new(if end.is_finite() { end } else { 0.0 });
-            volumes.numerator.minus(&volumes.sum.times(&end))
-        });
-        let placed = self
-            .triangle
-            .placement
-            .filter(|placement| !placement.is_identity());
-        let determinant =
-            placed.map(|placement| Adjugate::new(placement.model().matrix3).determinant);
-        (volumes, beyond, determinant)
+        let seen = Seen::new(&self.line, &self.triangle);
+        let weights = seen.weights();
+        (seen.plane, weights)
     }
 
-    fn most_bits((volumes, [near, far], determinant): &Self::Numbers<Bits>) -> u32 {
-        let others = [Some(near), Some(far), determinant.as_ref()];
-        let others = Bits::most(others.into_iter().flatten().map(|n| n.integer));
-        volumes.most_bits().max(others)
+    fn most_bits((plane, weights): &Self::Numbers<Bits>) -> u32 {
+        plane.most_bits().max(weights.most_bits())
     }
 
-    fn answer<I: Integer>(
-        &self,
-        (of, [after_near, after_far], determinant): Self::Numbers<I>,
-    ) -> Self::Answer {
-        let any = |sign| of.volumes.iter().any(|volume| volume.sign() == sign);
+    fn answer<I: Integer>(&self, (plane, weights): Self::Numbers<I>) -> Self::Answer {
+        let any = |sign| weights.corners.iter().any(|weight| weight.sign() == sign);
         let is_negative = any(Ordering::Less);
         // Both signs: it passes by. Neither: it lies in the plane, or the triangle has no area.
         if is_negative == any(Ordering::Greater) {
             return None;
         }
-        let turned = |sign: Ordering| if is_negative { sign.reverse() } else { sign };
+        let t = plane.numerator.ratio(&plane.denominator);
+        let t_error = super::rounding_of(t);
         let Ray { t_min, t_max, .. } = *self.interval;
-        let is_after = |end: f64, sign| {
-            if end.is_finite() {
-                turned(sign)
-            } else {
-                0.0_f64.total_cmp(&end)
+        let (low, high) = (t - t_error, t + t_error);
+        if !(low >= t_min && high < t_max) {
+            let t = plane.root()?;
+            if t.compare_to(t_min).is_lt() || t.compare_to(t_max).is_ge() {
+                return None;
             }
-        };
-        if is_after(t_min, after_near.sign()).is_lt() || is_after(t_max, after_far.sign()).is_ge() {
-            return None;
         }
-        let mirrors = determinant.is_some_and(|determinant| determinant.sign().is_lt());
-        let t = of.numerator.ratio(&of.sum);
-        // Rounding may have crossed an end of the interval.
-        let t = t.max(t_min).min(t_max.next_down());
+        let mirrors = self.triangle.placement.is_some_and(Placement::mirrors);
         Some(TriangleHit {
-            t,
-            t_error: super::rounding_of(t),
+            // Rounding may have crossed an end of the interval.
+            t: t.max(t_min).min(t_max.next_down()),
+            t_error,
             front: is_negative != mirrors,
-            barycentric: of.volumes.each_ref().map(|volume| volume.ratio(&of.sum)),
+            barycentric: weights.rounded(),
         })
     }
 }
@@ -156,48 +190,46 @@ pub(in super::super) fn hit(
 
 /// Where a ray's line meets a triangle's plane; `None` when it runs along it, or where a number is not finite.
 pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
-    struct Plane<'a>(&'a Line, &'a Corners<'a>);
-    impl Formula for Plane<'_> {
-        type Numbers<I: Integer> = Volumes<I>;
-        type Answer = [Number<BigInt>; 2];
-        fn numbers<I: Integer>(&self) -> Volumes<I> {
-            Volumes::new(self.0, self.1)
+    struct Parameter<'a>(&'a Line, &'a Corners<'a>);
+    impl Formula for Parameter<'_> {
+        type Numbers<I: Integer> = Plane<I>;
+        type Answer = Option<Root>;
+        fn numbers<I: Integer>(&self) -> Plane<I> {
+            Seen::new(self.0, self.1).plane
         }
-        fn most_bits(numbers: &Volumes<Bits>) -> u32 {
-            numbers.most_bits()
+        fn most_bits(plane: &Plane<Bits>) -> u32 {
+            plane.most_bits()
         }
-        fn answer<I: Integer>(&self, of: Volumes<I>) -> Self::Answer {
-            [of.numerator.to_big(), of.sum.to_big()]
+        fn answer<I: Integer>(&self, plane: Plane<I>) -> Self::Answer {
+            plane.root()
         }
     }
-    if !(triangle.is_finite() && super::is_finite(line)) {
-        return None;
-    }
-    let [numerator, denominator] = solve(&Plane(line, triangle));
-    Root::quotient(numerator, denominator)
+    let is_finite = triangle.is_finite() && super::is_finite(line);
+    is_finite
+        .then(|| solve(&Parameter(line, triangle)))
+        .flatten()
 }
 
 /// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` when it runs
 /// along it.
 pub(crate) fn weights(ray: &WorldRay, triangle: &Corners) -> Option<[f64; 3]> {
-    struct Weights<'a>(&'a Line, &'a Corners<'a>);
-    impl Formula for Weights<'_> {
-        type Numbers<I: Integer> = Volumes<I>;
+    struct Rounded<'a>(&'a Line, &'a Corners<'a>);
+    impl Formula for Rounded<'_> {
+        type Numbers<I: Integer> = Weights<I>;
         type Answer = Option<[f64; 3]>;
-        fn numbers<I: Integer>(&self) -> Volumes<I> {
-            Volumes::new(self.0, self.1)
+        fn numbers<I: Integer>(&self) -> Weights<I> {
+            Seen::new(self.0, self.1).weights()
         }
-        fn most_bits(numbers: &Volumes<Bits>) -> u32 {
-            numbers.most_bits()
+        fn most_bits(weights: &Weights<Bits>) -> u32 {
+            weights.most_bits()
         }
-        fn answer<I: Integer>(&self, of: Volumes<I>) -> Self::Answer {
-            let weights = || of.volumes.each_ref().map(|volume| volume.ratio(&of.sum));
-            of.sum.sign().is_ne().then(weights)
+        fn answer<I: Integer>(&self, weights: Weights<I>) -> Self::Answer {
+            weights.sum.sign().is_ne().then(|| weights.rounded())
         }
     }
     let line = ray.line();
     let is_finite = triangle.is_finite() && super::is_finite(line);
-    is_finite.then(|| solve(&Weights(line, triangle))).flatten()
+    is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
 
 /// Which of two triangles' planes a ray's line meets first; equal when it runs along one.
@@ -207,15 +239,18 @@ pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Orderi
         type Numbers<I: Integer> = ([Number<I>; 2], Number<I>);
         type Answer = Ordering;
         fn numbers<I: Integer>(&self) -> Self::Numbers<I> {
-            let [a, b] = self.1.map(|triangle| Volumes::<I>::new(self.0, triangle));
-            let difference = (a.numerator.times(&b.sum)).minus(&b.numerator.times(&a.sum));
-            ([a.sum, b.sum], difference)
+            let [a, b] = self
+                .1
+                .map(|triangle| Seen::<I>::new(self.0, triangle).plane);
+            let difference =
+                (a.numerator.times(&b.denominator)).minus(&b.numerator.times(&a.denominator));
+            ([a.denominator, b.denominator], difference)
         }
-        fn most_bits(([a, b], difference): &Self::Numbers<Bits>) -> u32 {
-            Bits::most([a, b, difference].map(|n| n.integer))
+        fn most_bits((_, difference): &Self::Numbers<Bits>) -> u32 {
+            Bits::most([difference.integer])
         }
-        fn answer<I: Integer>(&self, (sums, difference): Self::Numbers<I>) -> Ordering {
-            let signs = sums.map(|sum| sum.sign());
+        fn answer<I: Integer>(&self, (denominators, difference): Self::Numbers<I>) -> Ordering {
+            let signs = denominators.map(|denominator| denominator.sign());
             match signs {
                 [Ordering::Equal, _] | [_, Ordering::Equal] => Ordering::Equal,
                 [a, b] if a == b => difference.sign(),
@@ -262,10 +297,9 @@ pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
 
 /// Six points as integers of 40 bits in one unit; `None` where they are longer.
 fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
-    const MOST: f64 = f64::from_bits((1023 + 40) << 52);
+    const MOST: f64 = power_of_two(40);
     let largest = (points.clone()).fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
-    // A power of two.
-    let scale = MOST / f64::from_bits(largest.to_bits() & !((1 << 52) - 1)) * 0.5;
+    let scale = MOST / power_of_two_below(largest) * 0.5;
     let mut integers = [[0; 3]; 6];
     for (integers, point) in integers.iter_mut().zip(points) {
         for (integer, c) in integers.iter_mut().zip((point * scale).to_array()) {
@@ -323,7 +357,7 @@ pub(in super::super) fn volume_errors(
         origin,
         corners,
     };
-    let volumes = Volumes::<BigInt>::new(&line, &triangle).volumes;
+    let volumes = Seen::<BigInt>::new(&line, &triangle).weights().corners;
     [0, 1, 2].map(|i| {
         let error = volumes[i].minus(&Number::new(computed[i]));
         error.ratio(&Number::new(1.0)).abs()

@@ -59,15 +59,33 @@ pub(super) fn point<I: Integer>(placement: Option<&Placement>, sum_of: [DVec3; 2
         [DVec3::ZERO, point] => Vector::new(point),
         [a, b] => Vector::new(a).plus(&Vector::new(b)),
     };
-    let Some(placement) = placement.filter(|placement| !placement.is_identity()) else {
-        return object;
-    };
-    let model = placement.model();
-    columns(model.matrix3)
-        .iter()
-        .enumerate()
-        .map(|(i, column)| column.times(&object.component(i)))
-        .fold(Vector::new(model.translation), |sum, part| sum.plus(&part))
+    match moved(placement) {
+        Some(placement) => {
+            turned(placement, &object).plus(&Vector::new(placement.model().translation))
+        }
+        None => object,
+    }
+}
+
+/// The way from one point of object space to another, in the world of the placement.
+pub(super) fn way<I: Integer>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
+    let object = Vector::new(to).minus(&Vector::new(from));
+    match moved(placement) {
+        Some(placement) => turned(placement, &object),
+        None => object,
+    }
+}
+
+/// A placement that moves something.
+fn moved(placement: Option<&Placement>) -> Option<&Placement> {
+    placement.filter(|placement| !placement.is_identity())
+}
+
+/// A vector of object space by the placement's linear part.
+fn turned<I: Integer>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
+    let columns = columns(placement.model().matrix3);
+    let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
+    x.plus(&y).plus(&z)
 }
 
 fn columns<I: Integer>(matrix: DMat3) -> [Vector<I>; 3] {
@@ -86,10 +104,7 @@ pub(super) struct LocalLine<I> {
 impl<I: Integer> LocalLine<I> {
     pub fn new(exactly: &Exactly) -> Self {
         let line = ExactLine::<I>::new(&exactly.line);
-        let Some(placement) = exactly
-            .placement
-            .filter(|placement| !placement.is_identity())
-        else {
+        let Some(placement) = moved(exactly.placement) else {
             return Self {
                 origin: line.origin,
                 direction: line.direction,

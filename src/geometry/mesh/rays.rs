@@ -6,7 +6,7 @@
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, TriangleHit, TriangleTest, VertexRay, Visit,
+    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay, Visit,
     guarded_volume,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
@@ -27,6 +27,11 @@ impl Mesh {
 
     /// [`Mesh::build_tree`], given up soon after `stop` is set.
     pub fn build_tree_unless(&self, stop: &AtomicBool) {
+        self.build_tree_by(Simd::fastest(), stop);
+    }
+
+    /// [`Mesh::build_tree_unless`], to be walked by chosen instructions; there is no tree where the processor lacks them.
+    pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
         let MeshData {
             positions,
             triangles,
@@ -35,7 +40,7 @@ impl Mesh {
         if triangles.len() < WORTH_A_TREE || self.tree.get().is_some() {
             return;
         }
-        if let Some(tree) = Bvh::build(positions, triangles, stop) {
+        if let Some(tree) = Bvh::build(positions, triangles, simd, stop) {
             debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
             // Whoever else may have built one meanwhile has built the same.
             let _ = self.tree.set(tree);
@@ -117,7 +122,7 @@ impl Mesh {
         accept: impl Fn(usize) -> bool,
     ) -> Vec<Hit> {
         let ray = &ray.into();
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let mut all = self.each(ray, sides, accept);
         all.sort_by(|a, b| self.order(a, b, &local));
         all
@@ -130,7 +135,7 @@ impl Mesh {
         sides: Sides,
         accept: impl Fn(usize) -> bool,
     ) -> Vec<Hit> {
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let mut all = Vec::new();
         self.visit::<true>(ray, &mut |triangle, corners| {
             if let Some(hit) = guarded_volume(&local, corners)
@@ -147,7 +152,7 @@ impl Mesh {
     /// Where an object-space ray meets one triangle.
     pub(crate) fn hit(&self, ray: &LocalRay, triangle: u32) -> Option<Hit> {
         let corners = self.vertex_corners(triangle);
-        let hit = guarded_volume(&VertexRay::new(ray, self.data.origin), corners)?;
+        let hit = guarded_volume(&VertexRay::new(ray, &self.data.origin), corners)?;
         Some(hit.on(triangle, corners))
     }
 
@@ -174,7 +179,7 @@ impl Mesh {
         accept: impl Fn(usize) -> bool,
     ) -> bool {
         let ray = &ray.into();
-        let local = VertexRay::new(ray, self.data.origin);
+        let local = VertexRay::new(ray, &self.data.origin);
         let inverse = ray.ray.direction.recip();
         let mut found = false;
         let mut visit = |triangle, corners: [DVec3; 3]| {
@@ -290,14 +295,16 @@ impl<T: Test, A: Fn(usize, &Hit) -> bool> Visit for Nearest<'_, T, A> {
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64 {
         let local = self
             .local
-            .get_or_insert_with(|| VertexRay::new(self.ray, self.mesh.data.origin));
+            .get_or_insert_with(|| VertexRay::new(self.ray, &self.mesh.data.origin));
         if let Some(hit) = self.test.test(local, corners)
             && (self.sides == Sides::Both || hit.front)
         {
             let hit = hit.on(triangle, corners);
-            let is_first =
-                (self.best).is_none_or(|best| self.mesh.order(&hit, &best, local).is_lt());
-            if is_first && (self.accept)(self.mesh.part_of(triangle), &hit) {
+            // Of a copy, so that the hit itself need not lie in memory.
+            let is_first = |best: &Hit| self.mesh.order(&{ hit }, best, local).is_lt();
+            if self.best.as_ref().is_none_or(is_first)
+                && (self.accept)(self.mesh.part_of(triangle), &hit)
+            {
                 // The exact parameter may be this much further, and nearer or equal ones may lie before it.
                 self.end = self.end.min(hit.t + hit.t_error);
                 self.best = Some(hit);

@@ -1,7 +1,7 @@
 //! The bounds of triangle tests, held against exact arithmetic.
 
 use super::*;
-use crate::geometry::random::Random;
+use crate::geometry::{LocalRay, random::Random};
 
 /// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
 #[test]
@@ -42,7 +42,7 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                     t_min: if i % 7 < 3 { 0.0 } else { f64::MIN },
                     t_max: f64::MAX,
                 };
-                let ray = VertexRay::new(ray, DVec3::ZERO);
+                let ray = VertexRay::exact(ray);
                 let exact = exact_volume(&ray, corners);
                 for hit in [guarded_volume(&ray, corners), settled_volume(&ray, corners)] {
                     let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
@@ -88,7 +88,8 @@ fn volumes_round_by_less_than_their_bound() {
             t_min: 0.0,
             t_max: 1.0,
         };
-        let mut seen = VertexRay::new(ray, vertex_origin);
+        let local = LocalRay::from(&ray);
+        let mut seen = VertexRay::new(&local, &vertex_origin);
         let is_exact = i % 4 < 2;
         if !is_exact {
             // As if it had been rounded to 40 digits.

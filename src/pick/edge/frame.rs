@@ -2,10 +2,13 @@
 
 use crate::{
     camera::View,
-    geometry::dyadic::{Dyadic, DyadicVector, cross, dot, times_power_of_two},
+    geometry::{
+        PixelGrid,
+        binary::times_power_of_two,
+        dyadic::{Dyadic, DyadicVector},
+    },
 };
 use glam::DVec2;
-use std::array;
 
 /// What a camera shows about a position of its picture. All of it is exact in the numbers that the camera stores, whether
 /// or not its axes are perpendicular to the last bit.
@@ -15,20 +18,12 @@ use std::array;
 /// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
 /// two are `u` and `v`, and 2 h |D| s is `w`.
 pub(super) struct Frame {
+    pub(super) grid: PixelGrid,
     u: Row,
     v: Row,
     w: Weight,
     depth: Row,
     near: Dyadic,
-    view_axis: ViewAxis,
-}
-
-/// Along what the picture looks.
-pub(super) enum ViewAxis {
-    /// Away from this point.
-    From(DyadicVector),
-    /// In this direction.
-    Along(DyadicVector),
 }
 
 /// What makes `w`.
@@ -47,7 +42,6 @@ struct Row {
 
 /// A point as the picture shows it: right by `u / w` and down by `v / w` pixels from the position. Of a direction, by how
 /// much a step along it changes each.
-#[derive(Clone, Default)]
 pub(super) struct Shown {
     pub(super) u: Dyadic,
     pub(super) v: Dyadic,
@@ -59,67 +53,53 @@ pub(super) struct Shown {
 
 impl Frame {
     pub(super) fn new(view: &View, px: DVec2) -> Self {
-        let camera = &view.camera;
-        let [r, u, f, eye] =
-            [camera.right(), camera.up(), camera.forward(), camera.eye()].map(Dyadic::vector);
-        let [width, height] = view.viewport.size_px().to_array().map(Dyadic::new);
-        let [x, y] = px.to_array().map(|c| Dyadic::new(c) + Dyadic::new(c));
-        let half_height = Dyadic::new(camera.half_height());
-        let mut per_depth = cross(&r, &u);
-        let mut determinant = dot(&f, &per_depth);
-        let (mut per_right, mut per_down) = (cross(&u, &f), cross(&r, &f));
+        let grid = view.camera.pixel_grid(view.viewport);
+        let [right, up, forward, eye] =
+            [grid.right, grid.up, grid.forward, grid.eye].map(DyadicVector::new);
+        let [width, height] = grid.size_px.map(|size| Dyadic::new(size.into()));
+        let two = Dyadic::new(2.0);
+        let [x, y] = [px.x, px.y].map(|at| two.times(&Dyadic::new(at)));
+        let half_height = Dyadic::new(grid.half_height);
+        let per_depth = right.cross(&up);
+        let determinant = forward.dot(&per_depth);
         // A determinant below 0, as axes of a left-handed view space have it, turns all signs.
-        if determinant.is_negative() {
-            determinant = -determinant;
-            for row in [&mut per_depth, &mut per_right, &mut per_down] {
-                *row = row.clone().map(|c| -c);
-            }
-        }
-        let right = &half_height * &(x - width);
-        let down = &half_height * &(y - height.clone());
-        let perspective = !camera.lens().is_orthographic();
+        let sign = Dyadic::new(if determinant.is_negative() { -1.0 } else { 1.0 });
+        let determinant = determinant.times(&sign);
+        let [per_right, per_down, per_depth] =
+            [up.cross(&forward), right.cross(&forward), per_depth].map(|row| row.times(&sign));
         let row = |normal: &DyadicVector, aside: &Dyadic| {
-            let normal: DyadicVector = if perspective {
-                array::from_fn(|i| &normal[i] * &height - &per_depth[i] * aside)
+            let normal = normal.times(&height);
+            if grid.is_orthographic {
+                let from_origin = normal.dot(&eye).plus(&aside.times(&determinant));
+                Row {
+                    normal,
+                    constant: from_origin.negated(),
+                }
             } else {
-                array::from_fn(|i| &normal[i] * &height)
-            };
-            let from_eye = -dot(&normal, &eye);
-            let constant = if perspective {
-                from_eye
-            } else {
-                from_eye - aside * &determinant
-            };
-            Row { normal, constant }
+                Row::through(&eye, normal.minus(&per_depth.times(aside)))
+            }
         };
-        let whole_height = half_height.clone() + half_height.clone();
+        let whole_height = two.times(&half_height);
         Self {
-            u: row(&per_right, &right),
-            v: row(&per_down, &down),
-            w: if perspective {
+            grid,
+            u: row(&per_right, &half_height.times(&x.minus(&width))),
+            v: row(&per_down, &half_height.times(&y.minus(&height))),
+            w: if grid.is_orthographic {
+                Weight::Constant(whole_height.times(&determinant))
+            } else {
                 Weight::PerDepth(whole_height)
-            } else {
-                Weight::Constant(&whole_height * &determinant)
             },
-            near: &Dyadic::new(camera.lens().near) * &determinant,
-            depth: Row {
-                constant: -dot(&per_depth, &eye),
-                normal: per_depth,
-            },
-            view_axis: if perspective {
-                ViewAxis::From(eye)
-            } else {
-                ViewAxis::Along(f)
-            },
+            near: Dyadic::new(view.camera.lens().near).times(&determinant),
+            depth: Row::through(&eye, per_depth),
         }
     }
 
     /// A point of world space.
     pub(super) fn point(&self, world: &DyadicVector) -> Shown {
-        let [u, v, depth] = [&self.u, &self.v, &self.depth]
-            .map(|row| dot(&row.normal, world) + row.constant.clone());
+        let [u, v, depth] =
+            [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world).plus(&row.constant));
         let w = match &self.w {
-            Weight::PerDepth(factor) => factor * &depth,
+            Weight::PerDepth(factor) => factor.times(&depth),
             Weight::Constant(w) => w.clone(),
         };
         Shown { u, v, w, depth }
@@ -127,21 +107,27 @@ impl Frame {
 
     /// A direction of world space.
     pub(super) fn direction(&self, world: &DyadicVector) -> Shown {
-        let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| dot(&row.normal, world));
+        let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world));
         let w = match &self.w {
-            Weight::PerDepth(factor) => factor * &depth,
-            Weight::Constant(_) => Dyadic::default(),
+            Weight::PerDepth(factor) => factor.times(&depth),
+            Weight::Constant(_) => Dyadic::new(0.0),
         };
         Shown { u, v, w, depth }
     }
 
     /// How far a point lies behind the near plane, in units of its `depth`; below 0 before the plane.
     pub(super) fn behind_near(&self, point: &Shown) -> Dyadic {
-        point.depth.clone() - self.near.clone()
+        point.depth.minus(&self.near)
     }
+}
 
-    pub(super) fn view_axis(&self) -> &ViewAxis {
-        &self.view_axis
+impl Row {
+    /// The one that is 0 at a point.
+    fn through(point: &DyadicVector, normal: DyadicVector) -> Self {
+        Self {
+            constant: normal.dot(point).negated(),
+            normal,
+        }
     }
 }
 

@@ -10,7 +10,7 @@
 //! Halving adds coordinates, which cancels digits. So they are held in fixed point, where rounding has a bound. The bound
 //! is taken off each lower bound and added to each distance.
 
-use crate::geometry::dyadic::{rounded, times_power_of_two};
+use crate::geometry::{binary::times_power_of_two, dyadic::rounded};
 use num_bigint::BigInt;
 use std::array;
 

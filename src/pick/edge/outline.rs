@@ -1,13 +1,16 @@
 //! The outline of a sphere: where rays of the picture touch it.
 
 use super::{
-    ExactPlacement,
-    frame::{Frame, Shown, ViewAxis},
+    frame::{Frame, Shown},
     nearest::Arcs,
 };
-use crate::geometry::dyadic::{Dyadic, DyadicVector, cross, dot, times_power_of_two};
-use num_bigint::{BigInt, Sign};
-use std::array;
+use crate::geometry::{
+    Placement,
+    binary::times_power_of_two,
+    dyadic::{Dyadic, DyadicVector, to_object},
+};
+use num_bigint::BigInt;
+use std::{array, cmp::Ordering};
 
 /// What the picture shows of the circle in which rays touch the sphere; exact, but for two roots that are left to take.
 ///
@@ -50,7 +53,7 @@ struct Part {
 }
 
 /// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane; `None` when there is none.
-pub(super) fn distance_px(frame: &Frame, placement: &ExactPlacement) -> Option<f64> {
+pub(super) fn distance_px(frame: &Frame, placement: &Placement) -> Option<f64> {
     let circle = Circle::new(frame, placement)?;
     if !circle.is_visible() {
         return None;
@@ -68,42 +71,40 @@ pub(super) fn distance_px(frame: &Frame, placement: &ExactPlacement) -> Option<f
 
 impl Circle {
     /// `None` when the eye is not outside.
-    fn new(frame: &Frame, placement: &ExactPlacement) -> Option<Self> {
-        let [x, y, z] = &placement.axes;
-        let adjugate = [cross(y, z), cross(z, x), cross(x, y)];
-        let (towards, m) = match frame.view_axis() {
-            ViewAxis::From(eye) => {
-                let from_center = |i: usize| eye[i].clone() - placement.translation[i].clone();
-                (array::from_fn(from_center), dot(x, &adjugate[0]))
-            }
-            ViewAxis::Along(direction) => (direction.clone(), Dyadic::default()),
+    fn new(frame: &Frame, placement: &Placement) -> Option<Self> {
+        let grid = &frame.grid;
+        let (eye, forward, determinant) = to_object(placement, grid.eye, grid.forward);
+        let (o, m) = if grid.is_orthographic {
+            (forward, Dyadic::new(0.0))
+        } else {
+            (eye, determinant)
         };
-        let o = adjugate.each_ref().map(|row| dot(row, &towards));
-        let g = dot(&o, &o);
-        let four_g = &Dyadic::new(4.0) * &g;
+        let g = o.dot(&o);
+        let four_g = Dyadic::new(4.0).times(&g);
         let m_squared = m.squared();
-        let k = four_g.clone() - m_squared.clone();
-        if k.sign() != Sign::Plus {
+        let k = four_g.minus(&m_squared);
+        if !k.sign().is_gt() {
             return None;
         }
-        let axes = placement.axes.each_ref().map(|axis| frame.direction(axis));
-        let gradient = axes.each_ref().map(|axis| axis.depth.clone());
-        let steepest = cross(&o, &gradient);
-        let is_level = steepest.iter().all(Dyadic::is_zero);
-        let b = if is_level { across(&o) } else { steepest };
-        let a = cross(&b, &o);
-        let shown = |step: &DyadicVector| {
-            let part = |of: fn(&Shown) -> &Dyadic| {
-                dot(&axes.each_ref().map(|axis| of(axis).clone()), step)
-            };
-            [part(|p| &p.u), part(|p| &p.v), part(|p| &p.w)]
+        let model = placement.model();
+        let linear = model.matrix3;
+        let axes = [linear.x_axis, linear.y_axis, linear.z_axis]
+            .map(|axis| frame.direction(&DyadicVector::new(axis)));
+        let row = |of: fn(&Shown) -> &Dyadic| {
+            DyadicVector::of(&axes.each_ref().map(|axis| of(axis).clone()))
         };
-        let center = frame.point(&placement.translation);
+        let [u, v, w] = [row(|p| &p.u), row(|p| &p.v), row(|p| &p.w)];
+        let shown = |step: &DyadicVector| [&u, &v, &w].map(|row| row.dot(step));
+        let steepest = o.cross(&row(|p| &p.depth));
+        let is_level = steepest.is_zero();
+        let b = if is_level { across(&o) } else { steepest };
+        let center = frame.point(&DyadicVector::new(model.translation));
         Some(Self {
-            a: shown(&a),
+            a: shown(&b.cross(&o)),
+            kq: k.times(&b.dot(&b)),
             b: shown(&b),
-            kq: &k * &dot(&b, &b),
-            threshold: &m_squared * &center.depth - &four_g * &frame.behind_near(&center),
+            threshold: (m_squared.times(&center.depth))
+                .minus(&four_g.times(&frame.behind_near(&center))),
             center: [center.u, center.v, center.w],
             g,
             is_level,
@@ -113,14 +114,14 @@ impl Circle {
     /// Whether some of it lies at or behind the near plane.
     fn is_visible(&self) -> bool {
         match self.threshold.sign() {
-            Sign::Plus => !self.is_level && !self.beyond_threshold().is_negative(),
+            Ordering::Greater => !self.is_level && !self.beyond_threshold().is_negative(),
             _ => true,
         }
     }
 
     /// k q less the square of the threshold: below 0 where no sine belongs to the threshold's cosine.
     fn beyond_threshold(&self) -> Dyadic {
-        self.kq.clone() - self.threshold.squared()
+        self.kq.minus(&self.threshold.squared())
     }
 
     /// The parts at or behind the near plane, with tangents of half angles to so many bits.
@@ -136,7 +137,7 @@ impl Circle {
         }
         // tan(angle / 2) = sin / (1 + cos), by the angle from the end on whose side it is.
         let sine = sine.sqrt(bits);
-        let tangent = sine.quotient(&(root.clone() + self.threshold.clone().abs()), bits);
+        let tangent = sine.quotient(&root.plus(&self.threshold.abs()), bits);
         if self.threshold.is_negative() {
             vec![part(false, zero, one.clone()), part(true, tangent, one)]
         } else {
@@ -150,8 +151,8 @@ impl Circle {
         let longer = bits + 8;
         let root = self.kq.sqrt(longer);
         let root_g = self.g.sqrt(longer);
-        let center = self.center.each_ref().map(|c| &root * c);
-        let right = self.b.each_ref().map(|c| &root_g * c);
+        let center = self.center.each_ref().map(|c| root.times(c));
+        let right = self.b.each_ref().map(|c| root_g.times(c));
         let magnitude = |i: usize| {
             let all = [&center[i], &self.a[i], &right[i]].map(Dyadic::magnitude);
             all.into_iter().max().flatten()
@@ -161,9 +162,9 @@ impl Circle {
         let sizes = [size_uv, size_uv, size_w];
         let short = |v: &Vec3| -> Vec3 { array::from_fn(|i| v[i].cut_off(sizes[i] - longer)) };
         let [center, a, right] = [&center, &self.a, &right].map(short);
-        let deepest: Vec3 = array::from_fn(|i| center[i].clone() + a[i].clone());
-        let opposite: Vec3 = array::from_fn(|i| center[i].clone() - a[i].clone());
-        let left = right.clone().map(|c| -c);
+        let deepest: Vec3 = array::from_fn(|i| center[i].plus(&a[i]));
+        let opposite: Vec3 = array::from_fn(|i| center[i].minus(&a[i]));
+        let left = right.each_ref().map(Dyadic::negated);
         let mut controls = Vec::new();
         for Part { turned, from, to } in self.visible_parts(&root, longer) {
             let (first, last) = if turned {
@@ -174,9 +175,11 @@ impl Circle {
             for side in [&right, &left] {
                 // The polar form of first + 2 p side + p^2 last.
                 let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
-                    let (sum, product) = (p.clone() + q.clone(), p * q);
+                    let (sum, product) = (p.plus(q), p.times(q));
                     array::from_fn(|i| {
-                        let c = first[i].clone() + &side[i] * &sum + &last[i] * &product;
+                        let c = first[i]
+                            .plus(&side[i].times(&sum))
+                            .plus(&last[i].times(&product));
                         fixed(c.in_units(sizes[i] - bits))
                     })
                 };
@@ -199,10 +202,15 @@ impl Circle {
 
 /// Some vector perpendicular to one that is not 0.
 fn across(v: &DyadicVector) -> DyadicVector {
-    let [x, y, z] = v.clone();
-    if x.is_zero() && y.is_zero() {
-        [z, Dyadic::default(), Dyadic::default()]
+    let [x, y, z] = &v.integers;
+    let zero = BigInt::ZERO;
+    let integers = if *x == zero && *y == zero {
+        [z.clone(), zero.clone(), zero]
     } else {
-        [-y, x, Dyadic::default()]
+        [-y, x.clone(), zero]
+    };
+    DyadicVector {
+        integers,
+        exponent: v.exponent,
     }
 }

@@ -148,7 +148,7 @@ fn ray(case: &RayBox<f64>) -> Ray {
 
 /// The cube that picks use: the ray goes into its object space.
 fn sightlines(case: &BoxCase) -> Option<f64> {
-    let [near, far] = Cuboid::hits(case.placement.ray_to_object(&ray(&case.wide)));
+    let [near, far] = Cuboid::hits(&case.placement.ray_to_object(&ray(&case.wide)));
     near.or(far).map(|hit| hit.t)
 }
 
@@ -159,7 +159,7 @@ fn may_hit(case: &BoxCase) -> Option<f64> {
         max: case.wide.max.into(),
     };
     let inverse = DVec3::from(case.wide.direction).recip();
-    let may = bounds.may_hit(&VertexRay::new(ray(&case.wide), DVec3::ZERO), inverse);
+    let may = bounds.may_hit(&VertexRay::exact(ray(&case.wide)), inverse);
     may.then(|| nan_safe(&case.wide, 3.0)).flatten()
 }
 

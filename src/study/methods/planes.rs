@@ -139,7 +139,7 @@ fn sightlines(case: &PlaneCase) -> f64 {
         t_min: f64::NEG_INFINITY,
         t_max: f64::INFINITY,
     };
-    Square::hit(case.placement.ray_to_object(&ray)).map_or(f64::NAN, |hit| hit.t)
+    Square::hit(&case.placement.ray_to_object(&ray)).map_or(f64::NAN, |hit| hit.t)
 }
 
 /// Relative to the ray's origin first.

@@ -137,7 +137,7 @@ fn sightlines(case: &SphereCase) -> Option<f64> {
         t_min: 0.0,
         t_max: f64::INFINITY,
     };
-    let [near, far] = Sphere::hits(case.placement.ray_to_object(&ray));
+    let [near, far] = Sphere::hits(&case.placement.ray_to_object(&ray));
     near.or(far).map(|hit| hit.t)
 }
 

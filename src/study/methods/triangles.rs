@@ -59,7 +59,7 @@ impl TriangleCase {
         Self {
             narrow,
             wide,
-            ray: VertexRay::new(ray, DVec3::ZERO),
+            ray: VertexRay::exact(ray),
             world_to_unit: (
                 BaldwinWeber::new(narrow.corners),
                 BaldwinWeber::new(wide.corners),

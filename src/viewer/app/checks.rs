@@ -3,9 +3,9 @@
 use super::{program::App, wake::Wake};
 use crate::{
     camera::View,
-    verify::{self, Report},
+    verify,
     viewer::{
-        jobs::{Check, Checking},
+        jobs::{Check, Checked, Checking},
         model::{State, verify_command},
         screen::Canvas,
         ui::color32,
@@ -57,13 +57,13 @@ impl App {
                 None => Checking::Off,
             };
         } else if check.poll()
-            && let Some(report) = &check.report
+            && let Some(found) = &check.found
         {
             // A pass finds out how large the result is, the next one puts it in its place.
             self.context.request_repaint();
             if self.state.method().is_none() {
                 let command = verify_command(&self.state);
-                let differ = report.disagreements.len();
+                let differ = found.report.disagreements.len();
                 log::info!("{differ} pixels differ: {command}");
             }
         }
@@ -81,19 +81,23 @@ pub(super) fn painted(
     let Checking::On(check) = checking else {
         return None;
     };
-    let report = check.report.as_ref()?;
+    let found = check.found.as_ref()?;
     let marks = marks.get_or_insert_with(|| {
-        let image = picture_of(state.view(), report);
+        let image = picture_of(state.view(), found);
         context.load_texture("differences", image, TextureOptions::NEAREST)
     });
     Some(marks.id())
 }
 
-/// The pixels that differ; transparent elsewhere.
-fn picture_of(view: &View, report: &Report) -> ColorImage {
+/// The pixels that differ, and a tint over those whose surfaces lie in one place; transparent elsewhere.
+fn picture_of(view: &View, found: &Checked) -> ColorImage {
     let size = [view.viewport.width(), view.viewport.height()].map(|side| side as usize);
     let mut image = ColorImage::filled(size, Color32::TRANSPARENT);
-    for ([x, y], colour) in verify::marks(view.viewport, &report.disagreements) {
+    let tint = color32(verify::IN_ONE_PLACE.0).gamma_multiply(0.5);
+    for [x, y] in &found.in_one_place {
+        image.pixels[*y as usize * size[0] + *x as usize] = tint;
+    }
+    for ([x, y], colour) in verify::marks(view.viewport, &found.report.disagreements) {
         image.pixels[y as usize * size[0] + x as usize] = color32(colour);
     }
     image

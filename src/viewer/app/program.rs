@@ -151,7 +151,7 @@ impl App {
 
     /// Whether something is under way that will change what is shown.
     pub fn is_busy(&self) -> bool {
-        let checks = matches!(&self.checking, Checking::On(check) if check.report.is_none());
+        let checks = matches!(&self.checking, Checking::On(check) if check.found.is_none());
         let studies = self
             .chart
             .as_ref()

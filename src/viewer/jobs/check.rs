@@ -4,7 +4,7 @@ use crate::{
     image::{Id, Image},
     pick,
     study::swap::Swap,
-    verify::{self, Report},
+    verify::{self, Places, Report},
     viewer::model::{OnScreen, State},
 };
 use std::{
@@ -32,9 +32,17 @@ pub(in crate::viewer) struct Check {
     /// The method of others that picks.
     method: Option<Swap>,
     cancelled: Arc<AtomicBool>,
-    result: Receiver<Report>,
+    result: Receiver<Checked>,
     /// What it came to, once that is there.
-    pub report: Option<Report>,
+    pub found: Option<Checked>,
+}
+
+/// What a check came to.
+pub(in crate::viewer) struct Checked {
+    /// What differs.
+    pub report: Report,
+    /// The pixels at which this program's picks find surfaces in one place; none where another method picks.
+    pub in_one_place: Vec<[u32; 2]>,
 }
 
 impl Check {
@@ -56,9 +64,18 @@ impl Check {
                     None => pick::closest(&scene, of.view.ray(px), of.view.sides),
                 }
             });
-            if !stop.load(Ordering::Relaxed) {
-                // The receiver is gone when the view has changed; then nobody wants the report.
-                let _ = sender.send(verify::compare(&scene, &of.view, &drawn, &picked));
+            let stopped = || stop.load(Ordering::Relaxed);
+            let in_one_place = match method {
+                Some(_) => Vec::new(),
+                None => Places::new(&scene, &of.view).pixels(stopped),
+            };
+            if !stopped() {
+                let report = verify::compare(&scene, &of.view, &drawn, &picked);
+                // The receiver is gone when the view has changed; then nobody wants what was found.
+                let _ = sender.send(Checked {
+                    report,
+                    in_one_place,
+                });
                 wake();
             }
         });
@@ -67,16 +84,16 @@ impl Check {
             method,
             cancelled,
             result,
-            report: None,
+            found: None,
         }
     }
 
-    /// Takes the report when it is there; returns whether it has just come.
+    /// Takes what it found when that is there; returns whether it has just come.
     pub fn poll(&mut self) -> bool {
-        let Ok(report) = self.result.try_recv() else {
+        let Ok(found) = self.result.try_recv() else {
             return false;
         };
-        self.report = Some(report);
+        self.found = Some(found);
         true
     }
 

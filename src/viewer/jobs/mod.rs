@@ -9,7 +9,7 @@ mod study;
 mod trees;
 mod uploading;
 
-pub(super) use check::{Check, Checking};
+pub(super) use check::{Check, Checked, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use loading::Loading;
 pub(super) use preparing::Staging;

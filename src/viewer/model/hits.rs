@@ -3,8 +3,9 @@
 
 use crate::{
     camera::{DepthMapping, Lens, View},
-    pick::{self, Pick, PickLine},
+    pick::{self, InOnePlace, Pick, PickLine},
     scene::{Scene, Shape},
+    verify,
 };
 use glam::{DVec2, DVec3};
 
@@ -17,6 +18,8 @@ pub struct RayHits {
     pub px: DVec2,
     /// The surfaces, from front to back.
     pub picks: Vec<Pick>,
+    /// What drawing cannot tell from the first surface.
+    pub in_one_place: Option<InOnePlace>,
     /// Which one is picked; of no meaning when there are none.
     pub at: usize,
 }
@@ -51,6 +54,7 @@ impl RayHits {
             view,
             px,
             picks,
+            in_one_place: verify::in_one_place(scene, &view, px),
             at,
         }
     }
@@ -61,6 +65,7 @@ impl RayHits {
         PickLine {
             px: self.px,
             hit: self.picks.get(self.at).cloned(),
+            in_one_place: self.in_one_place.clone(),
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::{
     camera::{DepthMapping, Lens, View},
     colour::Srgb,
     geometry::{
-        ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, crease_normals,
+        ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, clip, crease_normals,
         sin_cos_quarters,
     },
     scene::{Object, Scene, SceneKey, Shape},
@@ -124,7 +124,7 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     for (corners, colour) in surface(object, rings) {
         let seen =
             corners.map(|corner| view.camera.to_view(object.placement.point_to_world(corner)));
-        let polygon = behind_near(seen, lens.near);
+        let polygon = clip(&seen, |p| p.z - lens.near, |a, b, s| a.lerp(*b, s));
         let polygon: Vec<_> = (polygon.iter())
             .map(|&p| to_ndc(p, view, &lens).as_vec3())
             .collect();
@@ -172,22 +172,6 @@ fn vertex(
 fn to_ndc(p_view: DVec3, view: &View, lens: &Lens) -> DVec3 {
     let clip = lens.projection(view.viewport.aspect()) * p_view.extend(1.0);
     clip.truncate() / clip.w
-}
-
-/// The part of a view-space triangle at or behind the near plane: up to four corners (Sutherland & Hodgman 1974).
-fn behind_near(corners: [DVec3; 3], near: f64) -> Vec<DVec3> {
-    let mut kept = Vec::with_capacity(4);
-    for (i, &a) in corners.iter().enumerate() {
-        let b = corners[(i + 1) % 3];
-        let (da, db) = (a.z - near, b.z - near);
-        if da >= 0.0 {
-            kept.push(a);
-        }
-        if (da >= 0.0) != (db >= 0.0) {
-            kept.push(a.lerp(b, da / (da - db)));
-        }
-    }
-    kept
 }
 
 /// The triangles of an object in its own space, each with its colour. A sphere has so many rings.

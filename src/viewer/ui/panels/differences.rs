@@ -1,9 +1,9 @@
 //! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
 
 use crate::{
-    verify::{COLOURS, Report, Verdict},
+    verify::{COLOURS, IN_ONE_PLACE, Verdict},
     viewer::{
-        jobs::{Check, Checking},
+        jobs::{Check, Checked, Checking},
         screen::SceneRect,
         ui::theme::color32,
     },
@@ -32,22 +32,19 @@ pub(super) fn show(
         .fixed_pos(rect.right_bottom() - Vec2::splat(10.0))
         .pivot(Align2::RIGHT_BOTTOM)
         .show(ui.ctx(), |ui| {
-            Frame::popup(ui.style()).show(ui, |ui| match &check.report {
+            Frame::popup(ui.style()).show(ui, |ui| match &check.found {
                 None => {
                     ui.label("comparing every pixel with its pick \u{2026}");
                 }
-                Some(report) => table(ui, check, report),
+                Some(found) => table(ui, check, found),
             });
         });
 }
 
-fn table(ui: &mut Ui, check: &Check, report: &Report) {
+fn table(ui: &mut Ui, check: &Check, found: &Checked) {
+    let report = &found.report;
     ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong());
     Grid::new("classes").num_columns(3).show(ui, |ui| {
-        let swatch = |ui: &mut Ui, colour| {
-            let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
-            ui.painter().rect_filled(rect, 0.0, colour);
-        };
         swatch(ui, Color32::TRANSPARENT);
         ui.label("same");
         ui.monospace(report.same().to_string());
@@ -56,6 +53,16 @@ fn table(ui: &mut Ui, check: &Check, report: &Report) {
             swatch(ui, color32(colour));
             ui.label(class.name());
             ui.monospace(report.count(class).to_string());
+            ui.end_row();
+        }
+        // The tint's, over pixels of any class.
+        let pixels = found.in_one_place.len();
+        if pixels > 0 {
+            swatch(ui, color32(IN_ONE_PLACE.0));
+            ui.label("two in one place").on_hover_text(
+                "Surfaces closer together than drawing can tell, whether it differs there or not. Click for their names.",
+            );
+            ui.monospace(pixels.to_string());
             ui.end_row();
         }
     });
@@ -71,6 +78,11 @@ fn table(ui: &mut Ui, check: &Check, report: &Report) {
         }
     }
     ui.weak("V closes this");
+}
+
+fn swatch(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(Vec2::splat(10.0), Sense::hover());
+    ui.painter().rect_filled(rect, 0.0, colour);
 }
 
 /// What to do about a view that drawing does not hold.

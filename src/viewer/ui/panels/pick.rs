@@ -41,6 +41,15 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         return;
     };
     rows(ui, "record", &record(hit, places));
+    let in_one_place = selection
+        .pick
+        .as_ref()
+        .and_then(|line| line.in_one_place.as_ref());
+    if let Some(all) = in_one_place.filter(|all| all.may_hold(hit)) {
+        ui.label(all.to_string()).on_hover_text(
+            "They lie closer together than drawing can tell. The picture may show any of them; the pick's order is exact.",
+        );
+    }
     ui.horizontal(|ui| {
         if ui
             .button("copy JSON")

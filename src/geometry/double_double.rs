@@ -5,6 +5,7 @@
 //! extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and quad-double
 //! arithmetic", 2007).
 
+use super::binary::power_of_two_below;
 use glam::{DMat3, DVec3};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -206,12 +207,6 @@ impl<N: Number> Rows<N> {
         let [x, y, z] = self.0.map(|row| row.dot(v));
         Vector { x, y, z }
     }
-}
-
-/// The largest power of two that is not above a positive number; the least normal one for anything smaller.
-pub(crate) fn power_of_two_below(value: f64) -> f64 {
-    const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
-    f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & !MANTISSA)
 }
 
 #[cfg(test)]

@@ -1,0 +1,25 @@
+//! Polygons cut by a plane.
+
+/// What lies on one side of a plane of a convex polygon, given by its corners in order (Sutherland & Hodgman, "Reentrant
+/// Polygon Clipping", 1974). Two corners are a segment: what is left of it are the first two of the result.
+///
+/// `side` is 0 on the plane, changes linearly and is not negative for what stays. `cut` makes the corner at the share of
+/// the way from one corner to the next at which it is 0.
+pub(crate) fn clip<T: Copy>(
+    corners: &[T],
+    side: impl Fn(&T) -> f64,
+    cut: impl Fn(&T, &T, f64) -> T,
+) -> Vec<T> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    let next = corners.iter().cycle().skip(1);
+    for (a, b) in corners.iter().zip(next) {
+        let [side_a, side_b] = [a, b].map(&side);
+        if side_a >= 0.0 {
+            kept.push(*a);
+        }
+        if (side_a >= 0.0) != (side_b >= 0.0) {
+            kept.push(cut(a, b, side_a / (side_a - side_b)));
+        }
+    }
+    kept
+}

@@ -1,0 +1,94 @@
+//! What of a position's surfaces drawing cannot tell apart, for people and for JSON.
+
+use super::{Pick, SceneHit};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::fmt::{self, Display, Formatter};
+
+/// The most surfaces that are named; how many there are is always said.
+pub const MOST_NAMED: usize = 8;
+
+/// Surfaces at a position that are so close together that drawing may show any of them: the one that is picked and those
+/// that it cannot be told from. The field names are the JSON's.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InOnePlace {
+    /// How many: two or more.
+    pub count: usize,
+    /// The first of them, up to [`MOST_NAMED`], in the order of picks: the one that is picked is the first.
+    pub named: Vec<NamedSurface>,
+}
+
+/// A surface by its name.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NamedSurface {
+    /// The object's name.
+    pub object: String,
+    /// The object's number, from 1.
+    pub id: usize,
+    /// Triangle of the object, from 0; `None` for analytic shapes.
+    pub triangle: Option<u32>,
+    /// Whether it is seen from outside.
+    pub front: bool,
+}
+
+impl InOnePlace {
+    /// Of hits in the order of picks; `None` of fewer than two.
+    #[must_use]
+    pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
+        let name = |SceneHit { object: index, hit }: &SceneHit| {
+            let object = &scene.objects()[*index];
+            let first_triangle = object.shape.first_triangle();
+            NamedSurface {
+                object: object.name.clone(),
+                id: index + 1,
+                triangle: hit.on_triangle.map(|at| at.triangle - first_triangle),
+                front: hit.front,
+            }
+        };
+        (hits.len() > 1).then(|| Self {
+            count: hits.len(),
+            named: hits.iter().take(MOST_NAMED).map(name).collect(),
+        })
+    }
+
+    /// Whether a pick at the position is one of them, as far as names tell.
+    #[must_use]
+    pub fn may_hold(&self, pick: &Pick) -> bool {
+        let is_it = |of: &NamedSurface| {
+            (of.id, of.triangle, of.front) == (pick.id, pick.triangle, pick.front)
+        };
+        self.count > self.named.len() || self.named.iter().any(is_it)
+    }
+
+    /// The name of one, with what tells it from the others that are named.
+    fn label(&self, of: &NamedSurface) -> String {
+        let others = || self.named.iter().filter(|other| *other != of);
+        let mut label = of.object.clone();
+        if others().any(|other| other.object == of.object && other.id != of.id) {
+            label = format!("{} {label}", of.id);
+        }
+        match of.triangle {
+            Some(triangle) if others().any(|other| other.id == of.id) => {
+                format!("{label} triangle {triangle}")
+            }
+            _ => label,
+        }
+    }
+}
+
+/// As "two in one place: A and B".
+impl Display for InOnePlace {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self.count {
+            2 => write!(f, "two")?,
+            3 => write!(f, "three")?,
+            count => write!(f, "{count}")?,
+        }
+        let mut names: Vec<_> = self.named.iter().map(|of| self.label(of)).collect();
+        let last = match self.count - self.named.len() {
+            0 => names.pop().unwrap_or_default(),
+            more => format!("{more} more"),
+        };
+        write!(f, " in one place: {} and {last}", names.join(", "))
+    }
+}

@@ -1,0 +1,219 @@
+//! Surfaces in one place: as deep at a position as the surface that a pick finds there, to what drawing may be off.
+//!
+//! A pick's order is exact, a depth buffer's is not. Two surfaces that the ray of a position hits are *in one place*
+//! there when the bounds that [`compare`](super::compare) puts *depth* down to let the buffer order them either way: the
+//! bounds of both together, a bound above a ceiling counting as the ceiling. So a pixel of the class *depth* that shows
+//! one surface and picks another has both in one place, at its centre.
+//!
+//! What counts as two:
+//!
+//! * Surfaces of two objects, two triangles of one mesh: identical ones, the two sides of a thin sheet, whatever lies
+//!   within the bounds.
+//! * Not two triangles of one mesh that meet right there, in an edge or corner of both: which passes the position as near as
+//!   drawing may move it, or so near that only moved aside, as they are together, one could be as deep as the other. They
+//!   are one surface that goes on or turns.
+//! * Not the near and the far side of one cube or sphere, which have one name.
+//! * Not a surface and the near plane or the empty buffer, which the class *depth* has too: those are no surfaces to
+//!   name.
+
+use super::{
+    DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
+    face::{Face, Surfaces, batch_of},
+    surface::{Depths, Surface, ViewRay},
+};
+use crate::{
+    camera::View,
+    image::Image,
+    pick::{self, InOnePlace, SceneHit},
+    scene::{Scene, Shape},
+};
+use glam::{DVec2, DVec3};
+use std::collections::HashSet;
+
+/// The least cosine between a ray and a face's normal at which `f64` makes no slope of them that is less than half of what
+/// it is: under a matrix of condition 1e14 a normal is off by some hundredths.
+const LEAST_COSINE: f64 = 1.0 / 16.0;
+
+/// Where surfaces of a scene lie in one place, in a view.
+pub struct Places<'a> {
+    surfaces: Surfaces<'a>,
+}
+
+/// What was hit: a face of a batch, or the sphere that it is.
+#[derive(Clone, PartialEq)]
+struct Patch {
+    batch: usize,
+    face: Option<Face>,
+}
+
+/// What drawing cannot tell from the pick at a pixel position; `None` where that lies by itself, and where nothing is
+/// picked.
+#[must_use]
+pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace> {
+    InOnePlace::of(scene, &Places::new(scene, view).at(px))
+}
+
+impl<'a> Places<'a> {
+    /// Of a scene in a view.
+    #[must_use]
+    pub fn new(scene: &'a Scene, view: &View) -> Self {
+        Self {
+            surfaces: Surfaces::new(scene, view),
+        }
+    }
+
+    /// The hits at a pixel position whose surfaces lie in one place with the nearest one's, which is the first of them, from
+    /// front to back. Empty where that lies by itself, and where nothing is hit.
+    #[must_use]
+    pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
+        let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
+        let hits = pick::all(scene, view.ray(px), view.sides);
+        let Some((first, behind)) = hits.split_first() else {
+            return Vec::new();
+        };
+        let reach = Reach::new(&self.surfaces, px);
+        let [_, farthest] = reach.nearness(first);
+        // Most lie too far behind, which is cheap to tell.
+        let near = |hit: &&SceneHit| reach.nearness(hit)[0] >= farthest;
+        let mut near = behind.iter().filter(near).peekable();
+        if near.peek().is_none() {
+            return Vec::new();
+        }
+        let nearest = Patch::of(scene, first);
+        let Some(picked) = self.surfaces.of_hit(px, first, nearest.face.as_ref()) else {
+            return Vec::new();
+        };
+        // Of those found the ones whose outlines pass here.
+        let mut outlines = Vec::new();
+        outlines.extend(is_on_outline(&picked).then(|| nearest.clone()));
+        let (mut found, mut last, mut counts) = (vec![*first], nearest.clone(), true);
+        let mut solids = HashSet::from([first.object]);
+        for hit in near {
+            if hit.hit.on_triangle.is_none() && !solids.insert(hit.object) {
+                continue;
+            }
+            let patch = Patch::of(scene, hit);
+            // Identical triangles follow each other, and count alike.
+            if patch.face.is_none() || patch != last {
+                let surface = self.surfaces.of_hit(px, hit, patch.face.as_ref());
+                let surface = surface.filter(|other| {
+                    picked.stored.is_in_one_place(&other.stored)
+                        && (picked.stored.is_in_one_place_unmoved(&other.stored)
+                            || !nearest.shares_corners(&patch))
+                });
+                let is_on_outline = surface.as_ref().is_some_and(is_on_outline);
+                let meets = |other| patch.meets(other, &self.surfaces, px);
+                counts = surface.is_some() && !(is_on_outline && outlines.iter().any(meets));
+                outlines.extend((counts && is_on_outline).then(|| patch.clone()));
+                last = patch;
+            }
+            found.extend(counts.then_some(*hit));
+        }
+        if found.len() > 1 { found } else { Vec::new() }
+    }
+
+    /// The pixels at whose centres surfaces lie in one place, row by row from the top; on all cores. None once `stop`
+    /// says so.
+    #[must_use]
+    pub fn pixels(&self, stop: impl Fn() -> bool + Sync) -> Vec<[u32; 2]> {
+        let view = self.surfaces.space.view();
+        let is_one = |px| !stop() && !self.at(px).is_empty();
+        let marked = Image::new(view.viewport, pick::each_pixel(view, is_one));
+        let marked = marked.positions().filter(|&(x, y)| marked.at(x, y));
+        marked.map(|(x, y)| [x, y]).collect()
+    }
+}
+
+impl Patch {
+    fn of(scene: &Scene, hit: &SceneHit) -> Self {
+        Self {
+            batch: batch_of(scene, hit.object).start,
+            face: Face::of_hit(&scene.objects()[hit.object], &hit.hit),
+        }
+    }
+
+    fn shares_corners(&self, other: &Self) -> bool {
+        match [&self.face, &other.face] {
+            [Some(a), Some(b)] => self.batch == other.batch && !a.shared_corners(b).is_empty(),
+            _ => false,
+        }
+    }
+
+    /// Whether both meet at a position that lies on the outlines of both.
+    fn meets(&self, other: &Self, surfaces: &Surfaces, px: DVec2) -> bool {
+        self.batch == other.batch
+            && match [&self.face, &other.face] {
+                [Some(a), Some(b)] => surfaces.meet(px, self.batch, [a, b]),
+                _ => false,
+            }
+    }
+}
+
+fn is_on_outline(surface: &Surface) -> bool {
+    surface.outline.reason().is_some()
+}
+
+/// How near and how far a hit's surface may be drawn if none of its bounds lies above a ceiling: from the hit alone, and
+/// more than it really is.
+struct Reach<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    depths: Depths,
+    ray: ViewRay,
+}
+
+impl<'a> Reach<'a> {
+    fn new(surfaces: &'a Surfaces, px: DVec2) -> Self {
+        let view = surfaces.space.view();
+        Self {
+            scene: surfaces.scene,
+            view,
+            depths: Depths::new(&surfaces.space),
+            ray: ViewRay::new(view, px),
+        }
+    }
+
+    /// The nearest and the farthest, by nearness: more is nearer.
+    fn nearness(&self, SceneHit { object, hit }: &SceneHit) -> [f64; 2] {
+        let object = &self.scene.objects()[*object];
+        let aside = if matches!(object.shape, Shape::Sphere) {
+            0.0
+        } else {
+            self.aside(hit.t, object.placement.normal_to_world(hit.normal))
+        };
+        let off = aside + hit.t_error + f64::EPSILON * hit.t.abs();
+        let past_near = hit.t - self.view.camera.lens().near;
+        let [near, far] = [past_near - off, past_near + off];
+        let most = |end: f64| {
+            // A step grows towards one end, or towards both.
+            let step = self.depths.step(past_near).max(self.depths.step(end));
+            DEPTH_CEILING_STEPS * step
+        };
+        let nearest = self.depths.nearness(near) + most(near);
+        let farthest = self.depths.nearness(far) - most(far);
+        [
+            // At the eye and behind it there is no depth to speak of.
+            if self.depths.w(near) > 0.0 && nearest.is_finite() {
+                nearest
+            } else {
+                f64::INFINITY
+            },
+            if farthest.is_finite() {
+                farthest
+            } else {
+                f64::NEG_INFINITY
+            },
+        ]
+    }
+
+    /// How much deeper or nearer moving it aside may make a flat surface of this depth and normal, in view depth.
+    fn aside(&self, depth: f64, normal_world: DVec3) -> f64 {
+        let normal = self.view.camera.rotation() * normal_world;
+        let cosine = self.ray.direction.normalize().dot(normal).abs();
+        if cosine > LEAST_COSINE {
+            2.0 * OUTLINE_CEILING_PX * self.ray.slope(depth, normal).length()
+        } else {
+            f64::INFINITY
+        }
+    }
+}

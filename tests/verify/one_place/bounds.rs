@@ -1,0 +1,185 @@
+//! What lies within the bounds of drawing.
+
+use super::*;
+
+#[test]
+fn coplanar_squares_seen_from_the_side() {
+    let lens = perspective(45.0, 0.1, 10.0);
+    let [depth, marked, unexplained] = counts(
+        &coplanar(),
+        &view([1.0, 2.0, 2.0], [0.0; 3], lens, [320, 240]),
+    );
+    assert!(depth > 500, "{depth}");
+    assert!(marked > 2000, "{marked}");
+    assert_eq!(unexplained, 0);
+}
+
+/// `f32` takes both for one and draws the first: that is no defect, and the pick names both.
+#[test]
+fn a_mesh_nearer_by_a_hair() {
+    let scene = Scene::new(vec![
+        object("A", halves(), DAffine3::IDENTITY),
+        object("B", halves(), moved(1e-17)),
+    ]);
+    let lens = perspective(45.0, 0.1, 10.0);
+    let view = view([0.3, 0.2, 2.0], [0.0; 3], lens, [160, 120]);
+    let [depth, marked, unexplained] = counts(&scene, &view);
+    assert_eq!(unexplained, 0);
+    assert!(depth > 10_000, "{depth}");
+    // But for a few on edges.
+    assert!((depth..depth + 20).contains(&marked), "{depth} of {marked}");
+    let said = in_one_place(&scene, &view, dvec2(80.0, 50.5)).expect("two");
+    assert_eq!(said.to_string(), "two in one place: B and A");
+}
+
+#[test]
+fn what_standard_depth_cannot_tell_far_away() {
+    let wide = DAffine3::from_scale(DVec3::splat(8.0));
+    let scene = Scene::new(vec![
+        object("A", Shape::Square, wide),
+        object("B", Shape::Square, moved(0.01) * wide),
+    ]);
+    for (depth, expected) in [
+        (DepthMapping::Reversed, 0..=0),
+        (DepthMapping::Standard, 3000..=4000),
+    ] {
+        let lens = Lens {
+            depth,
+            ..perspective(45.0, 1e-3, 1e5)
+        };
+        let view = view([0.0, 0.0, 40.0], [0.0; 3], lens, [320, 240]);
+        let [_, marked, unexplained] = counts(&scene, &view);
+        assert!(expected.contains(&marked), "{depth}: {marked}");
+        assert_eq!(unexplained, 0);
+    }
+}
+
+/// At each pixel those squares that cover it.
+#[test]
+fn all_that_lie_in_one_plane_are_found() {
+    let scene = coplanar();
+    let lens = perspective(45.0, 0.1, 10.0);
+    let view = view([0.0, 0.0, 3.0], [0.0; 3], lens, [96, 72]);
+    let places = Places::new(&scene, &view);
+    let mut of_count = [0; 4];
+    for px in centres(&view) {
+        let hits = pick::all(&scene, view.ray(px), view.sides);
+        of_count[hits.len()] += 1;
+        let expected = if hits.len() > 1 { hits } else { Vec::new() };
+        assert_eq!(places.at(px), expected, "{px}");
+    }
+    let [none, one, two, three] = of_count;
+    assert!(
+        none > 1000 && one > 200 && two > 150 && three > 300,
+        "{of_count:?}"
+    );
+    let text = |x, y| in_one_place(&scene, &view, dvec2(x, y)).map(|all| all.to_string());
+    assert_eq!(
+        text(48.5, 36.5).as_deref(),
+        Some("three in one place: A, B and C")
+    );
+    assert_eq!(text(0.5, 0.5), None);
+}
+
+/// As far as reversed depth tells two squares apart at depth 3: 2^-24 of it is 2e-7, of which the bound is some.
+#[test]
+fn a_gap_that_drawing_can_tell_or_not() {
+    for (gap, found) in [
+        (0.0, true),
+        (1e-9, true),
+        (2e-7, true),
+        (2e-5, false),
+        (0.1, false),
+    ] {
+        let scene = Scene::new(vec![
+            object("behind", Shape::Square, turned(30.0, 1.0)),
+            object("before", Shape::Square, moved(gap)),
+        ]);
+        let lens = perspective(45.0, 0.1, 10.0);
+        let view = view([0.0, 0.0, 3.0], [0.0; 3], lens, [64, 48]);
+        let places = Places::new(&scene, &view);
+        let marked = places.pixels(|| false).len();
+        let both = |px: &DVec2| pick::all(&scene, view.ray(*px), view.sides).len() == 2;
+        let both = centres(&view).filter(both).count();
+        assert!(both > 250, "{both}");
+        assert_eq!(marked, if found { both } else { 0 }, "{gap}");
+    }
+}
+
+/// Two surfaces of one kind that come apart over the picture, the farther one drawn: it is excused as *depth* where both are
+/// in one place, and a defect elsewhere.
+#[test]
+fn the_bound_is_the_one_that_excuses_depth() {
+    let wedge = |angle: f64| DAffine3::from_rotation_x(0.3 + angle) * turned(10.0, 1.0);
+    let ball = |size: f64| DAffine3::from_scale(dvec3(1.0, 1.0, size));
+    let kinds = [
+        (Shape::Square, [-4e-4, 4e-4].map(wedge)),
+        (halves(), [-4e-4, 4e-4].map(wedge)),
+        (
+            Shape::Cube,
+            [-4e-4, 4e-4].map(|angle| wedge(angle) * ball(0.3)),
+        ),
+        (Shape::Sphere, [1.0, 1.0 + 1e-5].map(ball)),
+    ];
+    for (shape, [a, b]) in kinds {
+        let scene = Scene::new(vec![
+            object("A", shape.clone(), a),
+            object("B", shape.clone(), b),
+        ]);
+        for depth in [DepthMapping::Reversed, DepthMapping::Standard] {
+            let lens = Lens {
+                depth,
+                ..perspective(45.0, 2.0, 10.0)
+            };
+            let view = view([1.0, 0.5, 3.0], [0.0; 3], lens, [160, 120]);
+            let farther = |px: DVec2| {
+                let hits = pick::all(&scene, view.ray(px), view.sides);
+                let other = |hit: &&SceneHit| hit.object != hits[0].object;
+                hits.iter().find(other).or(hits.first()).copied()
+            };
+            let drawn = pick::ids_by(&scene, &view, farther);
+            let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
+            let places = Places::new(&scene, &view);
+            for at in &report.disagreements {
+                let named = name(&scene, &places, at.pixel, at.drawn);
+                match at.class {
+                    Class::Depth => assert!(named, "{at:?}"),
+                    Class::Unexplained => assert!(!named, "{at:?}"),
+                    _ => {}
+                }
+            }
+            let [close, apart] = [Class::Depth, Class::Unexplained].map(|c| report.count(c));
+            assert!(
+                close > 200 && apart > 200,
+                "{} {depth}: {close} and {apart} of {}",
+                shape.kind(),
+                report.picked
+            );
+        }
+    }
+}
+
+/// What lies behind another surface between them is found; what does not lie as deep is not.
+#[test]
+fn not_only_the_next_one() {
+    let squares = [0.0, 0.0, 1e-9, -1e-9, -1e-3];
+    let mut objects: Vec<_> = squares
+        .map(|z| object("square", Shape::Square, moved(z)))
+        .into();
+    objects.push(object("far", Shape::Cube, moved(-2.0)));
+    let scene = Scene::new(objects);
+    let view = view(
+        [0.0, 0.0, 3.0],
+        [0.0; 3],
+        perspective(45.0, 0.1, 10.0),
+        [64, 48],
+    );
+    let found = Places::new(&scene, &view).at(dvec2(30.0, 20.0));
+    let found: Vec<_> = found.iter().map(|hit| hit.object).collect();
+    assert_eq!(found, [2, 0, 1, 3]);
+    let said = in_one_place(&scene, &view, dvec2(30.0, 20.0)).expect("four");
+    assert_eq!(
+        said.to_string(),
+        "4 in one place: 3 square, 1 square, 2 square and 4 square"
+    );
+}

@@ -1,0 +1,111 @@
+//! Surfaces in one place: named wherever drawing may show another one than is picked, and nowhere else.
+
+mod bounds;
+mod surfaces;
+
+use crate::{
+    blocks::one_mesh,
+    common::{box_triangles, orthographic, perspective, view},
+    drawn_once,
+};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2, dvec3};
+use sightline::{
+    camera::{DepthMapping, Lens, View},
+    geometry::Placement,
+    image::Id,
+    pick::{self, InOnePlace, MOST_NAMED, SceneHit},
+    scene::{Object, Scene, Shape},
+    verify::{Class, Disagreement, Places, compare, in_one_place},
+};
+
+fn object(name: &str, shape: Shape, model: DAffine3) -> Object {
+    Object::new(name, shape, Placement::new(model).expect("invertible"))
+}
+
+fn moved(z: f64) -> DAffine3 {
+    DAffine3::from_translation(dvec3(0.0, 0.0, z))
+}
+
+fn turned(degrees: f64, side: f64) -> DAffine3 {
+    DAffine3::from_scale_rotation_translation(
+        dvec3(side, side, 1.0),
+        DQuat::from_rotation_z(degrees.to_radians()),
+        DVec3::ZERO,
+    )
+}
+
+/// Side 2 about the origin in the plane z = 0; by triangles of these corners.
+fn quad(triangles: Vec<[u32; 3]>) -> Shape {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let corners = corners.map(|[x, y]| [x, y, 0.0_f32]);
+    one_mesh(corners.to_vec(), triangles, DVec3::ZERO)
+}
+
+fn halves() -> Shape {
+    quad(vec![[0, 1, 2], [0, 2, 3]])
+}
+
+/// Three squares in one plane.
+fn coplanar() -> Scene {
+    Scene::new(vec![
+        object("A", Shape::Square, DAffine3::IDENTITY),
+        object("B", Shape::Square, turned(30.0, 1.0)),
+        object("C", Shape::Square, turned(60.0, 0.7)),
+    ])
+}
+
+fn centres(view: &View) -> impl Iterator<Item = DVec2> {
+    let size = view.viewport;
+    let row = move |y: u32| (0..size.width()).map(move |x| dvec2(x.into(), y.into()) + 0.5);
+    (0..size.height()).flat_map(row)
+}
+
+/// Whether the surfaces in one place at a pixel are there and have one that an id may stand for among them.
+pub fn name(scene: &Scene, places: &Places, pixel: [u32; 2], id: Id) -> bool {
+    let stands_for = |SceneHit { object, hit }: &SceneHit| {
+        let first = scene.objects()[*object].shape.first_triangle();
+        let triangle = hit.on_triangle.map_or(0, |at| at.triangle - first + 1);
+        (object + 1, triangle) == (id.object as usize, id.triangle)
+    };
+    let px = DVec2::from(pixel.map(f64::from)) + 0.5;
+    places.at(px).iter().any(stands_for)
+}
+
+/// Whether a pixel is of the class *depth* by two surfaces: neither by the empty buffer nor by the near or far plane, which
+/// one of them lies on, to drawing.
+pub fn is_of_two_surfaces(view: &View, at: &Disagreement) -> bool {
+    let lens = view.camera.lens();
+    let off = 1e-5 * (lens.far - lens.near).min(lens.near.abs().max(lens.far.abs()));
+    let is_on_plane =
+        |depth: f64| (depth - lens.near).abs() <= off || (depth - lens.far).abs() <= off;
+    at.class == Class::Depth
+        && [at.drawn, at.picked].iter().all(|id| id.object > 0)
+        && !at.depth.into_iter().any(is_on_plane)
+}
+
+/// Draws and compares: how many pixels of the class *depth*, all of which name what is drawn, how many in one place, and
+/// how many unexplained.
+#[track_caller]
+fn counts(scene: &Scene, view: &View) -> [usize; 3] {
+    scene.build_trees();
+    let report = compare(
+        scene,
+        view,
+        &drawn_once(scene, view),
+        &pick::ids(scene, view),
+    );
+    let places = Places::new(scene, view);
+    for at in &report.disagreements {
+        if at.class == Class::Depth {
+            for id in [at.drawn, at.picked] {
+                assert!(name(scene, &places, at.pixel, id), "{id:?} at {at:?}");
+            }
+        }
+    }
+    let marked = places.pixels(|| false);
+    [
+        report.count(Class::Depth),
+        marked.len(),
+        report.count(Class::Unexplained),
+    ]
+}

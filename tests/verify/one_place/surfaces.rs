@@ -1,0 +1,137 @@
+//! What counts as two, and how it is named.
+
+use super::*;
+
+/// Positions on the diagonal of a quad of two triangles, which both are hit there.
+#[test]
+fn an_edge_that_two_triangles_share_is_one_surface() {
+    let once = Scene::new(vec![object("once", halves(), DAffine3::IDENTITY)]);
+    let twice = Scene::new(vec![
+        object("A", halves(), DAffine3::IDENTITY),
+        object("B", halves(), DAffine3::IDENTITY),
+    ]);
+    let view = view(
+        [0.0, 0.0, 3.0],
+        [0.0; 3],
+        perspective(45.0, 0.1, 10.0),
+        [64, 48],
+    );
+    let hits = |scene: &Scene, px| pick::all(scene, view.ray(px), view.sides).len();
+    for i in -9..=9 {
+        let px = dvec2(32.0 + f64::from(i), 24.0 - f64::from(i));
+        assert_eq!([hits(&once, px), hits(&twice, px)], [2, 4], "{px}");
+        assert_eq!(Places::new(&once, &view).at(px), [], "{px}");
+        let found = Places::new(&twice, &view).at(px);
+        let found: Vec<_> = found.iter().map(|hit| hit.object).collect();
+        assert_eq!(found, [0, 1], "{px}");
+    }
+}
+
+#[test]
+fn identical_triangles_are_as_many_surfaces() {
+    for count in [2, 10_000] {
+        let scene = Scene::new(vec![object(
+            "faces",
+            quad(vec![[0, 1, 2]; count]),
+            DAffine3::IDENTITY,
+        )]);
+        scene.build_trees();
+        let view = view(
+            [0.0, 0.0, 3.0],
+            [0.0; 3],
+            perspective(45.0, 0.1, 10.0),
+            [64, 48],
+        );
+        // Within, on an edge, on a corner.
+        for px in [dvec2(40.5, 30.5), dvec2(35.0, 21.0), dvec2(32.0, 24.0)] {
+            let said = in_one_place(&scene, &view, px).expect("identical ones");
+            assert_eq!(said.count, count);
+            let named: Vec<_> = said.named.iter().map(|at| at.triangle).collect();
+            let expected: Vec<_> = (0..8).take(count).map(Some).collect();
+            assert_eq!(named, expected);
+            let start = "in one place: faces triangle 0";
+            let text = if count == 2 {
+                format!("two {start} and faces triangle 1")
+            } else {
+                let rest = [1, 2, 3, 4, 5, 6, 7].map(|i| format!(", faces triangle {i}"));
+                format!("10000 {start}{} and 9992 more", rest.concat())
+            };
+            assert_eq!(said.to_string(), text);
+        }
+    }
+}
+
+/// A solid's front and back come together at its rim. Those of a mesh that is thin all over are two.
+#[test]
+fn a_rim_is_one_surface_and_a_thin_sheet_two() {
+    let (positions, triangles) = box_triangles(1.0);
+    let mesh = one_mesh(positions, triangles, DVec3::ZERO);
+    let turn = DMat3::from_rotation_y(0.5) * DMat3::from_rotation_x(0.4);
+    let lenses = [perspective(45.0, 0.1, 10.0), orthographic(2.0, 0.1, 10.0)];
+    let mut both_hit = 0;
+    for shape in [Shape::Cube, mesh, Shape::Sphere] {
+        for lens in lenses {
+            let view = view([0.2, 0.1, 3.0], [0.0; 3], lens, [64, 48]);
+            let solid = |thick: f64| {
+                let linear = turn * DMat3::from_diagonal(dvec3(1.0, 1.0, thick));
+                Scene::new(vec![object(
+                    "it",
+                    shape.clone(),
+                    DAffine3::from_mat3(linear),
+                )])
+            };
+            let scene = solid(1.0);
+            let places = Places::new(&scene, &view);
+            // From pixels within to pixels without, as near to the rim as f64 goes.
+            for i in 0..60 {
+                let (sin, cos) = (0.1 * f64::from(i)).sin_cos();
+                let ray = |s: f64| dvec2(32.0, 24.0) + s * dvec2(cos, sin);
+                let hit = |s: f64| pick::closest(&scene, view.ray(ray(s)), view.sides).is_some();
+                let (mut inside, mut outside) = (0.0, 30.0);
+                while 0.5 * (inside + outside) > inside && 0.5 * (inside + outside) < outside {
+                    let middle = 0.5 * (inside + outside);
+                    *(if hit(middle) {
+                        &mut inside
+                    } else {
+                        &mut outside
+                    }) = middle;
+                }
+                for back in [
+                    0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 3e-3, 4e-3, 5e-3, 1e-2, 0.1, 1.0,
+                ] {
+                    let px = ray(inside - back);
+                    both_hit += pick::all(&scene, view.ray(px), view.sides).len() / 2;
+                    let found = places.at(px);
+                    assert_eq!(found, [], "{} {back} from the rim at {px}", shape.kind());
+                }
+            }
+            let said = in_one_place(&solid(1e-9), &view, dvec2(33.0, 22.0));
+            let fronts = said.map(|said| said.named.iter().map(|at| at.front).collect::<Vec<_>>());
+            let is_mesh = shape.triangles().is_some();
+            assert_eq!(fronts, is_mesh.then(|| vec![true, false]));
+        }
+    }
+    assert!(both_hit > 4000, "{both_hit}");
+}
+
+#[test]
+fn what_is_named_is_capped_and_counted() {
+    let scene = Scene::new(
+        (0..20)
+            .map(|i| object(&format!("S{i}"), Shape::Square, turned(f64::from(i), 1.0)))
+            .collect(),
+    );
+    let view = view(
+        [0.0, 0.0, 3.0],
+        [0.0; 3],
+        perspective(45.0, 0.1, 10.0),
+        [64, 48],
+    );
+    let said = in_one_place(&scene, &view, dvec2(32.5, 24.5)).expect("all of them");
+    let InOnePlace { count, named } = &said;
+    assert_eq!((*count, named.len()), (20, MOST_NAMED));
+    assert_eq!(
+        said.to_string(),
+        "20 in one place: S0, S1, S2, S3, S4, S5, S6, S7 and 12 more"
+    );
+}
