@@ -271,3 +271,44 @@ fn what_was_moved_is_found_where_it_is() {
     let hit = pick::closest(&scene, ray, Sides::Both).expect("the sphere");
     assert_eq!((hit.object, hit.hit.t), (0, 0.5));
 }
+
+/// What is kept of a scene follows its objects: boxes, counts, the tree that rays go by, the log of what was changed.
+#[test]
+fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
+    let mut random = Random::new(3);
+    let mut scene = scattered(300, DVec3::ZERO, 8.0, 2.0);
+    let (begun, mut changed) = (scene.changes(), Vec::new());
+    for i in 0..200 {
+        let object = (i * 37) % 300;
+        if i % 4 == 0 {
+            scene.set_visible(object, i % 8 == 0);
+        } else {
+            let by = DAffine3::from_translation(random.point(9.0));
+            let model = by * scene.objects()[object].placement.model();
+            scene.place(object, Placement::new(model).expect("invertible"));
+        }
+        changed.push(object);
+        assert_eq!(scene.changed_since(begun), Some(&changed[..]));
+    }
+    let fresh = Scene::new(scene.objects().to_vec());
+    assert_eq!(scene.bounds(), fresh.bounds());
+    assert_eq!(scene.visible_bounds(), fresh.visible_bounds());
+    let hidden = scene.objects().iter().filter(|object| !object.visible);
+    assert_eq!(scene.hidden_count(), hidden.count());
+    assert!(scene.hidden_count() > 10);
+    assert_eq!(scene.triangle_count(), 75);
+    let mut hits = 0;
+    for ray in rays(&scene, 3000, 20.0) {
+        let found = pick::closest(&scene, ray, Sides::Both);
+        assert_eq!(found, pick::closest(&fresh, ray, Sides::Both), "{ray:?}");
+        hits += usize::from(found.is_some());
+    }
+    assert!(hits > 1000, "{hits}");
+    // Who has not heard of the last few hundred has to look at everything.
+    for i in 0..400 {
+        scene.set_visible(i % 300, true);
+    }
+    assert_eq!(scene.changed_since(begun), None);
+    let now = scene.changes();
+    assert_eq!(scene.changed_since(now), Some(&[][..]));
+}

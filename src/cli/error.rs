@@ -32,7 +32,7 @@ pub enum CliError {
     #[error(transparent)]
     Load(#[from] LoadError),
     /// A word that is no file, and no command either.
-    #[error("{0}; commands are {commands}, and come before flags", commands = commands())]
+    #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
     /// The picture could not be written.
     #[error(transparent)]

@@ -2,6 +2,7 @@
 //!
 //! Results go to stdout and nothing else does; errors and warnings go to stderr, a line each.
 
+mod command_first;
 mod contract;
 mod error;
 mod list;
@@ -26,6 +27,7 @@ pub use window::WindowArgs;
 
 use crate::scene::{self, Loaded, Progress};
 use clap::{Parser, Subcommand};
+use command_first::command_first;
 use contract::{CONTRACT, FIELDS, NUMBERS};
 use std::{ffi::OsString, path::PathBuf, process::ExitCode, time::Instant};
 use terminal::start_log;
@@ -88,6 +90,7 @@ pub struct SceneArgs {
 /// Parses the arguments (the program's own name first), does what they say and reports an error as one line.
 #[must_use]
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let args = command_first(args.into_iter().collect());
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {

@@ -6,6 +6,9 @@ use std::sync::{
     atomic::{AtomicBool, Ordering},
 };
 
+/// How much is copied to the adapter at a time: a millisecond or two.
+const PIECE_BYTES: usize = 1 << 23;
+
 /// A graphics device that can draw triangle ids.
 #[derive(Clone, Debug)]
 pub struct Gpu {
@@ -228,8 +231,15 @@ impl Gpu {
                 mapped_at_creation: false,
             })
         })?;
-        self.queue
-            .write_buffer(&buffer, 0, bytemuck::cast_slice(elements));
+        // In pieces, so that what is drawn meanwhile comes between them.
+        let mut at = 0;
+        for piece in bytemuck::cast_slice::<T, u8>(elements).chunks(PIECE_BYTES) {
+            if at > 0 {
+                self.queue.submit([]);
+            }
+            self.queue.write_buffer(&buffer, at, piece);
+            at += piece.len() as u64;
+        }
         Ok(buffer)
     }
 

@@ -9,33 +9,41 @@
 //! Renderer::composite       the picture with marks   whenever something is to be shown
 //! ```
 //!
-//! Each step submits its own work. [`render`] does all of them for one picture.
+//! Each step submits its own work. [`render`] does all of them for one picture. Where the first two of the last three
+//! take long, [`Renderer::advance`] does them in pieces.
 //!
 //! What decides which surface a pixel shows follows the picker's rules: the same camera, near and far by view depth,
 //! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
+mod drawing;
 mod gpu;
 pub mod layout;
 mod lines;
 mod mesh_buffers;
+mod mesh_store;
 mod outline;
 mod pipelines;
 mod raster;
 mod readback;
+mod rows;
 mod scene_buffers;
+mod slices;
 pub mod sphere;
 mod targets;
 pub mod transform;
 pub mod view_space;
 
+pub use drawing::Drawing;
 pub use gpu::{Gpu, GpuError};
 pub use lines::Line;
+pub use mesh_store::MeshStore;
 pub use outline::{Destination, Marks};
 pub use pipelines::SHADERS;
 pub use raster::Wireframe;
 pub(crate) use readback::read_rgb;
 pub use scene_buffers::SceneBuffers;
+pub use slices::Piece;
 pub use targets::Targets;
 
 use crate::{
@@ -86,7 +94,7 @@ pub fn render(
     let mut renderer = Renderer::new(gpu, samples);
     renderer.draw(gpu, &buffers, &targets, view, &[])?;
     if let Some(object) = selection {
-        renderer.draw_selection(gpu, &buffers, &targets, view, object);
+        renderer.draw_selection(gpu, &buffers, &targets, view, object)?;
     }
     let marks = Marks {
         selection,

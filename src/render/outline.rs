@@ -2,10 +2,12 @@
 
 use super::{
     Renderer,
-    gpu::Gpu,
+    drawing::Drawing,
+    gpu::{Gpu, GpuError},
     layout,
-    pipelines::{Pass, shader_module},
+    pipelines::shader_module,
     scene_buffers::{Place, SceneBuffers},
+    slices::Piece,
     targets::{MARKS, Targets},
 };
 use crate::{camera::View, look};
@@ -48,6 +50,9 @@ impl Renderer {
     /// Draws the outline of an object, as it would be seen with nothing else in the scene, and its tint, where it is
     /// seen. Needed when the selection changed, and after each [`Renderer::draw`].
     ///
+    /// # Errors
+    /// When memory runs out.
+    ///
     /// # Panics
     /// When `targets` have another size than the view, or other samples than this renderer.
     pub fn draw_selection(
@@ -57,9 +62,21 @@ impl Renderer {
         targets: &Targets,
         view: &View,
         selection: usize,
+    ) -> Result<(), GpuError> {
+        let mut drawing = Drawing::of_selection(scene, view, selection);
+        while !self.advance(gpu, scene, targets, &mut drawing, Piece::WHOLE)? {}
+        Ok(())
+    }
+
+    /// Draws the outline about the mask of an object.
+    pub(super) fn draw_outline(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        selection: usize,
     ) {
-        self.check(targets, view);
-        let bindings = self.bind(gpu, scene, view);
         let outline_px = self.outline_px();
         let uniform = layout::Composite {
             outline_px,
@@ -78,25 +95,7 @@ impl Renderer {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let place = scene.places.get(selection).filter(|place| place.visible);
         {
-            let mut pass = begin(&mut encoder, &targets.mask_view);
-            if let Some(place) = place {
-                let draw = &scene.draws[place.draw];
-                let instances = place.instance..place.instance + 1;
-                let triangles = place.triangles.clone();
-                self.draw_part(
-                    gpu,
-                    &mut pass,
-                    Pass::Mask,
-                    view,
-                    &bindings,
-                    draw,
-                    triangles,
-                    instances,
-                );
-            }
-        }
-        {
-            let mut pass = begin(&mut encoder, &targets.outline_view);
+            let mut pass = begin(&mut encoder, &targets.outline_view, true);
             let rect = place.and_then(|place| screen_rect(place, view, outline_px));
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
@@ -139,7 +138,7 @@ impl Renderer {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
-            let mut pass = begin(&mut encoder, destination.view);
+            let mut pass = begin(&mut encoder, destination.view, true);
             pass.set_bind_group(0, &bind_group, &[]);
             for (entry, rect) in passes {
                 let Some([x, y, width, height]) = rect else {
@@ -322,9 +321,11 @@ fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
     (extent.x > 0 && extent.y > 0).then_some([min.x, min.y, extent.x, extent.y])
 }
 
-fn begin<'a>(
+/// Begins a pass without depths, cleared at first.
+pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,
+    is_first: bool,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("marks"),
@@ -333,7 +334,11 @@ fn begin<'a>(
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                load: if is_first {
+                    wgpu::LoadOp::Clear(wgpu::Color::BLACK)
+                } else {
+                    wgpu::LoadOp::Load
+                },
                 store: wgpu::StoreOp::Store,
             },
         })],

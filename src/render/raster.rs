@@ -2,11 +2,13 @@
 
 use super::{
     Renderer,
+    drawing::Drawing,
     gpu::{Gpu, GpuError},
     layout::Frame,
-    lines::{self, Line},
+    lines::Line,
     pipelines::{Drawn, Pass},
     scene_buffers::{Draw, DrawnShape, SceneBuffers},
+    slices::{Piece, Slice},
     targets::Targets,
     transform,
 };
@@ -15,12 +17,11 @@ use crate::{
     geometry::Sides,
 };
 use std::ops::Range;
-use wgpu::BufferUsages;
 
 /// The bind groups of a frame: same frame and objects, but a table of batches or of spheres.
 pub(super) struct Bindings {
-    triangles: wgpu::BindGroup,
-    spheres: wgpu::BindGroup,
+    pub triangles: wgpu::BindGroup,
+    pub spheres: wgpu::BindGroup,
 }
 
 /// Whose edges are drawn.
@@ -34,7 +35,8 @@ pub enum Wireframe {
 
 impl Renderer {
     /// Draws colours and ids of the scene as `view` shows it, with lines that are in the colours only. Needed when
-    /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`].
+    /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`]. At once, where
+    /// [`Renderer::advance`] does it in pieces.
     ///
     /// With one colour sample a pixel, both come from one pass.
     ///
@@ -51,51 +53,8 @@ impl Renderer {
         view: &View,
         lines: &[Line],
     ) -> Result<(), GpuError> {
-        self.check(targets, view);
-        let bindings = self.bind(gpu, scene, view);
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let vertices = lines::vertices(view, lines);
-        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-        let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-        let colour_pass = match &targets.multisampled {
-            None => Pass::ColourAndIds,
-            Some(_) => Pass::Colour,
-        };
-        {
-            let mut pass = begin(&mut encoder, targets, view, colour_pass);
-            let depth = view.camera.lens().depth;
-            pass.set_bind_group(0, &bindings.triangles, &[]);
-            pass.set_pipeline(
-                &self
-                    .pipelines
-                    .get(gpu, colour_pass, Drawn::Background, depth),
-            );
-            pass.draw(0..3, 0..1);
-            self.draw_scene(gpu, &mut pass, colour_pass, view, scene, &bindings);
-            if let Some(wireframe) = self.wireframe.filter(|_| gpu.draws_wireframes()) {
-                self.draw_edges(
-                    gpu,
-                    &mut pass,
-                    colour_pass,
-                    view,
-                    scene,
-                    &bindings,
-                    wireframe,
-                );
-            }
-            if !ends.is_empty() {
-                pass.set_pipeline(&self.pipelines.get(gpu, colour_pass, Drawn::Lines, depth));
-                pass.set_vertex_buffer(0, line_buffer.slice(..));
-                pass.draw(ends, 0..1);
-            }
-        }
-        if colour_pass == Pass::Colour {
-            let mut pass = begin(&mut encoder, targets, view, Pass::Ids);
-            self.draw_scene(gpu, &mut pass, Pass::Ids, view, scene, &bindings);
-        }
-        gpu.queue.submit([encoder.finish()]);
+        let mut drawing = Drawing::of_scene(targets.samples(), view, lines.to_vec());
+        while !self.advance(gpu, scene, targets, &mut drawing, Piece::WHOLE)? {}
         Ok(())
     }
 
@@ -108,12 +67,14 @@ impl Renderer {
         );
     }
 
-    /// Sends what the view decides to the GPU.
-    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers, view: &View) -> Bindings {
+    /// Sends what all of a frame shares to the GPU.
+    pub(super) fn write_frame(&self, gpu: &Gpu, view: &View) {
         let frame: Frame = transform::frame(view);
         gpu.queue
             .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
-        scene.set_view(gpu, view);
+    }
+
+    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> Bindings {
         let bind = |table: &wgpu::Buffer| {
             let entries = [&self.frame, &scene.objects, table];
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -126,35 +87,14 @@ impl Renderer {
             })
         };
         Bindings {
-            triangles: bind(&scene.batches),
-            spheres: bind(&scene.spheres),
-        }
-    }
-
-    fn draw_scene(
-        &mut self,
-        gpu: &Gpu,
-        pass: &mut wgpu::RenderPass<'_>,
-        writes: Pass,
-        view: &View,
-        scene: &SceneBuffers,
-        bindings: &Bindings,
-    ) {
-        for draw in &scene.draws {
-            let triangles = match &draw.shape {
-                DrawnShape::Triangles { triangles, .. } => triangles.clone(),
-                DrawnShape::Spheres => 0..0,
-            };
-            let instances = draw.instances.clone();
-            self.draw_part(
-                gpu, pass, writes, view, bindings, draw, triangles, instances,
-            );
+            triangles: bind(scene.batches()),
+            spheres: bind(scene.spheres()),
         }
     }
 
     /// Draws the edges of triangles where their faces are seen.
     #[expect(clippy::too_many_arguments, reason = "those of the scene, and which")]
-    fn draw_edges(
+    pub(super) fn draw_edges(
         &mut self,
         gpu: &Gpu,
         pass: &mut wgpu::RenderPass<'_>,
@@ -193,27 +133,29 @@ impl Renderer {
 
     /// Draws some triangles, or spheres, of some instances of a draw.
     #[expect(clippy::too_many_arguments, reason = "one draw call")]
-    pub(super) fn draw_part(
+    pub(super) fn draw_slice(
         &mut self,
         gpu: &Gpu,
         pass: &mut wgpu::RenderPass<'_>,
         writes: Pass,
         view: &View,
         bindings: &Bindings,
-        draw: &Draw,
-        triangles: Range<u32>,
-        instances: Range<u32>,
+        draws: &[Draw],
+        slice: &Slice,
     ) {
         let depth = view.camera.lens().depth;
+        let draw = &draws[slice.draw];
+        let instances = slice.instances.clone();
         match &draw.shape {
             DrawnShape::Triangles { buffers, .. } => {
                 let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
                 let drawn = Drawn::Triangles { culled_mirrored };
+                let indices = 3 * slice.triangles.start..3 * slice.triangles.end;
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, depth));
                 pass.set_bind_group(0, &bindings.triangles, &[]);
                 pass.set_vertex_buffer(0, buffers.vertices.slice(..));
                 pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-                pass.draw_indexed(3 * triangles.start..3 * triangles.end, 0, instances);
+                pass.draw_indexed(indices, 0, instances);
             }
             DrawnShape::Spheres => {
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, depth));
@@ -224,20 +166,27 @@ impl Renderer {
     }
 }
 
-/// Begins a pass over the whole picture, cleared to "nothing there".
-fn begin<'a>(
+/// Begins a pass over the whole picture, or a piece of one: the first is cleared to "nothing there", and after the last
+/// samples are resolved.
+pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     targets: &Targets,
     view: &View,
     writes: Pass,
+    [is_first, is_last]: [bool; 2],
 ) -> wgpu::RenderPass<'a> {
-    let attach = |view, resolve_target| {
+    let attach = |view, resolve_target: Option<_>| {
+        let resolve_target = resolve_target.filter(|_| is_last);
         Some(wgpu::RenderPassColorAttachment {
             view,
             depth_slice: None,
             resolve_target,
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                load: if is_first {
+                    wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
+                } else {
+                    wgpu::LoadOp::Load
+                },
                 // Samples are of no use once they are resolved.
                 store: if resolve_target.is_some() {
                     wgpu::StoreOp::Discard
@@ -266,11 +215,16 @@ fn begin<'a>(
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: depth_view,
             depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(match view.camera.lens().depth {
-                    DepthMapping::Reversed => 0.0,
-                    DepthMapping::Standard => 1.0,
-                }),
-                store: wgpu::StoreOp::Discard,
+                load: match view.camera.lens().depth {
+                    _ if !is_first => wgpu::LoadOp::Load,
+                    DepthMapping::Reversed => wgpu::LoadOp::Clear(0.0),
+                    DepthMapping::Standard => wgpu::LoadOp::Clear(1.0),
+                },
+                store: if is_last {
+                    wgpu::StoreOp::Discard
+                } else {
+                    wgpu::StoreOp::Store
+                },
             }),
             stencil_ops: None,
         }),

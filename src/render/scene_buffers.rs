@@ -2,20 +2,20 @@
 
 use super::{
     gpu::{Gpu, GpuError},
-    layout::{self, ObjectState},
+    layout::ObjectState,
     mesh_buffers::MeshBuffers,
-    sphere,
-    transform::{VertexToView, columns, normal_to_view, vertex_space},
-    view_space::ViewSpace,
+    mesh_store::MeshStore,
+    rows::{Rows, SphereBatch, TriangleBatch},
+    slices::Slice,
+    transform::vertex_space,
 };
 use crate::{
     camera::View,
     colour::Srgb,
-    geometry::{Aabb, Mesh, Placement},
+    geometry::{Aabb, Mesh},
     scene::{Scene, Shape},
 };
-use glam::DVec3;
-use std::{ops::Range, sync::Arc};
+use std::ops::Range;
 use wgpu::BufferUsages;
 
 /// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
@@ -25,15 +25,15 @@ pub struct SceneBuffers {
     pub(super) draws: Vec<Draw>,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
-    /// [`layout::Batch`] of each batch of triangles, for the frame at hand.
-    pub(super) batches: wgpu::Buffer,
-    /// [`layout::Sphere`] of each sphere, for the frame at hand.
-    pub(super) spheres: wgpu::Buffer,
     /// Where each object is drawn.
     pub(super) places: Vec<Place>,
-    triangle_batches: Vec<TriangleBatch>,
-    sphere_batches: Vec<SphereBatch>,
-    meshes: Vec<(Arc<Mesh>, MeshBuffers)>,
+    /// What `objects` holds.
+    states: Vec<ObjectState>,
+    triangle_rows: Rows<TriangleBatch>,
+    sphere_rows: Rows<SphereBatch>,
+    /// How many changes of the scene it has.
+    changes: u64,
+    meshes: MeshStore,
     cube: MeshBuffers,
     square: MeshBuffers,
 }
@@ -69,34 +69,26 @@ pub(super) struct Place {
     pub visible: bool,
 }
 
-/// What the table of batches is made from.
-#[derive(Clone, Debug)]
-struct TriangleBatch {
-    placement: Placement,
-    /// Of vertex space in object space.
-    origin: DVec3,
-    /// Vertex space.
-    bounds: Aabb,
-    object_of_part_0: u32,
-    first_triangle: u32,
-    numbers_triangles: bool,
-}
-
-#[derive(Clone, Debug)]
-struct SphereBatch {
-    placement: Placement,
-    object: u32,
-    visible: bool,
-}
-
 impl SceneBuffers {
     /// Takes a scene into graphics memory.
     ///
     /// # Errors
     /// When it does not fit.
     pub fn upload(gpu: &Gpu, scene: &Scene) -> Result<Self, GpuError> {
+        Self::upload_beside(gpu, scene, &mut MeshStore::default())
+    }
+
+    /// Takes a scene into graphics memory, but for meshes that are there already; those that are not are added to them.
+    ///
+    /// # Errors
+    /// When it does not fit.
+    pub fn upload_beside(
+        gpu: &Gpu,
+        scene: &Scene,
+        meshes: &mut MeshStore,
+    ) -> Result<Self, GpuError> {
         let solids = [MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?];
-        Self::build(gpu, scene, &[], solids)
+        Self::build(gpu, scene, meshes, solids)
     }
 
     /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
@@ -105,19 +97,63 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit; the buffers are then as before.
     pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
+        let changed = scene.changed_since(self.changes);
+        if let Some(changed) = changed.filter(|changed| self.may_take(scene, changed)) {
+            self.take(gpu, scene, changed);
+            return Ok(());
+        }
         let solids = [self.cube.clone(), self.square.clone()];
-        *self = Self::build(gpu, scene, &self.meshes, solids)?;
+        *self = Self::build(gpu, scene, &mut self.meshes, solids)?;
         Ok(())
+    }
+
+    /// Whether these objects are drawn by the same draws as before.
+    fn may_take(&self, scene: &Scene, changed: &[usize]) -> bool {
+        changed.iter().all(|&index| {
+            let placement = &scene.objects()[index].placement;
+            let draw = &self.draws[self.places[index].draw];
+            draw.mirrors == placement.mirrors() || matches!(draw.shape, DrawnShape::Spheres)
+        })
+    }
+
+    /// Takes over what single objects are now.
+    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[usize]) {
+        for &index in changed {
+            let object = &scene.objects()[index];
+            let place = &mut self.places[index];
+            (place.visible, place.bounds_world) = (object.visible, scene.bounds_of(index));
+            self.states[index] = object_state(object);
+            let row = place.instance as usize;
+            match self.draws[place.draw].shape {
+                DrawnShape::Triangles { .. } => {
+                    let batch = &mut self.triangle_rows.batches[row];
+                    if batch.placement != object.placement {
+                        batch.placement = object.placement;
+                        self.triangle_rows.renew(gpu, row);
+                    }
+                }
+                DrawnShape::Spheres => {
+                    let batch = &mut self.sphere_rows.batches[row];
+                    (batch.placement, batch.visible) = (object.placement, object.visible);
+                    self.sphere_rows.renew(gpu, row);
+                }
+            }
+        }
+        if let (Some(&first), Some(&last)) = (changed.iter().min(), changed.iter().max()) {
+            let at = first * size_of::<ObjectState>();
+            let states = bytemuck::cast_slice(&self.states[first..=last]);
+            gpu.queue.write_buffer(&self.objects, at as u64, states);
+        }
+        self.changes = scene.changes();
     }
 
     fn build(
         gpu: &Gpu,
         scene: &Scene,
-        known: &[(Arc<Mesh>, MeshBuffers)],
+        meshes: &mut MeshStore,
         [cube, square]: [MeshBuffers; 2],
     ) -> Result<Self, GpuError> {
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
-        let mut meshes: Vec<(Arc<Mesh>, MeshBuffers)> = Vec::new();
         let mut draws: Vec<Draw> = Vec::new();
         let mut places = Vec::with_capacity(states.len());
         let (mut triangle_batches, mut sphere_batches) = (Vec::new(), Vec::new());
@@ -128,7 +164,7 @@ impl SceneBuffers {
                 Shape::Cube => (Some(cube.clone()), 0..cube.triangles, 0),
                 Shape::Square => (Some(square.clone()), 0..square.triangles, 0),
                 Shape::Mesh { mesh, part } => {
-                    let buffers = mesh_buffers(gpu, mesh, known, &mut meshes)?;
+                    let buffers = meshes.buffers(gpu, mesh)?;
                     (
                         Some(buffers),
                         batch_triangles(mesh, *part, batch.len()),
@@ -143,12 +179,7 @@ impl SceneBuffers {
             };
             let instance = count(index);
             if mesh.is_some() {
-                triangle_batches.push(TriangleBatch::new(
-                    scene,
-                    batch,
-                    first_part,
-                    triangles.start,
-                ));
+                triangle_batches.push(triangle_batch(scene, batch, first_part, triangles.start));
             } else {
                 sphere_batches.push(SphereBatch {
                     placement: object.placement,
@@ -180,82 +211,107 @@ impl SceneBuffers {
                 });
             }
         }
-        let storage = BufferUsages::STORAGE;
-        let batches = vec![<layout::Batch as bytemuck::Zeroable>::zeroed(); triangle_batches.len()];
-        let spheres = vec![layout::Sphere::default(); sphere_batches.len()];
         Ok(Self {
-            objects: gpu.buffer("objects", storage, &states)?,
-            batches: gpu.buffer("model matrices", storage, &batches)?,
-            spheres: gpu.buffer("spheres", storage, &spheres)?,
+            objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
+            triangle_rows: Rows::new(gpu, "model matrices", triangle_batches)?,
+            sphere_rows: Rows::new(gpu, "spheres", sphere_batches)?,
             draws,
             places,
-            triangle_batches,
-            sphere_batches,
-            meshes,
+            states,
+            changes: scene.changes(),
+            meshes: meshes.clone(),
             cube,
             square,
         })
     }
 
-    /// Writes what depends on the view.
-    pub(super) fn set_view(&self, gpu: &Gpu, view: &View) {
-        let space = ViewSpace::new(view);
-        let batches: Vec<layout::Batch> = self
-            .triangle_batches
-            .iter()
-            .map(|batch| batch.seen_in(&space))
-            .collect();
-        let spheres: Vec<layout::Sphere> = self
-            .sphere_batches
-            .iter()
-            .map(|batch| {
-                if batch.visible {
-                    sphere::sphere(&space, &batch.placement, batch.object)
-                } else {
-                    layout::Sphere::default()
-                }
-            })
-            .collect();
-        gpu.queue
-            .write_buffer(&self.batches, 0, bytemuck::cast_slice(&batches));
-        gpu.queue
-            .write_buffer(&self.spheres, 0, bytemuck::cast_slice(&spheres));
+    /// Sees to the rows of the tables that slices of draws need.
+    pub(super) fn prepare(&self, gpu: &Gpu, view: &View, needed: &Needed) {
+        let Needed { batches, spheres } = *needed;
+        self.triangle_rows.prepare(gpu, view, batches);
+        self.sphere_rows.prepare(gpu, view, spheres);
+    }
+
+    /// [`super::layout::Batch`] of each batch of triangles.
+    pub(super) fn batches(&self) -> &wgpu::Buffer {
+        &self.triangle_rows.buffer
+    }
+
+    /// [`super::layout::Sphere`] of each sphere.
+    pub(super) fn spheres(&self) -> &wgpu::Buffer {
+        &self.sphere_rows.buffer
+    }
+
+    /// Says which triangle the next draw of an instance begins with.
+    pub(super) fn begin_at(&self, gpu: &Gpu, instance: u32, first_triangle: u32) {
+        self.triangle_rows
+            .begin_at(gpu, instance as usize, first_triangle);
     }
 }
 
-impl TriangleBatch {
-    fn new(scene: &Scene, batch: &Range<usize>, first_part: usize, first_triangle: u32) -> Self {
-        let object = &scene.objects()[batch.start];
-        let (origin, bounds) = vertex_space(scene, batch);
-        Self {
-            placement: object.placement,
-            origin,
-            bounds,
-            object_of_part_0: count(batch.start).wrapping_sub(count(first_part)),
-            first_triangle,
-            numbers_triangles: object.shape.triangles().is_some(),
-        }
-    }
+/// How many rows of each table.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Needed {
+    batches: usize,
+    spheres: usize,
+}
 
-    fn seen_in(&self, space: &ViewSpace) -> layout::Batch {
-        let to_view = VertexToView::new(space, &self.placement, self.origin, &self.bounds);
-        let numbers = u32::from(self.numbers_triangles) * layout::Batch::NUMBERS_TRIANGLES;
-        let mirrors = u32::from(self.placement.mirrors()) * layout::Batch::MIRRORS;
-        layout::Batch {
-            pivot: to_view.pivot.to_array(),
-            object_of_part_0: self.object_of_part_0,
-            linear: columns(to_view.linear),
-            translation: to_view.translation.to_array(),
-            first_triangle: self.first_triangle,
-            normal: columns(normal_to_view(space.view(), &self.placement).as_mat3()),
-            flags: numbers | mirrors,
-            view_depth: to_view.view_depth,
-            padding: [0; 2],
+impl Needed {
+    /// Those that slices of draws need.
+    pub fn of(draws: &[Draw], slices: &[Slice]) -> Self {
+        let mut needed = Self::default();
+        for slice in slices {
+            let rows = match draws[slice.draw].shape {
+                DrawnShape::Triangles { .. } => &mut needed.batches,
+                DrawnShape::Spheres => &mut needed.spheres,
+            };
+            *rows = (*rows).max(slice.instances.end as usize);
+        }
+        needed
+    }
+}
+
+/// A batch of a scene, to be seen in views.
+fn triangle_batch(
+    scene: &Scene,
+    batch: &Range<usize>,
+    first_part: usize,
+    first_triangle: u32,
+) -> TriangleBatch {
+    let object = &scene.objects()[batch.start];
+    let (origin, bounds) = vertex_space(scene, batch);
+    TriangleBatch {
+        placement: object.placement,
+        origin,
+        bounds,
+        object_of_part_0: count(batch.start).wrapping_sub(count(first_part)),
+        first_triangle,
+        numbers_triangles: object.shape.triangles().is_some(),
+    }
+}
+
+impl DrawnShape {
+    /// Only these triangles of it, where it has any.
+    pub fn only(&self, these: Range<u32>) -> Self {
+        match self {
+            Self::Triangles { buffers, .. } => Self::Triangles {
+                buffers: buffers.clone(),
+                triangles: these,
+            },
+            Self::Spheres => Self::Spheres,
         }
     }
 }
 
 impl Draw {
+    /// The triangles of each instance; none of spheres.
+    pub fn triangles(&self) -> Range<u32> {
+        match &self.shape {
+            DrawnShape::Triangles { triangles, .. } => triangles.clone(),
+            DrawnShape::Spheres => 0..0,
+        }
+    }
+
     /// Whether `next` is more instances of the same.
     fn joins(&self, next: &Self) -> bool {
         let same_shape = match (&self.shape, &next.shape) {
@@ -283,25 +339,6 @@ fn object_state(object: &crate::scene::Object) -> ObjectState {
         visible: u32::from(object.visible),
         padding: [0; 2],
     }
-}
-
-/// The buffers of a mesh: those of this scene, those of the scene before, or new ones.
-fn mesh_buffers(
-    gpu: &Gpu,
-    mesh: &Arc<Mesh>,
-    known: &[(Arc<Mesh>, MeshBuffers)],
-    meshes: &mut Vec<(Arc<Mesh>, MeshBuffers)>,
-) -> Result<MeshBuffers, GpuError> {
-    let same = |(other, _): &&(Arc<Mesh>, MeshBuffers)| Arc::ptr_eq(other, mesh);
-    if let Some((_, buffers)) = meshes.iter().find(same) {
-        return Ok(buffers.clone());
-    }
-    let buffers = match known.iter().find(same) {
-        Some((_, buffers)) => buffers.clone(),
-        None => MeshBuffers::upload(gpu, mesh)?,
-    };
-    meshes.push((Arc::clone(mesh), buffers.clone()));
-    Ok(buffers)
 }
 
 /// The triangles of `parts` parts from `first` on.

@@ -33,7 +33,8 @@
 //! A `name` replaces that of a mesh file's only object, or goes in front of the names when there are several.
 
 use super::{
-    DescriptionError, MeshFiles, Object, Problem, Progress, SaveError, Scene, Warning, entry::Entry,
+    DescriptionError, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene, Warning,
+    entry::Entry,
 };
 use crate::{camera::CameraChoice, geometry::Mesh};
 use glam::DVec3;
@@ -42,7 +43,10 @@ use std::{
     path::{Path, PathBuf},
     sync::Arc,
 };
-use toml::Spanned;
+use toml::{
+    Spanned,
+    de::{DeTable, DeValue, Deserializer, Error, ValueDeserializer},
+};
 
 /// What a scene file says.
 #[derive(Debug)]
@@ -77,29 +81,55 @@ pub fn parse(
         line: at.map(|byte| 1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()),
         problem: Box::new(problem),
     };
-    let scene: SceneFile = toml::from_str(text).map_err(|error| {
-        // Some messages quote the file over several lines.
+    // Some messages quote the file over several lines.
+    let syntax = |error: Error| {
         let message = error.message().lines().next().unwrap_or_default();
-        fail(
-            error.span().map(|span| span.start),
-            Problem::Syntax(message.to_owned()),
-        )
-    })?;
+        let at = error.span().map(|span| span.start);
+        fail(at, Problem::Syntax(message.to_owned()))
+    };
+    let cancelled = |cancelled| fail(None, Problem::Mesh(ObjError::Cancelled(cancelled)));
+    // Once to see what is written where, and once for what it means.
+    progress.expect(2 * text.len() as u64);
+    let mut table = DeTable::parse(text).map_err(syntax)?;
+    progress.advance(text.len() as u64).map_err(cancelled)?;
+    let objects = match table.as_ref().get("object").map(Spanned::as_ref) {
+        Some(DeValue::Array(_)) => table.as_mut().remove("object"),
+        _ => None,
+    };
+    let scene = SceneFile::deserialize(Deserializer::from(table)).map_err(syntax)?;
     if let Some(camera) = &scene.camera {
         check_camera(camera.get_ref())
             .map_err(|problem| fail(Some(camera.span().start), problem))?;
     }
     let folder = file.parent().unwrap_or(Path::new(""));
-    let mut objects = Vec::new();
-    for entry in &scene.objects {
+    let mut made = Vec::new();
+    let mut read = 0;
+    for object in entries(objects) {
+        let to = object.span().end.max(read);
+        let entry = Spanned::<Entry>::deserialize(ValueDeserializer::from(object));
+        let entry = entry.map_err(syntax)?;
         let mut load = |path: &Path| meshes.load(path, progress, warnings);
-        let made = entry.get_ref().objects(folder, &mut load);
-        objects.extend(made.map_err(|problem| fail(Some(entry.span().start), problem))?);
+        let objects = entry.get_ref().objects(folder, &mut load);
+        made.extend(objects.map_err(|problem| fail(Some(entry.span().start), problem))?);
+        progress.advance((to - read) as u64).map_err(cancelled)?;
+        read = to;
     }
+    progress
+        .advance((text.len() - read) as u64)
+        .map_err(cancelled)?;
     Ok(Description {
-        objects,
+        objects: made,
         camera: scene.camera.map(Spanned::into_inner),
     })
+}
+
+/// What stands in an array.
+fn entries(array: Option<Spanned<DeValue<'_>>>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
+    let array = match array.map(Spanned::into_inner) {
+        Some(DeValue::Array(array)) => Some(array),
+        _ => None,
+    };
+    array.into_iter().flatten()
 }
 
 fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {

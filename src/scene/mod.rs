@@ -1,16 +1,20 @@
 //! What there is to see: objects in the world, each a shape with a model matrix.
 
+mod changes;
 mod demo;
 pub mod description;
 mod entry;
+mod extent;
 mod file;
 pub mod gallery;
 mod load;
 pub mod obj;
+mod object;
 mod problem;
 mod progress;
 mod replace;
 mod save;
+mod sums;
 mod tree;
 mod warning;
 
@@ -19,149 +23,22 @@ pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
 pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
+pub use object::{Object, Shape};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
 pub use save::save;
 pub use warning::Warning;
 
-use crate::{
-    colour::Srgb,
-    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Pyramid, Sphere, Square, WorldRay},
-};
-use glam::DVec3;
+use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
+use changes::Changes;
+use extent::Extent;
 use std::{
     collections::HashSet,
     ops::Range,
-    sync::{Arc, atomic::AtomicBool},
+    sync::{Arc, OnceLock, Weak, atomic::AtomicBool},
 };
+use sums::Sums;
 use tree::SceneTree;
-
-/// A shape in its object space.
-#[derive(Clone, Debug)]
-pub enum Shape {
-    /// Radius 0.5 about the origin.
-    Sphere,
-    /// Side 1 about the origin.
-    Cube,
-    /// Side 1 about the origin in the xy plane, facing +z.
-    Square,
-    /// One object of a file.
-    Mesh {
-        /// The whole file.
-        mesh: Arc<Mesh>,
-        /// Which of its parts.
-        part: usize,
-    },
-}
-
-impl Shape {
-    /// The word for it in lists and scene files.
-    #[must_use]
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere",
-            Self::Cube => "cube",
-            Self::Square => "square",
-            Self::Mesh { .. } => "mesh",
-        }
-    }
-
-    /// The triangles of its mesh; `None` for analytic shapes.
-    #[must_use]
-    pub fn triangles(&self) -> Option<Range<u32>> {
-        match self {
-            Self::Mesh { mesh, part } => Some(mesh.data().parts[*part].triangles.clone()),
-            _ => None,
-        }
-    }
-
-    /// Where its triangles begin among those of its mesh; 0 for analytic shapes.
-    #[must_use]
-    pub fn first_triangle(&self) -> u32 {
-        self.triangles().map_or(0, |triangles| triangles.start)
-    }
-}
-
-/// One thing in the scene: what lists name and picks return.
-#[derive(Clone, Debug)]
-pub struct Object {
-    /// For people; need not be unique.
-    pub name: String,
-    /// What it is, in object space.
-    pub shape: Shape,
-    /// Where it stands.
-    pub placement: Placement,
-    /// Its colour; `None` for the mesh's own colours, or neutral.
-    pub colour: Option<Srgb>,
-    /// Hidden objects are neither drawn nor picked.
-    pub visible: bool,
-}
-
-impl Object {
-    /// A visible object without a colour of its own.
-    #[must_use]
-    pub fn new(name: impl Into<String>, shape: Shape, placement: Placement) -> Self {
-        Self {
-            name: name.into(),
-            shape,
-            placement,
-            colour: None,
-            visible: true,
-        }
-    }
-
-    /// Its linear colour where it was hit.
-    #[must_use]
-    pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
-        let (Shape::Mesh { mesh, .. }, Some(at), None) =
-            (&self.shape, &hit.on_triangle, self.colour)
-        else {
-            return self.colour.unwrap_or(Srgb::NEUTRAL).to_linear();
-        };
-        mesh.albedo(at)
-    }
-
-    /// The normal that shading takes where it was hit, in object space: interpolated over the triangle, or the
-    /// surface's own.
-    #[must_use]
-    pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
-        match (&self.shape, &hit.on_triangle) {
-            (Shape::Mesh { mesh, .. }, Some(at)) => mesh.shading_normal(at).unwrap_or(hit.normal),
-            _ => hit.normal,
-        }
-    }
-
-    /// The smallest world-space box about it; empty for a mesh without triangles.
-    #[must_use]
-    pub fn bounds_world(&self) -> Aabb {
-        let to_world = |point| self.placement.point_to_world(point);
-        match &self.shape {
-            Shape::Sphere => {
-                let rows = self.placement.model().matrix3.transpose();
-                let half = Sphere::RADIUS
-                    * DVec3::new(
-                        rows.x_axis.length(),
-                        rows.y_axis.length(),
-                        rows.z_axis.length(),
-                    );
-                let center = to_world(DVec3::ZERO);
-                Aabb {
-                    min: center - half,
-                    max: center + half,
-                }
-            }
-            Shape::Cube => Aabb::around(Cuboid::bounds().corners().map(to_world)),
-            Shape::Square => Aabb::around(Square::bounds().corners().map(to_world)),
-            Shape::Mesh { mesh, part } if self.placement == Placement::IDENTITY => {
-                mesh.part_bounds(*part)
-            }
-            Shape::Mesh { mesh, part } => Aabb::around(
-                (mesh.data().parts[*part].triangles.clone())
-                    .flat_map(|triangle| mesh.corners(triangle).map(to_world)),
-            ),
-        }
-    }
-}
 
 /// Somebody named an object that is not there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -173,14 +50,37 @@ pub struct NoSuchObject {
     pub objects: usize,
 }
 
-/// Objects in order. Ids for people are index + 1.
+/// What a scene and its clones are known by, until they are changed. It keeps nothing of them.
+#[derive(Clone, Debug)]
+pub struct SceneKey(Weak<Vec<Object>>);
+
+impl SceneKey {
+    /// Whether it is of this scene, as it is now.
+    #[must_use]
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        Weak::ptr_eq(&self.0, &Arc::downgrade(&scene.objects))
+    }
+
+    /// Whether somebody still has such a scene.
+    #[must_use]
+    pub fn is_in_use(&self) -> bool {
+        self.0.strong_count() > 0
+    }
+}
+
+/// Objects in order. Ids for people are index + 1. A clone costs next to nothing, until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
-    objects: Vec<Object>,
-    bounds: Vec<Aabb>,
-    batches: Vec<Range<usize>>,
-    meshes: Vec<Arc<Mesh>>,
-    tree: SceneTree,
+    objects: Arc<Vec<Object>>,
+    bounds: Arc<Vec<Aabb>>,
+    batches: Arc<Vec<Range<usize>>>,
+    meshes: Arc<Vec<Arc<Mesh>>>,
+    tree: Arc<SceneTree>,
+    /// Until an object is changed.
+    sums: OnceLock<Sums>,
+    changes: Changes,
+    /// Of the object that was moved last.
+    extent: Option<Arc<Extent>>,
 }
 
 impl Scene {
@@ -191,14 +91,24 @@ impl Scene {
         let batches = batches(&objects);
         let meshes = meshes(&objects);
         let mut scene = Self {
-            objects,
-            bounds,
-            batches,
-            meshes,
-            tree: SceneTree::default(),
+            objects: Arc::new(objects),
+            bounds: Arc::new(bounds),
+            batches: Arc::new(batches),
+            meshes: Arc::new(meshes),
+            tree: Arc::default(),
+            sums: OnceLock::new(),
+            changes: Changes::default(),
+            extent: None,
         };
-        scene.tree = SceneTree::new(&scene);
+        scene.tree = Arc::new(SceneTree::new(&scene));
+        scene.sums();
         scene
+    }
+
+    /// What this very scene is known by, until it is changed.
+    #[must_use]
+    pub fn key(&self) -> SceneKey {
+        SceneKey(Arc::downgrade(&self.objects))
     }
 
     /// All objects, hidden ones too.
@@ -228,31 +138,100 @@ impl Scene {
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        (self.bounds.iter()).fold(Aabb::EMPTY, |all, bounds| all.union(*bounds))
+        self.sums().bounds
     }
 
     /// The world-space box about all that is visible; empty when nothing is.
     #[must_use]
     pub fn visible_bounds(&self) -> Aabb {
-        let visible = self
-            .objects
-            .iter()
-            .zip(&self.bounds)
-            .filter(|(object, _)| object.visible);
-        visible.fold(Aabb::EMPTY, |all, (_, bounds)| all.union(*bounds))
+        self.sums().visible_bounds
+    }
+
+    /// How many objects are hidden.
+    #[must_use]
+    pub fn hidden_count(&self) -> usize {
+        self.sums().hidden
+    }
+
+    /// Triangles of all meshes, hidden ones too.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.sums().triangles
+    }
+
+    fn sums(&self) -> &Sums {
+        let sum = || Sums::of(&self.objects, &self.bounds);
+        self.sums.get_or_init(sum)
     }
 
     /// Shows or hides an object.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
-        self.objects[object].visible = visible;
+        Arc::make_mut(&mut self.objects)[object].visible = visible;
+        self.changed(object);
     }
 
     /// Puts an object somewhere else.
     pub fn place(&mut self, object: usize, placement: Placement) {
-        self.objects[object].placement = placement;
-        self.bounds[object] = self.objects[object].bounds_world();
-        self.batches = batches(&self.objects);
-        self.tree = SceneTree::new(self);
+        let before = self.joins(object);
+        Arc::make_mut(&mut self.objects)[object].placement = placement;
+        Arc::make_mut(&mut self.bounds)[object] = self.bounds_when_moved(object);
+        self.changed(object);
+        if self.joins(object) == before {
+            let batch = self.batches.partition_point(|batch| batch.end <= object);
+            let bounds = self.bounds_of_batch(&self.batches[batch]);
+            let first = &self.objects[self.batches[batch].start];
+            Arc::make_mut(&mut self.tree).renew(batch, first, bounds);
+        } else {
+            self.batches = Arc::new(batches(&self.objects));
+            self.tree = Arc::new(SceneTree::new(self));
+            self.changes.everything();
+        }
+    }
+
+    /// The box about an object that may be moved again soon.
+    fn bounds_when_moved(&mut self, object: usize) -> Aabb {
+        let moved = &self.objects[object];
+        if self
+            .extent
+            .as_ref()
+            .is_none_or(|extent| !extent.is_of(object))
+        {
+            self.extent = Extent::of(object, moved).map(Arc::new);
+        }
+        match &self.extent {
+            Some(extent) => extent.bounds_world(&moved.placement),
+            None => moved.bounds_world(),
+        }
+    }
+
+    /// Whether an object is in one batch with the one before, and with the one behind.
+    fn joins(&self, object: usize) -> [bool; 2] {
+        let is_joined = |first: usize| {
+            let pair = self.objects.get(first..first + 2);
+            pair.is_some_and(|pair| continues(&pair[0], &pair[1]))
+        };
+        [
+            object.checked_sub(1).is_some_and(is_joined),
+            is_joined(object),
+        ]
+    }
+
+    fn changed(&mut self, object: usize) {
+        self.sums.take();
+        self.changes.push(object, self.objects.len());
+    }
+
+    /// How many changes there were, to ask [`Scene::changed_since`] later.
+    #[must_use]
+    pub fn changes(&self) -> u64 {
+        self.changes.now()
+    }
+
+    /// The objects that were shown, hidden or moved since there were `then` changes, some of them more than once; `None`
+    /// where more was changed than that, as the batches.
+    #[must_use]
+    pub fn changed_since(&self, then: u64) -> Option<&[usize]> {
+        self.changes.since(then)
     }
 
     /// Hides the objects with these ids (from 1).
@@ -285,7 +264,7 @@ impl Scene {
         let is_known = (error.origin + error.direction).is_finite()
             && ray.direction.to_array().into_iter().all(has_reciprocal);
         if self.tree.is_empty() || !is_known {
-            for batch in &self.batches {
+            for batch in self.batches.iter() {
                 visit(batch);
             }
         } else {
@@ -300,23 +279,13 @@ impl Scene {
         mut visit: impl FnMut(&Range<usize>),
     ) {
         if self.tree.is_empty() {
-            for batch in &self.batches {
+            for batch in self.batches.iter() {
                 visit(batch);
             }
         } else {
             self.tree
                 .visit_within(pyramid, |batch| visit(&self.batches[batch]));
         }
-    }
-
-    /// Triangles of all meshes, hidden ones too.
-    #[must_use]
-    pub fn triangle_count(&self) -> usize {
-        let triangles = self
-            .objects
-            .iter()
-            .filter_map(|object| object.shape.triangles());
-        triangles.map(|range| range.len()).sum()
     }
 
     /// Whether each mesh that is worth a tree has one.
@@ -333,7 +302,7 @@ impl Scene {
 
     /// [`Scene::build_trees`], given up soon after `stop` is set.
     pub fn build_trees_unless(&self, stop: &AtomicBool) {
-        for mesh in &self.meshes {
+        for mesh in self.meshes.iter() {
             mesh.build_tree_unless(stop);
         }
     }

@@ -30,6 +30,10 @@ const ROOM: f64 = power_of_two(-40);
 pub(super) struct SceneTree {
     /// Each before its children, of which the first follows at once; the root first.
     nodes: Vec<Node>,
+    /// Of each node the one above it; of the root itself.
+    above: Vec<usize>,
+    /// Where each batch is.
+    places: Vec<Option<usize>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +64,9 @@ impl SceneTree {
         let mut tree = Self::default();
         if leaves.len() >= WORTH_A_TREE {
             tree.nodes.reserve_exact(2 * leaves.len() - 1);
-            tree.grow(&mut leaves);
+            tree.above.reserve_exact(2 * leaves.len() - 1);
+            tree.places = vec![None; scene.batches().len()];
+            tree.grow(0, &mut leaves);
         }
         tree
     }
@@ -70,8 +76,29 @@ impl SceneTree {
         self.nodes.is_empty()
     }
 
-    fn grow(&mut self, leaves: &mut [Node]) {
+    /// A batch, of which this is the first object, has another box: so have the nodes above it.
+    pub fn renew(&mut self, batch: usize, object: &Object, bounds: Aabb) {
+        let place = self.places.get(batch).copied().flatten();
+        let (Some(mut place), Some(leaf)) = (place, leaf(batch, object, bounds)) else {
+            return;
+        };
+        self.nodes[place] = leaf;
+        while place > 0 {
+            place = self.above[place];
+            if let Content::Second(second) = self.nodes[place].content {
+                let [a, b] = [place + 1, second].map(|child| self.nodes[child]);
+                self.nodes[place].bounds = a.bounds.union(b.bounds);
+                self.nodes[place].room = a.room.max(b.room);
+            }
+        }
+    }
+
+    fn grow(&mut self, above: usize, leaves: &mut [Node]) {
+        self.above.push(above);
         if let [leaf] = leaves {
+            if let Content::Batch(batch) = leaf.content {
+                self.places[batch] = Some(self.nodes.len());
+            }
             self.nodes.push(*leaf);
             return;
         }
@@ -94,9 +121,9 @@ impl SceneTree {
             content: Content::Second(0),
         });
         let (first, second) = leaves.split_at_mut(middle);
-        self.grow(first);
+        self.grow(place, first);
         self.nodes[place].content = Content::Second(self.nodes.len());
-        self.grow(second);
+        self.grow(place, second);
     }
 
     /// Calls `visit` with every batch that may be inside a world-space pyramid.

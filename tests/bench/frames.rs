@@ -1,99 +1,274 @@
-//! How long frames of the whole window take: `cargo bench --bench frames [-- FILE...]`. Without files it shows a
-//! terrain of 100,000 triangles. The window is unseen; what a screen adds is its presentation.
+//! What passes of the whole window cost: `cargo bench --bench frames [-- --triangles N,... --objects N,... | FILE...]`.
+//! Without arguments: terrains of 100,000 and a million triangles, and 50,000 objects.
+//!
+//! Of each gesture: the window thread's own processor time a pass, which waiting does not count in, and the time from an
+//! event until nothing is left to do, with what all threads worked meanwhile. The window is unseen; what a screen adds is its presentation. The first passes over
+//! a scene are counted as "open".
 
 mod terrain;
 
-use egui::{Event, PointerButton, pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
+use rustix::time::{ClockId, clock_gettime};
 use sightline::{
     camera::Viewport,
     viewer::{Offscreen, Options},
 };
 use std::{
-    path::PathBuf,
-    time::{Duration, Instant},
+    fmt::Write,
+    fs,
+    path::{Path, PathBuf},
+    time::Instant,
 };
 
-const FRAMES: u16 = 60;
-const SIDE: u32 = 224;
+/// Events of each gesture.
+const EVENTS: u16 = 40;
+/// More passes than these after one event do not come.
+const MOST_PASSES: usize = 2000;
 
 /// Over the scene.
-const MIDDLE: egui::Pos2 = pos2(580.0, 362.0);
+const MIDDLE: Pos2 = pos2(580.0, 362.0);
 /// Over the list of objects.
-const PANEL: egui::Pos2 = pos2(100.0, 140.0);
+const PANEL: Pos2 = pos2(100.0, 200.0);
 
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut paths: Vec<PathBuf> = std::env::args_os()
-        .skip(1)
-        .filter(|argument| argument != "--bench")
-        .map(PathBuf::from)
-        .collect();
-    if paths.is_empty() {
-        paths.push(terrain::write(folder.path(), SIDE).expect("a writable folder"));
-    }
-    let options = Options {
-        paths,
-        ..Options::default()
+    let (mut triangles, mut objects) = (vec![100_000, 1_000_000], vec![50_000]);
+    let mut files: Vec<PathBuf> = Vec::new();
+    let mut args = std::env::args().skip(1).filter(|arg| arg != "--bench");
+    let numbers = |text: Option<String>| -> Vec<u32> {
+        let text = text.expect("numbers");
+        let words = text.split(',').filter(|word| !word.is_empty());
+        words.map(|word| word.parse().expect("a number")).collect()
     };
-    let size = Viewport::new(1280, 720).expect("a viewport");
-    let mut window = Offscreen::open(options, size, 1.0);
-    let drawn = window.draw().unwrap_or_else(|error| panic!("{error}"));
-    assert!(drawn, "the scene is drawn");
-    let scene = window.state().scene();
-    let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
-    println!(
-        "{objects} objects, {triangles} triangles, 1280x720, on {}",
-        window.adapter_name()
-    );
-
-    let step = |i: u16| f32::from(i % 20);
-    let at = |i: u16| MIDDLE + egui::vec2(6.0 * step(i), 3.0 * step(i));
-    report("panel", false, &mut window, |i| {
-        Event::PointerMoved(PANEL + egui::vec2(0.0, step(i)))
-    });
-    report("hover", false, &mut window, |i| Event::PointerMoved(at(i)));
-    window.send([button(true)]);
-    report("orbit", true, &mut window, |i| {
-        Event::PointerMoved(at(i + 1))
-    });
-    window.send([button(false)]);
-}
-
-fn button(pressed: bool) -> Event {
-    Event::PointerButton {
-        pos: MIDDLE,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: egui::Modifiers::NONE,
+    while let Some(arg) = args.next() {
+        match arg.as_str() {
+            "--triangles" => triangles = numbers(args.next()),
+            "--objects" => objects = numbers(args.next()),
+            _ => files.push(arg.into()),
+        }
     }
-}
-
-/// Frames after one event each, some of which may need a second pass over the panels.
-fn report(name: &str, redraws: bool, window: &mut Offscreen, event: impl Fn(u16) -> Event) {
-    let mut times: Vec<Duration> = (0..FRAMES)
-        .map(|i| {
-            let event = event(i);
-            let start = Instant::now();
-            let anew = window
-                .frame(event)
-                .unwrap_or_else(|error| panic!("{error}"));
-            assert_eq!(anew, redraws, "{name}: whether the scene is drawn anew");
-            start.elapsed()
-        })
-        .collect();
-    times.sort_unstable();
-    let ms = |part: f64| {
+    if !files.is_empty() {
+        return files.into_iter().for_each(scene);
+    }
+    for triangles in triangles {
+        let side = (f64::from(triangles) / 2.0).sqrt().round();
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "an index"
+            reason = "below 2^16"
         )]
-        let index = (part * f64::from(FRAMES - 1)).round() as usize;
-        1e3 * times[index].as_secs_f64()
+        let side = side as u32;
+        scene(terrain::write(folder.path(), side).expect("a writable folder"));
+    }
+    for objects in objects {
+        scene(grid(folder.path(), objects));
+    }
+}
+
+/// Cubes and balls in turn on a square, as a scene file.
+fn grid(folder: &Path, objects: u32) -> PathBuf {
+    let side = f64::from(objects).sqrt().ceil();
+    let mut text = String::new();
+    for i in 0..objects {
+        let (x, z) = (f64::from(i) % side, (f64::from(i) / side).floor());
+        let shape = if i % 2 == 0 { "cube" } else { "sphere" };
+        let _ = writeln!(
+            text,
+            "[[object]]\nshape = \"{shape}\"\nposition = [{x}, 0, {z}]\nscale = 0.8"
+        );
+    }
+    let file = folder.join("grid.toml");
+    fs::write(&file, text).expect("a writable folder");
+    file
+}
+
+/// All gestures on one scene, which comes after the demo.
+fn scene(file: PathBuf) {
+    let size = Viewport::new(1280, 720).expect("a viewport");
+    let mut window = Offscreen::open(Options::default(), size, 1.0);
+    window.draw().unwrap_or_else(|error| panic!("{error}"));
+    window.drop_file(file);
+    let scene = window.state().scene();
+    let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
+    println!("{objects} objects, {triangles} triangles, 1280x720");
+    let mut costs = Costs::default();
+    costs.of(&mut window, Event::PointerMoved(MIDDLE));
+    costs.report("open");
+
+    let step = |i: u16| f32::from(i % 20);
+    let at = |i: u16| MIDDLE + vec2(6.0 * step(i), 3.0 * step(i));
+    moves(&mut window, "panel", |i| PANEL + vec2(0.0, step(i)));
+    moves(&mut window, "hover", at);
+    window.send([Event::PointerMoved(MIDDLE), button(MIDDLE, true)]);
+    moves(&mut window, "turn", |i| at(i + 1));
+    window.send([button(at(EVENTS), false)]);
+
+    let mut costs = Costs::default();
+    for i in 0..EVENTS / 4 {
+        window.wait_s(1.0);
+        let at = at(i);
+        window.send([Event::PointerMoved(at), button(at, true)]);
+        costs.of(&mut window, button(at, false));
+    }
+    costs.report("click");
+
+    press(&mut window, Key::F);
+    if window.state().selection().is_some() {
+        place(&mut window);
+        let keys = [(Modifiers::SHIFT, Key::H), (Modifiers::NONE, Key::U)];
+        keyed(&mut window, "hide", &keys);
+        window.send([button(MIDDLE, true), button(MIDDLE, false)]);
+        keyed(
+            &mut window,
+            "isolate",
+            &[(Modifiers::NONE, Key::I), (Modifiers::NONE, Key::U)],
+        );
+    }
+    press(&mut window, Key::P);
+    for stage in ["no matrix", "V M", "P V M", "M"] {
+        let mut costs = Costs::default();
+        let at = named(&window, &format!("show with {stage}"));
+        window.send([Event::PointerMoved(at), button(at, true)]);
+        costs.of(&mut window, button(at, false));
+        costs.report(stage);
+    }
+    println!("on {}\n", window.adapter_name());
+}
+
+/// Moves of the mouse.
+fn moves(window: &mut Offscreen, name: &str, at: impl Fn(u16) -> Pos2) {
+    let mut costs = Costs::default();
+    for i in 0..EVENTS {
+        costs.of(window, Event::PointerMoved(at(i)));
+    }
+    costs.report(name);
+}
+
+/// Drags at a letter of the selected object's matrix.
+fn place(window: &mut Offscreen) {
+    let header = named(window, "Model matrix");
+    window.send([
+        Event::PointerMoved(header),
+        button(header, true),
+        button(header, false),
+    ]);
+    // The letter stands before its field.
+    let field = window
+        .controls()
+        .iter()
+        .find(|control| control.name == "position x")
+        .expect("the matrix");
+    let letter = field.rect.left_center() - vec2(6.0, 0.0);
+    window.send([Event::PointerMoved(letter), button(letter, true)]);
+    moves(window, "matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
+    window.send([button(letter, false)]);
+}
+
+fn keyed(window: &mut Offscreen, name: &str, keys: &[(Modifiers, Key)]) {
+    let mut costs = Costs::default();
+    for _ in 0..EVENTS / 8 {
+        for (modifiers, key) in keys {
+            costs.of(window, pressed(*modifiers, *key));
+        }
+    }
+    costs.report(name);
+}
+
+fn press(window: &mut Offscreen, key: Key) {
+    window.send([pressed(Modifiers::NONE, key)]);
+}
+
+fn pressed(modifiers: Modifiers, key: Key) -> Event {
+    Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    }
+}
+
+fn button(pos: Pos2, pressed: bool) -> Event {
+    Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+/// The middle of a control.
+fn named(window: &Offscreen, name: &str) -> Pos2 {
+    let control = window
+        .controls()
+        .iter()
+        .find(|control| control.name == name);
+    let Some(control) = control else {
+        panic!("no {name}");
     };
-    println!(
-        "{name:6} median {:5.1} ms, 95 of 100 under {:5.1} ms",
-        ms(0.5),
-        ms(0.95)
-    );
+    control.rect.center()
+}
+
+/// What passes took, in milliseconds.
+#[derive(Default)]
+struct Costs {
+    /// The thread's processor time of each pass.
+    cpu: Vec<f64>,
+    /// From each event until nothing was left to do.
+    done: Vec<f64>,
+    /// What all threads worked in that time.
+    all: Vec<f64>,
+}
+
+impl Costs {
+    /// An event's pass, drawn, and those that follow from it.
+    fn of(&mut self, window: &mut Offscreen, event: Event) {
+        let (start, worked) = (Instant::now(), worked_ms(ClockId::ProcessCPUTime));
+        let mut event = Some(event);
+        for _ in 0..MOST_PASSES {
+            let before = worked_ms(ClockId::ThreadCPUTime);
+            let drawn = match event.take() {
+                Some(event) => window.frame(event),
+                None => window.draw(),
+            };
+            drawn.unwrap_or_else(|error| panic!("{error}"));
+            self.cpu.push(worked_ms(ClockId::ThreadCPUTime) - before);
+            if window.is_at_rest() {
+                break;
+            }
+        }
+        self.done.push(1e3 * start.elapsed().as_secs_f64());
+        self.all.push(worked_ms(ClockId::ProcessCPUTime) - worked);
+    }
+
+    fn report(&mut self, name: &str) {
+        self.cpu.sort_unstable_by(f64::total_cmp);
+        self.done.sort_unstable_by(f64::total_cmp);
+        self.all.sort_unstable_by(f64::total_cmp);
+        let at = |of: &[f64], share: f64| {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                clippy::cast_precision_loss,
+                reason = "an index"
+            )]
+            let index = (share * (of.len() - 1) as f64).ceil() as usize;
+            of[index]
+        };
+        let [median, most, worst] = [0.5, 0.99, 1.0].map(|share| at(&self.cpu, share));
+        let [done, last] = [0.5, 1.0].map(|share| at(&self.done, share));
+        println!(
+            "{name:9} {:4} passes of {median:7.2} ms, 99 % {most:7.2}, worst {worst:7.2}; done after {done:7.1}, at worst {last:7.1}, all threads {:7.1}",
+            self.cpu.len(),
+            at(&self.all, 0.5)
+        );
+    }
+}
+
+/// Processor time of this thread, or of all.
+fn worked_ms(of: ClockId) -> f64 {
+    let time = clock_gettime(of);
+    #[expect(clippy::cast_precision_loss, reason = "milliseconds")]
+    let [s, ns] = [time.tv_sec as f64, time.tv_nsec as f64];
+    1e3 * s + 1e-6 * ns
 }

@@ -2,6 +2,7 @@
 
 #[path = "../common/exact/mod.rs"]
 mod exact;
+mod flags;
 mod pictures;
 mod refusals;
 mod stored;

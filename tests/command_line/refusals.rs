@@ -81,7 +81,7 @@ fn a_bad_file_is_exit_code_3_and_named() {
         ("pick missing.toml --at 1,1", "missing.toml"),
         ("missing.obj", "missing.obj"),
         ("rendr scene.toml", "commands are render, pick, "),
-        ("--size 10x10 list", "come before flags"),
+        ("--size 10x10 rendr", "come before scenes"),
         ("list scene.toml bad.toml", "bad.toml:2"),
         ("pick camera.toml --at 1,1", "camera.toml"),
         ("list odd.toml", "odd.toml:2"),

@@ -15,7 +15,10 @@ fn each_refusal_says_what_is_wrong() {
             "some.obj: not an OBJ file: no vertices and no faces",
         ),
         (b"<!DOCTYPE html>", "some.obj: not an OBJ file: HTML or XML"),
-        (b"\x1f\x8b\x08\0", "some.obj: not an OBJ file: gzip data"),
+        (
+            b"\x1f\x8b\x08\0",
+            "some.obj: not an OBJ file: gzip data (unpack it first)",
+        ),
         (
             b"\xfe\xff\0v\0 \0",
             "some.obj:1: a vertex needs three numbers",
@@ -73,6 +76,31 @@ fn each_refusal_says_what_is_wrong() {
     ];
     for (bytes, message) in cases {
         assert_eq!(refusal(bytes), message);
+    }
+}
+
+/// Stored without compression, a file in an archive has its lines as they are.
+#[test]
+fn an_archive_is_said_to_be_one_and_not_read_as_what_is_in_it() {
+    let zip = [
+        b"PK\x03\x04".as_slice(),
+        &[0; 22],
+        &[8, 0, 0, 0],
+        b"cube.obj\n",
+        CUBE.as_bytes(),
+    ];
+    let mut tar_header = [0; 512];
+    tar_header[..8].copy_from_slice(b"cube.obj");
+    tar_header[257..262].copy_from_slice(b"ustar");
+    let tar = [tar_header.as_slice(), b"\n", CUBE.as_bytes()];
+    let gzip = [b"\x1f\x8b\x08".as_slice(), &[0; 7], b"\n", CUBE.as_bytes()];
+    for (bytes, name) in [
+        (zip.concat(), "a zip archive"),
+        (tar.concat(), "a tar archive"),
+        (gzip.concat(), "gzip data"),
+    ] {
+        let message = format!("some.obj: not an OBJ file: {name} (unpack it first)");
+        assert_eq!(refusal(&bytes), message);
     }
 }
 

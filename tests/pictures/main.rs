@@ -5,6 +5,7 @@ mod common;
 #[path = "../common/images.rs"]
 mod images;
 mod marks;
+mod pieces;
 #[path = "../common/scenes.rs"]
 mod scenes;
 
@@ -46,7 +47,9 @@ fn draw(
         .draw(gpu, &buffers, &targets, view, lines)
         .expect("draws");
     if let Some(object) = marks.selection {
-        renderer.draw_selection(gpu, &buffers, &targets, view, object);
+        renderer
+            .draw_selection(gpu, &buffers, &targets, view, object)
+            .expect("drawn");
     }
     let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, marks);
     (

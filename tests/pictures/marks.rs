@@ -129,7 +129,9 @@ fn a_picture_goes_where_the_window_wants_it() {
     renderer
         .draw(&gpu, &buffers, &targets, &view, &[])
         .expect("draws");
-    renderer.draw_selection(&gpu, &buffers, &targets, &view, 1);
+    renderer
+        .draw_selection(&gpu, &buffers, &targets, &view, 1)
+        .expect("drawn");
     let alone = renderer
         .composite_to_image(&gpu, &buffers, &targets, &view, &marks)
         .expect("a picture");

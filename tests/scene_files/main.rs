@@ -11,7 +11,7 @@ use sightline::{
     camera::{CameraChoice, DepthMapping, UpAxis},
     colour::Srgb,
     geometry::Placement,
-    scene::{self, Loaded, Object, Progress, description},
+    scene::{self, LoadError, Loaded, Object, Progress, description},
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -353,4 +353,31 @@ fn the_demo_shows_every_shape_and_kind_of_transform() {
         let shown = camera.project(viewport, corner).unwrap();
         assert!(viewport.contains(shown.px), "{corner} is at {}", shown.px);
     }
+}
+
+#[test]
+fn reading_tells_how_far_it_has_come_and_can_be_cancelled() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("many.toml");
+    let object = "[[object]]\nshape = \"cube\"\nposition = [1, 2, 3]\n";
+    std::fs::write(&path, object.repeat(3)).expect("writable");
+    let progress = Progress::default();
+    let loaded = scene::load(std::slice::from_ref(&path), &progress).expect("a scene");
+    assert_eq!(loaded.scene.objects().len(), 3);
+    assert_eq!(progress.fraction().to_bits(), 1.0_f32.to_bits());
+
+    std::fs::write(&path, object.repeat(100_000)).expect("writable");
+    let progress = Progress::default();
+    let stopped = std::thread::scope(|scope| {
+        let loading = scope.spawn(|| scene::load(&[path], &progress));
+        // Past the first half, which is one step, it is among the objects.
+        while progress.fraction() < 0.55 && !loading.is_finished() {
+            std::thread::yield_now();
+        }
+        let seen = progress.fraction();
+        progress.cancel();
+        assert!(seen < 1.0, "{seen}: there is a middle");
+        loading.join().expect("no panic")
+    });
+    assert!(matches!(stopped, Err(LoadError::Cancelled(_))));
 }

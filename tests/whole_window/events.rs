@@ -1,7 +1,8 @@
 //! What the mouse, the keys and dropped files do.
 
 use super::{
-    CTRL, MIDDLE, button, click, click_on, drag, open, picked_px, press_key, px, row, selected,
+    CTRL, MIDDLE, button, click, click_on, control, drag, open, picked_px, press_key, px, row,
+    selected,
 };
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, pos2, vec2};
 use glam::DVec2;
@@ -60,7 +61,9 @@ fn a_drag_turns_and_picks_nothing() {
 fn a_press_on_a_panel_never_moves_the_camera() {
     let (mut window, _folder) = row(1.0);
     let before = *window.state().view();
-    for panel in [pos2(100.0, 500.0), pos2(1100.0, 650.0), pos2(700.0, 8.0)] {
+    // The list, the panel beside it, the toolbar.
+    for name in ["Objects", "Pick", "Reset"] {
+        let panel = control(&window, name).rect.center();
         drag(&mut window, PointerButton::Primary, panel, MIDDLE);
         drag(&mut window, PointerButton::Secondary, panel, MIDDLE);
         window.send([

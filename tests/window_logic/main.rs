@@ -1,5 +1,7 @@
 //! The window's logic, by replaying its own actions: no window, no GPU.
 
+#[path = "../common/mod.rs"]
+mod common;
 mod editing;
 mod gallery;
 mod inspect;

@@ -176,3 +176,34 @@ fn the_cursor_knows_the_point_that_a_pick_there_reports() {
         "the background has a pixel too"
     );
 }
+
+/// A mesh of many triangles without a tree: each of them would have to be tried.
+#[test]
+fn what_follows_the_mouse_waits_for_no_tree() {
+    let side = 150_u16;
+    let at = |i: u16| f32::from(i) / f32::from(side) - 0.5;
+    let rows = (0..=side).flat_map(|j| (0..=side).map(move |i| [at(i), at(j), 0.0]));
+    let width = u32::from(side) + 1;
+    let cells = (0..u32::from(side)).flat_map(|j| (0..u32::from(side)).map(move |i| j * width + i));
+    let halves = cells.flat_map(|a| [[a, a + 1, a + width], [a + 1, a + width + 1, a + width]]);
+    let mesh = common::mesh(rows.collect(), halves.collect(), DVec3::ZERO);
+    let shape = Shape::Mesh { mesh, part: 0 };
+    let loaded = Loaded {
+        scene: Scene::new(vec![Object::new("many", shape, Placement::IDENTITY)]),
+        ..Loaded::default()
+    };
+    let mut state = open(loaded, CameraChoice::default());
+    assert!(!state.rays_are_quick());
+    let eye = state.view().camera.eye();
+    state.apply(Action::Hover(Some(MIDDLE)));
+    assert_eq!(state.hover(), None);
+    state.apply(Action::Recentre(MIDDLE));
+    assert_eq!(state.view().camera.eye(), eye, "nobody knows what is there");
+    state.apply(Action::BeginTurn(MIDDLE));
+    state.apply(Action::Turn(DVec2::new(5.0, 0.0)));
+    assert_ne!(state.view().camera.eye(), eye, "it turns all the same");
+    state.scene().build_trees();
+    assert!(state.rays_are_quick());
+    state.apply(Action::Hover(Some(MIDDLE)));
+    assert_eq!(state.hover(), Some(0));
+}

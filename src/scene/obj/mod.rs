@@ -182,6 +182,12 @@ fn read<R: BufRead + Send + 'static>(
         // Putting the mesh together takes about half as long as reading.
         progress.expect(bytes + bytes / 2);
         let looks_like = looks_like(&mut input);
+        if let Some(Look::Archive(looks_like)) = looks_like {
+            return Err(ObjError::NotObj {
+                file: path.to_owned(),
+                looks_like,
+            });
+        }
         let lines = Lines::new(decode(input).map_err(unreadable)?, progress);
         let (parsed, outline, stop) = parse(Washer::new(lines, foresight));
         match stop {
@@ -203,7 +209,7 @@ fn read<R: BufRead + Send + 'static>(
             ObjError::NotObj { file, .. }
             | ObjError::NoFaces { file, .. }
             | ObjError::BadLine { file, .. },
-            Some(looks_like),
+            Some(Look::Other(looks_like)),
         ) => ObjError::NotObj { file, looks_like },
         (error, _) => error,
     })?;
@@ -256,18 +262,32 @@ fn parse(mut washer: Washer) -> (tobj::LoadResult, Outline, Option<Stop>) {
     })
 }
 
-/// What a file that turns out to be no OBJ is, by its first bytes.
-fn looks_like(input: &mut impl BufRead) -> Option<&'static str> {
+/// What a file is by its first bytes, if not an OBJ.
+#[derive(Clone, Copy)]
+enum Look {
+    /// Files in one file. They may lie in it as they are, and would be read as if they were all of it.
+    Archive(&'static str),
+    /// What counts only where nothing is found to show.
+    Other(&'static str),
+}
+
+fn looks_like(input: &mut impl BufRead) -> Option<Look> {
     let start = input.fill_buf().unwrap_or_default();
     let text = start.trim_ascii_start();
-    if text.starts_with(b"version https://git-lfs") {
-        Some("a Git LFS pointer (git lfs pull fetches the file itself)")
+    if start.starts_with(b"PK\x03\x04") {
+        Some(Look::Archive("a zip archive (unpack it first)"))
+    } else if start.get(257..262) == Some(b"ustar") {
+        Some(Look::Archive("a tar archive (unpack it first)"))
     } else if start.starts_with(&[0x1f, 0x8b]) {
-        Some("gzip data")
+        Some(Look::Archive("gzip data (unpack it first)"))
+    } else if text.starts_with(b"version https://git-lfs") {
+        Some(Look::Other(
+            "a Git LFS pointer (git lfs pull fetches the file itself)",
+        ))
     } else if text.first() == Some(&b'<') {
-        Some("HTML or XML")
+        Some(Look::Other("HTML or XML"))
     } else if start.contains(&0) && !is_utf16(start) {
-        Some("binary data")
+        Some(Look::Other("binary data"))
     } else {
         None
     }

@@ -13,7 +13,16 @@ use std::{io::Write, time::Instant};
 impl App {
     /// Does something to scene or view.
     pub fn act(&mut self, action: Action) {
+        if let Action::Stage(stage) = action
+            && self.begin_stage(stage)
+        {
+            return;
+        }
         let clicks = matches!(action, Action::Click(..));
+        if clicks && !self.state.rays_are_quick() {
+            self.waiting = Some((action, *self.state.view()));
+            return;
+        }
         let start = Instant::now();
         let (method, scene) = (self.state.method(), self.state.scene_revision());
         let picked = self.state.apply(action);
@@ -38,6 +47,19 @@ impl App {
             if self.options.print_picks {
                 print(&line);
             }
+        }
+    }
+}
+
+impl App {
+    /// Does the click that waited for trees, unless the view is another by now.
+    pub fn take_waiting(&mut self) {
+        let (state, ready) = (&self.state, self.state.rays_are_quick());
+        let waiting = self.waiting.take_if(|_| ready);
+        let same_view = waiting.filter(|(_, view)| view == state.view());
+        if let Some((click, _)) = same_view {
+            self.act(click);
+            self.context.request_repaint();
         }
     }
 }

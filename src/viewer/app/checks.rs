@@ -6,7 +6,7 @@ use crate::{
     verify,
     viewer::{
         jobs::{Check, Checked, Checking},
-        model::{OnScreen, State, verify_command},
+        model::{State, verify_command},
         screen::Canvas,
         ui::color32,
     },
@@ -29,7 +29,7 @@ impl App {
         if !matches!(self.checking, Checking::Wanted) {
             return;
         }
-        match canvas.read_ids(&OnScreen::of(&self.state)) {
+        match canvas.read_ids(&self.state.to_show()) {
             Ok(Some(drawn)) => {
                 let wake = self.wake.clone();
                 let check = Check::start(&self.state, drawn, move || wake(Wake::Look));

@@ -65,7 +65,7 @@ impl App {
                 self.copied = line.and_then(|line| serde_json::to_string(line).ok());
             }
             Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
-            Command::Escape if self.loading.is_some() => self.loading = None,
+            Command::Escape if self.stop_arriving() => {}
             Command::Escape if self.floating.help => self.floating.help = false,
             Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
             Command::Escape if matches!(self.checking, Checking::On(..)) => {

@@ -1,7 +1,7 @@
 //! What is open: loading it, loading it again, adding to it, saving it.
 
 use super::{
-    program::{App, Host, Purpose},
+    program::{App, Arrival, Host, Purpose},
     wake::{Wake, Waker},
 };
 use crate::{
@@ -51,16 +51,16 @@ impl App {
         let Some((_, paths, purpose)) = self.loading.take() else {
             return;
         };
-        let shown = result
-            .map_err(|error| error.to_string())
-            .and_then(|loaded| self.show_scene(loaded, paths, purpose));
-        match shown {
-            Ok(()) => self.build_trees(),
-            Err(text) => self.complain(text),
+        match result {
+            Ok(loaded) => {
+                let scene = loaded.scene.clone();
+                self.arrive(&scene, Arrival::Loaded(Box::new(loaded), paths, purpose));
+            }
+            Err(error) => self.complain(error.to_string()),
         }
     }
 
-    fn show_scene(
+    pub(super) fn show_scene(
         &mut self,
         mut loaded: Loaded,
         paths: Vec<PathBuf>,

@@ -9,7 +9,7 @@ use crate::{
     render::GpuError,
     viewer::{
         model::{Action, Cursor, Overlay},
-        screen::{Canvas, Laid, SceneRect, Screen, write_screenshot},
+        screen::{Canvas, Laid, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
 };
@@ -65,9 +65,12 @@ impl App {
     /// Takes what jobs have done by now.
     pub fn take_finished(&mut self) {
         self.take_loaded();
+        self.take_staged();
+        self.take_uploaded();
         self.take_saved();
         self.take_checked();
         self.take_chart();
+        self.take_waiting();
     }
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.
@@ -79,11 +82,12 @@ impl App {
         let mut commands = Vec::new();
         let mut place = None;
         let context = self.context.clone();
+        let underway = self.underway();
         let mut output = context.run_ui(input, |ui| {
             let mut shown = Shown {
                 state: &self.state,
                 notices: &mut self.notices,
-                loading: self.loading.as_ref().map(|(load, ..)| load.fraction()),
+                underway,
                 floating: self.floating,
                 question: self.question.as_ref(),
                 chart: self.chart.as_ref(),
@@ -119,7 +123,7 @@ impl App {
         let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
         if acted || follows_cursor || hovered(cursor) != self.state.hover() {
             context.request_repaint();
-        } else if self.loading.is_some() {
+        } else if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
         }
         let copied = self.copied.take().map(egui::OutputCommand::CopyText);
@@ -134,6 +138,7 @@ impl App {
 
     /// Draws a pass, on another device where the one before is lost, and does what waited for it.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
+        self.picture = Progress::default();
         if screen.restore()? {
             self.textures.renew();
         }
@@ -147,11 +152,15 @@ impl App {
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(self.textures.news());
+        if let Some(uploaded) = self.uploaded.take() {
+            canvas.take_uploaded(uploaded);
+        }
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
-            Ok(anew) => {
+            Ok(progress) => {
                 self.state.accepted();
-                if *anew {
+                self.picture = *progress;
+                if progress.anew {
                     self.announce();
                 }
             }
@@ -163,9 +172,15 @@ impl App {
             Err(_) => {}
         }
         if let Some(canvas) = screen.canvas() {
+            self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
+            let seen = canvas.on_screen().filter(|_| self.picture.behind);
+            self.state.see(seen);
             self.follow_up(canvas, laid);
         }
-        drawn
+        if self.picture.behind {
+            self.context.request_repaint();
+        }
+        drawn.map(|progress| progress.anew)
     }
 
     /// What waited for a frame to be drawn, and what only drawing shows to be impossible.

@@ -1,6 +1,7 @@
 //! The program: what commands do, what jobs bring, and the one driver that every frame goes through.
 
 mod acting;
+mod arriving;
 mod checks;
 mod commands;
 mod exhibits;

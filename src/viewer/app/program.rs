@@ -2,13 +2,14 @@
 
 use super::wake::{Wake, Waker};
 use crate::{
-    camera::{CameraChoice, Viewport},
+    camera::{CameraChoice, View, Viewport},
+    render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{Chart, Checking, Loading, Saving, TreeBuild},
-        model::{Snapshot, State},
+        jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
+        model::{Action, Snapshot, Stage, State},
         options::Options,
-        screen::Textures,
+        screen::{Progress, Textures},
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
     },
 };
@@ -23,6 +24,12 @@ pub(super) enum Purpose {
     Reload,
     /// Beside what is shown.
     Add,
+}
+
+/// What is shown once it is in graphics memory.
+pub(super) enum Arrival {
+    Loaded(Box<Loaded>, Vec<PathBuf>, Purpose),
+    Stage(Stage),
 }
 
 /// Screenshots that are asked for.
@@ -51,6 +58,14 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
+    /// The device that pictures are drawn with, once one was, and the meshes that it has.
+    pub(super) gpu: Option<(Gpu, MeshStore)>,
+    /// The stage that is being made.
+    pub(super) staging: Option<Staging>,
+    /// What is on its way into graphics memory, to be shown then.
+    pub(super) arriving: Option<(Upload, Arrival)>,
+    /// What is there, for the next picture.
+    pub(super) uploaded: Option<Uploaded>,
     /// The load under way, of which files, and what for.
     pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
     /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
@@ -81,6 +96,10 @@ pub(in crate::viewer) struct App {
     pub max_texture_side: Option<usize>,
     /// What is to go on the clipboard.
     pub copied: Option<String>,
+    /// A click, and through which view, that waits for trees.
+    pub(super) waiting: Option<(Action, View)>,
+    /// How far the scene's picture has come.
+    pub picture: Progress,
     /// The user is done.
     pub quit: bool,
 }
@@ -95,6 +114,10 @@ impl App {
             options.sides,
         );
         Self {
+            gpu: None,
+            staging: None,
+            arriving: None,
+            uploaded: None,
             loading: None,
             to_save: None,
             saving: Vec::new(),
@@ -115,6 +138,8 @@ impl App {
             statistics: Statistics::default(),
             max_texture_side: None,
             copied: None,
+            waiting: None,
+            picture: Progress::default(),
             quit: false,
             context: ui::context(),
             textures: Textures::default(),
@@ -131,7 +156,7 @@ impl App {
             .chart
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
-        let files = self.loading.is_some() || !self.saving.is_empty();
+        let files = self.underway().is_some() || !self.saving.is_empty();
         files || checks || studies || !self.state.scene().trees_are_built()
     }
 

@@ -152,7 +152,7 @@ impl Offscreen {
     /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.at_rest
+        self.at_rest && !self.app.picture.behind
     }
 
     /// What was put on the clipboard last.
@@ -199,6 +199,7 @@ impl Offscreen {
         let input = self.input(events, Vec::new());
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
+        self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
         drawn
     }
 
@@ -207,12 +208,20 @@ impl Offscreen {
     /// # Errors
     /// When there is no graphics adapter, or it fails.
     pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
-        self.draw()?;
+        self.draw_whole()?;
         // What the first frame began, as a comparison with what it drew.
         self.settle();
-        self.draw()?;
+        self.draw_whole()?;
         let (canvas, texture) = self.page.drawing.as_ref().ok_or(GpuError::NoAdapter)?;
         read_rgb(&canvas.gpu, texture, self.page.size)
+    }
+
+    fn draw_whole(&mut self) -> Result<(), GpuError> {
+        self.draw()?;
+        while self.app.picture.behind {
+            self.draw()?;
+        }
+        Ok(())
     }
 
     /// Takes the device away, as a driver that restarts does.

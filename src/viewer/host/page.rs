@@ -5,7 +5,7 @@ use crate::{
     render::{Gpu, GpuError},
     viewer::{
         model::State,
-        screen::{Canvas, Laid, Screen},
+        screen::{Canvas, Laid, Progress, Screen},
     },
 };
 
@@ -34,9 +34,9 @@ impl Screen for Page {
         self.drawing.as_mut().map(|(canvas, _)| canvas)
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<bool, GpuError> {
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
         let Some((canvas, texture)) = &mut self.drawing else {
-            return Ok(false);
+            return Ok(Progress::default());
         };
         if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
             *texture = canvas.texture(self.size);

@@ -48,7 +48,7 @@ pub(in crate::viewer) struct Checked {
 impl Check {
     /// Begins to compare `drawn`, the ids on screen, with picks of the state's scene; calls `wake` when done.
     pub fn start(state: &State, drawn: Image<Id>, wake: impl FnOnce() + Send + 'static) -> Self {
-        let (of, method) = (OnScreen::of(state), state.method());
+        let (of, method) = (state.to_show(), state.method());
         let scene = state.scene().clone();
         let cancelled = Arc::new(AtomicBool::new(false));
         let stop = Arc::clone(&cancelled);
@@ -99,7 +99,7 @@ impl Check {
 
     /// Whether it is about what the state shows.
     pub fn is_about(&self, state: &State) -> bool {
-        (self.of, self.method) == (OnScreen::of(state), state.method())
+        (self.of, self.method) == (state.to_show(), state.method())
     }
 
     /// Whose picks these are, where they are not this program's own.

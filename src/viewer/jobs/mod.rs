@@ -3,13 +3,17 @@
 mod check;
 mod dialogs;
 mod loading;
+mod preparing;
 mod saving;
 mod study;
 mod trees;
+mod uploading;
 
 pub(super) use check::{Check, Checked, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use loading::Loading;
+pub(super) use preparing::Staging;
 pub(super) use saving::Saving;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
+pub(super) use uploading::{Upload, Uploaded};

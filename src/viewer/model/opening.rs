@@ -49,6 +49,7 @@ impl State {
                 viewport,
                 sides,
             },
+            seen: None,
             pivot_world: orbit.target(),
             pan_depth: orbit.distance(),
             selection: None,
@@ -69,6 +70,7 @@ impl State {
             frozen: None,
             stage: Stage::World,
             world: None,
+            prepared: None,
             showing: loaded.exhibit.map(Showing::new),
         })
     }

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     camera::{View, fit_near_far, pixel_centre},
-    pick::{self, Pick, PickLine, SceneHit},
+    pick::{Pick, PickLine, SceneHit},
 };
 use glam::DVec2;
 
@@ -16,19 +16,20 @@ impl State {
     /// one behind.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
-        let same = |hits: &&RayHits| (hits.px, hits.view) == (px, self.view);
+        let view = self.seen_view();
+        let same = |hits: &&RayHits| (hits.px, hits.view) == (px, view);
         let at = match (self.hits.as_ref().filter(same), self.clicked_s) {
             (Some(hits), Some(last_s)) => hits.at + usize::from(time_s - last_s > DOUBLE_CLICK_S),
             _ => 0,
         };
         self.clicked_s = Some(time_s);
-        self.take_hits(RayHits::cast(&self.scene, self.view, px, at))
+        self.take_hits(RayHits::cast(&self.scene, view, px, at))
     }
 
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
-        let ray = self.view.ray(px);
-        let hit = pick::closest(&self.scene, ray, self.view.sides);
+        let ray = self.seen_view().ray(px);
+        let hit = self.quick_hit(ray);
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))

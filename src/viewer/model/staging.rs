@@ -1,22 +1,51 @@
 //! The scene at a stage of the pipeline, a camera that is left standing, and the way back.
 
 use super::{
-    stages::{Stage, staged},
+    stages::{Prepared, Stage, staged},
     state::{Frozen, Selection, State, World},
 };
-use crate::camera::{Orbit, UpAxis};
+use crate::{
+    camera::{Orbit, UpAxis, View},
+    scene::Scene,
+};
 use glam::DVec3;
 use std::mem;
 
 impl State {
+    /// What stages are made of: the scene itself, and the view that its matrices are of.
+    pub(in crate::viewer) fn stage_source(&self) -> (&Scene, View) {
+        let through = || self.frozen.map_or(self.view, |frozen| frozen.view);
+        match &self.world {
+            Some(world) => (&world.scene, world.through),
+            None => (&self.scene, through()),
+        }
+    }
+
+    /// Takes a stage that is to be shown soon.
+    pub(in crate::viewer) fn prepare(&mut self, prepared: Prepared) {
+        self.prepared = Some(prepared);
+    }
+
+    /// Whether a stage is there to be shown.
+    pub(in crate::viewer) fn is_prepared(&self, stage: Stage) -> bool {
+        let (scene, through) = self.stage_source();
+        let is_it = |made: &Prepared| {
+            made.stage == stage && made.through == through && made.of.is_of(scene)
+        };
+        self.prepared.as_ref().is_some_and(is_it)
+    }
+
     /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one. Back in the world the
     /// view stands where it stood, and what is still selected is picked again.
     pub(super) fn show_stage(&mut self, stage: Stage) {
         if stage == self.stage {
             return;
         }
+        let is_prepared = self.is_prepared(stage);
+        let prepared = self.prepared.take().filter(|_| is_prepared);
+        let through = self.stage_source().1;
         let world = self.world.take().unwrap_or_else(|| World {
-            through: self.frozen.map_or(self.view, |frozen| frozen.view),
+            through,
             stand: self.stand(),
             chosen: self.chosen(),
             edits: self.edits,
@@ -33,7 +62,8 @@ impl State {
         if stage == Stage::World {
             self.come_back(world);
         } else {
-            self.scene = staged(&world.scene, &world.through, stage);
+            let make = || staged(&world.scene, &world.through, stage);
+            self.scene = prepared.map_or_else(make, |prepared| prepared.scene);
             self.world = Some(world);
             // The world's planes are nowhere here.
             (self.controls.near, self.controls.far) = (None, None);

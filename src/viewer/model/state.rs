@@ -4,9 +4,10 @@
 use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
+    on_screen::OnScreen,
     overlay::Overlays,
     showing::Showing,
-    stages::Stage,
+    stages::{Prepared, Stage},
     timeline::Timeline,
 };
 use crate::{
@@ -148,6 +149,8 @@ pub struct State {
     /// Height of the orthographic picture over the orbit's distance.
     pub(super) height_per_distance: f64,
     pub(super) view: View,
+    /// What is on screen, while that is still another picture.
+    pub(super) seen: Option<OnScreen>,
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
@@ -169,6 +172,8 @@ pub struct State {
     pub(super) stage: Stage,
     /// The scene itself, while a stage of it is shown instead.
     pub(super) world: Option<World>,
+    /// A stage that may be shown next.
+    pub(super) prepared: Option<Prepared>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
 }

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     camera::{Camera, Orbit, pixel_centre},
     geometry::Sides,
-    pick::{self, PickLine},
+    pick::PickLine,
 };
 
 impl State {
@@ -35,7 +35,7 @@ impl State {
             Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
-                if let Some(hit) = pick::closest(&self.scene, self.view.ray(px), self.view.sides) {
+                if let Some(hit) = self.quick_hit(self.view.ray(px)) {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }

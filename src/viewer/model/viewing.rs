@@ -7,7 +7,6 @@ use super::{
 use crate::{
     camera::{Camera, CameraChoice, CameraError, Lens, Orbit, Projection, fit_near_far},
     geometry::{Aabb, Placement, PlacementError},
-    pick,
 };
 use glam::{DVec2, DVec3};
 
@@ -161,7 +160,10 @@ impl State {
 
     pub(super) fn recentre(&mut self, px: DVec2) {
         let ray = self.view.ray(px);
-        let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) else {
+        if !self.rays_are_quick() {
+            return;
+        }
+        let Some(hit) = self.quick_hit(ray) else {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = ray.at(hit.hit.t);
@@ -172,7 +174,7 @@ impl State {
     /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
-        if let Some(hit) = pick::closest(&self.scene, ray, self.view.sides) {
+        if let Some(hit) = self.quick_hit(ray) {
             return ray.at(hit.hit.t);
         }
         let depth = self.view.camera.to_view(self.pivot_world).z;

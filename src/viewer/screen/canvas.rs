@@ -1,13 +1,17 @@
-//! What is drawn: the scene where it changed, its marks, and the panels over it, onto any texture.
+//! What is drawn: the scene's picture with its marks, and the panels over it, onto any texture.
 
-use super::{frozen, overlay_lines, place::SceneRect, surroundings};
+use super::{
+    place::SceneRect,
+    scene_picture::{Progress, ScenePicture},
+};
 use crate::{
-    camera::{UpAxis, View, Viewport},
+    camera::Viewport,
     image::{Id, Image, Rgb},
-    render::{
-        Destination, Gpu, GpuError, Marks, Renderer, SceneBuffers, Targets, Wireframe, read_rgb,
+    render::{Destination, Gpu, GpuError, MeshStore, read_rgb},
+    viewer::{
+        jobs::Uploaded,
+        model::{OnScreen, State},
     },
-    viewer::model::{Frozen, OnScreen, Overlay, Overlays, State},
 };
 use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
 use std::mem;
@@ -18,38 +22,12 @@ pub(in crate::viewer) struct Canvas {
     pub gpu: Gpu,
     /// What it draws onto: values as they are, viewed as sRGB where the scene goes in.
     pub format: TextureFormat,
-    renderer: Renderer,
+    scene: ScenePicture,
     panels: EguiRenderer,
     /// Of the texture that was drawn onto last.
     size: Viewport,
-    scene: Option<Uploaded>,
-    /// The scene that does not fit, and why: it is not tried again.
-    unfit: Option<(u64, GpuError)>,
-    /// What the targets hold.
-    drawn: Option<Drawn>,
-    targets: Option<Targets>,
     /// egui's textures that the last frame may still have shown.
     stale: Vec<egui::TextureId>,
-}
-
-/// The scene on the GPU and which one it is.
-struct Uploaded {
-    buffers: SceneBuffers,
-    revision: u64,
-    visibility: u64,
-}
-
-/// All that colours and ids depend on, and then the selection, on which its outline depends.
-#[derive(Clone, Copy, PartialEq)]
-struct Drawn {
-    view: View,
-    revision: u64,
-    visibility: u64,
-    grid: Option<UpAxis>,
-    frozen: Option<Frozen>,
-    /// What is drawn with the scene, about which object, and whether the trees that it may show are there.
-    overlays: Option<(Overlays, Option<usize>, bool)>,
-    selection: Option<usize>,
 }
 
 /// One frame, laid out.
@@ -73,28 +51,23 @@ pub(in crate::viewer) trait Screen {
     /// What its device draws with; `None` before there is one.
     fn canvas(&mut self) -> Option<&mut Canvas>;
 
-    /// Draws and shows a frame. Returns whether the scene itself was drawn anew.
+    /// Draws and shows a frame. Returns how far the scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<bool, GpuError>;
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError>;
 }
 
 impl Canvas {
     /// A canvas for textures of this format, which must have an sRGB twin.
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
-        let renderer = Renderer::new(&gpu, gpu.colour_samples());
         let panels = EguiRenderer::new(&gpu.device, format, RendererOptions::default());
         Self {
+            scene: ScenePicture::new(&gpu),
             gpu,
             format,
-            renderer,
             panels,
             size: Viewport::DEFAULT,
-            scene: None,
-            unfit: None,
-            drawn: None,
-            targets: None,
             stale: Vec::new(),
         }
     }
@@ -106,16 +79,22 @@ impl Canvas {
 
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
-        let (Some(targets), Some(drawn)) = (&self.targets, &self.drawn) else {
-            return Ok(None);
-        };
-        let shown = OnScreen {
-            view: drawn.view,
-            scene_revision: drawn.revision,
-            visibility_revision: drawn.visibility,
-        };
-        let is_wanted = shown == *wanted;
-        is_wanted.then(|| targets.read_ids(&self.gpu)).transpose()
+        self.scene.read_ids(&self.gpu, wanted)
+    }
+
+    /// Takes a scene that is in graphics memory, and is to be shown next.
+    pub fn take_uploaded(&mut self, uploaded: Uploaded) {
+        self.scene.take_uploaded(uploaded);
+    }
+
+    /// The meshes in graphics memory.
+    pub fn meshes(&self) -> MeshStore {
+        self.scene.meshes().clone()
+    }
+
+    /// What is on screen of the scene.
+    pub fn on_screen(&self) -> Option<OnScreen> {
+        self.scene.on_screen()
     }
 
     /// Takes what came and went among egui's textures. What goes may still be in the next frame, and is freed after it.
@@ -132,7 +111,7 @@ impl Canvas {
         self.stale.extend(mem::take(&mut textures.free));
     }
 
-    /// Draws a frame onto all of a texture. Returns whether the scene itself was drawn anew.
+    /// Draws a frame onto all of a texture. Returns how far the scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
@@ -141,7 +120,7 @@ impl Canvas {
         texture: &wgpu::Texture,
         state: &State,
         laid: &Laid,
-    ) -> Result<bool, GpuError> {
+    ) -> Result<Progress, GpuError> {
         let view_as = |format: TextureFormat| {
             texture.create_view(&wgpu::TextureViewDescriptor {
                 format: Some(format),
@@ -151,36 +130,24 @@ impl Canvas {
         let format = self.format;
         let size_px = [texture.width(), texture.height()];
         self.size = Viewport::new(size_px[0], size_px[1]).unwrap_or(self.size);
-        let mut scene = Ok(false);
+        let (mut scene, mut has_scene) = (Ok(Progress::default()), false);
         if let Some(place) = laid.place {
-            self.renderer.scale_factor = laid.pixels_per_point;
-            scene = self.draw_scene(state, place.viewport);
+            self.scene.renderer.scale_factor = laid.pixels_per_point;
+            scene = self.scene.advance(&self.gpu, state, place.viewport);
         }
         if let (Some(place), Ok(_)) = (laid.place, &scene) {
-            let selection = state.selection().map(|selection| selection.object);
-            if let (Some(scene), Some(targets)) = (&self.scene, &self.targets) {
-                self.renderer.composite(
-                    &self.gpu,
-                    &scene.buffers,
-                    targets,
-                    state.view(),
-                    &Marks {
-                        selection,
-                        hover: state.hover(),
-                    },
-                    &Destination {
-                        view: &view_as(format.add_srgb_suffix()),
-                        format: format.add_srgb_suffix(),
-                        size_px,
-                        origin_px: place.origin_px,
-                    },
-                );
-            }
+            let destination = Destination {
+                view: &view_as(format.add_srgb_suffix()),
+                format: format.add_srgb_suffix(),
+                size_px,
+                origin_px: place.origin_px,
+            };
+            has_scene = self.scene.composite(&self.gpu, state, &destination);
         }
         self.gpu.check()?;
         // egui blends in sRGB values, so it draws through a view that does not convert them.
         // Where the scene could not be drawn, they say so.
-        self.draw_panels(&view_as(format), size_px, laid, scene.is_ok());
+        self.draw_panels(&view_as(format), size_px, laid, has_scene);
         if self.gpu.is_software() {
             // The frame time that is shown is the frame's, then, and not that of handing it over.
             self.gpu.wait()?;
@@ -195,7 +162,9 @@ impl Canvas {
     /// When memory runs out, or the device fails.
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let texture = self.texture(self.size);
-        self.draw(&texture, state, laid)?;
+        while self.draw(&texture, state, laid)?.behind {
+            self.gpu.wait()?;
+        }
         let picture = read_rgb(&self.gpu, &texture, self.size)?;
         if !matches!(self.format, TextureFormat::Bgra8Unorm) {
             return Ok(picture);
@@ -222,100 +191,6 @@ impl Canvas {
         })
     }
 
-    /// Brings the targets up to date. Returns whether colours had to be drawn.
-    fn draw_scene(&mut self, state: &State, viewport: Viewport) -> Result<bool, GpuError> {
-        self.upload(state)?;
-        if self
-            .targets
-            .as_ref()
-            .is_none_or(|targets| targets.viewport() != viewport)
-        {
-            self.targets = Some(Targets::new(
-                &self.gpu,
-                viewport,
-                self.gpu.colour_samples(),
-            )?);
-            self.drawn = None;
-        }
-        let (Some(scene), Some(targets)) = (&self.scene, &self.targets) else {
-            return Ok(false);
-        };
-        let selection = state.selection().map(|selection| selection.object);
-        let overlays = state.overlays();
-        let wanted = Drawn {
-            overlays: (overlays.in_scene())
-                .then(|| (overlays, selection, state.scene().trees_are_built())),
-            view: View {
-                viewport,
-                ..*state.view()
-            },
-            revision: state.scene_revision(),
-            visibility: state.visibility_revision(),
-            grid: state.grid().then_some(state.shown_up_axis()),
-            frozen: state.frozen().copied(),
-            selection,
-        };
-        let unmarked = |drawn: Drawn| Drawn {
-            selection: None,
-            ..drawn
-        };
-        let anew = self.drawn.map(unmarked) != Some(unmarked(wanted));
-        if anew {
-            let scene_now = state.scene();
-            let floor = wanted
-                .grid
-                .map(|up_axis| surroundings::floor(&scene_now.visible_bounds(), up_axis));
-            let frozen = wanted
-                .frozen
-                .map(|frozen| frozen::lines(&frozen, scene_now));
-            let stage = surroundings::of(state.stage());
-            let lines: Vec<_> = floor
-                .into_iter()
-                .chain(frozen)
-                .chain([stage, overlay_lines::lines(state)])
-                .flatten()
-                .collect();
-            self.renderer.wireframe = overlays
-                .shows(Overlay::Wireframe)
-                .then(|| selection.map_or(Wireframe::OfAll, Wireframe::Of));
-            self.renderer
-                .draw(&self.gpu, &scene.buffers, targets, &wanted.view, &lines)?;
-        }
-        if let Some(object) = wanted.selection.filter(|_| self.drawn != Some(wanted)) {
-            self.renderer
-                .draw_selection(&self.gpu, &scene.buffers, targets, &wanted.view, object);
-        }
-        self.drawn = Some(wanted);
-        Ok(anew)
-    }
-
-    fn upload(&mut self, state: &State) -> Result<(), GpuError> {
-        let (revision, visibility) = (state.scene_revision(), state.visibility_revision());
-        match &mut self.scene {
-            Some(scene) if scene.revision == revision => {
-                if scene.visibility != visibility {
-                    scene.buffers.update(&self.gpu, state.scene())?;
-                    scene.visibility = visibility;
-                }
-            }
-            _ => {
-                if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
-                    return Err(error.clone());
-                }
-                let buffers = SceneBuffers::upload(&self.gpu, state.scene());
-                let buffers = buffers.inspect_err(|error| {
-                    self.unfit = Some((revision, error.clone()));
-                })?;
-                self.scene = Some(Uploaded {
-                    buffers,
-                    revision,
-                    visibility,
-                });
-            }
-        }
-        Ok(())
-    }
-
     fn draw_panels(
         &mut self,
         view: &wgpu::TextureView,
@@ -338,7 +213,7 @@ impl Canvas {
                 depth_slice: None,
                 resolve_target: None,
                 ops: wgpu::Operations {
-                    load: if has_scene && laid.place.is_some() {
+                    load: if has_scene {
                         wgpu::LoadOp::Load
                     } else {
                         wgpu::LoadOp::Clear(wgpu::Color::BLACK)

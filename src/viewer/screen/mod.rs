@@ -4,7 +4,9 @@ mod box_edges;
 mod canvas;
 mod frozen;
 mod overlay_lines;
+mod pace;
 mod place;
+mod scene_picture;
 mod screenshot;
 mod surface;
 mod surroundings;
@@ -12,6 +14,7 @@ mod textures;
 
 pub(super) use canvas::{Canvas, Laid, Screen};
 pub(super) use place::SceneRect;
+pub(super) use scene_picture::Progress;
 pub(super) use screenshot::write_screenshot;
 pub(super) use surface::Surface;
 pub(super) use surroundings::AXES;

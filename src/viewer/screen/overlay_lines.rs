@@ -23,7 +23,13 @@ const BOX: Srgb = Srgb([240, 180, 80]);
 pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
     let (scene, overlays) = (state.scene(), state.overlays());
     let selected = state.selection().map(|selection| selection.object);
-    let objects = (0..).zip(scene.objects()).filter(|(index, object)| {
+    let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
+    let asked = if shows_lines.contains(&true) {
+        scene.objects()
+    } else {
+        &[]
+    };
+    let objects = (0..).zip(asked).filter(|(index, object)| {
         object.visible && selected.is_none_or(|selected| selected == *index)
     });
     let mut lines = Vec::new();

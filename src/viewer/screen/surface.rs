@@ -1,6 +1,9 @@
 //! The window's surface: where frames go, and what brings it back when it, or the whole device, is lost.
 
-use super::canvas::{Canvas, Laid, Screen};
+use super::{
+    canvas::{Canvas, Laid, Screen},
+    scene_picture::Progress,
+};
 use crate::{
     render::{Gpu, GpuError},
     viewer::model::State,
@@ -96,14 +99,14 @@ impl Screen for Surface {
         Some(&mut self.canvas)
     }
 
-    fn draw(&mut self, state: &State, laid: &Laid) -> Result<bool, GpuError> {
+    fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
         let Some(frame) = self.acquire()? else {
-            return Ok(false);
+            return Ok(Progress::default());
         };
-        let anew = self.canvas.draw(&frame.texture, state, laid)?;
+        let progress = self.canvas.draw(&frame.texture, state, laid)?;
         self.window.pre_present_notify();
         self.canvas.gpu.queue.present(frame);
-        Ok(anew)
+        Ok(progress)
     }
 }
 

@@ -11,5 +11,5 @@ mod theme;
 pub(super) use command::{Command, Intent, Reply};
 pub(super) use mouse::Drag;
 pub(super) use notice::{Notice, Notices};
-pub(super) use panels::{Filter, Floating, Shown, Statistics, show};
+pub(super) use panels::{Filter, Floating, Shown, Statistics, Underway, show};
 pub(super) use theme::{color32, context};

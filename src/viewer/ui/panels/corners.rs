@@ -1,6 +1,10 @@
 //! What lies over the picture: the axes' directions, messages, progress.
 
-use super::{banner, names::named, shown::Shown};
+use super::{
+    banner,
+    names::named,
+    shown::{Shown, Underway},
+};
 use crate::viewer::{
     model::{Action, State},
     screen::AXES,
@@ -47,7 +51,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
             ui.set_max_width((rect.width() - 20.0).max(100.0));
             notices(ui, shown.notices);
         });
-    if let Some(fraction) = shown.loading {
+    if let Some(Underway { what, fraction }) = &shown.underway {
         let at = rect.center_bottom() - vec2(0.0, 40.0);
         Area::new(Id::unique("progress"))
             .fixed_pos(at)
@@ -55,11 +59,9 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
             .show(&ctx, |ui| {
                 Frame::popup(ui.style()).show(ui, |ui| {
                     ui.horizontal(|ui| {
-                        ui.add(
-                            ProgressBar::new(fraction)
-                                .desired_width(220.0)
-                                .text("loading"),
-                        );
+                        let bar = ProgressBar::new(fraction.unwrap_or(1.0));
+                        let bar = bar.animate(fraction.is_none());
+                        ui.add(bar.desired_width(220.0).text(*what));
                         if ui.button("cancel").on_hover_text("(Esc)").clicked() {
                             commands.push(Command::Escape);
                         }

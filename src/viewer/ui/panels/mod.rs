@@ -27,5 +27,5 @@ mod toolbar;
 
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;
-pub(in crate::viewer) use shown::{Floating, Shown};
+pub(in crate::viewer) use shown::{Floating, Shown, Underway};
 pub(in crate::viewer) use status::Statistics;

@@ -13,8 +13,8 @@ pub(in crate::viewer) struct Filter {
     text: String,
     /// Of which scene and text the rows are.
     of: Option<(u64, String)>,
-    /// Indices of the objects whose name holds the text, whatever its case.
-    rows: Vec<usize>,
+    /// Indices of the objects whose name holds the text, whatever its case; `None` for all of them.
+    rows: Option<Vec<usize>>,
 }
 
 impl Filter {
@@ -22,14 +22,23 @@ impl Filter {
         let of = Some((state.scene_revision(), self.text.to_lowercase()));
         if self.of != of {
             let wanted = self.text.to_lowercase();
-            let named = state
-                .scene()
-                .objects()
-                .iter()
-                .map(|object| object.name.to_lowercase());
-            let fits = named.enumerate().filter(|(_, name)| name.contains(&wanted));
-            self.rows = fits.map(|(index, _)| index).collect();
+            let objects = state.scene().objects().iter().enumerate();
+            let fits = objects.filter(|(_, object)| object.name.to_lowercase().contains(&wanted));
+            self.rows = (!wanted.is_empty()).then(|| fits.map(|(index, _)| index).collect());
             self.of = of;
+        }
+    }
+
+    /// The object of a row.
+    fn object(&self, row: usize) -> usize {
+        self.rows.as_ref().map_or(row, |rows| rows[row])
+    }
+
+    /// The row of an object; `None` where it is left out.
+    fn row(&self, object: usize) -> Option<usize> {
+        match &self.rows {
+            Some(rows) => rows.binary_search(&object).ok(),
+            None => Some(object),
         }
     }
 }
@@ -43,7 +52,7 @@ pub(super) fn show(
 ) {
     let objects = state.scene().objects();
     ui.heading("Objects");
-    let hidden = objects.iter().filter(|object| !object.visible).count();
+    let hidden = state.scene().hidden_count();
     ui.horizontal(|ui| {
         ui.weak(format!(
             "{}, {} triangles",
@@ -89,15 +98,16 @@ pub(super) fn show(
         .max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().auto_shrink(false);
     let selected = state.selection().map(|selection| selection.object);
-    let row_of = |object: usize| filter.rows.binary_search(&object).ok();
-    if let Some(row) = selected.filter(|_| reveal_selection).and_then(row_of) {
+    let revealed = selected.filter(|_| reveal_selection);
+    if let Some(row) = revealed.and_then(|object| filter.row(object)) {
         #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
         let row = row as f32;
         let step = row_height + ui.spacing().item_spacing.y;
         area = area.vertical_scroll_offset((row * step - 0.4 * ui.available_height()).max(0.0));
     }
-    area.show_rows(ui, row_height, filter.rows.len(), |ui, rows| {
-        for &index in &filter.rows[rows] {
+    let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
+    area.show_rows(ui, row_height, count, |ui, rows| {
+        for index in rows.map(|row| filter.object(row)) {
             let object = &objects[index];
             ui.horizontal(|ui| {
                 let mut visible = object.visible;

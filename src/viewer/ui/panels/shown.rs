@@ -17,14 +17,23 @@ pub(in crate::viewer) struct Floating {
     pub pipeline: bool,
 }
 
+/// What is on its way to be shown.
+#[derive(Clone, Copy)]
+pub(in crate::viewer) struct Underway {
+    /// What is being done.
+    pub what: &'static str,
+    /// How far it has come, where that is known.
+    pub fraction: Option<f32>,
+}
+
 /// What the panels show besides the state.
 pub(in crate::viewer) struct Shown<'a> {
     /// What is to be seen and how.
     pub state: &'a State,
     /// Messages that wait to be read.
     pub notices: &'a mut Notices,
-    /// How far a load has come, when there is one.
-    pub loading: Option<f32>,
+    /// What is on its way, if anything.
+    pub underway: Option<Underway>,
     /// Which windows are open over the scene.
     pub floating: Floating,
     /// What would drop edits, and waits for an answer.

@@ -43,7 +43,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
             let mut shown = Shown {
                 state,
                 notices: &mut Notices::new(),
-                loading: None,
+                underway: None,
                 floating: Floating::default(),
                 question: None,
                 chart: None,

@@ -1,0 +1,39 @@
+//! Flags may stand before the command that they are for.
+
+use super::Cli;
+use clap::{Command, CommandFactory};
+use std::ffi::OsString;
+
+/// The arguments, the program's own name first, with flags that stand before a command moved behind what follows it.
+/// Anything but flags before the command leaves them as they are.
+pub(super) fn command_first(mut args: Vec<OsString>) -> Vec<OsString> {
+    let cli = Cli::command();
+    let mut at = 1;
+    while let Some(word) = args.get(at).and_then(|word| word.to_str()) {
+        if cli.find_subcommand(word).is_some() {
+            let flags: Vec<_> = args.drain(1..at).collect();
+            // What follows a lone -- is no flag.
+            let end = args.iter().position(|word| word == "--");
+            let end = end.unwrap_or(args.len());
+            args.splice(end..end, flags);
+            break;
+        }
+        if !word.starts_with('-') || word == "--" {
+            break;
+        }
+        at += 1 + usize::from(takes_next(&cli, word));
+    }
+    args
+}
+
+/// Whether a flag, of the window or of any command, has the next word for its value.
+fn takes_next(cli: &Command, flag: &str) -> bool {
+    let commands = std::iter::once(cli).chain(cli.get_subcommands());
+    let mut args = commands.flat_map(Command::get_arguments);
+    args.any(|arg| {
+        let long = flag.strip_prefix("--");
+        let is_long = long.is_some() && arg.get_long() == long;
+        let is_short = arg.get_short().is_some_and(|c| flag == format!("-{c}"));
+        (is_long || is_short) && arg.get_action().takes_values()
+    })
+}

@@ -1,0 +1,130 @@
+//! A list of draws in slices of limited work.
+
+use super::scene_buffers::Draw;
+use std::ops::Range;
+
+/// The work that an instance is, beside its triangles: about that of so many.
+const INSTANCE: u64 = 32;
+
+/// How much is drawn at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// About so many triangles; an instance counts as 32 more.
+    pub work: u64,
+    /// No more instances than these, each of which has a row of a table to be composed.
+    pub instances: u32,
+}
+
+impl Piece {
+    /// All there is.
+    pub const WHOLE: Self = Self {
+        work: u64::MAX,
+        instances: u32::MAX,
+    };
+
+    /// Whether so much is done at once.
+    #[must_use]
+    pub fn holds(&self, whole: &Self) -> bool {
+        whole.work <= self.work && whole.instances <= self.instances
+    }
+}
+
+/// Triangles of instances of one draw. Spheres have no triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Slice {
+    /// The draw's index.
+    pub draw: usize,
+    pub triangles: Range<u32>,
+    pub instances: Range<u32>,
+}
+
+impl Slice {
+    /// The work that it is.
+    pub fn work(&self) -> u64 {
+        let instances = self.instances.end - self.instances.start;
+        work(&self.triangles) * u64::from(instances)
+    }
+}
+
+/// How far one has come in a list of draws.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Cursor {
+    draw: usize,
+    /// Of the draw's instances.
+    instance: u32,
+    /// Of the instance's triangles.
+    triangle: u32,
+}
+
+impl Cursor {
+    /// Whether nothing is left.
+    pub fn is_at_end(&self, draws: &[Draw]) -> bool {
+        self.draw == draws.len()
+    }
+
+    /// What comes next, in order: no more than a piece, but where that is too small for anything, a triangle.
+    pub fn take(&mut self, draws: &[Draw], mut piece: Piece) -> Vec<Slice> {
+        let mut slices = Vec::new();
+        while let Some(draw) = draws.get(self.draw)
+            && let Some(slice) = self.slice(draw, &mut piece, slices.is_empty())
+        {
+            slices.push(slice);
+        }
+        slices
+    }
+
+    /// The next slice of a draw; `None` where too little of the piece is left, unless it is the first.
+    fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
+        let (index, all) = (self.draw, draw.triangles());
+        let first = draw.instances.start + self.instance;
+        let each = work(&all);
+        let fit = u32::try_from(left.work / each).unwrap_or(u32::MAX);
+        let fit = fit.min(left.instances).min(draw.instances.end - first);
+        let (triangles, count) = if self.triangle == 0 && fit > 0 {
+            (all.clone(), fit)
+        } else if is_first {
+            let begin = all.start + self.triangle;
+            let most = left.work.saturating_sub(INSTANCE).max(1);
+            let most = u32::try_from(most).unwrap_or(u32::MAX);
+            (begin..begin.saturating_add(most).min(all.end), 1)
+        } else {
+            return None;
+        };
+        left.work = left
+            .work
+            .saturating_sub(work(&triangles) * u64::from(count));
+        left.instances = left.instances.saturating_sub(count);
+        if triangles.end == all.end {
+            self.triangle = 0;
+            self.instance += count;
+            if draw.instances.start + self.instance == draw.instances.end {
+                (self.draw, self.instance) = (self.draw + 1, 0);
+            }
+        } else {
+            self.triangle = triangles.end - all.start;
+        }
+        let slice = Slice {
+            draw: index,
+            triangles,
+            instances: first..first + count,
+        };
+        left.work = left.work.saturating_sub(slice.work());
+        Some(slice)
+    }
+}
+
+/// All that draws come to.
+pub(super) fn whole(draws: &[Draw]) -> Piece {
+    let count = |draw: &Draw| draw.instances.end - draw.instances.start;
+    let works = draws
+        .iter()
+        .map(|draw| work(&draw.triangles()) * u64::from(count(draw)));
+    Piece {
+        work: works.sum(),
+        instances: draws.iter().map(count).sum(),
+    }
+}
+
+fn work(triangles: &Range<u32>) -> u64 {
+    INSTANCE + u64::from(triangles.end - triangles.start)
+}

@@ -1,0 +1,135 @@
+//! One thing in a scene: its shape, where it stands, what it looks like.
+
+use crate::{
+    colour::Srgb,
+    geometry::{Aabb, Cuboid, Hit, Mesh, Placement, Sphere, Square},
+};
+use glam::DVec3;
+use std::{ops::Range, sync::Arc};
+
+/// A shape in its object space.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// Radius 0.5 about the origin.
+    Sphere,
+    /// Side 1 about the origin.
+    Cube,
+    /// Side 1 about the origin in the xy plane, facing +z.
+    Square,
+    /// One object of a file.
+    Mesh {
+        /// The whole file.
+        mesh: Arc<Mesh>,
+        /// Which of its parts.
+        part: usize,
+    },
+}
+
+impl Shape {
+    /// The word for it in lists and scene files.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::Cube => "cube",
+            Self::Square => "square",
+            Self::Mesh { .. } => "mesh",
+        }
+    }
+
+    /// The triangles of its mesh; `None` for analytic shapes.
+    #[must_use]
+    pub fn triangles(&self) -> Option<Range<u32>> {
+        match self {
+            Self::Mesh { mesh, part } => Some(mesh.data().parts[*part].triangles.clone()),
+            _ => None,
+        }
+    }
+
+    /// Where its triangles begin among those of its mesh; 0 for analytic shapes.
+    #[must_use]
+    pub fn first_triangle(&self) -> u32 {
+        self.triangles().map_or(0, |triangles| triangles.start)
+    }
+}
+
+/// One thing in the scene: what lists name and picks return.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// For people; need not be unique.
+    pub name: String,
+    /// What it is, in object space.
+    pub shape: Shape,
+    /// Where it stands.
+    pub placement: Placement,
+    /// Its colour; `None` for the mesh's own colours, or neutral.
+    pub colour: Option<Srgb>,
+    /// Hidden objects are neither drawn nor picked.
+    pub visible: bool,
+}
+
+impl Object {
+    /// A visible object without a colour of its own.
+    #[must_use]
+    pub fn new(name: impl Into<String>, shape: Shape, placement: Placement) -> Self {
+        Self {
+            name: name.into(),
+            shape,
+            placement,
+            colour: None,
+            visible: true,
+        }
+    }
+
+    /// Its linear colour where it was hit.
+    #[must_use]
+    pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
+        let (Shape::Mesh { mesh, .. }, Some(at), None) =
+            (&self.shape, &hit.on_triangle, self.colour)
+        else {
+            return self.colour.unwrap_or(Srgb::NEUTRAL).to_linear();
+        };
+        mesh.albedo(at)
+    }
+
+    /// The normal that shading takes where it was hit, in object space: interpolated over the triangle, or the
+    /// surface's own.
+    #[must_use]
+    pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
+        match (&self.shape, &hit.on_triangle) {
+            (Shape::Mesh { mesh, .. }, Some(at)) => mesh.shading_normal(at).unwrap_or(hit.normal),
+            _ => hit.normal,
+        }
+    }
+
+    /// The smallest world-space box about it; empty for a mesh without triangles.
+    #[must_use]
+    pub fn bounds_world(&self) -> Aabb {
+        let to_world = |point| self.placement.point_to_world(point);
+        match &self.shape {
+            Shape::Sphere => {
+                let rows = self.placement.model().matrix3.transpose();
+                let half = Sphere::RADIUS
+                    * DVec3::new(
+                        rows.x_axis.length(),
+                        rows.y_axis.length(),
+                        rows.z_axis.length(),
+                    );
+                let center = to_world(DVec3::ZERO);
+                Aabb {
+                    min: center - half,
+                    max: center + half,
+                }
+            }
+            Shape::Cube => Aabb::around(Cuboid::bounds().corners().map(to_world)),
+            Shape::Square => Aabb::around(Square::bounds().corners().map(to_world)),
+            Shape::Mesh { mesh, part } if self.placement == Placement::IDENTITY => {
+                mesh.part_bounds(*part)
+            }
+            Shape::Mesh { mesh, part } => Aabb::around(
+                (mesh.data().parts[*part].triangles.clone())
+                    .flat_map(|triangle| mesh.corners(triangle).map(to_world)),
+            ),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What somebody who points at the picture sees there, and what a ray finds without making them wait.
+
+use super::{on_screen::OnScreen, state::State};
+use crate::{
+    camera::View,
+    geometry::WorldRay,
+    pick::{self, SceneHit},
+};
+
+/// Trying so many triangles without a tree takes half a millisecond.
+const TRIED: usize = 30_000;
+
+impl State {
+    /// What the picture is to show.
+    pub(in crate::viewer) fn to_show(&self) -> OnScreen {
+        OnScreen {
+            view: self.view,
+            scene_revision: self.scene_revision,
+            visibility_revision: self.visibility_revision,
+        }
+    }
+
+    /// What is on screen, while that is not yet what it is to be; `None` once it is.
+    pub(in crate::viewer) fn see(&mut self, seen: Option<OnScreen>) {
+        self.seen = seen;
+    }
+
+    /// The view of the picture that somebody points into. Of other objects than there are now, or in other places, nothing
+    /// can be picked.
+    pub(super) fn seen_view(&self) -> View {
+        let now = self.to_show();
+        let is_of_these = |seen: &OnScreen| {
+            seen.scene_revision == now.scene_revision
+                && seen.visibility_revision == now.visibility_revision
+        };
+        self.seen
+            .filter(is_of_these)
+            .map_or(now.view, |seen| seen.view)
+    }
+
+    /// Whether a ray takes no longer than a mouse move may: meshes have their trees, or need none.
+    #[must_use]
+    pub fn rays_are_quick(&self) -> bool {
+        let meshes = self.scene.meshes().iter();
+        let tried = meshes.filter(|mesh| !mesh.is_ready());
+        let tried: usize = tried.map(|mesh| mesh.data().triangles.len()).sum();
+        tried <= TRIED
+    }
+
+    /// The nearest hit, for what follows the mouse: nothing until trees are there.
+    pub(super) fn quick_hit(&self, ray: WorldRay) -> Option<SceneHit> {
+        let is_quick = self.rays_are_quick();
+        is_quick.then(|| pick::closest(&self.scene, ray, self.view.sides))?
+    }
+}

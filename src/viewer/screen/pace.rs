@@ -1,0 +1,141 @@
+//! How much of a picture is drawn in a pass: what takes a tenth of a second at the most, by what pieces took before.
+
+use crate::render::{Gpu, Piece};
+use std::{
+    sync::{Arc, Mutex},
+    time::Instant,
+};
+
+/// What drawing may take of a pass, in seconds, with room for what comes after it.
+const LONGEST_S: f64 = 0.08;
+/// Work that is within that on slow adapters of the two kinds, at first.
+const SOFTWARE_WORK: u64 = 100_000;
+const HARDWARE_WORK: u64 = 4_000_000;
+/// The least that pieces come down to.
+const LEAST_WORK: u64 = 10_000;
+/// Rows of tables that are composed in a few milliseconds.
+const INSTANCES: u32 = 16_384;
+
+/// What pieces took, and what they may be.
+#[derive(Debug)]
+pub(super) struct Pace {
+    work: u64,
+    /// What is drawn is waited for in every pass: when it is done is known at once, and not only when somebody asks.
+    is_waited_for: bool,
+    under_way: Option<Piecework>,
+}
+
+/// A piece that is being drawn.
+#[derive(Debug)]
+struct Piecework {
+    work: u64,
+    begun: Instant,
+    /// For how long it was known not to be done, in seconds.
+    longer_than_s: f64,
+    /// After how many seconds it was known to be done.
+    done_s: Arc<Mutex<Option<f64>>>,
+}
+
+impl Pace {
+    pub fn new(gpu: &Gpu) -> Self {
+        let is_software = gpu.is_software();
+        Self {
+            work: if is_software {
+                SOFTWARE_WORK
+            } else {
+                HARDWARE_WORK
+            },
+            is_waited_for: is_software,
+            under_way: None,
+        }
+    }
+
+    /// How much there may be in a piece.
+    pub fn most(&self) -> Piece {
+        Piece {
+            work: self.work,
+            instances: INSTANCES,
+        }
+    }
+
+    /// Whether the adapter has drawn all pieces: more would only wait, and what is shown after them too.
+    pub fn is_free(&mut self, gpu: &Gpu) -> bool {
+        let Some(piece) = &mut self.under_way else {
+            return true;
+        };
+        // What is wrong with the device, the next frame finds out.
+        let _ = gpu.device.poll(wgpu::PollType::Poll);
+        let Some(done_s) = piece.done_s.lock().map_or(None, |mut done| done.take()) else {
+            piece.longer_than_s = piece.begun.elapsed().as_secs_f64();
+            return false;
+        };
+        let (work, longer_than_s) = (piece.work, piece.longer_than_s);
+        self.under_way = None;
+        let at_least_s = if self.is_waited_for {
+            done_s
+        } else {
+            longer_than_s
+        };
+        self.learn(work, [at_least_s, done_s]);
+        true
+    }
+
+    /// A piece was submitted.
+    pub fn began(&mut self, gpu: &Gpu, work: u64) {
+        if self.under_way.is_some() {
+            return;
+        }
+        let (begun, done_s) = (Instant::now(), Arc::new(Mutex::new(None)));
+        self.under_way = Some(Piecework {
+            work,
+            begun,
+            longer_than_s: 0.0,
+            done_s: Arc::clone(&done_s),
+        });
+        gpu.queue.on_submitted_work_done(move || {
+            if let Ok(mut done) = done_s.lock() {
+                *done = Some(begun.elapsed().as_secs_f64());
+            }
+        });
+    }
+
+    /// Less where a piece took too long; more where one that was nearly as large as may be was done in no time.
+    fn learn(&mut self, work: u64, [at_least_s, at_most_s]: [f64; 2]) {
+        if at_least_s > LONGEST_S {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                clippy::cast_precision_loss,
+                reason = "an estimate"
+            )]
+            let fits = (work as f64 * LONGEST_S / at_least_s) as u64;
+            self.work = self.work.min(fits.max(LEAST_WORK));
+        } else if at_most_s < 0.5 * LONGEST_S && work > self.work / 2 {
+            self.work = self.work.saturating_mul(2);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_shrink_to_what_fits_and_grow_again() {
+        let mut pace = Pace {
+            work: 100_000,
+            is_waited_for: false,
+            under_way: None,
+        };
+        pace.learn(100_000, [0.4, 0.5]);
+        assert_eq!(pace.most().work, 20_000);
+        pace.learn(20_000, [10.0, 10.0]);
+        assert_eq!(pace.most().work, LEAST_WORK);
+        pace.learn(LEAST_WORK, [0.0, 0.01]);
+        assert_eq!(pace.most().work, 2 * LEAST_WORK);
+        // Little that is done soon says nothing of much, nor does what was asked for late.
+        pace.learn(LEAST_WORK / 2, [0.0, 0.001]);
+        pace.learn(2 * LEAST_WORK, [0.0, 30.0]);
+        assert_eq!(pace.most().work, 2 * LEAST_WORK);
+    }
+}

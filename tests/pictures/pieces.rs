@@ -1,0 +1,117 @@
+//! Drawn in pieces, a picture is what it is when drawn at once; and what changes in a scene is taken over piece by piece.
+
+use super::*;
+use glam::DAffine3;
+use sightline::{
+    geometry::Placement,
+    render::{Drawing, Piece},
+};
+
+/// Ids, colours and the picture with its marks, in pieces, and how many those were.
+fn in_pieces(
+    gpu: &Gpu,
+    scene: &Scene,
+    view: &View,
+    samples: u32,
+    piece: Piece,
+) -> ([usize; 2], Image<Id>, Image<Rgb>, Image<Rgb>) {
+    let mut renderer = Renderer::new(gpu, samples);
+    let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+    let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
+    let drawings = [
+        Drawing::of_scene(samples, view, vec![line()]),
+        Drawing::of_selection(&buffers, view, SELECTED),
+    ];
+    let counts = drawings.map(|mut drawing| {
+        let whole = drawing.whole(&buffers).work;
+        let mut pieces = 1;
+        let mut done = 0;
+        while !renderer
+            .advance(gpu, &buffers, &targets, &mut drawing, piece)
+            .expect("drawn")
+        {
+            assert!(drawing.done() > done, "each piece does something");
+            assert!(drawing.done() - done <= piece.work.max(33), "and no more");
+            done = drawing.done();
+            pieces += 1;
+        }
+        assert!(drawing.done() >= whole, "all of it");
+        pieces
+    });
+    let marks = Marks {
+        selection: Some(SELECTED),
+        hover: None,
+    };
+    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+    (
+        counts,
+        targets.read_ids(gpu).expect("ids"),
+        targets.read_colours(gpu).expect("colours"),
+        picture.expect("a picture"),
+    )
+}
+
+/// A mesh.
+const SELECTED: usize = 0;
+
+fn line() -> Line {
+    Line {
+        from: DVec3::new(-2.0, 0.0, 2.0),
+        to: DVec3::new(2.0, 1.0, 0.0),
+        colour: sightline::colour::Srgb([255, 0, 0]),
+    }
+}
+
+#[test]
+fn pieces_make_the_whole_picture() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([320, 200]);
+    let marks = Marks {
+        selection: Some(SELECTED),
+        hover: None,
+    };
+    for samples in [1, gpu.colour_samples()] {
+        let (ids, colours, picture) = draw(&gpu, &scene, &view, &[line()], &marks, samples);
+        for (work, instances, least) in [(50, u32::MAX, 20), (1000, 1, 8), (u64::MAX, 2, 4)] {
+            let piece = Piece { work, instances };
+            let (counts, piece_ids, piece_colours, piece_picture) =
+                in_pieces(&gpu, &scene, &view, samples, piece);
+            assert!(counts[0] >= least, "{counts:?} pieces of {piece:?}");
+            assert_eq!(differing(&ids, &piece_ids), 0, "{piece:?}");
+            assert_eq!(differing(&colours, &piece_colours), 0, "{piece:?}");
+            assert_eq!(differing(&picture, &piece_picture), 0, "{piece:?}");
+        }
+    }
+}
+
+/// Single rows of tables are written, and after a mirror all of them.
+#[test]
+fn objects_that_move_are_drawn_where_they_are() {
+    let gpu = gpu();
+    let mut scene = shapes(DVec3::ZERO);
+    let view = overview([320, 200]);
+    let mut renderer = Renderer::new(&gpu, 1);
+    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+    let mut before = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).0;
+    let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+    let up = DAffine3::from_translation(DVec3::new(0.1, 0.3, 0.0));
+    for by in [up, mirror] {
+        // Without a mirror no more than single rows: none of these is one of several parts.
+        for object in [0, 1, 6, 9] {
+            let model = by * scene.objects()[object].placement.model();
+            scene.place(object, Placement::new(model).expect("invertible"));
+        }
+        scene.set_visible(2, by == mirror);
+        buffers.update(&gpu, &scene).expect("fits");
+        renderer
+            .draw(&gpu, &buffers, &targets, &view, &[])
+            .expect("draws");
+        let drawn = targets.read_ids(&gpu).expect("ids");
+        let fresh = draw(&gpu, &scene, &view, &[], &Marks::default(), 1).0;
+        assert_eq!(differing(&drawn, &fresh), 0);
+        assert!(differing(&drawn, &before) > 300, "they moved");
+        before = drawn;
+    }
+}

@@ -1,0 +1,121 @@
+//! What takes long is done in pieces or beside the window, which answers meanwhile.
+
+use super::*;
+use std::fmt::Write;
+
+/// Rolling ground of two triangles a cell, more than are drawn in a pass in software.
+fn ground(folder: &Path) -> PathBuf {
+    const SIDE: u32 = 250;
+    let mut text = String::new();
+    for (z, x) in (0..=SIDE).flat_map(|z| (0..=SIDE).map(move |x| (z, x))) {
+        let y = (f64::from(x) * 0.1).sin() * 4.0;
+        let _ = writeln!(text, "v {x} {y:.4} {z}");
+    }
+    for a in (0..SIDE).flat_map(|z| (1..=SIDE).map(move |x| z * (SIDE + 1) + x)) {
+        let (b, c, d) = (a + 1, a + SIDE + 1, a + SIDE + 2);
+        let _ = writeln!(text, "f {a} {c} {b}\nf {b} {c} {d}");
+    }
+    let path = folder.join("ground.obj");
+    std::fs::write(&path, text).expect("writable");
+    path
+}
+
+#[test]
+fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = ground(folder.path());
+    let mut window = open(vec![path.clone()], 1.0);
+    let first = window.picture().expect("a picture");
+    let in_software = window.adapter_name().contains("llvmpipe");
+    press_key(&mut window, Modifiers::NONE, Key::Num3);
+    let turned = *window.state().view();
+    // Not whole after its first piece, and there is nothing else to see meanwhile.
+    let anew = window.draw().expect("a frame");
+    assert_eq!(anew, !in_software);
+    assert_eq!(window.is_at_rest(), !in_software);
+    // The window answers all the same; what is begun is finished first.
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    assert!(!window.state().grid());
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let mut passes = 1;
+    while !window.is_at_rest() {
+        window.draw().expect("a frame");
+        passes += 1;
+        assert!(passes < 1000, "it comes to an end");
+    }
+    assert!(passes > 1 || !in_software);
+    let second = window.picture().expect("a picture");
+    assert_ne!(first.pixels(), second.pixels());
+    // As another window has it, which was never anywhere else.
+    let mut fresh = open(vec![path], 1.0);
+    press_key(&mut fresh, Modifiers::NONE, Key::Num3);
+    assert_eq!(*fresh.state().view(), turned);
+    let fresh = fresh.picture().expect("a picture");
+    let differ = (fresh.pixels().iter().zip(second.pixels())).filter(|(a, b)| a != b);
+    assert_eq!(differ.count(), 0);
+}
+
+/// Cubes and balls, enough for a stage to be made beside the window.
+fn many(folder: &Path) -> PathBuf {
+    let mut text = String::new();
+    for i in 0..20_000 {
+        let shape = if i % 100 == 0 { "sphere" } else { "cube" };
+        let (x, z) = (i % 150, i / 150);
+        let _ = writeln!(
+            text,
+            "[[object]]\nshape = \"{shape}\"\nposition = [{x}, 0, {z}]"
+        );
+    }
+    let path = folder.join("many.toml");
+    std::fs::write(&path, text).expect("writable");
+    path
+}
+
+#[test]
+fn stages_of_many_objects_are_made_beside_the_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![many(folder.path())], 1.0);
+    window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    for (name, stage) in [
+        ("show with V M", Stage::View),
+        ("show with P V M", Stage::Ndc),
+    ] {
+        let before = window.state().stage();
+        let at = control(&window, name).rect.center();
+        window.send([
+            Event::PointerMoved(at),
+            button(at, PointerButton::Primary, true),
+        ]);
+        let release = button(at, PointerButton::Primary, false);
+        window.frame(release).expect("a frame");
+        assert_eq!(window.state().stage(), before, "{name}: not yet");
+        assert!(!window.is_at_rest());
+        window.send([]);
+        assert_eq!(window.state().stage(), stage);
+        window.picture().expect("a picture");
+    }
+    assert_eq!(
+        window.state().scene().meshes().len(),
+        1,
+        "parts of one mesh"
+    );
+    // A stage that is wanted no more does not come.
+    let world = control(&window, "show with M").rect.center();
+    click(&mut window, world);
+    assert_eq!(window.state().stage(), Stage::World);
+    assert_eq!(window.messages().count(), 0);
+}
+
+#[test]
+fn a_large_file_is_shown_once_the_adapter_has_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = ground(folder.path());
+    let (mut window, _row) = row(1.0);
+    window.picture().expect("a picture");
+    window.drop_file(path.clone());
+    assert_eq!(window.state().name(), "ground.obj");
+    let dropped = window.picture().expect("a picture");
+    let fresh = open(vec![path], 1.0).picture().expect("a picture");
+    assert_eq!(dropped.pixels(), fresh.pixels());
+}
