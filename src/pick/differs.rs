@@ -15,6 +15,7 @@ use crate::{
     scene::{Scene, Shape},
 };
 use glam::DVec2;
+use std::ops::ControlFlow;
 
 /// How far, in pixels, to look for a pixel with another answer.
 const REACH: f64 = 8.0;
@@ -107,15 +108,19 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
         };
         mesh.within(&pyramid, |triangle, corners| {
             let part_hit = mesh.part_of(triangle);
-            if rivals.len() > MOST || !shows_part(scene, batch, *part, part_hit) {
-                return;
+            if shows_part(scene, batch, *part, part_hit) {
+                let object = batch.start + part_hit - part;
+                if !comes_later_in_plane(scene, here, object, triangle, corners) {
+                    rivals.push(Rival {
+                        object,
+                        triangle: Some(triangle),
+                    });
+                }
             }
-            let object = batch.start + part_hit - part;
-            if !comes_later_in_plane(scene, here, object, triangle, corners) {
-                rivals.push(Rival {
-                    object,
-                    triangle: Some(triangle),
-                });
+            if rivals.len() > MOST {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
             }
         });
     });

@@ -143,7 +143,10 @@ fn a_pick_is_a_line_of_json() {
         (&pick["front"], &pick["triangle"]),
         (&Value::from(true), &Value::Null)
     );
-    assert_eq!(miss, &serde_json::json!({"px": [5.25, 7.5], "hit": null}));
+    assert_eq!(
+        miss,
+        &serde_json::json!({"px": [5.25, 7.5], "hit": null, "in_one_place": null})
+    );
 }
 
 #[test]

@@ -25,7 +25,7 @@ use glam::{DVec3, Vec3};
 use node::{Line, Node, Packet, Place};
 use ray::Frame;
 use simd::Instructions;
-use std::sync::atomic::AtomicBool;
+use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use walk::Walk;
 
 /// Who is handed the triangles that a ray may hit. A closure will do; what is to be compiled for a walk's instructions
@@ -124,8 +124,13 @@ impl Bvh {
         unscaled.collect()
     }
 
-    /// Calls `visit` with every triangle that may be inside a pyramid, which is about the vertices' origin, and its corners.
-    pub(crate) fn visit_pyramid(&self, pyramid: &Pyramid, mut visit: impl FnMut(u32, [DVec3; 3])) {
+    /// Calls `visit` with every triangle that may be inside a pyramid, which is about the vertices' origin, and its corners,
+    /// until it answers that it has enough.
+    pub(crate) fn visit_pyramid(
+        &self,
+        pyramid: &Pyramid,
+        mut visit: impl FnMut(u32, [DVec3; 3]) -> ControlFlow<()>,
+    ) {
         let Frame {
             bounds, unscale, ..
         } = self.frame;
@@ -141,8 +146,10 @@ impl Bvh {
                     let corners = packet
                         .corners_of(lane)
                         .map(|c| Vec3::from(c).as_dvec3() * unscale);
-                    if pyramid.may_hold(&corners) {
-                        visit(packet.triangles[lane], corners);
+                    if pyramid.may_hold(&corners)
+                        && visit(packet.triangles[lane], corners).is_break()
+                    {
+                        return;
                     }
                 }
                 continue;
