@@ -73,13 +73,9 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std:
     }
 }
 
-/// How far a parameter may be off that was rounded a few times: 0 is exact.
+/// How far a parameter may be off that was rounded a few times; also one that is 0 because it underflowed.
 fn rounding_of(t: f64) -> f64 {
-    if t == 0.0 {
-        0.0
-    } else {
-        4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
-    }
+    4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
 }
 
 /// Whether the ends of a ray's interval are numbers.
