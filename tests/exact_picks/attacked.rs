@@ -200,6 +200,7 @@ fn a_cube_so_thin_that_coordinates_overflow_is_missed() {
 
 /// `f64` cannot invert it, since the inverse overflows on the way. The inverse has no entry above 3e305.
 #[test]
+#[expect(clippy::unreadable_literal, reason = "found by a search")]
 fn a_matrix_whose_inverse_is_large_is_taken() {
     let linear = DMat3::from_cols(
         DVec3::new(
