@@ -29,7 +29,8 @@ impl Approximate {
     /// `numerator / denominator`.
     ///
     /// Quotients of numbers that err by `e_n` and `e_d` err by `(e_n + |q| e_d) / (|d| - e_d)`. The answer is in doubt where
-    /// `e_d` is more than `2^-20` of `d`, or NaN. Dividing by `|d|` instead changes the bound by less than `2^-19` of it.
+    /// `e_d` is more than `2^-20` of `d`, or the quotient or its bound is no finite number. Dividing by `|d|` instead changes
+    /// the bound by less than `2^-19` of it.
     /// Four roundings of the quotient leave room for its own, and for those of `low` and `high`. The least normal number
     /// is slack for underflow.
     #[inline]
@@ -42,10 +43,12 @@ impl Approximate {
         }
         let value = self.value / denominator.value;
         let error = (self.error + value.abs() * denominator.error + f64::MIN_POSITIVE) / size;
-        Ok(Self {
-            value,
-            error: (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs() + f64::MIN_POSITIVE,
-        })
+        let error = (1.0 + 2.0 * SMALL) * error + 4.0 * U * value.abs() + f64::MIN_POSITIVE;
+        if error.is_finite() {
+            Ok(Self { value, error })
+        } else {
+            Err(InDoubt)
+        }
     }
 
     /// Whether a hit at this parameter counts.

@@ -74,7 +74,15 @@ impl<'a> PlacedRay<'a> {
     }
 }
 
-impl Exactly<'_> {
+impl<'a> Exactly<'a> {
+    /// A world-space ray in the object space of a placement.
+    pub fn placed(world: &WorldRay, placement: &'a Placement) -> Self {
+        Self {
+            line: *world.line(),
+            placement: Some(placement),
+        }
+    }
+
     /// A ray that is exact as it stands.
     pub fn given(ray: &Ray) -> Self {
         let &Ray {
@@ -96,10 +104,7 @@ impl<'a> LocalRay<'a> {
 
     pub(super) fn exactly(&self) -> Exactly<'a> {
         match self.source {
-            Some((world, placement)) => Exactly {
-                line: *world.line(),
-                placement: Some(placement),
-            },
+            Some((world, placement)) => Exactly::placed(world, placement),
             None => Exactly::given(self.ray),
         }
     }

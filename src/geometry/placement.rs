@@ -195,8 +195,9 @@ fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
     };
     let residual = largest(matrix * inverse - DMat3::IDENTITY);
     let error = residual + 4.0 * U * largest(matrix.abs() * inverse.abs());
-    // Written so that NaN is refused. Rows of a sum below 2^-1000 could underflow.
-    let is_bounded = 3.0 * error < 0.5 && row_sums(inverse).min_element() > 1e-280;
+    // Rows of a sum below 1e-280 could underflow.
+    let is_bounded =
+        inverse.is_finite() && 3.0 * error < 0.5 && row_sums(inverse).min_element() > 1e-280;
     is_bounded.then(|| {
         let error = 3.0 * error / (1.0 - 3.0 * error);
         (inverse, error, determinant < 0.0)

@@ -36,28 +36,21 @@
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
 
-use crate::geometry::{Aabb, LocalRay, Ray, binary, entry};
+use crate::geometry::{Aabb, LocalRay, Ray, U, binary, entry};
 use glam::{DVec3, Vec3A};
 
 /// The unit roundoff of `f32`.
 const U32: f32 = 0.5 * f32::EPSILON;
-/// The unit roundoff of `f64`.
-const U64: f64 = 0.5 * f64::EPSILON;
 /// How far the planes of boxes are moved apart, in `u D`.
 const PAD: f32 = 8.0;
 /// How far a corner may be from where `f32` sees it, in `u D`.
 const REACH: f32 = 10.0;
 /// Directions are scaled to be no smaller than this, and no larger than its reciprocal.
-const LEAST_SIZE: f32 = power_of_two(-30);
+const LEAST_SIZE: f32 = narrow(binary::power_of_two(-30));
 /// Smaller components of a direction are taken for this.
-const LEAST_COMPONENT: f32 = power_of_two(-90);
+const LEAST_COMPONENT: f32 = narrow(binary::power_of_two(-90));
 /// An eye that is farther away than this many times the mesh's largest coordinate is moved.
 const NEAR: f32 = 7.0;
-
-/// `2^exponent`, for exponents of normal numbers.
-const fn power_of_two(exponent: i32) -> f32 {
-    f32::from_bits(((127 + exponent) << 23).cast_unsigned())
-}
 
 /// Where a tree lies, and in which lengths.
 #[derive(Clone, Copy, Debug)]
@@ -236,7 +229,7 @@ impl Placed {
         }
         let away = origin.abs().max_element();
         let of_way = of_direction / ray.direction.abs().max_element() * (away + most);
-        let far = 8.0 * U64 * (away + most) + 2.0 * (of_origin * frame.scale + of_way);
+        let far = 8.0 * U * (away + most) + 2.0 * (of_origin * frame.scale + of_way);
         // Written so that NaN is false.
         let is_scaled = (least..=1.0 / least).contains(&size) && t_scale.is_normal();
         if !(far < most && is_scaled) {
@@ -287,7 +280,7 @@ fn greater(a: f64, b: f64) -> f64 {
 
 #[expect(clippy::cast_possible_truncation, reason = "a filter's number")]
 #[inline(always)]
-fn narrow(x: f64) -> f32 {
+const fn narrow(x: f64) -> f32 {
     x as f32
 }
 

@@ -1,12 +1,12 @@
 //! The numbers of exact decisions in any length, with what distances in pixels take besides: quotients, roots and rounding.
 
 use super::{
-    super::{Placement, binary::times_power_of_two, local_ray::Exactly, ray::Line},
+    super::{PixelGrid, Placement, binary::times_power_of_two, local_ray::Exactly, ray::Line},
     integer::Integer,
     number::{Number, Vector},
     world::{self, LocalLine},
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
 /// An integer of any length times a power of two, as every finite `f64` is. Sums, differences and products are exact;
@@ -38,13 +38,12 @@ pub(crate) fn to_object(
     (line.origin, line.direction, line.one)
 }
 
-impl DyadicVector {
-    /// Of three numbers.
-    pub fn of(numbers: &[Dyadic; 3]) -> Self {
-        let exponents = numbers.iter().map(|n| n.exponent);
-        Self::from_numbers(numbers, exponents.min().unwrap_or(0))
-    }
+/// What R and U are multiplied with in a position's ray, times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
+pub(crate) fn factors(grid: &PixelGrid, px: DVec2) -> [Dyadic; 2] {
+    world::factors(grid, px)
+}
 
+impl DyadicVector {
     pub fn is_zero(&self) -> bool {
         self.integers.iter().all(|n| *n == BigInt::ZERO)
     }

@@ -41,10 +41,7 @@ pub(crate) enum Surface<'a> {
 
 /// Where a ray's line meets a surface, which it must meet.
 pub(crate) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
-    let on = |placement| Exactly {
-        line: *ray.line(),
-        placement: Some(placement),
-    };
+    let on = |placement| Exactly::placed(ray, placement);
     match *surface {
         Surface::Triangle(triangle) => triangle::plane_parameter(ray.line(), &triangle),
         Surface::Sphere(placement, exit) => solids::sphere_parameter(&on(placement), exit),
@@ -55,11 +52,7 @@ pub(crate) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
 
 /// The point at a parameter of a ray, in the object space of a placement: each coordinate to within three roundings.
 pub(crate) fn point_object(ray: &WorldRay, placement: &Placement, t: &Root) -> Option<glam::DVec3> {
-    let exactly = Exactly {
-        line: *ray.line(),
-        placement: Some(placement),
-    };
-    solids::point_at(&exactly, t)
+    solids::point_at(&Exactly::placed(ray, placement), t)
 }
 
 /// Which of two surfaces a ray meets first; it must meet both.
@@ -73,13 +66,9 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std:
     }
 }
 
-/// How far a parameter may be off that was rounded a few times: 0 is exact.
+/// How far a parameter may be off that was rounded a few times; also one that is 0 because it underflowed.
 fn rounding_of(t: f64) -> f64 {
-    if t == 0.0 {
-        0.0
-    } else {
-        4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
-    }
+    4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
 }
 
 /// Whether the ends of a ray's interval are numbers.

@@ -117,8 +117,10 @@ impl<I: Integer> Vector<I> {
         }
     }
 
-    /// Of three numbers, in a unit that is no larger than theirs.
-    pub fn from_numbers(numbers: &[Number<I>; 3], exponent: i64) -> Self {
+    /// Of three numbers, in the smallest of their units.
+    pub fn of(numbers: &[Number<I>; 3]) -> Self {
+        let [x, y, z] = numbers.each_ref().map(|n| n.exponent);
+        let exponent = x.min(y).min(z);
         let integers = numbers
             .each_ref()
             .map(|n| n.integer.shifted(difference(n.exponent, exponent)));

@@ -26,16 +26,22 @@ impl Root {
             Sign::Minus => (p, r) = (-p, -r),
             Sign::Plus => {}
         }
-        match numerator.exponent - denominator.exponent {
-            shift @ 0.. => p <<= shift,
-            shift => r <<= -shift,
+        let exponent = numerator.exponent - denominator.exponent;
+        Some(Self::rational(p, r, exponent))
+    }
+
+    /// `p / r * 2^exponent`.
+    fn rational(mut p: BigInt, mut r: BigInt, exponent: i64) -> Self {
+        match exponent {
+            0.. => p <<= exponent,
+            _ => r <<= -exponent,
         }
-        Some(Self {
+        Self {
             p,
             minus: false,
             q: BigInt::ZERO,
             r,
-        })
+        }
     }
 
     /// The roots of `a t^2 + 2 b t + c`, the lesser first; the same one twice where they meet, `None` where there are none.
@@ -72,17 +78,7 @@ impl Root {
     /// A finite number.
     fn number(value: f64) -> Self {
         let (mantissa, exponent) = split(value);
-        let mut root = Self {
-            p: mantissa.into(),
-            minus: false,
-            q: BigInt::ZERO,
-            r: 1.into(),
-        };
-        match exponent {
-            0.. => root.p <<= exponent,
-            _ => root.r <<= -exponent,
-        }
-        root
+        Self::rational(mantissa.into(), 1.into(), exponent)
     }
 
     /// Against a number that is not NaN.

@@ -36,7 +36,7 @@ fn local(exactly: &Exactly) -> Option<Integers> {
         for vector in [&mut line.origin, &mut line.direction] {
             vector.integers = vector.integers.each_ref().map(|n| -n);
         }
-        line.one.integer = -line.one.integer;
+        line.one = line.one.negated();
     }
     Some(line)
 }
@@ -65,12 +65,12 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
     for axis in 0..3 {
         let (o, d) = (line.origin.component(axis), line.direction.component(axis));
         let backwards = match d.sign() {
-            Ordering::Equal if magnitude(&o).minus(&half).sign().is_gt() => return None,
+            Ordering::Equal if o.abs().minus(&half).sign().is_gt() => return None,
             Ordering::Equal => continue,
             sign => sign.is_lt(),
         };
         // Towards greater coordinates: from -half to half.
-        let (from, to) = (negative(&half).minus(&o), half.minus(&o));
+        let (from, to) = (half.negated().minus(&o), half.minus(&o));
         let (near, far) = if backwards { (to, from) } else { (from, to) };
         let outward = DVec3::AXES[axis] * if backwards { -1.0 } else { 1.0 };
         let (near, far) = (Root::quotient(near, d.clone())?, Root::quotient(far, d)?);
@@ -100,29 +100,15 @@ fn square_crossing(line: &Integers) -> Option<Root> {
     if d[2].sign().is_eq() {
         return None;
     }
-    let rim = magnitude(&d[2]).times(&half);
+    let rim = d[2].abs().times(&half);
     let inside = |i: usize| {
         let point = o[i].times(&d[2]).minus(&o[2].times(&d[i]));
-        magnitude(&point).minus(&rim).sign().is_le()
+        point.abs().minus(&rim).sign().is_le()
     };
     if !(inside(0) && inside(1)) {
         return None;
     }
-    Root::quotient(negative(&o[2]), d[2].clone())
-}
-
-fn magnitude(n: &Number<BigInt>) -> Number<BigInt> {
-    Number {
-        integer: n.integer.magnitude().clone().into(),
-        exponent: n.exponent,
-    }
-}
-
-fn negative(n: &Number<BigInt>) -> Number<BigInt> {
-    Number {
-        integer: -&n.integer,
-        exponent: n.exponent,
-    }
+    Root::quotient(o[2].negated(), d[2].clone())
 }
 
 /// Where the line of `exactly` meets the sphere; `exit` on its way out.

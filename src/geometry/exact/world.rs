@@ -3,11 +3,11 @@
 #[cfg(test)]
 use super::super::LocalRay;
 use super::{
-    super::{Placement, local_ray::Exactly, ray::Line},
+    super::{PixelGrid, Placement, local_ray::Exactly, ray::Line},
     integer::Integer,
     number::{Number, Vector},
 };
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 /// A ray: `(origin + t direction) / weight`, which spares the division by the picture's height.
 pub(super) struct ExactLine<I> {
@@ -25,12 +25,11 @@ impl<I: Integer> ExactLine<I> {
                 weight: Number::new(1.0),
             },
             Line::Pixel { grid, px } => {
-                let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
-                let two = Number::new(2.0);
-                let [x, y] = [px.x, px.y].map(|at| two.times(&Number::new(at)));
-                let right = Vector::new(grid.right).times(&x.minus(&width));
-                let up = Vector::new(grid.up).times(&height.minus(&y));
-                let aside = right.plus(&up).times(&Number::new(grid.half_height));
+                let height = Number::new(grid.size_px[1].into());
+                let [of_right, of_up] = factors(grid, *px);
+                let right = Vector::new(grid.right).times(&of_right);
+                let up = Vector::new(grid.up).times(&of_up);
+                let aside = right.plus(&up);
                 let [eye, forward] =
                     [grid.eye, grid.forward].map(|v| Vector::new(v).times(&height));
                 let (origin, direction) = if grid.is_orthographic {
@@ -51,6 +50,15 @@ impl<I: Integer> ExactLine<I> {
     pub fn to(&self, point: &Vector<I>) -> Vector<I> {
         point.times(&self.weight).minus(&self.origin)
     }
+}
+
+/// Of R and of U in [`PixelGrid::ray`], times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
+pub(super) fn factors<I: Integer>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
+    let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
+    let two = Number::new(2.0);
+    let [x, y] = [px.x, px.y].map(|at| two.times(&Number::new(at)));
+    let half_height = Number::new(grid.half_height);
+    [x.minus(&width), height.minus(&y)].map(|factor| factor.times(&half_height))
 }
 
 /// The sum of two vectors of object space, where the placement puts it.
@@ -140,9 +148,7 @@ impl<I: Integer> Adjugate<I> {
 
 /// A matrix, by rows, times a vector.
 fn product<I: Integer>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
-    let parts = rows.each_ref().map(|row| row.dot(v));
-    let exponent = parts.iter().map(|part| part.exponent).min().unwrap_or(0);
-    Vector::from_numbers(&parts, exponent)
+    Vector::of(&rows.each_ref().map(|row| row.dot(v)))
 }
 
 /// How far a local ray's numbers are from the exact ones, by component: of its origin and its direction.

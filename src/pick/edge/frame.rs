@@ -5,7 +5,7 @@ use crate::{
     geometry::{
         PixelGrid,
         binary::times_power_of_two,
-        dyadic::{Dyadic, DyadicVector},
+        dyadic::{Dyadic, DyadicVector, factors},
     },
 };
 use glam::DVec2;
@@ -56,10 +56,8 @@ impl Frame {
         let grid = view.camera.pixel_grid(view.viewport);
         let [right, up, forward, eye] =
             [grid.right, grid.up, grid.forward, grid.eye].map(DyadicVector::new);
-        let [width, height] = grid.size_px.map(|size| Dyadic::new(size.into()));
-        let two = Dyadic::new(2.0);
-        let [x, y] = [px.x, px.y].map(|at| two.times(&Dyadic::new(at)));
-        let half_height = Dyadic::new(grid.half_height);
+        let height = Dyadic::new(grid.size_px[1].into());
+        let [of_right, of_up] = factors(&grid, px);
         let per_depth = right.cross(&up);
         let determinant = forward.dot(&per_depth);
         // A determinant below 0, as axes of a left-handed view space have it, turns all signs.
@@ -79,11 +77,11 @@ impl Frame {
                 Row::through(&eye, normal.minus(&per_depth.times(aside)))
             }
         };
-        let whole_height = two.times(&half_height);
+        let whole_height = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
         Self {
             grid,
-            u: row(&per_right, &half_height.times(&x.minus(&width))),
-            v: row(&per_down, &half_height.times(&y.minus(&height))),
+            u: row(&per_right, &of_right),
+            v: row(&per_down, &of_up.negated()),
             w: if grid.is_orthographic {
                 Weight::Constant(whole_height.times(&determinant))
             } else {
