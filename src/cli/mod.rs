@@ -36,8 +36,8 @@ use terminal::start_log;
 const WARNINGS_SHOWN: usize = 20;
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 verify found a defect, 2 usage, 3 a file,
-            4 no graphics adapter, 5 no display.";
+Exit codes: 0 done, 1 verify found a defect or a view beyond f32,
+            2 usage, 3 a file, 4 no graphics adapter, 5 no display.";
 
 /// A 3D viewer in which what you see is what you pick, to the pixel.
 ///

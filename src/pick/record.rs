@@ -118,9 +118,10 @@ impl Pick {
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
             point_world: point(&Placement::IDENTITY).unwrap_or_else(|| ray.at(t)),
-            normal_world: placement.normal_to_world(normal),
+            normal_world: placement.normal_to_world(normal) + DVec3::ZERO,
             point_object,
-            normal_object: (normal / normal.abs().max_element()).normalize(),
+            // Of 0 and -0 it is 0.
+            normal_object: (normal / normal.abs().max_element()).normalize() + DVec3::ZERO,
             barycentric: order::barycentric(scene, &ray, found),
             edge_px: edge::edge_px(object, view, px, &hit),
             gap: next.map(|next| order::gap(scene, &ray, (found, root.as_ref()), next)),

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Square},
+    geometry::{Cuboid, Hit, Square, are_coplanar},
     image::Id,
     pick::SceneHit,
     render::{
@@ -57,16 +57,32 @@ impl Face {
         }
     }
 
-    /// The corners that it shares with another face of its batch; none where all are shared, by a face and itself or its own
-    /// back.
+    /// The corners that it shares with another face of its batch; none where the two overlap: all are shared, by a face and
+    /// itself or its own back, or they lie side by side in one plane.
     pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
         let shared = self.corners.iter().copied();
         let shared: Vec<_> = shared.filter(|at| other.corners.contains(at)).collect();
-        if shared.len() == self.corners.len() {
+        if shared.len() == self.corners.len() || self.overlaps(other, &shared) {
             Vec::new()
         } else {
             shared
         }
+    }
+
+    /// Whether two triangles lie in one plane, on one side of an edge that they share.
+    fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
+        let (&[a, b], Ok(corners), Ok(of_other)) = (
+            shared,
+            <[DVec3; 3]>::try_from(self.corners.clone()),
+            <[DVec3; 3]>::try_from(other.corners.clone()),
+        ) else {
+            return false;
+        };
+        let beside = |corners: [DVec3; 3]| {
+            let apex = corners.into_iter().find(|corner| ![a, b].contains(corner));
+            apex.map_or(DVec3::ZERO, |apex| (b - a).cross(apex - a))
+        };
+        are_coplanar(corners, of_other) && beside(corners).dot(beside(of_other)) > 0.0
     }
 
     /// The face that was hit; `None` on a sphere.

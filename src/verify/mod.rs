@@ -9,9 +9,10 @@
 //!   the pixel's centre that the grid, and what `f32` moves the outline by ([`render::transform`], [`render::sphere`]),
 //!   carry it across, and its depth there is one that the answer needs;
 //! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell; the empty buffer counts as a
-//!   surface, and so does the near plane;
+//!   surface at the far plane, and so does the near plane;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
-//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]).
+//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]), or a
+//!   surface well before the far plane that the buffer cannot tell from nothing.
 //!   Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all lie below the ceiling
 //!   has no such pixel;
 //! * **unexplained**: anything else. Somebody is wrong.
@@ -62,7 +63,7 @@ pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
 pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
-    camera::{View, pixel_centre},
+    camera::{Lens, Projection, View, pixel_centre},
     image::{Id, Image},
     scene::Scene,
 };
@@ -162,6 +163,20 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
     report
 }
 
+/// Whether a surface lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: in
+/// depth as far from it as [`DEPTH_CEILING_STEPS`] of reversed depth. Standard depth stores 1 for most of what lies between
+/// planes far apart.
+fn is_at_plane(lens: &Lens, surface: &Surface) -> bool {
+    let scales = match lens.projection {
+        Projection::Perspective { .. } => [lens.near, lens.far],
+        Projection::Orthographic { .. } => [lens.far - lens.near; 2],
+    };
+    let is_at = |(plane, scale): (f64, f64)| {
+        (surface.depth - plane).abs() <= DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * scale
+    };
+    surface.is_background() || [lens.near, lens.far].into_iter().zip(scales).any(is_at)
+}
+
 /// Whether a neighbour to the left, right, top or bottom shows something else.
 fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
     // Past the border the last pixel goes on.
@@ -189,6 +204,16 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
     let explained = pairs.filter_map(|(of_drawn, of_picked)| {
         let reason = surface::explain(of_drawn, of_picked)?;
+        let lens = surfaces.space.view().camera.lens();
+        let both = [of_drawn, of_picked];
+        let is_lost = reason.class == Class::Depth
+            && of_drawn.is_background()
+            && !both.iter().all(|surface| is_at_plane(lens, surface));
+        let reason = if is_lost {
+            reason.and(Class::BeyondF32)
+        } else {
+            reason
+        };
         Some((reason, [of_drawn.depth, of_picked.depth]))
     });
     let best = explained

@@ -72,6 +72,10 @@ impl Surface {
             source: Source::Empty,
         }
     }
+
+    pub fn is_background(&self) -> bool {
+        self.source == Source::Empty
+    }
 }
 
 /// Those of an object's surfaces at a pixel that may show there: not a solid's far side where its near side covers the

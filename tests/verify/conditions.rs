@@ -22,6 +22,9 @@ const LEAST_SHOWN: usize = 10;
 /// Pixels of a view on outlines that `f32` moves further than the grid does.
 const MOST_AT_F32_LIMIT: usize = 20;
 
+/// The condition under which the depth buffer loses most of what is there.
+const LOST: &str = "1e9, standard";
+
 /// Meshes that take long to draw are seen by a third of the cameras.
 fn takes_long(triangles: usize) -> bool {
     triangles > 50_000
@@ -129,11 +132,13 @@ impl Sweep {
         }
     }
 
-    /// Whether `f32` may fail to hold such a view: of triangles that are a million pictures wide, run under the eye into
-    /// the distance, or are slimmer than the grid.
+    /// Whether `f32` may fail to hold such a view: by standard depth, which stores 1 for nearly everything between planes far
+    /// apart; of triangles that are a million pictures wide, run under the eye into the distance, or are slimmer than the
+    /// grid.
     fn may_be_beyond_f32(&self, condition: &str) -> bool {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         match self.over {
+            _ if is_any(&[LOST]) => true,
             Over::Own => false,
             Over::Files => is_any(&["zoomed", NARROWEST, "from the middle", "178", "thin"]),
             Over::Hardest => true,
@@ -145,7 +150,7 @@ impl Sweep {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         if is_any(&["cut", "culled", "from the middle", "along an axis"]) {
             0
-        } else if is_any(&["1e9, standard"]) {
+        } else if is_any(&[LOST]) {
             // Nearly all of it is as deep as the far plane, to the depth buffer.
             1
         } else if is_any(&["zoomed", "narrowed"]) {

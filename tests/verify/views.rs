@@ -148,7 +148,7 @@ fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &
         .map(|at| {
             for id in [at.drawn, at.picked] {
                 assert!(
-                    name(scene, &places, at.pixel, id),
+                    name(scene, view, &places, at.pixel, id),
                     "{family}: {at:?}, {view:?}"
                 );
             }

@@ -141,7 +141,7 @@ fn the_bound_is_the_one_that_excuses_depth() {
             let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
             let places = Places::new(&scene, &view);
             for at in &report.disagreements {
-                let named = name(&scene, &places, at.pixel, at.drawn);
+                let named = name(&scene, &view, &places, at.pixel, at.drawn);
                 match at.class {
                     Class::Depth => assert!(named, "{at:?}"),
                     Class::Unexplained => assert!(!named, "{at:?}"),

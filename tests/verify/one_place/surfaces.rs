@@ -27,6 +27,32 @@ fn an_edge_that_two_triangles_share_is_one_surface() {
     }
 }
 
+/// Two objects of one file that fill the same square by other diagonals, at an edge of the square: they overlap there.
+#[test]
+fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
+    let positions = vec![
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [-1.0, 1.0, 0.0],
+    ];
+    let triangles = vec![[0, 1, 2], [0, 2, 3], [0, 1, 3], [1, 2, 3]];
+    let mesh = one_mesh(positions, triangles, DVec3::ZERO);
+    let scene = Scene::new(vec![object("both", mesh, DAffine3::IDENTITY)]);
+    let view = view(
+        [0.0, 0.0, 4.0],
+        [0.0; 3],
+        orthographic(4.0, 0.1, 10.0),
+        [64, 64],
+    );
+    for y in [20.0, 31.0, 40.0] {
+        for x in [16.0, 16.001, 16.3, 30.0] {
+            let said = in_one_place(&scene, &view, dvec2(x, y)).expect("two");
+            assert_eq!(said.count, 2, "{x} {y} {said}");
+        }
+    }
+}
+
 #[test]
 fn identical_triangles_are_as_many_surfaces() {
     for count in [2, 10_000] {
