@@ -101,7 +101,8 @@ fn is_near(found: &TriangleHit, truth: &oracle::Meeting) -> bool {
     let sum: f64 = barycentric.iter().sum();
     truth.t.compare_to(t - t_error).is_ge()
         && truth.t.compare_to(t + t_error).is_le()
-        && *t_error <= 2_f64.powi(-26) * t.abs()
+        // With slack for underflow: two of the least numbers.
+        && *t_error <= 2_f64.powi(-26) * t.abs() + f64::from_bits(2)
         && barycentric
             .iter()
             .all(|weight| (0.0..=1.0).contains(weight))
