@@ -30,6 +30,11 @@ impl Ray {
         self.origin + t * self.direction
     }
 
+    /// A parameter that counts before it is rounded, rounded: the nearest to it that counts.
+    pub(crate) fn kept_within(&self, t: f64) -> f64 {
+        t.max(self.t_min).min(self.t_max.next_down())
+    }
+
     /// Whether a hit at `t` counts. False for NaN.
     #[must_use]
     pub fn contains(&self, t: f64) -> bool {

@@ -9,10 +9,10 @@
 )]
 
 use super::{
-    Corners, Hit, OnTriangle, Ray, U, VertexRay,
+    Corners, Hit, OnTriangle, U, VertexRay,
     binary::power_of_two,
     exact,
-    interval::{HALF_OF_THE_DIGITS, InDoubt},
+    interval::{Approximate, HALF_OF_THE_DIGITS, InDoubt},
 };
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -178,21 +178,20 @@ fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, I
     if !(t_error <= HALF_OF_THE_DIGITS * t.abs()) {
         return Err(InDoubt);
     }
-    let Ray { t_min, t_max, .. } = ray.ray;
-    let (low, high) = (t - t_error, t + t_error);
-    if high < t_min || low >= t_max {
-        Ok(None)
-    } else if low >= t_min && high < t_max {
+    let found = Approximate {
+        value: t,
+        error: t_error,
+    };
+    let counts = found.is_within(&ray.ray)?;
+    Ok(counts.then(|| {
         let sum = sum(volumes);
-        Ok(Some(TriangleHit {
+        TriangleHit {
             t,
             t_error,
             front,
             barycentric: volumes.map(|volume| volume / sum),
-        }))
-    } else {
-        Err(InDoubt)
-    }
+        }
+    }))
 }
 
 /// `t = N . a / N . d` with `N` the cross product of two edges, and a bound on its error; `a` is the first corner as

@@ -92,6 +92,13 @@ impl SceneHit {
         overlap(t(&self.hit), t(&other.hit))
     }
 
+    /// The triangle that was hit, counted from the object's first; `None` on an analytic shape.
+    #[must_use]
+    pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
+        let first = scene.objects()[self.object].shape.first_triangle();
+        self.triangle().map(|triangle| triangle - first)
+    }
+
     /// The triangle of a mesh that was hit.
     fn triangle(&self) -> Option<u32> {
         self.hit.on_triangle.map(|at| at.triangle)

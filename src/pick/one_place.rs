@@ -35,15 +35,11 @@ impl InOnePlace {
     /// Of hits in the order of picks; `None` of fewer than two.
     #[must_use]
     pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
-        let name = |SceneHit { object: index, hit }: &SceneHit| {
-            let object = &scene.objects()[*index];
-            let first_triangle = object.shape.first_triangle();
-            NamedSurface {
-                object: object.name.clone(),
-                id: index + 1,
-                triangle: hit.on_triangle.map(|at| at.triangle - first_triangle),
-                front: hit.front,
-            }
+        let name = |hit: &SceneHit| NamedSurface {
+            object: scene.objects()[hit.object].name.clone(),
+            id: hit.object + 1,
+            triangle: hit.triangle_of_object(scene),
+            front: hit.hit.front,
         };
         (hits.len() > 1).then(|| Self {
             count: hits.len(),

@@ -81,10 +81,9 @@ fn cast(scene: &Scene, view: &View, px: DVec2) -> (Id, Rgb) {
 
 /// The id that a picture holds for a hit.
 fn id(scene: &Scene, hit: &SceneHit) -> Id {
-    let first = scene.objects()[hit.object].shape.first_triangle();
     Id {
         object: u32::try_from(hit.object + 1).unwrap_or(u32::MAX),
-        triangle: hit.hit.on_triangle.map_or(0, |at| at.triangle - first + 1),
+        triangle: (hit.triangle_of_object(scene)).map_or(0, |triangle| triangle + 1),
     }
 }
 

@@ -98,8 +98,7 @@ impl Pick {
         let ray = view.ray(px);
         let root = order::root(scene, &ray, found);
         // Rounded once, and in the interval still.
-        let t = root.as_ref().map_or(hit.t, Root::to_f64);
-        let t = t.max(ray.t_min).min(ray.t_max.next_down());
+        let t = ray.kept_within(root.as_ref().map_or(hit.t, Root::to_f64));
         let point = |placement| point_object(&ray, placement, root.as_ref()?);
         let point_object = point(placement).unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
         let normal = match object.shape {
@@ -107,11 +106,10 @@ impl Pick {
             _ => hit.normal,
         };
         let ndc_xy = view.viewport.px_to_ndc(px);
-        let first_triangle = object.shape.first_triangle();
         Self {
             object: object.name.clone(),
             id: index + 1,
-            triangle: hit.on_triangle.map(|at| at.triangle - first_triangle),
+            triangle: found.triangle_of_object(scene),
             front: hit.front,
             t,
             distance: length(view.from_eye(px, t)),

@@ -90,9 +90,6 @@ impl Cursor {
         } else {
             return None;
         };
-        left.work = left
-            .work
-            .saturating_sub(work(&triangles) * u64::from(count));
         left.instances = left.instances.saturating_sub(count);
         if triangles.end == all.end {
             self.triangle = 0;

@@ -71,11 +71,8 @@ impl Face {
 
     /// Whether two triangles lie in one plane, on one side of an edge that they share.
     fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
-        let (&[a, b], Ok(corners), Ok(of_other)) = (
-            shared,
-            <[DVec3; 3]>::try_from(self.corners.clone()),
-            <[DVec3; 3]>::try_from(other.corners.clone()),
-        ) else {
+        let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
+        let (&[a, b], Ok(corners), Ok(of_other)) = (shared, triangle(self), triangle(other)) else {
             return false;
         };
         let beside = |corners: [DVec3; 3]| {

@@ -63,7 +63,7 @@ pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
 pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
-    camera::{Lens, Projection, View, pixel_centre},
+    camera::{View, pixel_centre},
     image::{Id, Image},
     scene::Scene,
 };
@@ -163,20 +163,6 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
     report
 }
 
-/// Whether a surface lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: in
-/// depth as far from it as [`DEPTH_CEILING_STEPS`] of reversed depth. Standard depth stores 1 for most of what lies between
-/// planes far apart.
-fn is_at_plane(lens: &Lens, surface: &Surface) -> bool {
-    let scales = match lens.projection {
-        Projection::Perspective { .. } => [lens.near, lens.far],
-        Projection::Orthographic { .. } => [lens.far - lens.near; 2],
-    };
-    let is_at = |(plane, scale): (f64, f64)| {
-        (surface.depth - plane).abs() <= DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * scale
-    };
-    surface.is_background() || [lens.near, lens.far].into_iter().zip(scales).any(is_at)
-}
-
 /// Whether a neighbour to the left, right, top or bottom shows something else.
 fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
     // Past the border the last pixel goes on.
@@ -202,18 +188,9 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         .iter()
         .filter(|_| !twins)
         .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
+    let lens = surfaces.space.view().camera.lens();
     let explained = pairs.filter_map(|(of_drawn, of_picked)| {
-        let reason = surface::explain(of_drawn, of_picked)?;
-        let lens = surfaces.space.view().camera.lens();
-        let both = [of_drawn, of_picked];
-        let is_lost = reason.class == Class::Depth
-            && of_drawn.is_background()
-            && !both.iter().all(|surface| is_at_plane(lens, surface));
-        let reason = if is_lost {
-            reason.and(Class::BeyondF32)
-        } else {
-            reason
-        };
+        let reason = surface::explain(lens, of_drawn, of_picked)?;
         Some((reason, [of_drawn.depth, of_picked.depth]))
     });
     let best = explained

@@ -132,20 +132,21 @@ impl Patch {
         }
     }
 
+    /// Both faces, where they are of one batch.
+    fn faces_of_batch<'a>(&'a self, other: &'a Self) -> Option<[&'a Face; 2]> {
+        let faces = [self.face.as_ref()?, other.face.as_ref()?];
+        (self.batch == other.batch).then_some(faces)
+    }
+
     fn shares_corners(&self, other: &Self) -> bool {
-        match [&self.face, &other.face] {
-            [Some(a), Some(b)] => self.batch == other.batch && !a.shared_corners(b).is_empty(),
-            _ => false,
-        }
+        let faces = self.faces_of_batch(other);
+        faces.is_some_and(|[a, b]| !a.shared_corners(b).is_empty())
     }
 
     /// Whether both meet at a position that lies on the outlines of both.
     fn meets(&self, other: &Self, surfaces: &Surfaces, px: DVec2) -> bool {
-        self.batch == other.batch
-            && match [&self.face, &other.face] {
-                [Some(a), Some(b)] => surfaces.meet(px, self.batch, [a, b]),
-                _ => false,
-            }
+        let faces = self.faces_of_batch(other);
+        faces.is_some_and(|faces| surfaces.meet(px, self.batch, faces))
     }
 }
 

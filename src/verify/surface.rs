@@ -1,7 +1,7 @@
 //! One surface at a pixel, and whether two of them explain a difference.
 
 use super::{
-    Class,
+    Class, DEPTH_CEILING_STEPS,
     bound::{Outline, Reason, Stored},
 };
 use crate::{
@@ -73,8 +73,18 @@ impl Surface {
         }
     }
 
-    pub fn is_background(&self) -> bool {
-        self.source == Source::Empty
+    /// Whether it lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: in depth
+    /// as far from it as [`DEPTH_CEILING_STEPS`] of reversed depth. Standard depth stores 1 for most of what lies between
+    /// planes far apart.
+    fn is_at_plane(&self, lens: &Lens) -> bool {
+        let scales = match lens.projection {
+            Projection::Perspective { .. } => [lens.near, lens.far],
+            Projection::Orthographic { .. } => [lens.far - lens.near; 2],
+        };
+        let is_at = |(plane, scale): (f64, f64)| {
+            (self.depth - plane).abs() <= DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * scale
+        };
+        [lens.near, lens.far].into_iter().zip(scales).any(is_at)
     }
 }
 
@@ -97,7 +107,9 @@ pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
 /// A surface whose outline is far covers the centre, or not, for both sides alike; then the other one is there for one
 /// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
 /// which of them shows is settled by their order, and nothing excuses another answer.
-pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
+///
+/// A surface well within the planes that the depth buffer takes for nothing is lost, whatever its bounds.
+pub(super) fn explain(lens: &Lens, drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
         // Both sides come to the same one, edge by edge.
         return drawn.crossed;
@@ -126,7 +138,13 @@ pub(super) fn explain(drawn: &Surface, picked: &Surface) -> Option<Reason> {
         Some(reason.and(a).and(b))
     });
     let all = [drawn_only, picked_only, by_depth];
-    all.into_iter().flatten().reduce(Reason::or)
+    let best = all.into_iter().flatten().reduce(Reason::or)?;
+    let is_lost = drawn.source == Source::Empty && !picked.is_at_plane(lens);
+    Some(if is_lost && best.class == Class::Depth {
+        best.and(Class::BeyondF32)
+    } else {
+        best
+    })
 }
 
 /// A lens's depths as the GPU makes them. Depths count from the near plane (*past near*): that keeps digits both at the eye

@@ -22,31 +22,38 @@ pub(crate) trait Integer: Clone {
     fn rounded(&self) -> (f64, i64);
 }
 
+/// Operations of a fixed width.
+macro_rules! wrapping_operations {
+    () => {
+        #[inline]
+        fn plus(&self, other: &Self) -> Self {
+            self.wrapping_add(*other)
+        }
+
+        #[inline]
+        fn minus(&self, other: &Self) -> Self {
+            self.wrapping_sub(*other)
+        }
+
+        #[inline]
+        fn times(&self, other: &Self) -> Self {
+            self.wrapping_mul(*other)
+        }
+
+        #[inline]
+        fn shifted(&self, by: u32) -> Self {
+            self.wrapping_shl(by)
+        }
+    };
+}
+
 impl Integer for i128 {
     #[inline]
     fn new(value: i64) -> Self {
         value.into()
     }
 
-    #[inline]
-    fn plus(&self, other: &Self) -> Self {
-        self.wrapping_add(*other)
-    }
-
-    #[inline]
-    fn minus(&self, other: &Self) -> Self {
-        self.wrapping_sub(*other)
-    }
-
-    #[inline]
-    fn times(&self, other: &Self) -> Self {
-        self.wrapping_mul(*other)
-    }
-
-    #[inline]
-    fn shifted(&self, by: u32) -> Self {
-        self.wrapping_shl(by)
-    }
+    wrapping_operations!();
 
     fn sign(&self) -> Ordering {
         self.cmp(&0)
@@ -68,25 +75,7 @@ impl<const N: usize> Integer for BInt<N> {
         Self::from(value)
     }
 
-    #[inline]
-    fn plus(&self, other: &Self) -> Self {
-        self.wrapping_add(*other)
-    }
-
-    #[inline]
-    fn minus(&self, other: &Self) -> Self {
-        self.wrapping_sub(*other)
-    }
-
-    #[inline]
-    fn times(&self, other: &Self) -> Self {
-        self.wrapping_mul(*other)
-    }
-
-    #[inline]
-    fn shifted(&self, by: u32) -> Self {
-        self.wrapping_shl(by)
-    }
+    wrapping_operations!();
 
     fn sign(&self) -> Ordering {
         self.cmp(&Self::ZERO)

@@ -1,7 +1,10 @@
 //! Ray parameters as they are: quotients and roots of quadratics, compared and rounded without error.
 
 use super::{
-    super::binary::{split, times_power_of_two},
+    super::{
+        Ray,
+        binary::{split, times_power_of_two},
+    },
     number::Number,
 };
 use num_bigint::{BigInt, Sign};
@@ -87,6 +90,14 @@ impl Root {
             return 0.0_f64.total_cmp(&value);
         }
         self.compare(&Self::number(value))
+    }
+
+    /// Whether a hit there counts. False where an end of the interval is NaN.
+    pub(super) fn is_within(&self, interval: &Ray) -> bool {
+        let Ray { t_min, t_max, .. } = *interval;
+        super::has_interval(interval)
+            && self.compare_to(t_min).is_ge()
+            && self.compare_to(t_max).is_lt()
     }
 
     /// Which is less.

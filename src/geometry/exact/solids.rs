@@ -207,8 +207,5 @@ pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
 
 /// A parameter that counts, rounded, and within the interval still.
 fn within(root: &Root, ray: &Ray) -> Option<f64> {
-    let counts = super::has_interval(ray)
-        && root.compare_to(ray.t_min).is_ge()
-        && root.compare_to(ray.t_max).is_lt();
-    counts.then(|| root.to_f64().max(ray.t_min).min(ray.t_max.next_down()))
+    (root.is_within(ray)).then(|| ray.kept_within(root.to_f64()))
 }

@@ -4,6 +4,7 @@ use super::{
     super::{
         Placement, Ray, TriangleHit, WorldRay,
         binary::{power_of_two, power_of_two_below},
+        interval::{Approximate, InDoubt},
         local_ray::Exactly,
         ray::Line,
     },
@@ -145,20 +146,21 @@ impl Formula for Hit<'_> {
             return None;
         }
         let t = plane.numerator.ratio(&plane.denominator);
-        let t_error = super::rounding_of(t);
-        let Ray { t_min, t_max, .. } = *self.interval;
-        let (low, high) = (t - t_error, t + t_error);
-        if !(low >= t_min && high < t_max) {
-            let t = plane.root()?;
-            if t.compare_to(t_min).is_lt() || t.compare_to(t_max).is_ge() {
-                return None;
-            }
+        let rounded = Approximate {
+            value: t,
+            error: super::rounding_of(t),
+        };
+        let counts = match rounded.is_within(self.interval) {
+            Ok(counts) => counts,
+            Err(InDoubt) => plane.root()?.is_within(self.interval),
+        };
+        if !counts {
+            return None;
         }
         let mirrors = self.triangle.placement.is_some_and(Placement::mirrors);
         Some(TriangleHit {
-            // Rounding may have crossed an end of the interval.
-            t: t.max(t_min).min(t_max.next_down()),
-            t_error,
+            t: self.interval.kept_within(t),
+            t_error: rounded.error,
             front: is_negative != mirrors,
             barycentric: weights.rounded(),
         })
@@ -333,11 +335,8 @@ pub(in super::super) fn reaches_plane(
     interval: &Ray,
     limit: f64,
 ) -> bool {
-    plane_parameter(line, triangle).is_none_or(|t| {
-        t.compare_to(interval.t_min).is_ge()
-            && t.compare_to(interval.t_max).is_lt()
-            && t.compare_to(limit).is_le()
-    })
+    plane_parameter(line, triangle)
+        .is_none_or(|t| t.is_within(interval) && t.compare_to(limit).is_le())
 }
 
 /// How far volumes that were computed, of a ray that is exact as it stands, are from the exact ones.

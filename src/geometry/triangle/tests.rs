@@ -1,7 +1,7 @@
 //! The bounds of triangle tests, held against exact arithmetic.
 
 use super::*;
-use crate::geometry::{LocalRay, random::Random};
+use crate::geometry::{LocalRay, Ray, random::Random};
 
 /// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
 #[test]

@@ -283,7 +283,5 @@ fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
 
 /// A hit as methods answer it.
 fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
-    let first = scene.objects()[hit.object].shape.first_triangle();
-    let triangle = hit.hit.on_triangle.map(|at| at.triangle - first);
-    (hit.object, triangle)
+    (hit.object, hit.triangle_of_object(scene))
 }

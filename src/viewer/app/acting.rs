@@ -49,9 +49,7 @@ impl App {
             }
         }
     }
-}
 
-impl App {
     /// Does the click that waited for trees, unless the view is another by now.
     pub fn take_waiting(&mut self) {
         let (state, ready) = (&self.state, self.state.rays_are_quick());

@@ -359,9 +359,7 @@ impl ScenePicture {
         }
         Ok(())
     }
-}
 
-impl ScenePicture {
     /// The buffers of a scene that came ahead of it, or stayed from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
         let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
