@@ -17,7 +17,7 @@
 //!   name.
 
 use super::{
-    DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
+    OUTLINE_CEILING_PX,
     face::{Face, Surfaces, batch_of},
     surface::{Depths, Surface, ViewRay},
 };
@@ -186,9 +186,8 @@ impl<'a> Reach<'a> {
         let past_near = hit.t - self.view.camera.lens().near;
         let [near, far] = [past_near - off, past_near + off];
         let most = |end: f64| {
-            // A step grows towards one end, or towards both.
-            let step = self.depths.step(past_near).max(self.depths.step(end));
-            DEPTH_CEILING_STEPS * step
+            // It grows towards one end, or towards both.
+            self.depths.ceiling(past_near).max(self.depths.ceiling(end))
         };
         let nearest = self.depths.nearness(near) + most(near);
         let farthest = self.depths.nearness(far) - most(far);
@@ -212,7 +211,7 @@ impl<'a> Reach<'a> {
         let normal = self.view.camera.rotation() * normal_world;
         let cosine = self.ray.direction.normalize().dot(normal).abs();
         if cosine > LEAST_COSINE {
-            2.0 * OUTLINE_CEILING_PX * self.ray.slope(depth, normal).length()
+            4.0 * OUTLINE_CEILING_PX * self.ray.slope(depth, normal).length()
         } else {
             f64::INFINITY
         }

@@ -1,7 +1,7 @@
 //! A flat convex polygon at a pixel, with how far drawing in `f32` may move it.
 
 use super::{
-    GRID_PX,
+    GRID_PX, OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
     interpolation,
     surface::{Depths, Source, Surface, ViewRay},
@@ -117,8 +117,15 @@ pub(super) fn polygon(
     let rounding = may_be.map(|end| depths.error(end, &error));
     let rounding = larger(rounding[0], rounding[1])
         + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
-    let step = may_be.map(|end| depths.step(end));
-    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
+    // A surface that is seen at an angle may be off by as much as moving it aside makes of it.
+    let of_slope = if slope.is_finite() {
+        (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0])
+    } else {
+        ends[1] - ends[0]
+    };
+    let ceiling =
+        |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
+    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding, ceiling(at));
     let covers = covers(&ray, corners);
     let cut = Cut {
         gap: past_near.abs(),
@@ -126,8 +133,11 @@ pub(super) fn polygon(
         f32: slope * f32_px + cut_error,
     };
     // Corners are cut off before anything is interpolated.
-    let cut_steps = cut_error * depths.stored_per_depth(0.0) / depths.step(0.0);
-    let cut_beyond = bound::beyond_f32(GRID_PX + f32_px, cut_steps);
+    let cut_beyond = bound::beyond_f32(
+        GRID_PX + f32_px,
+        cut_error * depths.stored_per_depth(0.0),
+        ceiling(0.0),
+    );
     let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
@@ -143,7 +153,7 @@ pub(super) fn polygon(
             nearest: nearest + rounding,
             farthest: farthest - rounding,
             rounding,
-            step: depths.step(at),
+            ceiling: ceiling(at),
             beyond_f32,
         },
         source: *source,
@@ -249,7 +259,13 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
         Projection::Perspective { .. } => error.depth / w * (px - 0.5 * size).abs(),
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
-    (aside + towards).length() + 5.0 * U * size.length()
+    let px = (aside + towards).length() + 5.0 * U * size.length();
+    // Larger than the picture it bounds nothing.
+    if px <= size.length() {
+        px
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference
