@@ -2,9 +2,7 @@
 
 use super::SceneHit;
 use crate::{
-    geometry::{
-        Corners, Mesh, Root, Surface, WorldRay, are_coplanar, compare_surfaces, parameter, weights,
-    },
+    geometry::{Corners, Mesh, Parameter, Surface, WorldRay, are_coplanar, compare_surfaces},
     scene::{Object, Scene, Shape},
 };
 use glam::DVec3;
@@ -22,30 +20,19 @@ pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -
 pub(super) fn gap(
     scene: &Scene,
     ray: &WorldRay,
-    (hit, t): (&SceneHit, Option<&Root>),
+    (hit, t): (&SceneHit, &Parameter),
     next: &SceneHit,
 ) -> f64 {
     if is_same_place(scene, hit, next) {
         return 0.0;
     }
-    match (t, root(scene, ray, next)) {
-        (Some(t), Some(next)) => next.behind(t),
-        _ => (next.hit.t - hit.hit.t).max(0.0),
-    }
+    let behind = parameter(scene, ray, next).behind(t);
+    behind.unwrap_or_else(|| (next.hit.t - hit.hit.t).max(0.0))
 }
 
-/// The `t` of a hit, without rounding.
-pub(super) fn root(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<Root> {
-    parameter(ray, &surface(scene, hit))
-}
-
-/// The weights of the corners of the triangle that was hit.
-pub(super) fn barycentric(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<[f64; 3]> {
-    let rounded = hit.hit.on_triangle?.barycentric;
-    let Surface::Triangle(triangle) = surface(scene, hit) else {
-        return None;
-    };
-    Some(weights(ray, &triangle).unwrap_or(rounded))
+/// The `t` of a hit, before it is rounded.
+pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit) -> Parameter<'a> {
+    Parameter::new(ray, surface(scene, hit))
 }
 
 fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
@@ -116,7 +103,11 @@ fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let exit = !hit.hit.front;
     match shape {
         Shape::Sphere => Surface::Sphere(placement, exit),
-        Shape::Cube => Surface::Cube(placement, exit),
+        Shape::Cube => Surface::Cube {
+            placement,
+            exit,
+            normal: hit.hit.normal,
+        },
         Shape::Square => Surface::Square(placement),
         Shape::Mesh { mesh, .. } => Surface::Triangle(Corners {
             placement: Some(placement),
