@@ -1,8 +1,10 @@
 //! How far away the picture shows something else.
 //!
-//! Some 200 rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
+//! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
+//! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
 //! What may come before it is gathered once, by the pyramid about all of them. Triangles of its own plane that come later
-//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one.
+//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where nothing is
+//! left and what shows fills the square of all these pixels, no ray is asked.
 
 use super::{
     SceneHit,
@@ -23,8 +25,10 @@ const REACH: f64 = 8.0;
 const NEARBY: f64 = 2.0;
 /// From a position to the sides of a square that holds all centres within reach, and a pixel of room.
 const ASIDE: f64 = REACH + 1.0;
-/// With more to ask, each ray goes through the trees by itself.
-const MOST: usize = 64;
+/// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
+const MOST: usize = 6;
+/// The same where many surfaces are in one place, each of which a tree would ask about.
+const MOST_IN_A_CROWD: usize = 64;
 
 /// Something that may come before what shows at the position: an object, or a triangle of its mesh.
 #[derive(Clone, Copy)]
@@ -64,7 +68,8 @@ pub(super) fn differs_px(
         }
         asked = NEARBY;
     }
-    let rivals = rivals(scene, view, px, here);
+    let most = if is_alone { MOST } else { MOST_IN_A_CROWD };
+    let rivals = rivals(scene, view, px, here, most);
     let fills = rivals.is_some() && fills(scene, view, px, shown);
     if fills && rivals.as_ref().is_some_and(Vec::is_empty) {
         return None;
@@ -155,9 +160,15 @@ fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<S
     hits.find(|hit| view.sides.shows(&hit.hit))
 }
 
-/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is too much to ask
-/// one by one.
-fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<Rival>> {
+/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than
+/// `most`.
+fn rivals(
+    scene: &Scene,
+    view: &View,
+    px: DVec2,
+    here: &SceneHit,
+    most: usize,
+) -> Option<Vec<Rival>> {
     let corners = corners(view, px);
     let pyramid_in = |placement: &Placement| {
         let local = corners.each_ref().map(|ray| placement.local_ray(ray));
@@ -166,7 +177,7 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
     let mut rivals = Vec::new();
     let mut is_complete = true;
     scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
-        if rivals.len() > MOST || !is_complete {
+        if rivals.len() > most || !is_complete {
             return;
         }
         let first = &scene.objects()[batch.start];
@@ -193,12 +204,12 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
                     });
                 }
             }
-            if rivals.len() > MOST {
+            if rivals.len() > most {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
             }
         });
     });
-    (is_complete && rivals.len() <= MOST).then_some(rivals)
+    (is_complete && rivals.len() <= most).then_some(rivals)
 }

@@ -62,6 +62,7 @@ mod picture;
 mod record;
 mod selection;
 
+pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
 pub use picture::{each_pixel, ids, ids_by, raycast};

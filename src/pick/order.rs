@@ -10,8 +10,12 @@ use std::cmp::Ordering;
 
 /// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    by_t(scene, ray, a, b)
-        .then(a.object.cmp(&b.object))
+    by_t(scene, ray, a, b).then_with(|| by_name(a, b))
+}
+
+/// [`order`] of hits at one `t`.
+pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
+    (a.object.cmp(&b.object))
         .then(a.triangle().cmp(&b.triangle()))
         .then(b.hit.front.cmp(&a.hit.front))
 }
@@ -47,7 +51,7 @@ fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
 
 /// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two triangles of one plane. Cheaper
 /// to tell than by their parameters.
-fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
+pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     let [on_a, on_b] = [a, b].map(|hit| &scene.objects()[hit.object]);
     if on_a.placement != on_b.placement {
         return false;

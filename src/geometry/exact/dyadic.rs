@@ -97,11 +97,6 @@ impl Dyadic {
         }
     }
 
-    /// Two to the power of `-unit` times it, rounded to within one unit in the last place.
-    pub fn to_f64_in(&self, unit: i64) -> f64 {
-        rounded(&self.integer, self.exponent - unit)
-    }
-
     /// The square root, rounded down to so many bits or one more; 0 for what is negative.
     pub fn sqrt(&self, bits: i64) -> Self {
         if !self.sign().is_gt() {

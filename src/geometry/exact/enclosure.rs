@@ -147,7 +147,7 @@ impl Decided for Enclosure {
     fn decided_value(&self) -> Result<(f64, i64), InDoubt> {
         let DoubleDouble { hi, lo } = self.value;
         let error = self.error + power_of_two(-61) * hi.abs();
-        // Infinity is no number.
+        #[expect(clippy::float_cmp, reason = "to the bit; infinity is no number")]
         if hi + (lo + error) == hi && hi + (lo - error) == hi && hi.is_finite() {
             Ok((hi, 0))
         } else {
@@ -186,4 +186,78 @@ pub(super) fn rounded_quotient(
     let (below, above) = (side(nearest.next_down())?, side(nearest.next_up())?);
     let is_between = below == sign && above == sign.reverse() && sign.is_ne();
     is_between.then_some(nearest).ok_or(InDoubt)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::root::Root;
+    use super::*;
+    use crate::geometry::random::Random;
+    use num_bigint::BigInt;
+
+    /// Sums of products that cancel more or less, of long and short numbers, and a root; in pairs and in integers.
+    fn formula<I: Ring>(n: &[f64; 6]) -> [Number<I>; 2] {
+        let [a, b, c, d, e, f] = n.map(Number::<I>::new);
+        let determinant = a.times(&b).minus(&c.times(&d));
+        let sum = determinant.times(&e).plus(&a.times(&c).times(&f));
+        [sum, determinant]
+    }
+
+    /// Nothing is farther off than it says, and what is read off is what integers say.
+    #[test]
+    fn enclosures_hold_what_they_stand_for() {
+        let mut random = Random(23);
+        let (mut worst, mut decided, mut quotients) = (0.0_f64, 0, 0);
+        for i in 0..40_000_u32 {
+            let mut n = [(); 6].map(|()| random.next() * 10_f64.powf(4.0 * random.next()));
+            if i.is_multiple_of(2) {
+                n[3] = n[0] * n[1] / n[2] * (1.0 + 1e-9 * f64::from(i % 3) * random.next());
+            }
+            if i.is_multiple_of(3) {
+                n = n.map(|n| f64::from((1e3 * n).round().clamp(-1e6, 1e6)));
+            }
+            let (near, exact) = (formula::<Enclosure>(&n), formula::<BigInt>(&n));
+            for (near, exact) in near.iter().zip(&exact) {
+                let Enclosure { value, error } = near.integer;
+                let off = exact
+                    .minus(&Number::new(value.hi))
+                    .minus(&Number::new(value.lo));
+                let off = off.ratio(&Number::new(1.0)).abs();
+                assert!(off <= error, "{off:e} is more than {error:e}: {n:?}");
+                if error > 0.0 {
+                    worst = worst.max(off / error);
+                }
+                if let Ok(sign) = near.decided_sign() {
+                    assert_eq!(sign, exact.sign());
+                }
+                if let Ok(value) = near.integer.decided_value() {
+                    let rounded = exact.decided_ratio(&Number::new(1.0)).ok();
+                    assert_eq!(Some(value.0.to_bits()), rounded.map(f64::to_bits));
+                    decided += 1;
+                }
+            }
+            if let Ok(quotient) = rounded_quotient(&near[0], &near[1]) {
+                let [numerator, denominator] = exact.clone();
+                let exact = Root::quotient(numerator, denominator)
+                    .expect("not 0")
+                    .to_f64();
+                assert_eq!(quotient.to_bits(), exact.to_bits(), "{n:?}");
+                quotients += 1;
+            }
+            if let Ok(root) = near[0].integer.sqrt() {
+                // Both sides of the exact root, squared.
+                let squared = |by: f64| {
+                    let [hi, lo] = [root.value.hi, root.value.lo].map(Number::<BigInt>::new);
+                    let root = hi.plus(&lo).plus(&Number::new(by));
+                    root.times(&root).minus(&exact[0]).sign()
+                };
+                assert!(
+                    squared(-root.error).is_le() && squared(root.error).is_ge(),
+                    "{n:?}"
+                );
+            }
+        }
+        println!("worst error {worst:.2} of its bound; {decided} values, {quotients} quotients");
+        assert!((0.05..=1.0).contains(&worst) && decided > 60_000 && quotients > 30_000);
+    }
 }

@@ -5,6 +5,9 @@
 //! cubes and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
 //! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`root`]).
 //!
+//! What a record says of a hit, parameters, points and distances in the picture, is tried in pairs of `f64` with bounds first
+//! ([`enclosure`]). They are believed where they round to what integers would.
+//!
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
 //! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::geometry::{Cuboid, Placement, Sphere};
 use glam::DVec3;
-use std::cell::OnceCell;
+use std::{cell::OnceCell, ptr};
 
 /// The ray parameter of a hit, which the ray must have.
 pub(crate) struct Parameter<'a> {
@@ -68,6 +68,19 @@ impl<'a> Parameter<'a> {
         rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
     }
 
+    /// The axis across which the surface lies in the object space of a placement, and where; of a flat one placed by it.
+    fn plane(&self, placement: &Placement) -> Option<(usize, f64)> {
+        match &self.surface {
+            Surface::Cube {
+                placement: own,
+                normal,
+                ..
+            } if ptr::eq(*own, placement) => Some(face(*normal)),
+            Surface::Square(own) if ptr::eq(*own, placement) => Some((2, 0.0)),
+            _ => None,
+        }
+    }
+
     /// The point there in the object space of a placement: each coordinate to within three roundings; `None` where a
     /// number is not finite.
     pub fn point_object(&self, placement: &Placement) -> Option<DVec3> {
@@ -77,11 +90,8 @@ impl<'a> Parameter<'a> {
                 numerator,
                 denominator,
             } = self.enclosed.as_ref()?;
-            solids::at(
-                &LocalLine::<Enclosure>::new(&exactly),
-                [numerator, denominator],
-            )
-            .ok()
+            let line = LocalLine::<Enclosure>::new(&exactly);
+            solids::at(&line, [numerator, denominator], self.plane(placement)).ok()
         };
         enclosed().or_else(|| solids::point_at(&exactly, self.root()?))
     }
@@ -128,8 +138,7 @@ fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
             placement, normal, ..
         } => {
             let line = local(placement);
-            let axis = normal.abs().max_position();
-            let plane = Cuboid::HALF_SIDE.copysign(normal[axis]);
+            let (axis, plane) = face(normal);
             let way = line
                 .one
                 .times(&Number::new(plane))
@@ -148,4 +157,10 @@ fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
         numerator,
         denominator,
     })
+}
+
+/// The axis across which a face of the cube lies, and where.
+fn face(normal: DVec3) -> (usize, f64) {
+    let axis = normal.abs().max_position();
+    (axis, Cuboid::HALF_SIDE.copysign(normal[axis]))
 }

@@ -184,16 +184,20 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
 }
 
-/// The point at a parameter in object space, each coordinate to within three roundings.
+/// The point at a parameter in object space, each coordinate to within three roundings; that along one axis may be known.
 pub(super) fn at<I: Decided>(
     line: &LocalLine<I>,
     [numerator, denominator]: [&Number<I>; 2],
+    known: Option<(usize, f64)>,
 ) -> Result<DVec3, InDoubt> {
     let one = line.one.times(denominator);
-    let coordinate = |axis| {
-        let start = line.origin.component(axis).times(denominator);
-        let way = line.direction.component(axis).times(numerator);
-        start.plus(&way).decided_ratio(&one)
+    let coordinate = |axis| match known {
+        Some((known, value)) if known == axis => Ok(value),
+        _ => {
+            let start = line.origin.component(axis).times(denominator);
+            let way = line.direction.component(axis).times(numerator);
+            start.plus(&way).decided_ratio(&one)
+        }
     };
     Ok(DVec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))
 }
@@ -204,7 +208,7 @@ fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
         integer,
         exponent: 0,
     });
-    at(line, quotient.each_ref()).ok()
+    at(line, quotient.each_ref(), None).ok()
 }
 
 /// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not

@@ -1,7 +1,8 @@
 //! How far a position is from the nearest edge of what was hit there, in pixels.
 //!
 //! A long lens or a near plane just before the eye makes any rounding in world space as large as the picture. So points
-//! become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end.
+//! become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end. Pairs of `f64`
+//! with bounds stand for the exact numbers where they round to the same.
 
 mod frame;
 mod nearest;
