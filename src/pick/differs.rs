@@ -9,7 +9,7 @@
 use super::{
     SceneHit,
     nearest::{closest, hits_of, shows_part},
-    order::{comes_later_in_plane, order},
+    order::{comes_later_alike, comes_later_in_plane, order},
 };
 use crate::{
     camera::{View, pixel_centre},
@@ -182,7 +182,7 @@ fn rivals(
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && batch.start != here.object;
+            let is_rival = first.visible && !comes_later_alike(scene, here, batch.start);
             rivals.extend(is_rival.then_some(Rival {
                 object: batch.start,
                 triangle: None,

@@ -90,6 +90,18 @@ pub(super) fn comes_later_in_plane(
         && is_one_plane((mesh, vertex_corners(mesh, hit)), (of_other, corners))
 }
 
+/// Whether an object comes no earlier than a hit on every ray: the very one, or the same shape in the same place, of no mesh
+/// and no earlier in order.
+pub(super) fn comes_later_alike(scene: &Scene, hit: &SceneHit, object: usize) -> bool {
+    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
+    let is_alike = || {
+        hit.triangle().is_none()
+            && of_hit.shape.kind() == other.shape.kind()
+            && of_hit.placement == other.placement
+    };
+    hit.object == object || hit.object < object && is_alike()
+}
+
 /// Whether two triangles, by their corners about their meshes' origins, lie in one plane of object space.
 fn is_one_plane(a: (&Mesh, [DVec3; 3]), b: (&Mesh, [DVec3; 3])) -> bool {
     a.0.data().origin == b.0.data().origin && are_coplanar(a.1, b.1)

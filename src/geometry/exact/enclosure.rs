@@ -214,7 +214,7 @@ mod tests {
                 n[3] = n[0] * n[1] / n[2] * (1.0 + 1e-9 * f64::from(i % 3) * random.next());
             }
             if i.is_multiple_of(3) {
-                n = n.map(|n| f64::from((1e3 * n).round().clamp(-1e6, 1e6)));
+                n = n.map(|n| (1e3 * n).round().clamp(-1e6, 1e6));
             }
             let (near, exact) = (formula::<Enclosure>(&n), formula::<BigInt>(&n));
             for (near, exact) in near.iter().zip(&exact) {
