@@ -62,6 +62,7 @@ mod picture;
 mod record;
 mod selection;
 
+pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
 pub use picture::{each_pixel, ids, ids_by, raycast};
@@ -120,7 +121,8 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let exact = next.is_some_and(|next| next.overlaps(&hit))
         || is_tied(scene, &ray, view.sides, &hit)
         || is_in_doubt(scene, &ray, hit.limit());
-    let differs_px = differs::differs_px(scene, view, px, &hit);
+    let is_alone = next.is_none_or(|next| !next.overlaps(&hit));
+    let differs_px = differs::differs_px(scene, view, px, &hit, is_alone);
     let at = record::At { scene, view, px };
     Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))
 }
@@ -133,7 +135,8 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let Some(first) = hits.first() else {
         return Vec::new();
     };
-    let differs_px = differs::differs_px(scene, view, px, first);
+    let is_alone = hits.get(1).is_none_or(|next| !next.overlaps(first));
+    let differs_px = differs::differs_px(scene, view, px, first, is_alone);
     let tied = tied(&hits);
     // What is in doubt is for all hits from some one on.
     let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));

@@ -67,16 +67,15 @@ impl<'a> Places<'a> {
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
-        let hits = pick::all(scene, view.ray(px), view.sides);
-        let Some((first, behind)) = hits.split_first() else {
+        let reach = Reach::new(&self.surfaces, px);
+        // Most lie too far behind, which is cheap to tell.
+        let is_near =
+            |hit: &SceneHit, first: &SceneHit| reach.nearness(hit)[0] >= reach.nearness(first)[1];
+        let hits = pick::all_near(scene, view.ray(px), view.sides, is_near);
+        let Some((first, near)) = hits.split_first() else {
             return Vec::new();
         };
-        let reach = Reach::new(&self.surfaces, px);
-        let [_, farthest] = reach.nearness(first);
-        // Most lie too far behind, which is cheap to tell.
-        let near = |hit: &&SceneHit| reach.nearness(hit)[0] >= farthest;
-        let mut near = behind.iter().filter(near).peekable();
-        if near.peek().is_none() {
+        if near.is_empty() {
             return Vec::new();
         }
         let nearest = Patch::of(scene, first);
