@@ -45,8 +45,8 @@
 //!
 //! # What a record adds
 //!
-//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once, and so is `gap`, the
-//! difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
+//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once (but below far where the exact
+//! one is), and so is `gap`, the difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
 //! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
 //!
 //! The order of picks is exact however close two surfaces lie; a drawing's is not. Where others lie so close to the nearest

@@ -117,6 +117,11 @@ pub(super) fn polygon(
     let rounding = may_be.map(|end| depths.error(end, &error));
     let rounding = larger(rounding[0], rounding[1])
         + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
+    let rounding = if is_known(&depths, corners, past_near) {
+        rounding
+    } else {
+        f64::INFINITY
+    };
     // A surface that is seen at an angle may be off by as much as moving it aside makes of it.
     let of_slope = if slope.is_finite() {
         (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0])
@@ -175,6 +180,14 @@ impl Corner {
             error: self.error.lerp(other.error, s),
         }
     }
+}
+
+/// Whether `f64` tells the depth at a pixel: it loses less of corners as large as these than the ceiling.
+fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
+    let sizes = corners.iter().map(|corner| corner.view.abs().max_element());
+    let lost = 16.0 * f64::EPSILON * sizes.fold(0.0, larger);
+    let at = past_near.abs();
+    lost <= depths.ceiling(at) / depths.stored_per_depth(at)
 }
 
 /// The least and the largest depth of corners; `None` of none.

@@ -73,6 +73,24 @@ impl Surface {
         }
     }
 
+    /// The same where a ray hits it at this view depth, which its corners may be too large to tell.
+    pub fn at_hit(self, depths: &Depths, depth: f64) -> Self {
+        if self.stored.is_bounded() {
+            return self;
+        }
+        let past_near = depth - depths.lens.near;
+        let stored = Stored {
+            nearness: depths.nearness(past_near),
+            ceiling: depths.ceiling(past_near),
+            ..self.stored
+        };
+        Self {
+            depth,
+            stored,
+            ..self
+        }
+    }
+
     /// Whether it lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: no
     /// farther off than the ceiling. Standard depth stores 1 for most of what lies between planes far apart.
     fn is_at_plane(&self, depths: &Depths) -> bool {

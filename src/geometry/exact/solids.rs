@@ -204,11 +204,13 @@ pub(super) fn at<I: Decided>(
 
 /// [`at`] a parameter as it is.
 fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
-    let quotient = root.quotient_near().map(|integer| Number {
-        integer,
-        exponent: 0,
-    });
-    at(line, quotient.each_ref(), None).ok()
+    root.settled(|quotient| {
+        let quotient = quotient.map(|integer| Number {
+            integer,
+            exponent: 0,
+        });
+        at(line, quotient.each_ref(), None).ok()
+    })
 }
 
 /// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not
