@@ -68,20 +68,7 @@ pub(super) fn polygon(
         Projection::Perspective { .. } => -cut_error.min(0.5 * near),
         Projection::Orthographic { .. } => -cut_error,
     };
-    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
-        at,
-        is_cut: false,
-        edge,
-    });
-    let seen = clip(
-        &tagged.collect::<Vec<_>>(),
-        |corner| corner.at.view.z - nearest,
-        |a, b, s| SeenCorner {
-            at: a.at.lerp(&b.at, s),
-            is_cut: true,
-            edge: a.edge,
-        },
-    );
+    let seen = seen_from(corners, nearest);
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
@@ -122,12 +109,8 @@ pub(super) fn polygon(
     } else {
         f64::INFINITY
     };
-    // A surface that is seen at an angle may be off by as much as moving it aside makes of it.
-    let of_slope = if slope.is_finite() {
-        (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0])
-    } else {
-        ends[1] - ends[0]
-    };
+    // A surface that is seen at an angle may be off by as much as moving it aside makes of it; NaN gives way.
+    let of_slope = (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0]);
     let ceiling =
         |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
     let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding, ceiling(at));
@@ -164,6 +147,24 @@ pub(super) fn polygon(
         source: *source,
     };
     Some(Polygon { surface, edges })
+}
+
+/// What is left of a polygon at this depth past near and behind.
+fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
+    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
+        at,
+        is_cut: false,
+        edge,
+    });
+    clip(
+        &tagged.collect::<Vec<_>>(),
+        |corner| corner.at.view.z - past_near,
+        |a, b, s| SeenCorner {
+            at: a.at.lerp(&b.at, s),
+            is_cut: true,
+            edge: a.edge,
+        },
+    )
 }
 
 /// What is behind the near plane of a segment, or of one corner, as an outline; `None` when nothing is.

@@ -260,7 +260,7 @@ impl Depths {
                 self.unit * (past_near - self.origin),
             ),
         };
-        // The difference is what it seems, or it was rounded.
+        #[expect(clippy::float_cmp, reason = "to the bit: it may have been rounded")]
         let is_exact = measured / self.unit + self.origin == past_near;
         is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
     }
