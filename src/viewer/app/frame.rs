@@ -8,7 +8,7 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        model::{Action, Cursor, Overlay},
+        model::{Action, Overlay},
         screen::{Canvas, Laid, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
@@ -112,16 +112,19 @@ impl App {
             });
         }
         let idle = |command: &Command| {
-            matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
+            use Action::{Hover, Light, Resize};
+            matches!(command, Command::Act(Hover(_) | Light(_) | Resize(_)))
         };
-        let (acted, cursor) = (!commands.iter().all(idle), self.state.cursor());
+        let acted = !commands.iter().all(idle);
+        let (cursor, hover) = (self.state.cursor(), self.state.hover());
+        // A row lights its object only as long as the cursor rests on it.
+        self.state.apply(Action::Light(None));
         for command in commands {
             self.run_command(command);
         }
         // The panels showed the state before that: they show what came of it in the next pass.
         let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
-        let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
-        if acted || follows_cursor || hovered(cursor) != self.state.hover() {
+        if acted || follows_cursor || hover != self.state.hover() {
             context.request_repaint();
         } else if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
