@@ -15,6 +15,9 @@ use crate::{
 };
 use std::time::{Duration, Instant};
 
+/// A picture that nothing has moved in for so many seconds is at rest.
+pub(in crate::viewer) const REST_S: f64 = 0.15;
+
 /// What came of a frame.
 pub(in crate::viewer) struct Frame {
     /// Clipboard, cursor and the like, for the system.
@@ -43,8 +46,14 @@ impl App {
             place,
             primitives,
             pixels_per_point,
+            at_rest: self.rests(),
         };
         let drawn = self.draw(&laid, screen);
+        self.at_rest = !self.context.has_requested_repaint() && !self.is_busy();
+        if self.picture.rough {
+            let wait_s = if laid.at_rest { 0.0 } else { REST_S };
+            (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
+        }
         match &drawn {
             Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
             Ok(_) => {}
@@ -60,6 +69,15 @@ impl App {
     /// slow frames are: of what happens within one pass egui sees only the end.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
         self.run_pass(input).platform
+    }
+
+    /// Whether the picture has shown the same for a while.
+    fn rests(&mut self) -> bool {
+        let (shown, now_s) = (self.state.to_show(), self.context.input(|input| input.time));
+        if self.shown_since_s.is_none_or(|(before, _)| before != shown) {
+            self.shown_since_s = Some((shown, now_s));
+        }
+        (self.shown_since_s).is_some_and(|(_, since_s)| now_s - since_s >= REST_S)
     }
 
     /// Takes what jobs have done by now.

@@ -11,6 +11,6 @@ mod intents;
 mod program;
 mod wake;
 
-pub(super) use frame::Frame;
+pub(super) use frame::{Frame, REST_S};
 pub(super) use program::{App, Host};
 pub(super) use wake::{Wake, Waker};

@@ -7,7 +7,7 @@ use crate::{
     scene::{Loaded, Warning},
     viewer::{
         jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
-        model::{Action, Snapshot, Stage, State},
+        model::{Action, OnScreen, Snapshot, Stage, State},
         options::Options,
         screen::{Progress, Textures},
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
@@ -100,6 +100,10 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     /// How far the scene's picture has come.
     pub picture: Progress,
+    /// What it is to show, and since when by egui's clock.
+    pub(super) shown_since_s: Option<(OnScreen, f64)>,
+    /// The last frame left nothing to be done, but for smooth edges.
+    pub at_rest: bool,
     /// The user is done.
     pub quit: bool,
 }
@@ -140,6 +144,8 @@ impl App {
             copied: None,
             waiting: None,
             picture: Progress::default(),
+            shown_since_s: None,
+            at_rest: false,
             quit: false,
             context: ui::context(),
             textures: Textures::default(),

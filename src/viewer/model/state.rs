@@ -278,7 +278,10 @@ impl State {
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
-        self.lit.or_else(under_cursor)
+        let lit = self
+            .lit
+            .filter(|&object| object < self.scene.objects().len());
+        lit.or_else(under_cursor)
     }
 
     /// The pixel under the cursor; `None` while the cursor is elsewhere.

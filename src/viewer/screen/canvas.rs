@@ -38,6 +38,8 @@ pub(in crate::viewer) struct Laid {
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
+    /// Nobody moves the picture: it may get smooth edges.
+    pub at_rest: bool,
 }
 
 /// Where frames go: the surface of a window, or a picture in memory.
@@ -111,7 +113,7 @@ impl Canvas {
         self.stale.extend(mem::take(&mut textures.free));
     }
 
-    /// Draws a frame onto all of a texture. Returns how far the scene's picture has come.
+    /// Draws a frame onto all of a texture, with smooth edges in time if the picture is `at_rest`. Returns how far the scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
@@ -120,6 +122,7 @@ impl Canvas {
         texture: &wgpu::Texture,
         state: &State,
         laid: &Laid,
+        at_rest: bool,
     ) -> Result<Progress, GpuError> {
         let view_as = |format: TextureFormat| {
             texture.create_view(&wgpu::TextureViewDescriptor {
@@ -133,7 +136,9 @@ impl Canvas {
         let (mut scene, mut has_scene) = (Ok(Progress::default()), false);
         if let Some(place) = laid.place {
             self.scene.renderer.scale_factor = laid.pixels_per_point;
-            scene = self.scene.advance(&self.gpu, state, place.viewport);
+            scene = self
+                .scene
+                .advance(&self.gpu, state, place.viewport, at_rest);
         }
         if let (Some(place), Ok(_)) = (laid.place, &scene) {
             let destination = Destination {
@@ -156,13 +161,17 @@ impl Canvas {
         scene
     }
 
-    /// The frame that was drawn last, as a picture.
+    /// The frame that was drawn last, as a picture, with smooth edges.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let texture = self.texture(self.size);
-        while self.draw(&texture, state, laid)?.behind {
+        loop {
+            let progress = self.draw(&texture, state, laid, true)?;
+            if !progress.behind && !progress.rough {
+                break;
+            }
             self.gpu.wait()?;
         }
         let picture = read_rgb(&self.gpu, &texture, self.size)?;
