@@ -76,7 +76,7 @@ pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
 
 /// Light that a surface sends to the eye: under a headlight that wraps around, so that nothing is black, and a soft fill
 /// from above. `normal_view` is the normal of the side that is seen, in view space, of any length. `albedo` and result
-/// are linear. (Wrapped as by Mitchell, McTaggart & Green, Shading in Valve's Source Engine, 2006.)
+/// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
 #[must_use]
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();

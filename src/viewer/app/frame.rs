@@ -4,6 +4,7 @@
 use super::{
     checks::painted,
     program::{App, Host},
+    rest::REST_S,
 };
 use crate::{
     render::GpuError,
@@ -14,9 +15,6 @@ use crate::{
     },
 };
 use std::time::{Duration, Instant};
-
-/// A picture that nothing has moved in for so many seconds is at rest.
-pub(in crate::viewer) const REST_S: f64 = 0.15;
 
 /// What came of a frame.
 pub(in crate::viewer) struct Frame {
@@ -42,14 +40,15 @@ impl App {
         let pass = self.run_pass(input);
         let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
         let primitives = self.context.tessellate(pass.shapes, pixels_per_point);
+        let now_s = self.context.input(|input| input.time);
         let laid = Laid {
             place,
             primitives,
             pixels_per_point,
-            at_rest: self.rests(),
+            at_rest: self.rest.is_reached(self.state.to_show(), now_s),
         };
         let drawn = self.draw(&laid, screen);
-        self.at_rest = !self.context.has_requested_repaint() && !self.is_busy();
+        self.rest.is_settled = !self.context.has_requested_repaint() && !self.is_busy();
         if self.picture.rough {
             let wait_s = if laid.at_rest { 0.0 } else { REST_S };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
@@ -69,15 +68,6 @@ impl App {
     /// slow frames are: of what happens within one pass egui sees only the end.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
         self.run_pass(input).platform
-    }
-
-    /// Whether the picture has shown the same for a while.
-    fn rests(&mut self) -> bool {
-        let (shown, now_s) = (self.state.to_show(), self.context.input(|input| input.time));
-        if self.shown_since_s.is_none_or(|(before, _)| before != shown) {
-            self.shown_since_s = Some((shown, now_s));
-        }
-        (self.shown_since_s).is_some_and(|(_, since_s)| now_s - since_s >= REST_S)
     }
 
     /// Takes what jobs have done by now.

@@ -1,13 +1,16 @@
 //! The program behind the window: all that outlives frames, devices and windows, and what it says.
 
-use super::wake::{Wake, Waker};
+use super::{
+    rest::Rest,
+    wake::{Wake, Waker},
+};
 use crate::{
     camera::{CameraChoice, View, Viewport},
     render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
         jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
-        model::{Action, OnScreen, Snapshot, Stage, State},
+        model::{Action, Snapshot, Stage, State},
         options::Options,
         screen::{Progress, Textures},
         ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
@@ -100,10 +103,8 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     /// How far the scene's picture has come.
     pub picture: Progress,
-    /// What it is to show, and since when by egui's clock.
-    pub(super) shown_since_s: Option<(OnScreen, f64)>,
-    /// The last frame left nothing to be done, but for smooth edges.
-    pub at_rest: bool,
+    /// Since when it rests.
+    pub rest: Rest,
     /// The user is done.
     pub quit: bool,
 }
@@ -144,8 +145,7 @@ impl App {
             copied: None,
             waiting: None,
             picture: Progress::default(),
-            shown_since_s: None,
-            at_rest: false,
+            rest: Rest::default(),
             quit: false,
             context: ui::context(),
             textures: Textures::default(),

@@ -199,7 +199,7 @@ impl Offscreen {
         let input = self.input(events, Vec::new());
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
-        self.at_rest = self.app.at_rest;
+        self.at_rest = self.app.rest.is_settled;
         drawn
     }
 

@@ -146,7 +146,7 @@ impl ScenePicture {
         });
         if self.next.is_none() {
             self.upload(gpu, state)?;
-            self.begin(gpu, state, wanted)?;
+            self.begin(gpu, state, &wanted)?;
         }
         if self.next.is_none() && at_rest {
             self.begin_to_smooth(state, &wanted);
@@ -162,21 +162,21 @@ impl ScenePicture {
     }
 
     /// Begins what the picture on screen lacks, if anything.
-    fn begin(&mut self, gpu: &Gpu, state: &State, wanted: Drawn) -> Result<(), GpuError> {
+    fn begin(&mut self, gpu: &Gpu, state: &State, wanted: &Drawn) -> Result<(), GpuError> {
         let Some(scene) = &self.scene else {
             return Ok(());
         };
         let most = self.pace.most();
         let shown = self.shown.as_mut();
         if let Some(shown) = shown.filter(|shown| shown.of.unmarked() == wanted.unmarked()) {
-            let other = wanted.selection.filter(|_| shown.of != wanted);
+            let other = wanted.selection.filter(|_| shown.of != *wanted);
             shown.of.selection = wanted.selection.and(shown.of.selection);
             self.next = other.map(|object| {
                 let drawing = Drawing::of_selection(&scene.buffers, &wanted.view, object);
                 UnderWay {
                     at_once: most.holds(&drawing.whole(&scene.buffers)),
                     drawing,
-                    of: wanted,
+                    of: *wanted,
                     targets: None,
                     smooths: false,
                 }
@@ -189,7 +189,7 @@ impl ScenePicture {
             .then(|| wanted.selection.map_or(Wireframe::OfAll, Wireframe::Of));
         let samples = gpu.samples_in_motion();
         let viewport = wanted.view.viewport;
-        let drawing = Drawing::of_scene(samples, &wanted.view, lines(state, &wanted));
+        let drawing = Drawing::of_scene(samples, &wanted.view, lines(state, wanted));
         let at_once = most.holds(&drawing.whole(&scene.buffers));
         let fits = |targets: &mut Targets| targets.viewport() == viewport;
         let mut old = self.spare.take();
@@ -203,7 +203,7 @@ impl ScenePicture {
         };
         self.next = Some(UnderWay {
             drawing,
-            of: wanted,
+            of: *wanted,
             targets: Some(targets),
             at_once,
             smooths: false,
@@ -217,11 +217,13 @@ impl ScenePicture {
         let (Some(_), Some(scene)) = (shown, &self.scene) else {
             return;
         };
-        let of_bands =
-            |bands| Drawing::of_smooth_colours(&wanted.view, lines(state, wanted), bands);
-        let whole = of_bands(1).whole(&scene.buffers);
+        let lines = lines(state, wanted);
+        let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
+        let mut each = bare.whole(&scene.buffers);
+        each.work += lines.len() as u64;
+        let bands = self.pace.bands(wanted.view.viewport, each);
         self.next = Some(UnderWay {
-            drawing: of_bands(self.pace.bands(wanted.view.viewport, whole)),
+            drawing: Drawing::of_smooth_colours(&wanted.view, lines, bands),
             of: *wanted,
             targets: None,
             at_once: false,

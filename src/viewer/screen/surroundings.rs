@@ -31,7 +31,8 @@ fn step(radius: f64) -> Option<f64> {
 
 /// A square grid through the origin, about all of `bounds_world`, and the two axes that run in it. It is seen from `eye`:
 /// it lies a little behind its plane, so that a floor of the scene in that plane does not fight with it. About what lies
-/// too far from the origin for that many lines it is near that instead, at multiples of its step.
+/// too far from the origin for that many lines it is near that instead, at multiples of its step. Seen edge on, when it
+/// would be a line across what it cuts, there is none.
 pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
@@ -57,7 +58,11 @@ pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Lin
     let half = ((off(0).max(off(2)) / BLOCK).ceil() * BLOCK).min(LINES);
     let [middle_right, level, middle_front] = middle;
     let height = level * step;
-    let behind = 6e-3 * radius * (eye.dot(up) - height).signum();
+    let above = eye.dot(up) - height;
+    if above.abs() < 0.01 * eye.distance(bounds.center()) {
+        return Vec::new();
+    }
+    let behind = 6e-3 * radius * above.signum();
     #[expect(clippy::cast_possible_truncation, reason = "at most LINES")]
     let lines = half as i32;
     let mut all = Vec::new();
@@ -154,6 +159,14 @@ mod tests {
         assert!(axes.is_empty());
         assert!((extent.center() - DVec3::new(5e5, 0.0, -4e6)).length() < 1500.0);
         assert!(extent.center().x % 100.0 < 1e-6);
+    }
+
+    #[test]
+    fn nothing_is_seen_of_a_grid_edge_on() {
+        let bounds = about(DVec3::ZERO, 1.0);
+        let from = |eye| floor(&bounds, UpAxis::Y, eye).len();
+        assert_eq!(from(DVec3::new(0.0, 0.01, 9.0)), 0);
+        assert!(from(DVec3::new(0.0, 0.5, 9.0)) > 20);
     }
 
     #[test]

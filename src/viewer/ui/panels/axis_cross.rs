@@ -10,8 +10,8 @@ use crate::{
     },
 };
 use egui::{
-    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Sense, Stroke, Ui,
-    WidgetInfo, WidgetType, pos2, vec2,
+    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Stroke,
+    Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -91,7 +91,7 @@ fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
     let id = ui.scope_id().with(("axis", end.name));
     let response = ui.interact(of_end.intersect(rect), id, Sense::CLICK);
     let name = format!("look from {}", end.name);
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, &name));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     let text = format!("look along the {} axis, from its end", end.name);
     response.on_hover_text(text)
 }
