@@ -100,7 +100,8 @@ impl Canvas {
         self.panels.take_textures(&self.gpu, textures);
     }
 
-    /// Draws a frame onto all of a texture, with smooth edges in time if the picture is `at_rest`. Returns how far the scene's picture has come.
+    /// Draws a frame onto all of a texture, with smooth edges in time if the picture is `at_rest`. Returns how far the
+    /// scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
