@@ -5,19 +5,16 @@ struct Composite {
     selection: u32,
     hover: u32,
     selection_colour: vec3<f32>,
-    selection_tint: f32,
-    hover_colour: vec3<f32>,
-    hover_tint: f32,
+    tint: f32,
+    lit: vec2<f32>,
     outline_px: f32,
-    padding_0: f32,
-    padding_1: f32,
-    padding_2: f32,
+    padding: f32,
 }
 
 @group(0) @binding(0) var<uniform> composite: Composite;
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var ids: texture_2d<u32>;
-// The selected object, seen through everything, when the selection is drawn; then how much of each pixel is selection.
+// The selected object, seen through everything, when the selection is drawn; then how much of each pixel is outline.
 @group(0) @binding(3) var marks: texture_2d<f32>;
 
 @vertex
@@ -34,8 +31,8 @@ fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     return textureLoad(marks, clamp(at, vec2<i32>(0), last), 0).r;
 }
 
-// How much of a pixel is selection: outline, most where half of a disc about it is inside the object; and tint, where
-// the object is in front. Unrolled: loops are slow on software adapters.
+// How much of a pixel is outline: most where half of a disc about it is inside the object. Unrolled: loops are slow on
+// software adapters.
 @fragment
 fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     let px = position.xy;
@@ -47,10 +44,7 @@ fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     sum += inside(px, vec2<f32>(0.5, 0.0)) + inside(px, vec2<f32>(-0.5, 0.0));
     sum += inside(px, vec2<f32>(0.0, 0.5)) + inside(px, vec2<f32>(0.0, -0.5));
     let share = sum / 13.0;
-    let edge = smoothstep(0.0, 0.35, min(share, 1.0 - share));
-    let shown = textureLoad(ids, vec2<i32>(px), 0).r == composite.selection;
-    let tint = select(0.0, composite.selection_tint, shown);
-    return 1.0 - (1.0 - tint) * (1.0 - edge);
+    return smoothstep(0.0, 0.35, min(share, 1.0 - share));
 }
 
 fn pixel(position: vec4<f32>) -> vec2<i32> {
@@ -62,14 +56,31 @@ fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(picture, pixel(position), 0);
 }
 
-// Blended over the copy.
-@fragment
-fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    return vec4<f32>(composite.selection_colour, textureLoad(marks, pixel(position), 0).r);
+// look::luminance.
+fn luminance(colour: vec3<f32>) -> f32 {
+    return dot(colour, vec3<f32>(0.2126, 0.7152, 0.0722));
 }
 
+// What a pixel shows with its marks but the outline: look::tinted where it is selected, more light where it is hovered.
+fn marked(px: vec2<i32>) -> vec3<f32> {
+    let colour = textureLoad(picture, px, 0).rgb;
+    let object = textureLoad(ids, px, 0).r;
+    let tint = composite.selection_colour * (luminance(colour) / luminance(composite.selection_colour));
+    let tinted = mix(colour, tint, select(0.0, composite.tint, object == composite.selection));
+    let lit = tinted * (1.0 + composite.lit.x) + composite.lit.y;
+    return select(tinted, lit, object == composite.hover);
+}
+
+// Over the copy, where the hovered object may be.
 @fragment
 fn hover(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
-    let shown = textureLoad(ids, pixel(position), 0).r == composite.hover;
-    return vec4<f32>(composite.hover_colour, select(0.0, composite.hover_tint, shown));
+    return vec4<f32>(marked(pixel(position)), 1.0);
+}
+
+// And then where the selected object may be, with its outline.
+@fragment
+fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    let px = pixel(position);
+    let outline = textureLoad(marks, px, 0).r;
+    return vec4<f32>(mix(marked(px), composite.selection_colour, outline), 1.0);
 }

@@ -39,11 +39,12 @@ fn unit(v: vec3<f32>) -> vec3<f32> {
     return select(vec3<f32>(0.0), v / size, size > 0.0);
 }
 
-// look::shade: Lambert under the key light and a soft fill from above, for the normal of the side that is seen.
+// look::shade: a headlight that wraps around and a soft fill from above, for the normal of the side that is seen.
 fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
     let normal = unit(normal_view);
-    let lambert = max(dot(normal, frame.key_direction), 0.0);
-    return albedo * (frame.ambient + frame.key * lambert + frame.fill * (0.5 + 0.5 * normal.y));
+    let wrapped = 0.5 + 0.5 * dot(normal, frame.key_direction);
+    let key = frame.key * wrapped * wrapped;
+    return albedo * (frame.ambient + key + frame.fill * (0.5 + 0.5 * normal.y));
 }
 
 struct ColourAndId {

@@ -18,7 +18,7 @@
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
-//! egui. `colour`, `image` and `look` (what both renderers make pictures look like) stand beside them and know none of
+//! egui. `colour`, `image` and `look` (light, and what each colour means) stand beside them and know none of
 //! these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
 //!
 //! # Spaces
@@ -53,6 +53,8 @@
 //! * **front**: the ray runs against the outward normal. Normals are never flipped.
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
+//! * **at rest**: of the window's picture, that nothing has moved in it for a moment: its edges are made smooth. *Rough*:
+//!   that they are not yet. Ids are the same in both.
 //! * **stage**: how far along M, V, P the window shows the scene ([`viewer::model::Stage`]).
 //! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).

@@ -7,27 +7,82 @@ use glam::Vec3;
 
 /// Background at the top and at the bottom of the picture; in between it fades.
 pub const BACKGROUND: [Srgb; 2] = [Srgb([43, 48, 58]), Srgb([18, 20, 25])];
-/// Outline and tint of the selection.
-pub const SELECTION: Srgb = Srgb([255, 153, 28]);
-/// Tint of what is under the cursor.
-pub const HOVER: Srgb = Srgb([120, 190, 255]);
-/// How much of a tinted pixel is tint: selection, hover.
-pub const TINTS: [f32; 2] = [0.28, 0.10];
+/// What is selected, and the ray that picks it.
+pub const SELECTION: Srgb = Srgb([255, 170, 10]);
+/// Where a ray hits: the pick's mark, its triangle, normals at hits, the way between two picks.
+pub const HIT: Srgb = Srgb::WHITE;
+/// The x, y and z axes, of the world or of a camera.
+pub const AXES: [Srgb; 3] = [
+    Srgb([240, 78, 104]),
+    Srgb([112, 192, 88]),
+    Srgb([92, 140, 240]),
+];
+/// A camera that is looked at: its frustum, and the box that this becomes in NDC.
+pub const CAMERA: Srgb = Srgb([110, 224, 224]);
+/// Normals of faces.
+pub const NORMALS: Srgb = Srgb([176, 144, 255]);
+/// Boxes about objects.
+pub const BOXES: Srgb = Srgb([236, 110, 226]);
+/// Boxes of a mesh's tree.
+pub const TREE: Srgb = Srgb([200, 158, 120]);
+/// Drawn and picked differ on an outline. This and the next five are apart for all kinds of sight (Okabe & Ito 2008).
+pub const EDGE: Srgb = Srgb([86, 180, 233]);
+/// Drawn and picked differ on two surfaces as deep.
+pub const DEPTH: Srgb = Srgb([240, 228, 66]);
+/// Drawn and picked differ by what `f32` moves.
+pub const F32_LIMIT: Srgb = Srgb([0, 158, 115]);
+/// Drawn and picked differ by more than drawing can hold.
+pub const BEYOND_F32: Srgb = Srgb([204, 121, 167]);
+/// Surfaces lie in one place.
+pub const IN_ONE_PLACE: Srgb = Srgb([0, 114, 178]);
+/// What is wrong: a difference that nothing explains, a method's wrong answer.
+pub const WRONG: Srgb = Srgb([213, 94, 0]);
+
+/// The colours that mean something, each one thing. What is under the cursor has none: it is lit.
+pub const MEANINGS: [Srgb; 15] = [
+    SELECTION,
+    HIT,
+    AXES[0],
+    AXES[1],
+    AXES[2],
+    CAMERA,
+    NORMALS,
+    BOXES,
+    TREE,
+    EDGE,
+    DEPTH,
+    F32_LIMIT,
+    BEYOND_F32,
+    IN_ONE_PLACE,
+    WRONG,
+];
+
+/// Lines of the floor's grid, and each tenth of them.
+pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];
+/// Pixels of a camera that is looked at.
+pub const CAMERA_PIXELS: Srgb = Srgb([74, 118, 118]);
+
+/// How much of a selected pixel is tint.
+pub const TINT: f32 = 0.16;
+/// Light that what is under the cursor sends beside its own: so many times that, and so much of white.
+pub const LIT: [f32; 2] = [0.15, 0.03];
 /// Half the width of the selection's outline, in pixels of the picture at scale factor 1.
 pub const OUTLINE_PX: u32 = 2;
 
 /// Towards the key light: a headlight above the viewer's left shoulder, so that form shows.
-pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.421_637, 0.527_046, -0.737_865);
+pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.408_248_3, 0.408_248_3, -0.816_496_6);
 /// Light from everywhere, from the key light, and from above.
-pub const LIGHT: [f32; 3] = [0.05, 0.82, 0.20];
+pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
 
-/// Light that a surface sends to the eye: Lambert under the key light and a soft fill from above. `normal_view` is
-/// the normal of the side that is seen, in view space, of any length. `albedo` and result are linear.
+/// Light that a surface sends to the eye: under a headlight that wraps around, so that nothing is black, and a soft fill
+/// from above. `normal_view` is the normal of the side that is seen, in view space, of any length. `albedo` and result
+/// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
 #[must_use]
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
     let [ambient, key, fill] = LIGHT;
-    let light = ambient + key * normal.dot(KEY_DIRECTION).max(0.0) + fill * (0.5 + 0.5 * normal.y);
+    let wrapped = 0.5 + 0.5 * normal.dot(KEY_DIRECTION);
+    let light = ambient + key * wrapped * wrapped + fill * (0.5 + 0.5 * normal.y);
     albedo.map(|channel| channel * light)
 }
 
@@ -38,9 +93,16 @@ pub fn background(down: f32) -> [f32; 3] {
     std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * down)
 }
 
-/// A linear colour with a tint over it.
+/// A linear colour with a share of the selection's: as bright as it was, so that form and shade stay.
 #[must_use]
-pub fn tinted(colour: [f32; 3], tint: Srgb, amount: f32) -> [f32; 3] {
-    let tint = tint.to_linear();
-    std::array::from_fn(|i| colour[i] + (tint[i] - colour[i]) * amount)
+pub fn tinted(colour: [f32; 3]) -> [f32; 3] {
+    let tint = SELECTION.to_linear();
+    let brightness = luminance(colour) / luminance(tint);
+    std::array::from_fn(|i| colour[i] + (tint[i] * brightness - colour[i]) * TINT)
+}
+
+/// Luminance of linear light, as Rec. 709 has it.
+#[must_use]
+pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
 }

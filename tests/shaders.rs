@@ -121,9 +121,8 @@ fn structs_have_one_layout_on_both_sides() {
             selection,
             hover,
             selection_colour,
-            selection_tint,
-            hover_colour,
-            hover_tint,
+            tint,
+            lit,
             outline_px
         }
     );

@@ -24,12 +24,11 @@ pub fn draw_selection(
         closest(&alone, view.ray(px), view.sides).is_some()
     });
     let covered = Image::new(view.viewport, covered);
-    let [amount, _] = look::TINTS;
     for (((x, y), id), colour) in ids.positions().zip(ids.pixels()).zip(colours.pixels_mut()) {
         if on_outline(&covered, x, y) {
             *colour = look::SELECTION.0;
         } else if id.object as usize == object + 1 {
-            let tinted = look::tinted(Srgb(*colour).to_linear(), look::SELECTION, amount);
+            let tinted = look::tinted(Srgb(*colour).to_linear());
             *colour = Srgb::from_linear(tinted).0;
         }
     }

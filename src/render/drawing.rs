@@ -12,7 +12,7 @@ use super::{
     targets::Targets,
 };
 use crate::camera::View;
-use std::collections::VecDeque;
+use std::{collections::VecDeque, ops::Range};
 use wgpu::BufferUsages;
 
 /// A scene, or what is selected of it, on its way into targets.
@@ -22,6 +22,9 @@ pub struct Drawing {
     /// Those that are left, of which the first may be under way.
     passes: VecDeque<Pass>,
     cursor: Cursor,
+    /// Of equally many rows each, drawn one after the other; and which of them is under way.
+    bands: u32,
+    band: u32,
     lines: Vec<Line>,
     selection: Option<(usize, Option<Draw>)>,
     done: u64,
@@ -36,17 +39,33 @@ impl Drawing {
             1 => &[Pass::ColourAndIds],
             _ => &[Pass::Colour, Pass::Ids],
         };
+        Self::of(passes, view, lines)
+    }
+
+    /// The colours alone, smooth, in place of those of targets that have the ids: of several samples a pixel, of which
+    /// nothing is seen before the last piece. A piece is of one of so many bands of rows, at least 1.
+    #[must_use]
+    pub fn of_smooth_colours(view: &View, lines: Vec<Line>, bands: u32) -> Self {
+        Self {
+            bands: bands.clamp(1, view.viewport.height()),
+            ..Self::of(&[Pass::Colour], view, lines)
+        }
+    }
+
+    fn of(passes: &[Pass], view: &View, lines: Vec<Line>) -> Self {
         Self {
             view: *view,
             passes: passes.iter().copied().collect(),
             cursor: Cursor::default(),
+            bands: 1,
+            band: 0,
             lines,
             selection: None,
             done: 0,
         }
     }
 
-    /// The outline of an object, as it would be seen with nothing else in the scene, and its tint, where it is seen.
+    /// The outline of an object, as it would be seen with nothing else in the scene.
     #[must_use]
     pub fn of_selection(scene: &SceneBuffers, view: &View, object: usize) -> Self {
         let place = scene.places.get(object).filter(|place| place.visible);
@@ -59,12 +78,8 @@ impl Drawing {
             }
         });
         Self {
-            view: *view,
-            passes: VecDeque::from([Pass::Mask]),
-            cursor: Cursor::default(),
-            lines: Vec::new(),
             selection: Some((object, alone)),
-            done: 0,
+            ..Self::of(&[Pass::Mask], view, Vec::new())
         }
     }
 
@@ -93,9 +108,21 @@ impl Drawing {
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = whole(self.draws(scene));
         Piece {
-            work: each.work.saturating_mul(self.passes.len() as u64),
+            work: each
+                .work
+                .saturating_mul(self.passes.len() as u64 * u64::from(self.bands)),
             ..each
         }
+    }
+
+    /// The rows that are under way.
+    fn rows(&self) -> Range<u32> {
+        let height = u64::from(self.view.viewport.height());
+        let top = |band: u32| {
+            let row = height * u64::from(band) / u64::from(self.bands);
+            u32::try_from(row).unwrap_or(u32::MAX)
+        };
+        top(self.band)..top(self.band + 1)
     }
 }
 
@@ -121,22 +148,24 @@ impl Renderer {
         };
         let view = drawing.view;
         let mut cursor = drawing.cursor;
-        let is_first = cursor == Cursor::default();
+        let begins = cursor == Cursor::default();
         let slices = cursor.take(drawing.draws(scene), piece);
-        let is_last = cursor.is_at_end(drawing.draws(scene));
+        let ends = cursor.is_at_end(drawing.draws(scene));
+        let is_first = begins && drawing.band == 0;
+        let is_last = ends && drawing.band + 1 == drawing.bands;
         let needed = Needed::of(drawing.draws(scene), &slices);
         scene.prepare(gpu, &view, &needed);
         self.write_frame(gpu, &view);
         let bindings = self.bind(gpu, scene);
         let draws = drawing.draws(scene);
         begin_at(gpu, scene, draws, &slices, |slice, _| slice.triangles.start);
-        let vertices = if is_last {
+        let vertices = if ends {
             lines::vertices(&view, &drawing.lines)
         } else {
             Vec::new()
         };
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
-        let ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let mut encoder = gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -152,10 +181,14 @@ impl Renderer {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, depth));
                 render_pass.draw(0..3, 0..1);
             }
+            // What is drawn past the rows, as drivers may, is drawn again: the same.
+            let rows = drawing.rows();
+            let (width, height) = (view.viewport.width(), rows.end - rows.start);
+            render_pass.set_scissor_rect(0, rows.start, width, height);
             for slice in &slices {
                 self.draw_slice(gpu, &mut render_pass, pass, &view, &bindings, draws, slice);
             }
-            if is_last && has_colours {
+            if ends && has_colours {
                 if let Some(wireframe) = self.wireframe.filter(|_| gpu.draws_wireframes()) {
                     self.draw_edges(
                         gpu,
@@ -167,10 +200,10 @@ impl Renderer {
                         wireframe,
                     );
                 }
-                if !ends.is_empty() {
+                if !line_ends.is_empty() {
                     render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, depth));
                     render_pass.set_vertex_buffer(0, line_buffer.slice(..));
-                    render_pass.draw(ends, 0..1);
+                    render_pass.draw(line_ends, 0..1);
                 }
             }
         }
@@ -178,9 +211,12 @@ impl Renderer {
         begin_at(gpu, scene, draws, &slices, |_, draw| draw.triangles().start);
         drawing.done += slices.iter().map(Slice::work).sum::<u64>();
         drawing.cursor = cursor;
+        if ends {
+            (drawing.cursor, drawing.band) = (Cursor::default(), drawing.band + 1);
+        }
         if is_last {
             drawing.passes.pop_front();
-            drawing.cursor = Cursor::default();
+            drawing.band = 0;
             if let Some((object, _)) = drawing.selection {
                 self.draw_outline(gpu, scene, targets, &view, object);
             }

@@ -176,10 +176,15 @@ impl Gpu {
         features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
-    /// Samples a pixel that colours are worth: 4 on hardware, 1 in software.
+    /// Samples a pixel that colours are worth while the picture moves: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES) on
+    /// hardware, 1 in software.
     #[must_use]
-    pub fn colour_samples(&self) -> u32 {
-        if self.is_software() { 1 } else { 4 }
+    pub fn samples_in_motion(&self) -> u32 {
+        if self.is_software() {
+            1
+        } else {
+            super::SMOOTH_SAMPLES
+        }
     }
 
     /// Whether a picture of this size can be drawn.

@@ -168,20 +168,18 @@ pub struct Sphere {
 pub struct Composite {
     /// Where the picture's top left pixel goes in the destination.
     pub origin_px: [i32; 2],
-    /// Id of the selected object; 0 for none.
+    /// Id of the selected object; `u32::MAX` for none.
     pub selection: u32,
-    /// Id of the object under the cursor; 0 for none.
+    /// Id of the object under the cursor; `u32::MAX` for none.
     pub hover: u32,
     /// Linear colour of the selection.
     pub selection_colour: [f32; 3],
     /// How much of a selected pixel is tint.
-    pub selection_tint: f32,
-    /// Linear colour of what is under the cursor.
-    pub hover_colour: [f32; 3],
-    /// How much of such a pixel is tint.
-    pub hover_tint: f32,
+    pub tint: f32,
+    /// Light that what is under the cursor sends beside its own: so many times that, and so much of white.
+    pub lit: [f32; 2],
     /// Half the outline's width in pixels.
     pub outline_px: f32,
     /// Nothing.
-    pub padding: [f32; 3],
+    pub padding: f32,
 }

@@ -52,6 +52,9 @@ use crate::{
     scene::Scene,
 };
 
+/// Samples a pixel of a picture at rest: its edges are smooth.
+pub const SMOOTH_SAMPLES: u32 = 4;
+
 /// The pipelines of one device, for one number of colour samples.
 #[derive(Debug)]
 pub struct Renderer {
@@ -65,7 +68,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// Shaders compiled, for targets with 1 or 4 colour samples a pixel; see [`Gpu::colour_samples`].
+    /// Shaders compiled, for targets with 1 or [`SMOOTH_SAMPLES`] colour samples a pixel.
     #[must_use]
     pub fn new(gpu: &Gpu, colour_samples: u32) -> Self {
         Self {
@@ -78,7 +81,7 @@ impl Renderer {
     }
 }
 
-/// One picture without a window: ids and colours, `selection` marked, at [`Gpu::colour_samples`].
+/// One picture without a window: ids and smooth colours, `selection` marked.
 ///
 /// # Errors
 /// When scene or picture are too large for the adapter, or it fails.
@@ -88,10 +91,9 @@ pub fn render(
     view: &View,
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
-    let samples = gpu.colour_samples();
-    let targets = Targets::new(gpu, view.viewport, samples)?;
+    let targets = Targets::new(gpu, view.viewport, SMOOTH_SAMPLES)?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, samples);
+    let mut renderer = Renderer::new(gpu, SMOOTH_SAMPLES);
     renderer.draw(gpu, &buffers, &targets, view, &[])?;
     if let Some(object) = selection {
         renderer.draw_selection(gpu, &buffers, &targets, view, object)?;

@@ -19,7 +19,7 @@ use std::collections::HashMap;
 pub struct Marks {
     /// Index of the selected object: tinted, and outlined as [`Renderer::draw_selection`] left it.
     pub selection: Option<usize>,
-    /// Index of the object under the cursor: tinted.
+    /// Index of the object under the cursor: lit.
     pub hover: Option<usize>,
 }
 
@@ -47,8 +47,8 @@ pub(super) struct PostPasses {
 }
 
 impl Renderer {
-    /// Draws the outline of an object, as it would be seen with nothing else in the scene, and its tint, where it is
-    /// seen. Needed when the selection changed, and after each [`Renderer::draw`].
+    /// Draws the outline of an object, as it would be seen with nothing else in the scene. Needed when the selection
+    /// changed, and after each [`Renderer::draw`].
     ///
     /// # Errors
     /// When memory runs out.
@@ -80,13 +80,7 @@ impl Renderer {
         let outline_px = self.outline_px();
         let uniform = layout::Composite {
             outline_px,
-            ..uniform(
-                &Marks {
-                    selection: Some(selection),
-                    hover: None,
-                },
-                [0, 0],
-            )
+            ..uniform(&Marks::default(), [0, 0])
         };
         let marks = self.post.bind(gpu, targets, &targets.mask_view, &uniform);
         let pipeline = self.post.pipeline(gpu, "outline", MARKS);
@@ -246,7 +240,6 @@ impl PostPasses {
         format: wgpu::TextureFormat,
     ) -> wgpu::RenderPipeline {
         let (layout, shader) = (&self.layout, &self.shader);
-        let over = matches!(entry, "hover" | "selection");
         let make = || {
             gpu.device
                 .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -267,7 +260,7 @@ impl PostPasses {
                         compilation_options: wgpu::PipelineCompilationOptions::default(),
                         targets: &[Some(wgpu::ColorTargetState {
                             format,
-                            blend: over.then_some(wgpu::BlendState::ALPHA_BLENDING),
+                            blend: None,
                             write_mask: wgpu::ColorWrites::ALL,
                         })],
                     }),
@@ -283,18 +276,18 @@ impl PostPasses {
 }
 
 fn uniform(marks: &Marks, [x, y]: [u32; 2]) -> layout::Composite {
-    let id = |object: Option<usize>| object.map_or(0, |i| u32::try_from(i + 1).unwrap_or(u32::MAX));
-    let [selection_tint, hover_tint] = look::TINTS;
+    let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
+    // The background's id is 0: that of nothing is another.
+    let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
     layout::Composite {
         origin_px: [x.cast_signed(), y.cast_signed()],
         selection: id(marks.selection),
         hover: id(marks.hover),
         selection_colour: look::SELECTION.to_linear(),
-        selection_tint,
-        hover_colour: look::HOVER.to_linear(),
-        hover_tint,
+        tint: look::TINT,
+        lit: look::LIT,
         outline_px: 0.0,
-        padding: [0.0; 3],
+        padding: 0.0,
     }
 }
 

@@ -30,7 +30,7 @@ pub struct Targets {
 }
 
 impl Targets {
-    /// Textures for a picture of this size, with 1 or 4 colour samples a pixel.
+    /// Textures for a picture of this size, with 1 or [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES) colour samples a pixel.
     ///
     /// # Errors
     /// When the adapter draws no pictures that large, or memory runs out.

@@ -5,19 +5,20 @@ use crate::{
     camera::Viewport,
     colour::Srgb,
     image::{Image, Rgb},
+    look,
 };
 
-/// What each class is painted in, and the colour's name: apart for all kinds of sight (Okabe & Ito 2008).
+/// What each class is painted in, and the colour's name.
 pub const COLOURS: [(Class, Srgb, &str); 5] = [
-    (Class::Edge, Srgb([86, 180, 233]), "blue"),
-    (Class::Depth, Srgb([240, 228, 66]), "yellow"),
-    (Class::F32Limit, Srgb([0, 158, 115]), "green"),
-    (Class::BeyondF32, Srgb([204, 121, 167]), "pink"),
-    (Class::Unexplained, Srgb([213, 94, 0]), "orange"),
+    (Class::Edge, look::EDGE, "blue"),
+    (Class::Depth, look::DEPTH, "yellow"),
+    (Class::F32Limit, look::F32_LIMIT, "green"),
+    (Class::BeyondF32, look::BEYOND_F32, "pink"),
+    (Class::Unexplained, look::WRONG, "vermilion"),
 ];
 
-/// What pixels are tinted in whose surfaces lie in one place, and the colour's name; apart from those of the classes.
-pub const IN_ONE_PLACE: (Srgb, &str) = (Srgb([0, 114, 178]), "dark blue");
+/// What pixels are tinted in whose surfaces lie in one place, and the colour's name.
+pub const IN_ONE_PLACE: (Srgb, &str) = (look::IN_ONE_PLACE, "dark blue");
 
 /// The picture in grey, with pixels `in_one_place` tinted and its [`marks`] over them.
 #[must_use]

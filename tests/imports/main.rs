@@ -19,7 +19,10 @@ const MAY_NAME: [(&str, &str); 13] = [
     ("scene", "colour geometry camera"),
     ("pick", "colour geometry look camera image scene"),
     ("render", "colour geometry look camera image scene"),
-    ("verify", "colour geometry camera image scene pick render"),
+    (
+        "verify",
+        "colour geometry look camera image scene pick render",
+    ),
     ("study", "geometry camera image scene pick render"),
     (
         "viewer",

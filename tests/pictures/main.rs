@@ -4,6 +4,7 @@
 mod common;
 #[path = "../common/images.rs"]
 mod images;
+mod looks;
 mod marks;
 mod pieces;
 #[path = "../common/scenes.rs"]

@@ -4,7 +4,7 @@ use super::*;
 use glam::DAffine3;
 use sightline::{
     geometry::Placement,
-    render::{Drawing, Piece},
+    render::{Drawing, Piece, SMOOTH_SAMPLES},
 };
 
 /// Ids, colours and the picture with its marks, in pieces, and how many those were.
@@ -71,7 +71,7 @@ fn pieces_make_the_whole_picture() {
         selection: Some(SELECTED),
         hover: None,
     };
-    for samples in [1, gpu.colour_samples()] {
+    for samples in [1, SMOOTH_SAMPLES] {
         let (ids, colours, picture) = draw(&gpu, &scene, &view, &[line()], &marks, samples);
         for (work, instances, least) in [(50, u32::MAX, 20), (1000, 1, 8), (u64::MAX, 2, 4)] {
             let piece = Piece { work, instances };

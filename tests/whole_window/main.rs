@@ -1,5 +1,6 @@
 //! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
 
+mod corner;
 mod device;
 mod events;
 mod files;
@@ -14,6 +15,7 @@ mod one_place;
 mod overlays;
 mod panels_kept;
 mod pictures;
+mod rest;
 mod stalls;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};

@@ -4,11 +4,12 @@
 use super::{
     checks::painted,
     program::{App, Host},
+    rest::REST_S,
 };
 use crate::{
     render::GpuError,
     viewer::{
-        model::{Action, Cursor, Overlay},
+        model::{Action, Overlay},
         screen::{Canvas, Laid, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
@@ -39,12 +40,19 @@ impl App {
         let pass = self.run_pass(input);
         let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
         let primitives = self.context.tessellate(pass.shapes, pixels_per_point);
+        let now_s = self.context.input(|input| input.time);
         let laid = Laid {
             place,
             primitives,
             pixels_per_point,
+            at_rest: self.rest.is_reached(self.state.to_show(), now_s),
         };
         let drawn = self.draw(&laid, screen);
+        self.rest.is_settled = !self.context.has_requested_repaint() && !self.is_busy();
+        if self.picture.rough {
+            let wait_s = if laid.at_rest { 0.0 } else { REST_S };
+            (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
+        }
         match &drawn {
             Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
             Ok(_) => {}
@@ -112,16 +120,19 @@ impl App {
             });
         }
         let idle = |command: &Command| {
-            matches!(command, Command::Act(Action::Hover(_) | Action::Resize(_)))
+            use Action::{Hover, Light, Resize};
+            matches!(command, Command::Act(Hover(_) | Light(_) | Resize(_)))
         };
-        let (acted, cursor) = (!commands.iter().all(idle), self.state.cursor());
+        let acted = !commands.iter().all(idle);
+        let (cursor, hover) = (self.state.cursor(), self.state.hover());
+        // A row lights its object only as long as the cursor rests on it.
+        self.state.apply(Action::Light(None));
         for command in commands {
             self.run_command(command);
         }
         // The panels showed the state before that: they show what came of it in the next pass.
         let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
-        let hovered = |cursor: Option<Cursor>| Some(cursor?.hit?.0);
-        if acted || follows_cursor || hovered(cursor) != self.state.hover() {
+        if acted || follows_cursor || hover != self.state.hover() {
             context.request_repaint();
         } else if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));

@@ -9,8 +9,10 @@ mod files;
 mod frame;
 mod intents;
 mod program;
+mod rest;
 mod wake;
 
 pub(super) use frame::Frame;
 pub(super) use program::{App, Host};
+pub(super) use rest::REST_S;
 pub(super) use wake::{Wake, Waker};

@@ -1,6 +1,9 @@
 //! The program behind the window: all that outlives frames, devices and windows, and what it says.
 
-use super::wake::{Wake, Waker};
+use super::{
+    rest::Rest,
+    wake::{Wake, Waker},
+};
 use crate::{
     camera::{CameraChoice, View, Viewport},
     render::{Gpu, MeshStore},
@@ -100,6 +103,8 @@ pub(in crate::viewer) struct App {
     pub(super) waiting: Option<(Action, View)>,
     /// How far the scene's picture has come.
     pub picture: Progress,
+    /// Since when it rests.
+    pub rest: Rest,
     /// The user is done.
     pub quit: bool,
 }
@@ -140,6 +145,7 @@ impl App {
             copied: None,
             waiting: None,
             picture: Progress::default(),
+            rest: Rest::default(),
             quit: false,
             context: ui::context(),
             textures: Textures::default(),

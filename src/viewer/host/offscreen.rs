@@ -10,7 +10,7 @@ use crate::{
     image::{Image, Rgb},
     render::{GpuError, read_rgb},
     viewer::{
-        app::{App, Frame, Host, Wake},
+        app::{App, Frame, Host, REST_S, Wake},
         jobs::Answer,
         model::State,
         options::Options,
@@ -149,7 +149,7 @@ impl Offscreen {
             .map(|Notice { text, .. }| text.as_str())
     }
 
-    /// Whether it stopped moving after what came last: nothing blinks, nothing is under way.
+    /// Whether it stopped moving after what came last: nothing blinks, nothing is under way but smooth edges.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && !self.app.picture.behind
@@ -199,11 +199,11 @@ impl Offscreen {
         let input = self.input(events, Vec::new());
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
-        self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
+        self.at_rest = self.app.rest.is_settled;
         drawn
     }
 
-    /// A picture of all of it.
+    /// A picture of all of it, at rest: its edges are smooth.
     ///
     /// # Errors
     /// When there is no graphics adapter, or it fails.
@@ -212,6 +212,14 @@ impl Offscreen {
         // What the first frame began, as a comparison with what it drew.
         self.settle();
         self.draw_whole()?;
+        self.drawn()
+    }
+
+    /// The frame that was drawn last, as it is on the screen.
+    ///
+    /// # Errors
+    /// When nothing was drawn yet, or the adapter fails.
+    pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
         let (canvas, texture) = self.page.drawing.as_ref().ok_or(GpuError::NoAdapter)?;
         read_rgb(&canvas.gpu, texture, self.page.size)
     }
@@ -219,6 +227,12 @@ impl Offscreen {
     fn draw_whole(&mut self) -> Result<(), GpuError> {
         self.draw()?;
         while self.app.picture.behind {
+            self.draw()?;
+        }
+        if self.app.picture.rough {
+            self.time_s += REST_S;
+        }
+        while self.app.picture.rough {
             self.draw()?;
         }
         Ok(())

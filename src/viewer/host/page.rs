@@ -41,6 +41,6 @@ impl Screen for Page {
         if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
             *texture = canvas.texture(self.size);
         }
-        canvas.draw(texture, state, laid)
+        canvas.draw(texture, state, laid, laid.at_rest)
     }
 }

@@ -36,6 +36,8 @@ pub(in crate::viewer) struct Laid {
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
+    /// Nobody moves the picture: it may get smooth edges.
+    pub at_rest: bool,
 }
 
 /// Where frames go: the surface of a window, or a picture in memory.
@@ -98,7 +100,8 @@ impl Canvas {
         self.panels.take_textures(&self.gpu, textures);
     }
 
-    /// Draws a frame onto all of a texture. Returns how far the scene's picture has come.
+    /// Draws a frame onto all of a texture, with smooth edges in time if the picture is `at_rest`. Returns how far the
+    /// scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
@@ -107,6 +110,7 @@ impl Canvas {
         texture: &wgpu::Texture,
         state: &State,
         laid: &Laid,
+        at_rest: bool,
     ) -> Result<Progress, GpuError> {
         let view_as = |format: TextureFormat| {
             texture.create_view(&wgpu::TextureViewDescriptor {
@@ -120,7 +124,9 @@ impl Canvas {
         let (mut scene, mut has_scene) = (Ok(Progress::default()), false);
         if let Some(place) = laid.place {
             self.scene.renderer.scale_factor = laid.pixels_per_point;
-            scene = self.scene.advance(&self.gpu, state, place.viewport);
+            scene = self
+                .scene
+                .advance(&self.gpu, state, place.viewport, at_rest);
         }
         if let (Some(place), Ok(_)) = (laid.place, &scene) {
             let destination = Destination {
@@ -153,13 +159,17 @@ impl Canvas {
         scene
     }
 
-    /// The frame that was drawn last, as a picture.
+    /// The frame that was drawn last, as a picture, with smooth edges.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let texture = self.texture(self.size);
-        while self.draw(&texture, state, laid)?.behind {
+        loop {
+            let progress = self.draw(&texture, state, laid, true)?;
+            if !progress.behind && !progress.rough {
+                break;
+            }
             self.gpu.wait()?;
         }
         let picture = read_rgb(&self.gpu, &texture, self.size)?;

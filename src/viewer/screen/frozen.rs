@@ -1,15 +1,8 @@
 //! A frozen camera as lines: what "casting a ray" looks like from outside.
 
-use super::surroundings::{AXES, FRUSTUM};
-use crate::{
-    colour::Srgb, geometry::Placement, look, pick, render::Line, scene::Scene,
-    viewer::model::Frozen,
-};
+use crate::{geometry::Placement, look, pick, render::Line, scene::Scene, viewer::model::Frozen};
 use glam::{DVec2, DVec3};
 
-const PIXELS: Srgb = Srgb([134, 124, 84]);
-const RAY: Srgb = look::SELECTION;
-const HIT: Srgb = Srgb([255, 255, 255]);
 /// Cells of the pixel grid across the picture's longer side, at the most: single pixels would be too many lines.
 const CELLS: u32 = 24;
 
@@ -22,7 +15,7 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let mut lines = frustum(frozen);
     lines.extend(pixel_grid(frozen));
     let axes = [camera.right(), camera.up(), camera.forward()];
-    lines.extend(axes.into_iter().zip(AXES).map(|(axis, colour)| Line {
+    lines.extend(axes.into_iter().zip(look::AXES).map(|(axis, colour)| Line {
         from: camera.eye(),
         to: camera.eye() + 0.25 * size * axis,
         colour,
@@ -31,7 +24,7 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     lines.push(Line {
         from: ray.origin,
         to: ray.at(ray.t_max),
-        colour: RAY,
+        colour: look::SELECTION,
     });
     for hit in pick::all(scene, ray, frozen.view.sides) {
         let point = ray.at(hit.hit.t);
@@ -40,12 +33,12 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
         lines.push(Line {
             from: point,
             to: point + 0.12 * size * normal,
-            colour: HIT,
+            colour: look::HIT,
         });
         lines.extend(DVec3::AXES.map(|axis| Line {
             from: point - 0.015 * size * axis,
             to: point + 0.015 * size * axis,
-            colour: HIT,
+            colour: look::HIT,
         }));
     }
     lines
@@ -58,14 +51,14 @@ fn frustum(frozen: &Frozen) -> Vec<Line> {
         .map(|(a, b)| Line {
             from: corners[a],
             to: corners[b],
-            colour: FRUSTUM,
+            colour: look::CAMERA,
         })
         .collect();
     // From where the rays start to the near plane, where there is room between the two.
     lines.extend(corners[..4].iter().map(|&corner| Line {
         from: frozen.view.camera.eye(),
         to: corner,
-        colour: PIXELS,
+        colour: look::CAMERA_PIXELS,
     }));
     lines
 }
@@ -88,7 +81,7 @@ fn pixel_grid(frozen: &Frozen) -> Vec<Line> {
     let line = |[from, to]: [DVec3; 2]| Line {
         from,
         to,
-        colour: PIXELS,
+        colour: look::CAMERA_PIXELS,
     };
     columns.chain(rows).map(line).collect()
 }

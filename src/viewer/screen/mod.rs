@@ -13,11 +13,12 @@ mod screenshot;
 mod surface;
 mod surroundings;
 mod textures;
+mod wanted;
 
 pub(super) use canvas::{Canvas, Laid, Screen};
 pub(super) use place::SceneRect;
 pub(super) use scene_picture::Progress;
 pub(super) use screenshot::write_screenshot;
 pub(super) use surface::Surface;
-pub(super) use surroundings::AXES;
+pub(super) use surroundings::grid_step;
 pub(super) use textures::Textures;

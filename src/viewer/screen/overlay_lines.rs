@@ -2,8 +2,8 @@
 
 use super::box_edges::edges;
 use crate::{
-    colour::Srgb,
     geometry::Cuboid,
+    look,
     render::Line,
     scene::{Object, Shape},
     viewer::model::{Overlay, State},
@@ -12,12 +12,6 @@ use glam::DVec3;
 
 /// More lines than these take longer than a frame may.
 const MOST: usize = 100_000;
-
-const NORMAL: Srgb = Srgb([110, 190, 255]);
-
-const TREE: Srgb = Srgb([130, 220, 140]);
-
-const BOX: Srgb = Srgb([240, 180, 80]);
 
 /// Normals, boxes and trees of the selection, or of all that is visible where nothing is selected: the first [`MOST`] lines.
 pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
@@ -38,7 +32,7 @@ pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
             lines.extend(normals(object).take(MOST));
         }
         if overlays.shows(Overlay::Boxes) {
-            lines.extend(edges(&scene.bounds_of(index), BOX));
+            lines.extend(edges(&scene.bounds_of(index), look::BOXES));
         }
         if lines.len() >= MOST {
             lines.truncate(MOST);
@@ -56,7 +50,7 @@ pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
                 && let Shape::Mesh { mesh, .. } = &object.shape
             {
                 for bounds in mesh.tree_boxes(level, left / 12) {
-                    lines.extend(edges(&bounds, TREE).map(|line| Line {
+                    lines.extend(edges(&bounds, look::TREE).map(|line| Line {
                         from: object.placement.point_to_world(line.from),
                         to: object.placement.point_to_world(line.to),
                         ..line
@@ -77,7 +71,7 @@ fn normals(object: &Object) -> Box<dyn Iterator<Item = Line> + '_> {
         Line {
             from,
             to,
-            colour: NORMAL,
+            colour: look::NORMALS,
         }
     };
     let size = object.bounds_world().radius();

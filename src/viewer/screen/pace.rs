@@ -1,6 +1,9 @@
 //! How much of a picture is drawn in a pass: what takes a tenth of a second at the most, by what pieces took before.
 
-use crate::render::{Gpu, Piece};
+use crate::{
+    camera::Viewport,
+    render::{Gpu, Piece},
+};
 use std::{
     sync::{Arc, Mutex},
     time::Instant,
@@ -15,6 +18,11 @@ const HARDWARE_WORK: u64 = 4_000_000;
 const LEAST_WORK: u64 = 10_000;
 /// Rows of tables that are composed in a few milliseconds.
 const INSTANCES: u32 = 16_384;
+
+/// Pixels of a band of smooth rows: drawn in software in some hundredths of a second.
+const SMOOTH_PIXELS: u64 = 1 << 17;
+/// The work of a smooth piece is so many times that of another.
+const SMOOTH_COSTS: u64 = 4;
 
 /// What pieces took, and what they may be.
 #[derive(Debug)]
@@ -56,6 +64,23 @@ impl Pace {
             work: self.work,
             instances: INSTANCES,
         }
+    }
+
+    /// How much there may be in a smooth piece.
+    pub fn most_smooth(&self) -> Piece {
+        Piece {
+            work: self.work / SMOOTH_COSTS,
+            instances: INSTANCES,
+        }
+    }
+
+    /// In how many bands a picture is made smooth, each of which draws the whole scene: in one where that takes many
+    /// pieces by itself.
+    pub fn bands(&self, viewport: Viewport, scene: Piece) -> u32 {
+        let pixels = u64::from(viewport.width()) * u64::from(viewport.height());
+        let by_work = self.most_smooth().work / scene.work.max(1);
+        let bands = pixels.div_ceil(SMOOTH_PIXELS).min(by_work).max(1);
+        u32::try_from(bands).unwrap_or(u32::MAX)
     }
 
     /// Whether the adapter has drawn all pieces: more would only wait, and what is shown after them too.
@@ -119,6 +144,25 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn large_pictures_are_smoothed_in_bands_and_large_scenes_in_pieces() {
+        let pace = Pace {
+            work: 100_000,
+            is_waited_for: true,
+            under_way: None,
+        };
+        let bands = |[width, height]: [u32; 2], work| {
+            let viewport = Viewport::new(width, height).expect("a viewport");
+            pace.bands(viewport, Piece { work, instances: 1 })
+        };
+        assert_eq!(bands([100, 100], 1000), 1);
+        assert_eq!(bands([740, 670], 1000), 4);
+        assert_eq!(bands([2048, 1024], 1000), 16);
+        assert_eq!(bands([2048, 1024], 5000), 5);
+        assert_eq!(bands([2048, 1024], 10_000_000), 1);
+        assert_eq!(bands([2048, 1024], 0), 16);
+    }
 
     #[test]
     fn pieces_shrink_to_what_fits_and_grow_again() {

@@ -1,17 +1,20 @@
 //! The picture of the scene: what is on screen of it, what is being drawn in pieces to come after that, and when.
 
-use super::{frozen, overlay_lines, pace::Pace, surroundings};
+use super::{
+    pace::Pace,
+    wanted::{Drawn, lines},
+};
 use crate::{
-    camera::{UpAxis, View, Viewport},
+    camera::Viewport,
     image::{Id, Image},
     render::{
-        Destination, Drawing, Gpu, GpuError, Line, Marks, MeshStore, Piece, Renderer, SceneBuffers,
-        Targets, Wireframe,
+        Destination, Drawing, Gpu, GpuError, Marks, MeshStore, Piece, Renderer, SMOOTH_SAMPLES,
+        SceneBuffers, Targets, Wireframe,
     },
     scene::{Scene, SceneKey},
     viewer::{
         jobs::Uploaded,
-        model::{Frozen, OnScreen, Overlay, Overlays, State},
+        model::{OnScreen, Overlay, State},
     },
 };
 use std::{
@@ -52,66 +55,20 @@ struct OnGpu {
 struct Picture {
     targets: Targets,
     of: Drawn,
+    /// Whether its edges are.
+    is_smooth: bool,
 }
 
 /// A picture that is not.
 struct UnderWay {
     drawing: Drawing,
     of: Drawn,
-    /// `None` where only the selection is drawn, onto the picture that is shown.
+    /// `None` where only the selection or smooth colours are drawn, onto the picture that is shown.
     targets: Option<Targets>,
     /// Little enough for one pass.
     at_once: bool,
-}
-
-/// All that colours and ids depend on, and then the selection, on which its outline depends.
-#[derive(Clone, Copy, PartialEq)]
-struct Drawn {
-    view: View,
-    revision: u64,
-    visibility: u64,
-    grid: Option<UpAxis>,
-    frozen: Option<Frozen>,
-    /// What is drawn with the scene, about which object, and whether the trees that it may show are there.
-    overlays: Option<(Overlays, Option<usize>, bool)>,
-    selection: Option<usize>,
-}
-
-impl Drawn {
-    /// The picture that a state is to have.
-    fn wanted(state: &State, viewport: Viewport) -> Self {
-        let selection = state.selection().map(|selection| selection.object);
-        let overlays = state.overlays();
-        Self {
-            overlays: (overlays.in_scene())
-                .then(|| (overlays, selection, state.scene().trees_are_built())),
-            view: View {
-                viewport,
-                ..*state.view()
-            },
-            revision: state.scene_revision(),
-            visibility: state.visibility_revision(),
-            grid: state.grid().then_some(state.shown_up_axis()),
-            frozen: state.frozen().copied(),
-            selection,
-        }
-    }
-
-    /// Without what is drawn over colours and ids.
-    fn unmarked(self) -> Self {
-        Self {
-            selection: None,
-            ..self
-        }
-    }
-
-    fn on_screen(&self) -> OnScreen {
-        OnScreen {
-            view: self.view,
-            scene_revision: self.revision,
-            visibility_revision: self.visibility,
-        }
-    }
+    /// It is the picture that is shown, with smooth edges.
+    smooths: bool,
 }
 
 /// How far the picture has come in a pass.
@@ -121,12 +78,14 @@ pub(in crate::viewer) struct Progress {
     pub anew: bool,
     /// Whether it is not yet the one that is wanted: another pass is needed.
     pub behind: bool,
+    /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
+    pub rough: bool,
 }
 
 impl ScenePicture {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            renderer: Renderer::new(gpu, gpu.colour_samples()),
+            renderer: Renderer::new(gpu, SMOOTH_SAMPLES),
             scene: None,
             ready: None,
             before: None,
@@ -163,12 +122,14 @@ impl ScenePicture {
     }
 
     /// Brings the picture nearer to what the state wants: all the way where that is little, else by a piece. What is begun
-    /// is finished first, unless the scene is another by now.
+    /// is finished first, unless the scene is another by now. A picture `at_rest` gets smooth edges, which nothing waits
+    /// for.
     pub fn advance(
         &mut self,
         gpu: &Gpu,
         state: &State,
         viewport: Viewport,
+        at_rest: bool,
     ) -> Result<Progress, GpuError> {
         let revision = state.scene_revision();
         if self
@@ -178,37 +139,46 @@ impl ScenePicture {
         {
             self.meshes.forget_dropped();
         }
-        self.next.take_if(|next| next.of.revision != revision);
+        let wanted = Drawn::wanted(state, viewport);
+        self.next.take_if(|next| {
+            let is_of_another = next.of.revision != revision;
+            is_of_another || (next.smooths && (next.of != wanted || !at_rest))
+        });
         if self.next.is_none() {
             self.upload(gpu, state)?;
-            self.begin(gpu, state, viewport)?;
+            self.begin(gpu, state, &wanted)?;
+        }
+        if self.next.is_none() && at_rest {
+            self.begin_to_smooth(state, &wanted);
         }
         let anew = self.proceed(gpu)?;
-        let shown = self.shown.as_ref().map(|shown| shown.of);
+        let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
+        let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.smooths);
         Ok(Progress {
             anew,
-            behind: self.next.is_some() || shown != Some(Drawn::wanted(state, viewport)),
+            behind: !is_whole,
+            rough: is_whole && shown.is_some_and(|shown| !shown.is_smooth),
         })
     }
 
     /// Begins what the picture on screen lacks, if anything.
-    fn begin(&mut self, gpu: &Gpu, state: &State, viewport: Viewport) -> Result<(), GpuError> {
+    fn begin(&mut self, gpu: &Gpu, state: &State, wanted: &Drawn) -> Result<(), GpuError> {
         let Some(scene) = &self.scene else {
             return Ok(());
         };
-        let wanted = Drawn::wanted(state, viewport);
         let most = self.pace.most();
         let shown = self.shown.as_mut();
         if let Some(shown) = shown.filter(|shown| shown.of.unmarked() == wanted.unmarked()) {
-            let other = wanted.selection.filter(|_| shown.of != wanted);
+            let other = wanted.selection.filter(|_| shown.of != *wanted);
             shown.of.selection = wanted.selection.and(shown.of.selection);
             self.next = other.map(|object| {
                 let drawing = Drawing::of_selection(&scene.buffers, &wanted.view, object);
                 UnderWay {
                     at_once: most.holds(&drawing.whole(&scene.buffers)),
                     drawing,
-                    of: wanted,
+                    of: *wanted,
                     targets: None,
+                    smooths: false,
                 }
             });
             return Ok(());
@@ -217,8 +187,9 @@ impl ScenePicture {
         self.renderer.wireframe = overlays
             .shows(Overlay::Wireframe)
             .then(|| wanted.selection.map_or(Wireframe::OfAll, Wireframe::Of));
-        let samples = gpu.colour_samples();
-        let drawing = Drawing::of_scene(samples, &wanted.view, lines(state, &wanted));
+        let samples = gpu.samples_in_motion();
+        let viewport = wanted.view.viewport;
+        let drawing = Drawing::of_scene(samples, &wanted.view, lines(state, wanted));
         let at_once = most.holds(&drawing.whole(&scene.buffers));
         let fits = |targets: &mut Targets| targets.viewport() == viewport;
         let mut old = self.spare.take();
@@ -228,15 +199,36 @@ impl ScenePicture {
         }
         let targets = match old.take_if(fits) {
             Some(targets) => targets,
-            None => Targets::new(gpu, viewport, samples)?,
+            None => Targets::new(gpu, viewport, SMOOTH_SAMPLES)?,
         };
         self.next = Some(UnderWay {
             drawing,
-            of: wanted,
+            of: *wanted,
             targets: Some(targets),
             at_once,
+            smooths: false,
         });
         Ok(())
+    }
+
+    /// Begins to draw the picture on screen with smooth edges, where it has none.
+    fn begin_to_smooth(&mut self, state: &State, wanted: &Drawn) {
+        let shown = (self.shown.as_ref()).filter(|shown| shown.of == *wanted && !shown.is_smooth);
+        let (Some(_), Some(scene)) = (shown, &self.scene) else {
+            return;
+        };
+        let lines = lines(state, wanted);
+        let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
+        let mut each = bare.whole(&scene.buffers);
+        each.work += lines.len() as u64;
+        let bands = self.pace.bands(wanted.view.viewport, each);
+        self.next = Some(UnderWay {
+            drawing: Drawing::of_smooth_colours(&wanted.view, lines, bands),
+            of: *wanted,
+            targets: None,
+            at_once: false,
+            smooths: true,
+        });
     }
 
     /// Draws on. Returns whether another picture of the scene is shown than before.
@@ -244,9 +236,16 @@ impl ScenePicture {
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
         let most = self.pace.most();
         let is_free = self.pace.is_free(gpu);
+        let mut smooths = false;
         while let (Some(next), Some(scene)) = (&mut self.next, &self.scene) {
             let piece = if next.at_once {
                 Piece::WHOLE
+            } else if next.smooths {
+                // One a pass: nobody waits for it, and it makes everybody wait.
+                if mem::replace(&mut smooths, true) || !is_free {
+                    break;
+                }
+                self.pace.most_smooth()
             } else if is_free && done < most.work && start.elapsed() < WORKED {
                 Piece {
                     work: most.work - done,
@@ -267,22 +266,24 @@ impl ScenePicture {
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
             done += self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
             if is_whole {
-                anew |= self.finish();
+                anew |= self.finish(gpu);
             }
         }
-        if done > 0 {
+        // What smooth pieces take says nothing of others.
+        if done > 0 && !smooths {
             self.pace.began(gpu, done);
         }
         Ok(anew)
     }
 
     /// What was under way is drawn: it is shown, or the selection comes next. Returns whether the scene is shown anew.
-    fn finish(&mut self) -> bool {
+    fn finish(&mut self, gpu: &Gpu) -> bool {
         let (Some(mut next), Some(scene)) = (self.next.take(), &self.scene) else {
             return false;
         };
         if let Some(object) = next.of.selection
             && !next.drawing.is_of_selection()
+            && !next.smooths
         {
             next.drawing = Drawing::of_selection(&scene.buffers, &next.of.view, object);
             self.next = Some(next);
@@ -291,6 +292,7 @@ impl ScenePicture {
         match (next.targets, &mut self.shown) {
             (Some(targets), shown) => {
                 let before = shown.replace(Picture {
+                    is_smooth: gpu.samples_in_motion() == SMOOTH_SAMPLES,
                     targets,
                     of: next.of,
                 });
@@ -299,6 +301,7 @@ impl ScenePicture {
             }
             (None, Some(shown)) => {
                 shown.of = next.of;
+                shown.is_smooth |= next.smooths;
                 false
             }
             (None, None) => false,
@@ -368,17 +371,4 @@ impl ScenePicture {
             .map(|ready| ready.buffers)
             .or(before.map(|before| before.buffers))
     }
-}
-
-/// The lines that are drawn with a scene.
-fn lines(state: &State, wanted: &Drawn) -> Vec<Line> {
-    let scene = state.scene();
-    let floor = |up_axis| surroundings::floor(&scene.visible_bounds(), up_axis);
-    let floor = wanted.grid.map(floor);
-    let frozen = wanted.frozen.map(|frozen| frozen::lines(&frozen, scene));
-    let stage = surroundings::of(state.stage());
-    let all = floor.into_iter().chain(frozen);
-    all.chain([stage, overlay_lines::lines(state)])
-        .flatten()
-        .collect()
 }

@@ -103,7 +103,9 @@ impl Screen for Surface {
         let Some(frame) = self.acquire()? else {
             return Ok(Progress::default());
         };
-        let progress = self.canvas.draw(&frame.texture, state, laid)?;
+        let progress = self
+            .canvas
+            .draw(&frame.texture, state, laid, laid.at_rest)?;
         self.window.pre_present_notify();
         self.canvas.gpu.queue.present(frame);
         Ok(progress)

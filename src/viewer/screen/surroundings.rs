@@ -1,25 +1,39 @@
 //! What stands around the scene: a floor grid with the world's axes on it.
 
 use super::box_edges::edges;
-use crate::{camera::UpAxis, colour::Srgb, geometry::Aabb, render::Line, viewer::model::Stage};
+use crate::{
+    camera::UpAxis,
+    colour::Srgb,
+    geometry::Aabb,
+    look,
+    render::Line,
+    viewer::model::{Stage, State},
+};
 use glam::DVec3;
 
 /// Lines to each side of the middle, at the most.
-const LINES: i32 = 40;
-const GRID: Srgb = Srgb([62, 68, 80]);
-const GRID_TENTH: Srgb = Srgb([84, 92, 107]);
-/// Colour of a frustum's edges.
-pub(in crate::viewer) const FRUSTUM: Srgb = Srgb([236, 214, 120]);
-/// Colours of the x, y and z axes.
-pub(in crate::viewer) const AXES: [Srgb; 3] = [
-    Srgb([224, 84, 84]),
-    Srgb([112, 192, 88]),
-    Srgb([92, 140, 240]),
-];
+const LINES: f64 = 40.0;
+/// The middle and the border of the grid are at multiples of so many steps: they stay where they are when something small
+/// is moved.
+const BLOCK: f64 = 10.0;
 
-/// A square grid under `bounds_world`, its step a power of ten that shows about ten lines over the scene, and the
-/// two axes that run in it where they come near. Empty bounds give a grid about the origin.
-pub(in crate::viewer) fn floor(bounds_world: &Aabb, up_axis: UpAxis) -> Vec<Line> {
+/// The step of the grid in world units: a power of ten that shows about ten lines over the scene, all of it, whatever is
+/// hidden; `None` while there is no grid.
+pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
+    (state.grid()).then(|| step(state.scene().bounds().radius()))?
+}
+
+fn step(radius: f64) -> Option<f64> {
+    let radius = if radius > 0.0 { radius } else { 1.0 };
+    let step = 10.0_f64.powf((radius / 5.0).log10().round());
+    step.is_normal().then_some(step)
+}
+
+/// A square grid through the origin, about all of `bounds_world`, and the two axes that run in it. It is seen from `eye`:
+/// it lies a little behind its plane, so that a floor of the scene in that plane does not fight with it. About what lies
+/// too far from the origin for that many lines it is near that instead, at multiples of its step. Seen edge on, when it
+/// would be a line across what it cuts, there is none.
+pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];
     let bounds = if bounds_world.is_empty() {
@@ -31,49 +45,55 @@ pub(in crate::viewer) fn floor(bounds_world: &Aabb, up_axis: UpAxis) -> Vec<Line
         *bounds_world
     };
     let radius = bounds.radius();
-    let step = 10.0_f64.powf((radius / 5.0).log10().round());
-    if !(step.is_normal() && radius > 0.0) {
+    let Some(step) = step(radius) else {
+        return Vec::new();
+    };
+    // In steps.
+    let reach = 1.6 * radius / step;
+    let in_blocks = |steps: f64| (steps / BLOCK).round() * BLOCK;
+    let centre = [right, up, front].map(|axis| bounds.center().dot(axis) / step);
+    let is_near = centre.iter().all(|along| along.abs() + reach <= LINES);
+    let middle = centre.map(|along| if is_near { 0.0 } else { in_blocks(along) });
+    let off = |axis: usize| (centre[axis] - middle[axis]).abs() + reach;
+    let half = ((off(0).max(off(2)) / BLOCK).ceil() * BLOCK).min(LINES);
+    let [middle_right, level, middle_front] = middle;
+    let height = level * step;
+    let above = eye.dot(up) - height;
+    if above.abs() < 0.01 * eye.distance(bounds.center()) {
         return Vec::new();
     }
-    // A little below, so that a floor in the scene does not fight with it.
-    let corners = bounds.corners().map(|corner| corner.dot(up));
-    let height = corners.into_iter().fold(f64::INFINITY, f64::min) - 2e-3 * radius;
+    let behind = 6e-3 * radius * above.signum();
     #[expect(clippy::cast_possible_truncation, reason = "at most LINES")]
-    let half = (1.6 * radius / step).ceil().min(f64::from(LINES)) as i32;
-    let along = |axis: DVec3| (bounds.center().dot(axis) / step).round();
-    let (middle_right, middle_front) = (along(right), along(front));
-    let reach = f64::from(half) * step;
-    let mut lines = Vec::new();
-    for i in -half..=half {
+    let lines = half as i32;
+    let mut all = Vec::new();
+    for i in -lines..=lines {
         for (across, run, middle, run_middle) in [
             (right, front, middle_right, middle_front),
             (front, right, middle_front, middle_right),
         ] {
             let index = middle + f64::from(i);
-            let colour = if index == 0.0 {
+            let colour = if index == 0.0 && level == 0.0 {
                 axis_colour(run)
-            } else if index % 10.0 == 0.0 {
-                GRID_TENTH
             } else {
-                GRID
+                look::GRID[usize::from(index % 10.0 == 0.0)]
             };
-            let middle = across * (index * step) + run * (run_middle * step) + up * height;
-            lines.push(Line {
-                from: middle - run * reach,
-                to: middle + run * reach,
+            let middle =
+                across * (index * step) + run * (run_middle * step) + up * (height - behind);
+            all.push(Line {
+                from: middle - run * (half * step),
+                to: middle + run * (half * step),
                 colour,
             });
         }
     }
-    lines
+    all
 }
 
 /// The colour of the world axis that a direction runs along, either way.
 fn axis_colour(direction: DVec3) -> Srgb {
-    let size = direction.abs();
-    AXES[if size.x > 0.5 {
+    look::AXES[if direction.x.abs() > 0.5 {
         0
-    } else if size.y > 0.5 {
+    } else if direction.y.abs() > 0.5 {
         1
     } else {
         2
@@ -86,6 +106,73 @@ pub(in crate::viewer) fn of(stage: Stage) -> Vec<Line> {
         min: DVec3::new(-1.0, -1.0, 0.0),
         max: DVec3::ONE,
     };
-    let edges = (stage == Stage::Ndc).then(|| edges(&frustum, FRUSTUM));
+    let edges = (stage == Stage::Ndc).then(|| edges(&frustum, look::CAMERA));
     edges.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn about(center: DVec3, half: f64) -> Aabb {
+        Aabb {
+            min: center - half,
+            max: center + half,
+        }
+    }
+
+    /// Lines of an axis's colour, and the least and the greatest coordinates of all.
+    fn grid(bounds: &Aabb, up_axis: UpAxis) -> (Vec<Line>, Aabb) {
+        let lines = floor(bounds, up_axis, DVec3::splat(1e9));
+        let ends = lines.iter().flat_map(|line| [line.from, line.to]);
+        let extent = ends.fold(Aabb::EMPTY, Aabb::including);
+        let is_axis = |line: &Line| look::AXES.contains(&line.colour);
+        (lines.into_iter().filter(is_axis).collect(), extent)
+    }
+
+    #[test]
+    fn the_grid_stands_at_the_origin_and_stays_there() {
+        for up_axis in [UpAxis::Y, UpAxis::Z] {
+            let at_first = about(DVec3::new(1.0, 2.0, -0.5), 2.0);
+            let (axes, extent) = grid(&at_first, up_axis);
+            assert_eq!(axes.len(), 2);
+            // Through the origin, but for what keeps it behind floors.
+            for line in axes {
+                let nearest = 0.5 * (line.from + line.to);
+                assert!(nearest.length() < 0.03, "{nearest}");
+            }
+            assert!(extent.center().length() < 0.03);
+            // A little more of a scene, or less: the grid is where it was.
+            for other in [
+                about(DVec3::new(0.7, 2.2, 0.0), 1.8),
+                about(DVec3::ONE, 2.2),
+            ] {
+                let (_, moved) = grid(&other, up_axis);
+                assert!((moved.max - extent.max).abs().max_element() < 0.03);
+            }
+        }
+    }
+
+    #[test]
+    fn far_from_the_origin_the_grid_is_about_the_scene_and_shows_no_axes() {
+        let (axes, extent) = grid(&about(DVec3::new(5e5, 200.0, -4e6), 300.0), UpAxis::Y);
+        assert!(axes.is_empty());
+        assert!((extent.center() - DVec3::new(5e5, 0.0, -4e6)).length() < 1500.0);
+        assert!(extent.center().x % 100.0 < 1e-6);
+    }
+
+    #[test]
+    fn nothing_is_seen_of_a_grid_edge_on() {
+        let bounds = about(DVec3::ZERO, 1.0);
+        let from = |eye| floor(&bounds, UpAxis::Y, eye).len();
+        assert_eq!(from(DVec3::new(0.0, 0.01, 9.0)), 0);
+        assert!(from(DVec3::new(0.0, 0.5, 9.0)) > 20);
+    }
+
+    #[test]
+    fn the_step_is_a_power_of_ten() {
+        for (radius, expected) in [(4.08, 1.0), (40.0, 10.0), (0.1, 0.01), (0.0, 0.1)] {
+            assert_eq!(step(radius), Some(expected), "{radius}");
+        }
+    }
 }

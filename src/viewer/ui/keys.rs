@@ -303,6 +303,10 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
         "double click",
         "set pivot and centre; on nothing: frame all",
     ),
+    (
+        "click on the cross of axes",
+        "look along one, from the end that is clicked",
+    ),
 ];
 
 const fn look(to_eye: DVec3) -> Command {

@@ -5,7 +5,7 @@ use crate::colour::Srgb;
 use egui::Color32;
 
 /// A colour as egui has it.
-pub(in crate::viewer) fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
+pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 

@@ -1,4 +1,4 @@
-//! What lies over the picture: the axes' directions, messages, progress.
+//! What lies over the picture: messages, progress.
 
 use super::{
     banner,
@@ -7,39 +7,9 @@ use super::{
 };
 use crate::viewer::{
     model::{Action, State},
-    screen::AXES,
-    ui::{command::Command, notice::Notices, theme::color32},
+    ui::{command::Command, notice::Notices},
 };
-use egui::{
-    Align2, Area, Color32, FontId, Frame, Id, ProgressBar, Rect, RichText, Stroke, Ui, pos2, vec2,
-};
-use glam::DVec3;
-
-/// The world's axes as the camera turns them, in the lower left corner.
-pub(super) fn axes(ui: &Ui, rect: Rect, state: &State) {
-    const LENGTH: f32 = 26.0;
-    let origin = pos2(rect.left() + 44.0, rect.bottom() - 44.0);
-    let rotation = state.view().camera.rotation();
-    let mut axes: Vec<_> = (DVec3::AXES.into_iter().zip(AXES).zip(["x", "y", "z"]))
-        .map(|((axis, colour), name)| ((rotation * axis).as_vec3(), color32(colour), name))
-        .collect();
-    // The farthest first.
-    axes.sort_by(|a, b| b.0.z.total_cmp(&a.0.z));
-    let painter = ui.painter().with_clip_rect(rect);
-    painter.circle_filled(origin, LENGTH + 16.0, Color32::from_black_alpha(90));
-    for (axis, colour, name) in axes {
-        let along = vec2(axis.x, -axis.y) * LENGTH;
-        painter.line_segment([origin, origin + along], Stroke::new(2.0, colour));
-        let end = origin + along + along.normalized() * 9.0;
-        painter.text(
-            end,
-            Align2::CENTER_CENTER,
-            name,
-            FontId::proportional(13.0),
-            colour,
-        );
-    }
-}
+use egui::{Align2, Area, Frame, Id, ProgressBar, Rect, RichText, Ui, vec2};
 
 /// Messages at the top, progress at the bottom, and a hint where there is nothing to see.
 pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mut Vec<Command>) {

@@ -5,6 +5,7 @@ use super::{
     plot,
 };
 use crate::{
+    look,
     scene::gallery::GALLERY,
     study::{
         chart::family,
@@ -15,14 +16,14 @@ use crate::{
     viewer::{
         jobs::Chart,
         model::{Action, Compared, Fault, Showing, State},
-        ui::command::Command,
+        ui::{command::Command, theme::color32},
     },
 };
 use egui::{Button, Color32, ComboBox, Context, Grid, RichText, Ui};
 use glam::DVec3;
 
-/// What is not the default, and what is wrong: the chart's own vermilion.
-pub(super) const WRONG: Color32 = Color32::from_rgb(0xd5, 0x5e, 0x00);
+/// What is not the default, and what is wrong: [`look::WRONG`].
+pub(super) const WRONG: Color32 = color32(look::WRONG);
 /// What is right.
 pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 

@@ -1,8 +1,8 @@
 //! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves.
 
 use super::{
-    banner, camera, corners, differences, exhibit, help, marks, objects, pick, pipeline, question,
-    shown::Shown, status, toolbar,
+    axis_cross, banner, camera, corners, differences, exhibit, help, marks, objects, pick,
+    pipeline, question, shown::Shown, status, toolbar,
 };
 use crate::viewer::{
     screen::SceneRect,
@@ -46,7 +46,7 @@ pub(in crate::viewer) fn show(
         commands.extend(actions.into_iter().map(Command::Act));
         differences::show(ui, rect, place, shown.checking, shown.marks);
         marks::show(ui, rect, place, shown.state);
-        corners::axes(ui, rect, shown.state);
+        axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
         Some(place)

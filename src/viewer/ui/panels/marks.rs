@@ -1,19 +1,22 @@
-//! Over the picture: the triangle that was hit, with its corners and barycentrics, and the way from the pick before.
+//! Over the picture: where the pick's ray hits, the triangle that was hit, with its corners and barycentrics, and the way
+//! from the pick before.
 
 use super::field::short;
 use crate::{
     camera::View,
+    look,
     pick::Pick,
     viewer::{
         model::{Overlay, Stage, State, triangle},
         screen::SceneRect,
+        ui::theme::color32,
     },
 };
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
-const TRIANGLE: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
-const DISTANCE: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
+/// Radius of the mark at a hit, in points.
+const MARK: f32 = 6.0;
 /// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
 const LEGIBLE: f32 = 36.0;
 
@@ -26,6 +29,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         painter: ui.painter().with_clip_rect(rect),
         place,
         view: state.view(),
+        colour: color32(look::HIT),
     };
     let pick = state
         .selection()
@@ -36,12 +40,16 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     if let ([from, to], true) = (state.landmarks(), state.overlays().shows(Overlay::Distance)) {
         page.distance(from.point_world, to.point_world);
     }
+    if let Some(pick) = pick {
+        page.hit(pick);
+    }
 }
 
 struct Page<'a> {
     painter: Painter,
     place: SceneRect,
     view: &'a View,
+    colour: Color32,
 }
 
 impl Page<'_> {
@@ -55,6 +63,26 @@ impl Page<'_> {
         Some(ends.map(|end| self.place.to_position(end)))
     }
 
+    /// A ring about the point that the ray hits, with a dot in it on a front and a cross on a back face.
+    fn hit(&self, pick: &Pick) {
+        let Some(at) = self.at(pick.point_world) else {
+            return;
+        };
+        let dark = Color32::from_black_alpha(200);
+        for (colour, more) in [(dark, 2.0), (self.colour, 0.0)] {
+            let stroke = Stroke::new(1.5 + more, colour);
+            self.painter.circle_stroke(at, MARK, stroke);
+            if pick.front {
+                self.painter.circle_filled(at, 1.5 + 0.5 * more, colour);
+            } else {
+                let (down, up) = (vec2(MARK, MARK) * 0.7, vec2(MARK, -MARK) * 0.7);
+                for to in [down, up] {
+                    self.painter.line_segment([at - to, at + to], stroke);
+                }
+            }
+        }
+    }
+
     fn triangle(&self, state: &State, pick: &Pick) {
         let (Some(corners), Some(weights)) = (triangle(state.scene(), pick), pick.barycentric)
         else {
@@ -66,19 +94,16 @@ impl Page<'_> {
             if let Some(ends) = self.segment(from, to) {
                 self.painter
                     .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
-                self.painter.line_segment(ends, Stroke::new(2.0, TRIANGLE));
+                self.painter
+                    .line_segment(ends, Stroke::new(2.0, self.colour));
             }
         }
         // How much of each corner makes the point.
         for corner in corners {
             if let Some(ends) = self.segment(corner, pick.point_world) {
-                let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, TRIANGLE), 4.0, 4.0);
+                let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, self.colour), 4.0, 4.0);
                 self.painter.extend(dashes);
             }
-        }
-        if let Some(at) = self.at(pick.point_world) {
-            self.painter
-                .circle(at, 4.0, Color32::WHITE, Stroke::new(1.5, Color32::BLACK));
         }
         let seen = corners.map(|corner| self.at(corner));
         let small = match seen {
@@ -95,12 +120,12 @@ impl Page<'_> {
             let Some(at) = at.filter(|_| !small) else {
                 continue;
             };
-            self.painter.circle_filled(at, 4.0, TRIANGLE);
+            self.painter.circle_filled(at, 4.0, self.colour);
             let outwards = middle.map_or(vec2(0.0, -1.0), |middle| (at - middle).normalized());
             self.text(
                 at + 26.0 * outwards,
                 &format!("{name} {weight:.3}"),
-                TRIANGLE,
+                self.colour,
             );
         }
     }
@@ -111,15 +136,15 @@ impl Page<'_> {
         };
         self.painter
             .line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(160)));
-        let dashes = Shape::dashed_line(&ends, Stroke::new(2.0, DISTANCE), 8.0, 4.0);
+        let dashes = Shape::dashed_line(&ends, Stroke::new(2.0, self.colour), 8.0, 4.0);
         self.painter.extend(dashes);
         for end in ends {
             self.painter
-                .circle(end, 4.0, DISTANCE, Stroke::new(1.5, Color32::BLACK));
+                .circle(end, 4.0, self.colour, Stroke::new(1.5, Color32::BLACK));
         }
         let middle = ends[0].lerp(ends[1], 0.5);
         let text = short(from.distance(to));
-        self.text(middle - vec2(0.0, 16.0), &text, DISTANCE);
+        self.text(middle - vec2(0.0, 16.0), &text, self.colour);
     }
 
     fn text(&self, at: Pos2, text: &str, colour: Color32) {

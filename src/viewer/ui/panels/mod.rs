@@ -1,5 +1,6 @@
 //! The window's panels, one a file.
 
+mod axis_cross;
 mod banner;
 mod camera;
 mod corners;

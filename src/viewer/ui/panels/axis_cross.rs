@@ -1,0 +1,128 @@
+//! The world's axes as the camera turns them, in a corner of the picture. A click on an end looks along its axis.
+
+use super::field::short;
+use crate::{
+    look,
+    viewer::{
+        model::{Action, State},
+        screen::grid_step,
+        ui::{command::Command, theme::color32},
+    },
+};
+use egui::{
+    Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Stroke,
+    Ui, WidgetInfo, pos2, vec2,
+};
+use glam::DVec3;
+
+/// From the middle to the end of an axis that runs across, in points.
+const LENGTH: f32 = 30.0;
+/// Radius of an end.
+const END: f32 = 9.0;
+/// Radius of all of it.
+const RADIUS: f32 = LENGTH + END + 3.0;
+
+/// One of the six ends.
+struct End {
+    /// The unit vector to it, in the world.
+    to: DVec3,
+    name: &'static str,
+    colour: Color32,
+    at: Pos2,
+    /// How far it lies behind the middle, in view space.
+    depth: f64,
+}
+
+impl End {
+    fn is_negative(&self) -> bool {
+        self.name.len() > 1
+    }
+}
+
+/// In the lower left corner of the picture, with the step of the grid beside it.
+pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Command>) {
+    let middle = pos2(rect.left(), rect.bottom()) + vec2(RADIUS + 6.0, -RADIUS - 6.0);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(90));
+    for end in ends(state, middle) {
+        let response = interact(ui, rect, &end);
+        draw(&painter, middle, &end, response.hovered());
+        if response.clicked() {
+            // From that end: the world's axes as the front view has them.
+            let frame = state.shown_up_axis().frame();
+            commands.push(Command::Act(Action::LookFrom(frame.transpose() * end.to)));
+        }
+    }
+    if let Some(step) = grid_step(state) {
+        let at = middle + vec2(RADIUS + 6.0, RADIUS - 16.0);
+        let text = RichText::new(format!("grid step {}", short(step)));
+        let text = Label::new(text.color(Color32::from_gray(170))).selectable(false);
+        ui.put(Rect::from_min_size(at, vec2(80.0, 16.0)), text)
+            .on_hover_text("from one line of the grid to the next, in world units (G hides it)");
+    }
+}
+
+/// The ends, the farthest first: the nearest lie over them.
+fn ends(state: &State, middle: Pos2) -> Vec<End> {
+    let rotation = state.view().camera.rotation();
+    let names = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
+    let axes = DVec3::AXES.into_iter().zip(names).zip(look::AXES);
+    let mut ends: Vec<End> = axes
+        .flat_map(|((axis, names), colour)| {
+            [axis, -axis].into_iter().zip(names).map(move |(to, name)| {
+                let view = rotation * to;
+                let along = view.as_vec3();
+                End {
+                    to,
+                    name,
+                    colour: color32(colour),
+                    at: middle + vec2(along.x, -along.y) * LENGTH,
+                    depth: view.z,
+                }
+            })
+        })
+        .collect();
+    ends.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+    ends
+}
+
+fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
+    let of_end = Rect::from_center_size(end.at, vec2(2.0, 2.0) * END);
+    let id = ui.scope_id().with(("axis", end.name));
+    let response = ui.interact(of_end.intersect(rect), id, Sense::CLICK);
+    let name = format!("look from {}", end.name);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let text = format!("look along the {} axis, from its end", end.name);
+    response.on_hover_text(text)
+}
+
+/// The end at which an axis points bears its name; lit, either does.
+fn draw(painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
+    let colour = if is_lit { Color32::WHITE } else { end.colour };
+    if end.is_negative() {
+        let radius = if is_lit { END } else { 0.6 * END };
+        painter.circle(
+            end.at,
+            radius,
+            Color32::from_black_alpha(140),
+            Stroke::new(1.5, colour),
+        );
+    } else {
+        painter.line_segment([middle, end.at], Stroke::new(2.0, colour));
+        painter.circle_filled(end.at, END, colour);
+    }
+    if is_lit || !end.is_negative() {
+        let on = if end.is_negative() {
+            colour
+        } else {
+            Color32::BLACK
+        };
+        painter.text(
+            end.at,
+            Align2::CENTER_CENTER,
+            end.name,
+            FontId::proportional(12.0),
+            on,
+        );
+    }
+}

@@ -1,0 +1,122 @@
+//! What stands over the picture: the mark of a hit, the axes' cross, the grid's step.
+
+use super::*;
+use glam::DVec3;
+use sightline::{
+    image::{Image, Rgb},
+    look,
+};
+
+/// The pixel of a picture so far from the middle of the scene's rectangle.
+fn beside(picture: &Image<Rgb>, [x, y]: [i32; 2]) -> Rgb {
+    let [column, row] =
+        [(580, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
+    picture.at(column, row)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "small and positive"
+)]
+fn whole(px: [f32; 2]) -> [u32; 2] {
+    px.map(|px| px.round() as u32)
+}
+
+fn is_mark(pixel: Rgb) -> bool {
+    pixel
+        .iter()
+        .zip(look::HIT.0)
+        .all(|(a, b)| a.abs_diff(b) < 40)
+}
+
+#[test]
+fn a_hit_has_a_mark_and_a_back_face_another() {
+    let (mut window, _folder) = row(1.0);
+    let at = pos2(580.5, 360.5);
+    let bare = window.picture().expect("a picture");
+    click(&mut window, at);
+    window.send([Event::PointerGone]);
+    let pick = |window: &Offscreen| window.state().selection()?.pick.as_ref()?.hit.clone();
+    assert!(pick(&window).is_some_and(|hit| hit.front));
+    let front = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::N);
+    assert!(pick(&window).is_some_and(|hit| !hit.front));
+    let back = window.picture().expect("a picture");
+    // The ring, right of the middle and above it; what is in it.
+    for ring in [[7, 0], [0, -7]] {
+        assert!(!is_mark(beside(&bare, ring)));
+        assert!(
+            is_mark(beside(&front, ring)) && is_mark(beside(&back, ring)),
+            "{ring:?}"
+        );
+    }
+    assert!(is_mark(beside(&front, [0, 0])) && is_mark(beside(&back, [0, 0])));
+    assert!(!is_mark(beside(&front, [3, 3])) && is_mark(beside(&back, [3, 3])));
+    // Nothing selected, nothing marked.
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!is_mark(beside(
+        &window.picture().expect("a picture"),
+        [6, 0]
+    )));
+}
+
+#[test]
+fn a_click_on_an_end_of_the_cross_looks_along_its_axis() {
+    let (mut window, folder) = row(1.0);
+    let ends = [
+        ("x", DVec3::X),
+        ("-x", DVec3::NEG_X),
+        ("y", DVec3::Y),
+        ("-y", DVec3::NEG_Y),
+        ("z", DVec3::Z),
+        ("-z", DVec3::NEG_Z),
+    ];
+    let z_up = ROW.replace("[camera]", "[camera]\nup_axis = \"z\"");
+    let path = folder.path().join("z_up.toml");
+    std::fs::write(&path, z_up).expect("writable");
+    for file in [None, Some(path)] {
+        if let Some(path) = file {
+            window.drop_file(path);
+        }
+        for (name, axis) in ends {
+            // From where every end is seen.
+            press_key(&mut window, Modifiers::NONE, Key::Num9);
+            let before = *window.state().view();
+            click_on(&mut window, &format!("look from {name}"));
+            let forward = window.state().view().camera.forward();
+            assert!((forward + axis).length() < 1e-12, "{name}: {forward}");
+            press_key(&mut window, CTRL, Key::Z);
+            assert_eq!(*window.state().view(), before, "{name} is undone");
+            assert_eq!(selected(&window), None, "the click was not the picture's");
+        }
+    }
+}
+
+#[test]
+fn an_end_of_the_cross_is_lit_under_the_cursor() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    let bare = window.picture().expect("a picture");
+    let end = control(&window, "look from y").rect;
+    window.send([Event::PointerMoved(end.center())]);
+    let lit = window.picture().expect("a picture");
+    let white = |picture: &Image<Rgb>| {
+        let [x, y] = whole([end.center().x - 5.0, end.center().y]);
+        is_mark(picture.at(x, y))
+    };
+    assert!(white(&lit) && !white(&bare));
+}
+
+#[test]
+fn the_grid_says_its_step() {
+    let mut window = open(Vec::new(), 1.0);
+    assert!(has_control(&window, "grid step 1"));
+    // The largest of it hidden does not change it.
+    click(&mut window, pos2(400.0, 540.0));
+    assert_eq!(selected(&window), Some("Ground"));
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    assert!(has_control(&window, "grid step 1"));
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    assert!(!has_control(&window, "grid step 1"));
+}

@@ -1,0 +1,96 @@
+//! At rest a picture has smooth edges, in software too, and nobody waits for them.
+
+use super::*;
+use sightline::{
+    image::{Image, Rgb},
+    look, render,
+};
+
+/// Shows a frame, and what is on the screen then.
+fn next(window: &mut Offscreen) -> Image<Rgb> {
+    window.draw().expect("a frame");
+    window.drawn().expect("a picture")
+}
+
+fn is_software(window: &Offscreen) -> bool {
+    window.adapter_name().contains("llvmpipe")
+}
+
+fn differing(a: &Image<Rgb>, b: &Image<Rgb>) -> usize {
+    let pairs = a.pixels().iter().zip(b.pixels());
+    pairs.filter(|(a, b)| a != b).count()
+}
+
+#[test]
+fn edges_get_smooth_at_rest_at_one_blow() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    let rough = next(&mut window);
+    assert!(window.is_at_rest());
+    // Something may move it again at once.
+    for _ in 0..5 {
+        assert_eq!(differing(&next(&mut window), &rough), 0);
+    }
+    window.wait_s(1.0);
+    let mut pictures = vec![rough];
+    for _ in 0..20 {
+        let now = next(&mut window);
+        if pictures.last() != Some(&now) {
+            pictures.push(now);
+        }
+    }
+    assert_eq!(pictures.len(), if is_software(&window) { 2 } else { 1 });
+    assert!(
+        pictures[0] == *pictures.last().expect("one")
+            || differing(&pictures[0], &pictures[1]) > 200
+    );
+    // It is the picture that `sightline render` makes.
+    let state = window.state();
+    let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
+    let (_, headless) = render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+    let size = state.view().viewport;
+    let at_rest = pictures.last().expect("one");
+    // The picture's middle is that of the window's room for it.
+    let [left, top] = [580 - size.width() / 2, 360 - size.height() / 2];
+    for (x, y) in (100..400).flat_map(|y| (100..400).map(move |x| (x, y))) {
+        assert_eq!(headless.at(x, y), at_rest.at(left + x, top + y), "{x}, {y}");
+    }
+}
+
+/// In a picture of many pixels, which takes some frames to get smooth.
+#[test]
+fn what_happens_meanwhile_is_shown_at_once() {
+    let (mut window, _folder) = row(2.0);
+    window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::Num9);
+    let rough = next(&mut window);
+    window.wait_s(1.0);
+    for _ in 0..2 {
+        assert!(!is_software(&window) || differing(&next(&mut window), &rough) == 0);
+    }
+    // A click is right, and seen in the frame after it.
+    click(&mut window, MIDDLE);
+    assert_eq!(selected(&window), Some("middle"));
+    let clicked = next(&mut window);
+    let outline = clicked
+        .pixels()
+        .iter()
+        .filter(|pixel| **pixel == look::SELECTION.0);
+    assert!(outline.count() > 500);
+    for _ in 0..2 {
+        next(&mut window);
+    }
+    // So is a turn, of which nothing is left of the picture before.
+    press_key(&mut window, Modifiers::NONE, Key::Num1);
+    let turned = next(&mut window);
+    assert!(differing(&turned, &clicked) > 1000);
+    let at_rest = window.picture().expect("a picture");
+    let (mut fresh, _folder) = row(2.0);
+    click(&mut fresh, MIDDLE);
+    press_key(&mut fresh, Modifiers::NONE, Key::Num9);
+    click(&mut fresh, MIDDLE);
+    press_key(&mut fresh, Modifiers::NONE, Key::Num1);
+    assert_eq!(differing(&at_rest, &fresh.picture().expect("a picture")), 0);
+}
