@@ -13,6 +13,7 @@ mod keys;
 mod one_place;
 mod overlays;
 mod pictures;
+mod red_fields;
 mod stalls;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
