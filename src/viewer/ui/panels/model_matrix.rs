@@ -133,9 +133,12 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     if trs.is_none() {
         ui.weak("It shears: rotation and scale alone do not make it.");
     }
-    let determinant = short(model.matrix3.determinant());
+    let determinant = model.matrix3.determinant();
+    let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
     ui.weak(format!(
-        "determinant {determinant}: volumes grow by so much"
+        "determinant {}: volumes times {}{mirrors}",
+        short(determinant),
+        short(determinant.abs())
     ));
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.");
