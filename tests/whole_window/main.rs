@@ -1,6 +1,7 @@
 //! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
 
 mod device;
+mod earlier_view;
 mod events;
 mod files;
 mod gallery;

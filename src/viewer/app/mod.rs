@@ -9,6 +9,8 @@ mod files;
 mod frame;
 mod intents;
 mod program;
+#[cfg(test)]
+mod tests;
 mod wake;
 
 pub(super) use frame::Frame;
