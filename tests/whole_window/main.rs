@@ -13,6 +13,7 @@ mod keeping;
 mod keys;
 mod one_place;
 mod overlays;
+mod panels_kept;
 mod pictures;
 mod red_fields;
 mod stalls;
