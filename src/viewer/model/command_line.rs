@@ -8,7 +8,8 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
 
-/// `sightline pick` in the view that a click was in: it answers what the click did. Of a surface behind the first it lists all.
+/// `sightline pick` in the view that a click was in: it answers what the click did. For a surface behind the first it
+/// lists them all.
 pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     let command = pick_at(state, &ray.view, ray.px);
     if ray.at == 0 {

@@ -10,8 +10,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked. It belongs to the view that the click was in, however
-/// the view on screen changes, and follows the scene: it is always what a pick at `px` of `view` finds there now.
+/// Every surface on the ray of a click, and which of them is picked. It belongs to the view that the click was in,
+/// however the view on screen changes, and follows the scene: it is what `px` of `view` finds there now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
     /// The view that the click was in.

@@ -6,8 +6,7 @@ use egui::{
     util::IdTypeMap, vec2,
 };
 
-/// What is typed but not, or not yet, in force. It is forgotten with the field that it stands in: when that shows something
-/// else, or does not show.
+/// What is typed but not, or not yet, in force. It is forgotten when its field shows something else, or does not show.
 #[derive(Clone, Default)]
 struct Typed {
     text: String,

@@ -98,7 +98,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             ui.label(name).on_hover_text(hint);
             for (axis, letter) in AXES.into_iter().enumerate() {
                 let value = part.value(&parts)[axis];
-                ui.horizontal(|ui| {
+                ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
                     let step = match part {
                         Part::Translation => 0.01 * size,
