@@ -101,6 +101,62 @@ fn a_click_again_goes_behind_and_a_fast_one_recentres() {
     assert_ne!(window.state().view().camera.eye(), before.camera.eye());
 }
 
+#[test]
+fn a_double_click_on_what_is_picked_keeps_it() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    window.wait_s(1.0);
+    let twice = [true, false, true, false].map(|down| button(MIDDLE, PointerButton::Primary, down));
+    window.send(twice);
+    let pick = window.state().selection().and_then(|it| it.pick.clone());
+    let hit = pick.and_then(|pick| pick.hit).expect("the cube");
+    assert_eq!((hit.object.as_str(), hit.front), ("front", true));
+}
+
+/// The lines about the picture are panels, and so is what egui gives to the nearest widget beside it.
+#[test]
+fn a_click_outside_the_picture_never_picks() {
+    for scale in [1.0, 1.5] {
+        let (mut window, _folder) = row(scale);
+        click(&mut window, MIDDLE);
+        let viewport = window.state().view().viewport;
+        let half = DVec2::new(viewport.width().into(), viewport.height().into()) / 2.0;
+        let step = 0.5 / scale;
+        let (mut inside, mut outside) = (0, 0);
+        // The left one last: it can be moved.
+        for along in [
+            vec2(1.0, 0.0),
+            vec2(0.0, -1.0),
+            vec2(0.0, 1.0),
+            vec2(-1.0, 0.0),
+        ] {
+            #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
+            let to_edge = (half.x as f32 * along.x.abs() + half.y as f32 * along.y.abs()) / scale;
+            for i in -8..=24_i8 {
+                press_key(&mut window, Modifiers::NONE, Key::Escape);
+                window.wait_s(1.0);
+                let at = MIDDLE + along * (to_edge + f32::from(i) * step);
+                click(&mut window, at);
+                match window.state().hits() {
+                    Some(hits) => {
+                        assert!(
+                            hits.view.viewport.contains(hits.px),
+                            "{at} at {scale}: {}",
+                            hits.px
+                        );
+                        inside += 1;
+                    }
+                    None => outside += 1,
+                }
+            }
+        }
+        assert!(
+            inside > 20 && outside > 20,
+            "{inside} inside, {outside} outside"
+        );
+    }
+}
+
 fn wheel(by: egui::Vec2, modifiers: Modifiers) -> Event {
     Event::MouseWheel {
         unit: MouseWheelUnit::Point,

@@ -1,7 +1,11 @@
 //! The failure gallery, by its keys: a wrong pick is seen, marked as not the default, and gone with the gallery.
 
 use super::*;
-use sightline::image::{Image, Rgb};
+use glam::DVec3;
+use sightline::{
+    image::{Image, Rgb},
+    scene::{self, Progress},
+};
 
 /// The banner's yellow.
 const BANNER: Rgb = [0xf0, 0xe4, 0x42];
@@ -84,4 +88,101 @@ fn the_picture_is_an_odd_number_of_pixels_wide() {
             assert_eq!(shown % 2, 1, "{shown} of {width} at {scale}");
         }
     }
+}
+
+/// What was edited and left for the gallery, which asks when the window is closed.
+fn edited_and_left() -> (Offscreen, TempDir) {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "1.5");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert!(window.state().showing().is_some());
+    (window, folder)
+}
+
+#[track_caller]
+fn assert_is_the_edited_row(path: &Path) {
+    let kept = scene::load(&[path.to_owned()], &Progress::default()).expect("a scene");
+    let objects = kept.scene.objects();
+    let names: Vec<_> = objects.iter().map(|object| object.name.as_str()).collect();
+    assert_eq!(names, ["front", "middle", "back"]);
+    let at = objects[0].placement.model().translation;
+    assert_eq!(at, DVec3::new(1.5, 0.0, 2.0));
+}
+
+#[test]
+fn what_is_saved_first_is_the_scene_whose_edits_would_go() {
+    let (mut window, folder) = edited_and_left();
+    let kept = folder.path().join("kept.toml");
+    press_key(&mut window, CTRL, Key::Q);
+    let asked = "This closes the window. What you have edited in row.toml is in no file yet.";
+    control(&window, asked);
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(kept.clone());
+    assert!(window.has_quit());
+    assert_is_the_edited_row(&kept);
+    // Or opens other files.
+    let (mut window, folder) = edited_and_left();
+    let kept = folder.path().join("kept.toml");
+    window.drop_file(folder.path().join("row.toml"));
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(kept.clone());
+    assert_eq!(window.state().name(), "row.toml");
+    assert!(window.state().showing().is_none());
+    assert_is_the_edited_row(&kept);
+}
+
+#[test]
+fn each_of_two_edited_scenes_is_asked_about() {
+    let (mut window, folder) = edited_and_left();
+    let [first, second] = ["first.toml", "second.toml"].map(|name| folder.path().join(name));
+    click(&mut window, pos2(675.0, 362.0));
+    assert!(selected(&window).is_some());
+    press_key(&mut window, Modifiers::SHIFT, Key::H);
+    let exhibit = window.state().name().to_owned();
+    let count = window.state().scene().objects().len();
+    window.close();
+    let asked = |of: &str| {
+        format!("This closes the window. What you have edited in {of} is in no file yet.")
+    };
+    control(&window, &asked(&format!("row.toml and {exhibit}")));
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(first.clone());
+    assert!(!window.has_quit());
+    assert_is_the_edited_row(&first);
+    control(&window, &asked(&exhibit));
+    click_on(&mut window, "Save first\u{2026}");
+    window.save_as(second.clone());
+    assert!(window.has_quit());
+    let kept = scene::load(&[second], &Progress::default()).expect("a scene");
+    assert_eq!(kept.scene.objects().len(), count);
+    assert_eq!(kept.scene.hidden_count(), 1);
+}
+
+#[test]
+fn esc_goes_back_step_by_step_and_out() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    press_key(&mut window, Modifiers::NONE, Key::M);
+    assert!(window.state().method().is_some());
+    let escape = |window: &mut Offscreen| press_key(window, Modifiers::NONE, Key::Escape);
+    escape(&mut window);
+    assert!(window.state().method().is_none() && window.state().showing().is_some());
+    control(&window, "Esc, with nothing selected, leaves the gallery.");
+    click(&mut window, pos2(675.0, 362.0));
+    assert!(selected(&window).is_some());
+    escape(&mut window);
+    assert_eq!(selected(&window), None);
+    assert!(window.state().showing().is_some());
+    escape(&mut window);
+    assert_eq!(window.state().name(), "row.toml");
+    escape(&mut window);
+    assert_eq!(window.state().name(), "row.toml");
+    // Where nothing was before, the way out is named.
+    let mut window = open(vec![PathBuf::from("gallery:needles")], 1.0);
+    escape(&mut window);
+    assert!(window.state().showing().is_some());
+    control(&window, "Gallery, leave the gallery: to the demo.");
 }

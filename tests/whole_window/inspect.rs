@@ -103,3 +103,77 @@ fn keys_step_through_the_ray() {
         assert_ne!(window.state().overlays().shows(overlay), shows, "{key:?}");
     }
 }
+
+/// Squares before a camera that looks straight along z, the nearest first.
+fn squares(z: &[&str]) -> (Offscreen, TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("squares.toml");
+    let square = |z: &&str| format!("[[object]]\nshape = \"square\"\nposition = [0, 0, {z}]\n");
+    let objects: String = z.iter().map(square).collect();
+    let text = format!("[camera]\neye = [0, 0, 10]\ntarget = [0, 0, 0]\n{objects}");
+    std::fs::write(&path, text).expect("a writable folder");
+    (open(vec![path], 1.0), folder)
+}
+
+#[test]
+fn a_gap_however_small_is_not_shown_as_none() {
+    for (behind, said) in [
+        ("-1e-17", "1.0e-17 deeper"),
+        ("-0.00000004", "4.0e-8 deeper"),
+        ("-0.25", "0.2500000 deeper"),
+        ("0", "in the same place"),
+    ] {
+        let (mut window, _folder) = squares(&["0", behind]);
+        click(&mut window, MIDDLE);
+        assert!(selected(&window).is_some(), "{behind}");
+        control(&window, said);
+    }
+}
+
+#[test]
+fn esc_takes_the_measured_distance_away() {
+    let (mut window, _folder) = row(1.0);
+    let key = |window: &mut Offscreen, key| press_key(window, Modifiers::NONE, key);
+    click(&mut window, MIDDLE);
+    key(&mut window, Key::N);
+    key(&mut window, Key::D);
+    assert_eq!(window.state().landmarks().len(), 2);
+    key(&mut window, Key::Escape);
+    assert_eq!(window.state().landmarks().len(), 0);
+    // What is picked next is measured from nothing.
+    click(&mut window, MIDDLE);
+    assert_eq!(window.state().landmarks().len(), 1);
+}
+
+#[test]
+fn the_panels_say_what_is_so() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    for (scale, said) in [
+        ("0.5", "determinant 0.5: volumes times 0.5"),
+        ("-2", "determinant -2: volumes times 2, mirrored"),
+    ] {
+        type_into(&mut window, "scale x", scale);
+        press_key(&mut window, Modifiers::NONE, Key::Enter);
+        control(&window, said);
+    }
+    // Other stages have no picks.
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    for stage in ["no matrix", "V M", "P V M"] {
+        click_on(&mut window, &format!("show with {stage}"));
+        click_on(&mut window, "middle");
+        control(
+            &window,
+            "At this stage a click only selects. Show the scene with M to pick points.",
+        );
+        control(
+            &window,
+            "Points are followed where the scene is shown with M",
+        );
+        click_on(&mut window, "middle");
+    }
+    click_on(&mut window, "show with M");
+    click_on(&mut window, "middle");
+    control(&window, "No point of it is picked: click its surface.");
+}

@@ -97,54 +97,6 @@ fn arrows_step_a_number() {
 }
 
 #[test]
-fn a_red_field_says_what_is_wrong_and_what_is_in_force() {
-    let (mut window, _folder) = row(1.0);
-    for (field, text, wrong, in_force) in [
-        ("fov", "abc", "not a number", "45 stays in force"),
-        ("fov", "200", "field of view", "45 stays in force"),
-        ("near", "-1", "near", "7.425 stays in force"),
-        ("eye x", "", "not a number", "0 stays in force"),
-    ] {
-        type_into(&mut window, field, text);
-        if text.is_empty() {
-            press_key(&mut window, NONE, Key::Backspace);
-        }
-        let said = control(&window, field).description.clone();
-        assert!(
-            said.contains(wrong) && said.contains(in_force),
-            "{field} {text}: {said}"
-        );
-        assert!(
-            has_control(&window, &said),
-            "it can be read while it is typed"
-        );
-        press_key(&mut window, NONE, Key::Enter);
-        assert_eq!(control(&window, field).value, text, "it stays to be mended");
-        assert_eq!(control(&window, field).description, said);
-        click_on(&mut window, field);
-        press_key(&mut window, NONE, Key::Escape);
-        let said = &control(&window, field).description;
-        assert!(!said.contains("stays in force"), "{said}");
-    }
-}
-
-/// What is typed for one object is not another's.
-#[test]
-fn a_red_field_is_of_its_own_object() {
-    let (mut window, _folder) = row(1.0);
-    click(&mut window, MIDDLE);
-    click_on(&mut window, "Model matrix");
-    type_into(&mut window, "position x", "abc");
-    press_key(&mut window, NONE, Key::Enter);
-    assert_eq!(control(&window, "position x").value, "abc");
-    click_on(&mut window, "back");
-    assert_eq!(selected(&window), Some("back"));
-    assert_eq!(control(&window, "position x").value, "0");
-    click_on(&mut window, "front");
-    assert_eq!(control(&window, "position x").value, "abc");
-}
-
-#[test]
 fn shortcuts_work_from_wherever_tab_leads() {
     let (mut window, _folder) = row(1.0);
     let mut seen = Vec::new();

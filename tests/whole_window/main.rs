@@ -2,6 +2,7 @@
 
 mod corner;
 mod device;
+mod earlier_view;
 mod events;
 mod files;
 mod gallery;
@@ -15,6 +16,7 @@ mod one_place;
 mod overlays;
 mod panels_kept;
 mod pictures;
+mod red_fields;
 mod rest;
 mod stalls;
 

@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod earlier_view;
 mod editing;
 mod gallery;
 mod inspect;

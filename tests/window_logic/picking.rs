@@ -17,6 +17,13 @@ fn a_click_selects_and_a_click_beside_selects_nothing() {
     assert_eq!((line.hit, selected(&state)), (None, None));
 }
 
+fn side(state: &State) -> (String, bool) {
+    let selection = state.selection().expect("something");
+    let pick = selection.pick.as_ref().expect("a pick");
+    let hit = pick.hit.clone().expect("a hit");
+    (hit.object, hit.front)
+}
+
 #[test]
 fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
     let mut state = front_view();
@@ -24,12 +31,7 @@ fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
     let mut seen = Vec::new();
     for _ in 0..6 {
         state.apply(Action::Click(MIDDLE, time));
-        state.apply(Action::Click(MIDDLE + 0.25, time + 0.5 * DOUBLE_CLICK_S));
-        let hit = state
-            .selection()
-            .and_then(|s| s.pick.as_ref()?.hit.clone())
-            .expect("a hit");
-        seen.push((hit.object, hit.front));
+        seen.push(side(&state));
         time += 10.0;
     }
     // In and out of the cube, in and out of the sphere, the square, and round again.
@@ -42,6 +44,13 @@ fn the_same_pixel_again_goes_behind_but_a_double_click_does_not() {
         ("front", true),
     ];
     assert_eq!(seen, expected.map(|(name, front)| (name.to_owned(), front)));
+    for led_to in [("front", false), ("front", false)] {
+        state.apply(Action::Click(MIDDLE, time));
+        assert_eq!(side(&state), (led_to.0.to_owned(), led_to.1));
+        state.apply(Action::Click(MIDDLE + 0.25, time + 0.5 * DOUBLE_CLICK_S));
+        assert_eq!(side(&state), ("front".to_owned(), true), "the front again");
+        time += 10.0;
+    }
     state.apply(Action::Click(MIDDLE + DVec2::X, time));
     assert_eq!(selected(&state), Some("front"), "another pixel starts anew");
 }

@@ -118,3 +118,18 @@ fn an_empty_scene_answers_everything() {
         );
     }
 }
+
+#[test]
+fn a_scene_is_saved_to_its_own_file_unless_another_is_named() {
+    let mut state = front_view();
+    for (paths, file) in [
+        (vec![], "scene.toml"),
+        (vec!["somewhere/row.toml"], "somewhere/row.toml"),
+        (vec!["model.obj"], "scene.toml"),
+        (vec!["row.toml", "model.obj"], "scene.toml"),
+    ] {
+        let paths = paths.into_iter().map(Into::into).collect();
+        state.open(row(), paths).expect("a scene");
+        assert_eq!(state.file_to_save(), std::path::Path::new(file));
+    }
+}

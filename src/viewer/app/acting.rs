@@ -42,8 +42,9 @@ impl App {
             self.reveal_selection = true;
         }
         if let Some(line) = picked {
-            let command = pick_command(&self.state, line.px);
-            log::info!("{command}");
+            if let Some(ray) = self.state.hits() {
+                log::info!("{}", pick_command(&self.state, ray));
+            }
             if self.options.print_picks {
                 print(&line);
             }

@@ -9,7 +9,7 @@ use crate::{
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
-        model::{Action, pick_command},
+        model::{Action, RayHits, view_command},
         ui::{Command, Intent, Reply},
     },
 };
@@ -36,7 +36,7 @@ impl App {
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
             Command::CopyCommandLine => {
-                self.copied = Some(self.view_command());
+                self.copied = Some(view_command(&self.state));
                 if self.state.edited() {
                     self.complain(
                         "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
@@ -57,19 +57,19 @@ impl App {
                 self.screenshots.wanted = true;
                 self.context.request_repaint();
             }
-            Command::CopyPick => {
-                let line = self
-                    .state
-                    .selection()
-                    .and_then(|selection| selection.pick.as_ref());
-                self.copied = line.and_then(|line| serde_json::to_string(line).ok());
-            }
+            Command::CopyPick => match self.state.pick_ray().map(RayHits::line) {
+                Some(line) => self.copied = serde_json::to_string(&line).ok(),
+                None => self.complain("there is no pick to copy: click a surface first".into()),
+            },
             Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
             Command::Escape if self.stop_arriving() => {}
             Command::Escape if self.floating.help => self.floating.help = false,
             Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
             Command::Escape if matches!(self.checking, Checking::On(..)) => {
                 self.checking = Checking::Off;
+            }
+            Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
+                self.act(Action::LeaveGallery);
             }
             Command::Escape => self.act(Action::Select(None)),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
@@ -88,8 +88,11 @@ impl App {
         match answer {
             Answer::Open(paths) => self.intend(Intent::Open(paths)),
             Answer::Save(path) => self.save(path),
-            Answer::NoDialog => self.complain(
+            Answer::NoneToOpen => self.complain(
                 "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
+            ),
+            Answer::NoneToSave => self.complain(
+                "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
             ),
         }
     }
@@ -104,15 +107,5 @@ impl App {
             .map_err(|error| format!("the camera on the clipboard: {error}"))?;
         self.act(camera);
         Ok(())
-    }
-
-    /// The view as a command, at the pick or else in the middle.
-    fn view_command(&self) -> String {
-        let selection = self.state.selection();
-        let pick = selection.and_then(|selection| selection.pick.as_ref());
-        let viewport = self.state.world().1.viewport;
-        let middle = viewport.size_px() / 2.0;
-        let at_px = pick.map_or(middle, |pick| pick.px);
-        pick_command(&self.state, at_px)
     }
 }

@@ -111,12 +111,17 @@ impl App {
             .collect()
     }
 
-    /// Asks where to save the scene as it is now, and does what is intended once it is saved.
+    /// Asks where to save the scene as it is now, and does what is intended once it is saved: then it is the first of the
+    /// scenes whose edits that would drop, which may be one that was left for the gallery.
     pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
-        self.to_save = Some((self.state.snapshot(), then));
+        let drops = then.as_ref().map(|intent| intent.drops(&self.state));
+        let scene = drops.and_then(|scenes| scenes.first().copied());
+        let scene = scene.unwrap_or(&self.state);
+        let (snapshot, file) = (scene.snapshot(), scene.file_to_save());
+        self.to_save = Some((snapshot, then));
         if self.host == Host::Window {
             let wake = self.wake.clone();
-            jobs::save_dialog(move |answer| wake(Wake::Answered(answer)));
+            jobs::save_dialog(&file, move |answer| wake(Wake::Answered(answer)));
         }
     }
 

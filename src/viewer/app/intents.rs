@@ -1,26 +1,16 @@
 //! What would drop edits is asked about first.
 
 use super::program::{App, Purpose};
-use crate::{
-    scene::gallery::Exhibit,
-    viewer::ui::{Intent, Reply},
-};
-use std::path::Path;
+use crate::viewer::ui::{Intent, Reply};
 
 impl App {
     /// Does it, or asks first where it would drop edits.
     pub(super) fn intend(&mut self, intent: Intent) {
-        let drops = match &intent {
-            // The gallery leaves the way back open.
-            Intent::Open(paths) => !is_exhibit(paths) && self.state.unsaved(),
-            Intent::Reload => self.state.edited(),
-            Intent::Quit => self.state.unsaved(),
-        };
-        if drops {
+        if intent.drops(&self.state).is_empty() {
+            self.carry_out(intent);
+        } else {
             self.question = Some(intent);
             self.context.request_repaint();
-        } else {
-            self.carry_out(intent);
         }
     }
 
@@ -43,13 +33,5 @@ impl App {
             Intent::Reload => self.reload(),
             Intent::Quit => self.quit = true,
         }
-    }
-}
-
-/// Whether files are a single scene of the gallery.
-fn is_exhibit(paths: &[impl AsRef<Path>]) -> bool {
-    match paths {
-        [only] => matches!(Exhibit::at(only.as_ref()), Ok(Some(_))),
-        _ => false,
     }
 }

@@ -10,6 +10,8 @@ mod frame;
 mod intents;
 mod program;
 mod rest;
+#[cfg(test)]
+mod tests;
 mod wake;
 
 pub(super) use frame::Frame;

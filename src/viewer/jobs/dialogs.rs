@@ -1,6 +1,10 @@
 //! Asking for files.
 
-use std::{path::PathBuf, thread, time::Instant};
+use std::{
+    path::{Path, PathBuf},
+    thread,
+    time::Instant,
+};
 
 /// An answer faster than this, in seconds, is no person's: there is no dialog on this desktop.
 const FASTEST_ANSWER_S: f64 = 0.3;
@@ -11,8 +15,10 @@ pub(in crate::viewer) enum Answer {
     Open(Vec<PathBuf>),
     /// Save to this one.
     Save(PathBuf),
-    /// Nobody could be asked.
-    NoDialog,
+    /// Nobody could be asked which to open.
+    NoneToOpen,
+    /// Nobody could be asked where to save.
+    NoneToSave,
 }
 
 /// Asks for files to open; calls `answered` unless the user thinks better of it.
@@ -22,19 +28,30 @@ pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'sta
         .add_filter("Scenes", &["obj", "OBJ", "toml"])
         .add_filter("All files", &["*"])
         .pick_files();
-    answer(dialog, answered, |files| {
+    answer(dialog, answered, Answer::NoneToOpen, |files| {
         Answer::Open(files.iter().map(|file| file.path().to_path_buf()).collect())
     });
 }
 
-/// Asks for a file to save the scene to; calls `answered` unless the user thinks better of it.
-pub(in crate::viewer) fn save_dialog(answered: impl FnOnce(Answer) + Send + 'static) {
-    let dialog = rfd::AsyncFileDialog::new()
+/// Asks for a file to save the scene to, and suggests one; calls `answered` unless the user thinks better of it.
+pub(in crate::viewer) fn save_dialog(
+    suggested: &Path,
+    answered: impl FnOnce(Answer) + Send + 'static,
+) {
+    let name = suggested.file_name().unwrap_or_default();
+    let mut dialog = rfd::AsyncFileDialog::new()
         .set_title("Save scene")
         .add_filter("Scenes", &["toml"])
-        .set_file_name("scene.toml")
-        .save_file();
-    answer(dialog, answered, |file| {
+        .set_file_name(name.to_string_lossy());
+    // Portals want a whole path.
+    if let Some(folder) = std::path::absolute(suggested)
+        .ok()
+        .as_deref()
+        .and_then(Path::parent)
+    {
+        dialog = dialog.set_directory(folder);
+    }
+    answer(dialog.save_file(), answered, Answer::NoneToSave, |file| {
         Answer::Save(file.path().to_path_buf())
     });
 }
@@ -43,12 +60,13 @@ pub(in crate::viewer) fn save_dialog(answered: impl FnOnce(Answer) + Send + 'sta
 fn answer<T: Send + 'static>(
     dialog: impl Future<Output = Option<T>> + Send + 'static,
     answered: impl FnOnce(Answer) + Send + 'static,
+    none: Answer,
     meaning: fn(T) -> Answer,
 ) {
     let asked = Instant::now();
     thread::spawn(move || match pollster::block_on(dialog) {
         Some(chosen) => answered(meaning(chosen)),
-        None if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => answered(Answer::NoDialog),
+        None if asked.elapsed().as_secs_f64() < FASTEST_ANSWER_S => answered(none),
         None => {}
     });
 }

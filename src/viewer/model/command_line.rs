@@ -1,26 +1,44 @@
 //! The view and the pick as a command line that gives both again, to the bit.
 
-use super::state::State;
+use super::{hits::RayHits, state::State};
 use crate::{
-    camera::{DepthMapping, Projection, UpAxis},
+    camera::{DepthMapping, Projection, UpAxis, View},
     geometry::Sides,
 };
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
 
-/// `sightline pick` with all that the window shows now, at a pixel position.
-pub(in crate::viewer) fn pick_command(state: &State, at_px: DVec2) -> String {
-    format!("{} --at {},{}", line(state, "pick"), at_px.x, at_px.y)
+/// `sightline pick` in the view that a click was in: it answers what the click did. For a surface behind the first it
+/// lists them all.
+pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
+    let command = pick_at(state, &ray.view, ray.px);
+    if ray.at == 0 {
+        command
+    } else {
+        format!("{command} --all-hits")
+    }
+}
+
+/// `sightline pick` that repeats the pick, or without one picks in the middle of the world as the window shows it.
+pub(in crate::viewer) fn view_command(state: &State) -> String {
+    let view = state.world().1;
+    state.pick_ray().map_or_else(
+        || pick_at(state, view, view.viewport.size_px() / 2.0),
+        |ray| pick_command(state, ray),
+    )
 }
 
 /// `sightline verify` with all that the window shows now.
 pub(in crate::viewer) fn verify_command(state: &State) -> String {
-    line(state, "verify")
+    line(state, state.world().1, "verify")
 }
 
-/// A command about what the window shows now.
-fn line(state: &State, command: &str) -> String {
-    let (scene, view) = state.world();
+fn pick_at(state: &State, view: &View, at_px: DVec2) -> String {
+    format!("{} --at {},{}", line(state, view, "pick"), at_px.x, at_px.y)
+}
+
+/// A command about the scene in a view.
+fn line(state: &State, view: &View, command: &str) -> String {
     let camera = &view.camera;
     let lens = camera.lens();
     let mut line = format!("sightline {command}");
@@ -42,9 +60,9 @@ fn line(state: &State, command: &str) -> String {
         fov_y: set_deg.to_radians(),
     };
     match lens.projection {
-        // The panel's own number, unless it is about the stage on screen by now.
+        // The panel's own number, unless it is about another view.
         projection if projection == set => flag("fov", set_deg.to_string()),
-        Projection::Perspective { fov_y } => flag("fov", fov_y.to_degrees().to_string()),
+        Projection::Perspective { fov_y } => flag("fov", degrees(fov_y).to_string()),
         Projection::Orthographic { height } => flag("ortho", height.to_string()),
     }
     flag("near", lens.near.to_string());
@@ -55,7 +73,7 @@ fn line(state: &State, command: &str) -> String {
     if lens.depth == DepthMapping::Standard {
         flag("depth", lens.depth.to_string());
     }
-    let hidden = scene
+    let hidden = (state.world().0)
         .objects()
         .iter()
         .enumerate()
@@ -68,6 +86,14 @@ fn line(state: &State, command: &str) -> String {
         line.push_str(" --cull");
     }
     line
+}
+
+/// Degrees that make these very radians, which degrees once made: rounding there and back may end beside them.
+fn degrees(radians: f64) -> f64 {
+    let near = radians.to_degrees();
+    let beside = [near, near.next_up(), near.next_down()];
+    let same = |degrees: &f64| degrees.to_radians().to_bits() == radians.to_bits();
+    beside.into_iter().find(same).unwrap_or(near)
 }
 
 fn triple(v: DVec3) -> String {

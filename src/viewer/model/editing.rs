@@ -122,7 +122,8 @@ impl State {
         if let Some(showing) = &mut self.showing {
             showing.compared = None;
         }
-        self.repick();
+        let before = self.view;
         self.fit();
+        self.repick(&before);
     }
 }

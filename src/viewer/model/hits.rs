@@ -2,14 +2,16 @@
 //! how fine the depth buffer is there.
 
 use crate::{
-    camera::{DepthMapping, Lens, View},
+    camera::{DepthMapping, Lens, Projection, View},
+    geometry::Sides,
     pick::{self, InOnePlace, Pick, PickLine},
     scene::{Scene, Shape},
     verify,
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked.
+/// Every surface on the ray of a click, and which of them is picked. It belongs to the view that the click was in,
+/// however the view on screen changes, and follows the scene: it is what `px` of `view` finds there now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
     /// The view that the click was in.
@@ -22,6 +24,17 @@ pub struct RayHits {
     pub in_one_place: Option<InOnePlace>,
     /// Which one is picked; of no meaning when there are none.
     pub at: usize,
+}
+
+/// How the view on screen shows a pick, which belongs to the view that it was made in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PickView {
+    /// It was made in this view.
+    Own,
+    /// It was made in an earlier one; this one may show something else at its pixel, or before its point.
+    Earlier,
+    /// It was made in an earlier one, and this one's near, far or culling leave its point out.
+    LeftOut,
 }
 
 /// A picked point that distances are measured from.
@@ -57,6 +70,26 @@ impl RayHits {
             in_one_place: verify::in_one_place(scene, &view, px),
             at,
         }
+    }
+
+    /// How another view shows the surface that is picked; `None` where nothing is.
+    pub(super) fn seen_in(&self, view: &View) -> Option<PickView> {
+        let pick = self.picks.get(self.at)?;
+        if *view == self.view {
+            return Some(PickView::Own);
+        }
+        let (camera, lens) = (&view.camera, view.camera.lens());
+        let sight = match lens.projection {
+            Projection::Perspective { .. } => pick.point_world - camera.eye(),
+            Projection::Orthographic { .. } => camera.forward(),
+        };
+        let is_culled = view.sides == Sides::Front && sight.dot(pick.normal_world) >= 0.0;
+        let is_between = (lens.near..lens.far).contains(&camera.to_view(pick.point_world).z);
+        Some(if is_between && !is_culled {
+            PickView::Earlier
+        } else {
+            PickView::LeftOut
+        })
     }
 
     /// The record of what is picked.

@@ -22,8 +22,8 @@ mod update;
 mod viewing;
 
 pub use action::{Action, LensControls};
-pub(super) use command_line::{pick_command, verify_command};
-pub use hits::{DepthSteps, Landmark, RayHits, triangle};
+pub(super) use command_line::{pick_command, verify_command, view_command};
+pub use hits::{DepthSteps, Landmark, PickView, RayHits, triangle};
 pub use matrices::{Matrices, Steps};
 pub(super) use on_screen::OnScreen;
 pub(super) use opening::Snapshot;

@@ -7,7 +7,7 @@ use super::{
     stages::Stage,
     state::{Edits, Selection, Source, State, Step},
     timeline::Timeline,
-    viewing::height_per_distance,
+    viewing::OrthoHeight,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
@@ -43,7 +43,7 @@ impl State {
             orbit,
             up_axis,
             controls,
-            height_per_distance: height_per_distance(&choice, &orbit),
+            ortho: OrthoHeight::chosen(&choice, &orbit),
             view: View {
                 camera,
                 viewport,
@@ -117,14 +117,20 @@ impl State {
         if !(is_as_opened && is_another && self.stage == Stage::World) {
             return;
         }
-        // The choices made a camera before; another viewport cannot make them none.
+        self.stand_as_opened();
+        self.opened_at = Some(self.stand());
+    }
+
+    /// Stands where the scene would open in a picture of this size, with what is visible now.
+    pub(super) fn stand_as_opened(&mut self) {
         let bounds = self.scene.visible_bounds();
-        if let Ok(camera) = self.opened_with.resolve(&bounds, viewport) {
+        // The choices made a camera before; other bounds or another viewport cannot make them none.
+        if let Ok(camera) = self.opened_with.resolve(&bounds, self.view.viewport) {
+            self.controls = LensControls::of(&self.opened_with);
             self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.height_per_distance = height_per_distance(&self.opened_with, &self.orbit);
+            self.ortho = OrthoHeight::chosen(&self.opened_with, &self.orbit);
             self.pivot_world = self.orbit.target();
             self.view.camera = camera;
-            self.opened_at = Some(self.stand());
         }
     }
 
@@ -203,6 +209,15 @@ impl State {
             meshes: self.source.meshes.clone(),
             document: self.document,
             edits: self.edits,
+        }
+    }
+
+    /// The file that the scene is saved to unless the user names another: the scene file that it is from.
+    #[must_use]
+    pub fn file_to_save(&self) -> PathBuf {
+        match self.source.paths.as_slice() {
+            [own] if scene::is_scene_file(own) => own.clone(),
+            _ => "scene.toml".into(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Clicks, the cursor, and the surfaces on a click's ray.
 
 use super::{
-    hits::{Landmark, RayHits},
+    hits::{Landmark, PickView, RayHits},
     stages::Stage,
     state::{Cursor, DOUBLE_CLICK_S, Selection, State},
 };
@@ -12,18 +12,35 @@ use crate::{
 use glam::DVec2;
 
 impl State {
-    /// Selects what lies at a pixel: the nearest surface, or after a pause on the same pixel of the same picture the next
-    /// one behind.
+    /// Selects what lies at a pixel: the nearest surface, or on the same pixel of the same picture the next one behind.
+    /// The second click of a double click selects the nearest again.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
         let view = self.seen_view();
         let same = |hits: &&RayHits| (hits.px, hits.view) == (px, view);
-        let at = match (self.hits.as_ref().filter(same), self.clicked_s) {
-            (Some(hits), Some(last_s)) => hits.at + usize::from(time_s - last_s > DOUBLE_CLICK_S),
-            _ => 0,
-        };
-        self.clicked_s = Some(time_s);
+        let again =
+            (self.clicked_s.replace(time_s)).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S);
+        let behind = self.hits.as_ref().filter(same).filter(|_| again);
+        let at = behind.map_or(0, |hits| hits.at + 1);
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
+    }
+
+    /// The ray that the pick was made by, with its view: what is copied and repeated. A click on nothing counts while its
+    /// view is on screen.
+    #[must_use]
+    pub fn pick_ray(&self) -> Option<&RayHits> {
+        let ray = (self.hits.as_ref()).filter(|_| self.stage == Stage::World)?;
+        let counts = match &self.selection {
+            Some(selection) => selection.pick.is_some(),
+            None => ray.picks.is_empty() && ray.view == self.view,
+        };
+        counts.then_some(ray)
+    }
+
+    /// How the view on screen shows the pick; `None` where no surface is picked.
+    #[must_use]
+    pub fn pick_view(&self) -> Option<PickView> {
+        self.pick_ray()?.seen_in(&self.view)
     }
 
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
@@ -88,10 +105,15 @@ impl State {
     }
 
     /// The scene changed: the ray of the last click is cast anew, and the selected object's pick is what it hits of
-    /// it now.
-    pub(super) fn repick(&mut self) {
+    /// it now. A pick of the view that was on screen before is one of the view that is.
+    pub(super) fn repick(&mut self, before: &View) {
         let Some(old) = self.hits.take() else { return };
-        let mut hits = RayHits::cast(&self.scene, self.refitted(old.view), old.px, 0);
+        let view = if old.view == *before {
+            self.view
+        } else {
+            self.refitted(old.view)
+        };
+        let mut hits = RayHits::cast(&self.scene, view, old.px, 0);
         if let Some(selection) = &mut self.selection {
             // Of its surfaces the first that lies as the old one did, front or back.
             let of_selected = |pick: &Pick| pick.id == selection.object + 1;

@@ -86,7 +86,10 @@ impl State {
             self.hits = world.chosen.hits;
             if world.edits != self.edits {
                 // What was hidden or shown meanwhile is on its ray, or is not.
-                self.repick();
+                self.repick(&View {
+                    camera: world.stand.camera,
+                    ..self.view
+                });
             }
         }
     }
@@ -105,12 +108,8 @@ impl State {
         if self.stage != Stage::World {
             return;
         }
-        let pick = self
-            .selection
-            .as_ref()
-            .and_then(|selection| selection.pick.as_ref());
-        let viewport = self.view.viewport;
-        let middle = viewport.size_px() / 2.0;
+        let pick = self.pick_ray().filter(|ray| ray.view == self.view);
+        let middle = self.view.viewport.size_px() / 2.0;
         self.frozen = match self.frozen {
             Some(_) => None,
             None => Some(Frozen {
@@ -121,19 +120,12 @@ impl State {
         self.fit();
     }
 
+    /// Back to the view that the scene opened with, projection and planes and all.
     pub(super) fn reset_view(&mut self) {
         if self.stage != Stage::World {
             return self.frame_stage();
         }
-        // The choices made a camera before; bounds and viewport cannot make them none.
-        if let Ok(camera) = self
-            .opened_with
-            .resolve(&self.scene.visible_bounds(), self.view.viewport)
-        {
-            self.orbit = Orbit::of_camera(&camera, self.up_axis);
-            self.pivot_world = self.orbit.target();
-            self.moved();
-            self.free_planes_for(&self.scene.visible_bounds());
-        }
+        self.stand_as_opened();
+        self.fit();
     }
 }

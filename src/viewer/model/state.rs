@@ -9,6 +9,7 @@ use super::{
     showing::Showing,
     stages::{Prepared, Stage},
     timeline::Timeline,
+    viewing::OrthoHeight,
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
@@ -57,7 +58,7 @@ pub(super) struct Stand {
     pub orbit: Orbit,
     pub up_axis: UpAxis,
     pub controls: LensControls,
-    pub height_per_distance: f64,
+    pub ortho: OrthoHeight,
     pub camera: Camera,
     pub pivot_world: DVec3,
 }
@@ -146,8 +147,7 @@ pub struct State {
     /// The world's.
     pub(super) up_axis: UpAxis,
     pub(super) controls: LensControls,
-    /// Height of the orthographic picture over the orbit's distance.
-    pub(super) height_per_distance: f64,
+    pub(super) ortho: OrthoHeight,
     pub(super) view: View,
     /// What is on screen, while that is still another picture.
     pub(super) seen: Option<OnScreen>,
@@ -245,14 +245,21 @@ impl State {
         self.edits.matrices != self.filed.matrices
     }
 
-    /// Whether closing the window would lose edits, of this scene or of the one that was left for the gallery.
+    /// The scenes with edits that closing the window would lose: those that were left for the gallery, in the order in
+    /// which they were, and this one.
+    pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
+        let left = self.timeline.past().iter().filter_map(|step| match step {
+            Step::Open(state) => Some(&**state),
+            _ => None,
+        });
+        let all = left.chain([self]);
+        all.filter(|state| state.edits != state.filed).collect()
+    }
+
+    /// Whether there are such.
     #[must_use]
     pub fn unsaved(&self) -> bool {
-        let left = self.timeline.past().iter().any(|step| match step {
-            Step::Open(state) => state.edits != state.filed,
-            _ => false,
-        });
-        self.edits != self.filed || left
+        !self.unsaved_scenes().is_empty()
     }
 
     /// What a step back would take back, or a step forth make again, in a word or two; `None` where there is none.
@@ -344,7 +351,7 @@ impl State {
             orbit: self.orbit,
             up_axis: self.up_axis,
             controls: self.controls,
-            height_per_distance: self.height_per_distance,
+            ortho: self.ortho,
             camera: self.view.camera,
             pivot_world: self.pivot_world,
         }

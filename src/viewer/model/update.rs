@@ -79,7 +79,11 @@ impl State {
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
+                // The lens has no up.
+                let controls = self.controls;
                 self.reset_view();
+                self.set_lens(controls);
+                self.free_planes_for(&self.shown_bounds());
             }
             Action::ToggleSides => {
                 self.view.sides = match self.view.sides {
@@ -94,6 +98,9 @@ impl State {
             Action::Select(object) => {
                 self.selection = object.map(|object| Selection { object, pick: None });
                 self.hits = None;
+                if object.is_none() {
+                    self.landmarks.clear();
+                }
             }
             Action::SetVisible(object, visible) => {
                 self.show(|index| (index == object).then_some(visible));

@@ -24,6 +24,41 @@ pub enum CannotBe {
     Placement(#[from] PlacementError),
 }
 
+/// How high the orthographic picture is: so much at one distance of the orbit, at others in proportion. At that very
+/// distance it is that very height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct OrthoHeight {
+    height: f64,
+    distance: f64,
+}
+
+impl OrthoHeight {
+    /// As high as perspective shows what lies at the target.
+    pub fn of_perspective(fov_deg: f64) -> Self {
+        Self {
+            height: 2.0 * (0.5 * fov_deg.to_radians()).tan(),
+            distance: 1.0,
+        }
+    }
+
+    /// As high as chosen, or else as perspective has it.
+    pub fn chosen(choice: &CameraChoice, orbit: &Orbit) -> Self {
+        let as_chosen = |height| Self {
+            height,
+            distance: orbit.distance(),
+        };
+        let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
+        choice
+            .ortho
+            .map_or_else(|| Self::of_perspective(fov_deg), as_chosen)
+    }
+
+    /// At a distance of the orbit.
+    pub fn at(self, distance: f64) -> f64 {
+        self.height * (distance / self.distance)
+    }
+}
+
 impl Stand {
     /// The camera, all of it, as a scene file keeps it.
     pub fn camera_choice(&self) -> CameraChoice {
@@ -83,7 +118,7 @@ impl State {
         let fov_y = controls.fov_deg.to_radians();
         let mut lens = Lens {
             projection: if controls.orthographic {
-                let height = self.height_per_distance * self.orbit.distance();
+                let height = self.ortho.at(self.orbit.distance());
                 Projection::Orthographic { height }
             } else {
                 Projection::Perspective { fov_y }
@@ -116,7 +151,7 @@ impl State {
             fov: Some(self.controls.fov_deg),
             ..choice
         };
-        self.height_per_distance = height_per_distance(&choice, &self.orbit);
+        self.ortho = OrthoHeight::chosen(&choice, &self.orbit);
         self.pivot_world = self.orbit.target();
         self.view.camera = camera;
     }
@@ -127,10 +162,11 @@ impl State {
         }
         let was_orthographic = std::mem::replace(&mut self.controls, controls).orthographic;
         match (was_orthographic, controls.orthographic) {
-            (false, true) => self.height_per_distance = perspective_height(controls.fov_deg),
+            (false, true) => self.ortho = OrthoHeight::of_perspective(controls.fov_deg),
             (true, false) => {
                 // To where perspective shows the target as large as it was.
-                let nearer = perspective_height(controls.fov_deg) / self.height_per_distance;
+                let as_perspective = OrthoHeight::of_perspective(controls.fov_deg);
+                let nearer = as_perspective.at(1.0) / self.ortho.at(1.0);
                 self.orbit.zoom(self.orbit.target(), nearer);
                 return self.moved();
             }
@@ -200,7 +236,7 @@ impl State {
         let fov_y = self.controls.fov_deg.to_radians();
         self.orbit
             .frame_bounds(&bounds_world, fov_y, self.view.viewport.aspect());
-        self.height_per_distance = perspective_height(self.controls.fov_deg);
+        self.ortho = OrthoHeight::of_perspective(self.controls.fov_deg);
         self.pivot_world = self.orbit.target();
         self.moved();
         self.free_planes_for(&bounds_world);
@@ -212,7 +248,7 @@ impl State {
         self.orbit = stand.orbit;
         self.up_axis = stand.up_axis;
         self.controls = stand.controls;
-        self.height_per_distance = stand.height_per_distance;
+        self.ortho = stand.ortho;
         self.pivot_world = stand.pivot_world;
         self.view.camera = stand.camera;
         self.fit();
@@ -232,16 +268,4 @@ impl State {
             self.view.camera = camera;
         }
     }
-}
-
-/// Height of the picture over the distance at which perspective shows it.
-pub(super) fn perspective_height(fov_deg: f64) -> f64 {
-    2.0 * (0.5 * fov_deg.to_radians()).tan()
-}
-
-/// Height of the orthographic picture over the orbit's distance: as chosen, or else as perspective has it.
-pub(super) fn height_per_distance(choice: &CameraChoice, orbit: &Orbit) -> f64 {
-    let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
-    let as_chosen = |height| height / orbit.distance();
-    choice.ortho.map_or(perspective_height(fov_deg), as_chosen)
 }

@@ -1,7 +1,10 @@
 //! What the user asks for through keys, buttons or menus.
 
-use crate::viewer::model::Action;
-use std::path::PathBuf;
+use crate::{
+    scene::gallery::Exhibit,
+    viewer::model::{Action, State},
+};
+use std::path::{Path, PathBuf};
 
 /// Something the user asks for: a change of what is shown, or else something that the program does.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +42,8 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question whether edits may go.
     Reply(Reply),
-    /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method again, else close the comparison, else select
-    /// nothing.
+    /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method
+    /// again, else close the comparison, else select nothing, else leave the gallery.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
@@ -59,6 +62,26 @@ pub(in crate::viewer) enum Intent {
     Reload,
     /// Close the window.
     Quit,
+}
+
+impl Intent {
+    /// The scenes whose edits it would drop.
+    pub fn drops<'a>(&self, state: &'a State) -> Vec<&'a State> {
+        match self {
+            // The gallery leaves the way back open.
+            Self::Open(paths) if is_exhibit(paths) => Vec::new(),
+            Self::Reload => state.edited().then_some(state).into_iter().collect(),
+            Self::Open(_) | Self::Quit => state.unsaved_scenes(),
+        }
+    }
+}
+
+/// Whether files are a single scene of the gallery.
+fn is_exhibit(paths: &[impl AsRef<Path>]) -> bool {
+    match paths {
+        [only] => matches!(Exhibit::at(only.as_ref()), Ok(Some(_))),
+        _ => false,
+    }
 }
 
 /// What the user answers to that.

@@ -1,6 +1,6 @@
 //! Keys to commands, as one table that the help is made from.
 
-use super::{command::Command, focus::Focus};
+use super::{command::Command, focus::Focus, panels::give_up_refused};
 use crate::viewer::model::{Action, Overlay};
 use egui::{Event, Key, Modifiers};
 use glam::DVec3;
@@ -259,7 +259,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "C",
-        does: "copy the view as a command",
+        does: "copy the pick in its view as a command, else the view",
         shortcuts: &[(NONE, Key::C)],
         command: Command::CopyCommandLine,
     },
@@ -271,7 +271,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop loading, close, pick by the default, select nothing",
+        does: "stop loading, close, pick by the default, select nothing, leave the gallery",
         shortcuts: &[(NONE, Key::Escape)],
         command: Command::Escape,
     },
@@ -314,7 +314,7 @@ const fn look(to_eye: DVec3) -> Command {
 }
 
 /// What the keys that were pressed ask for. While a text is edited, nothing; while a question waits for an answer, only Esc
-/// does. Enter and Esc are first of all for what was reached by Tab.
+/// does. Enter and Esc are first of all for what was reached by Tab, and Esc then for red texts.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Command> {
     let now = Focus::now(ctx);
     let focus = Focus::before(ctx).or(now);
@@ -325,6 +325,9 @@ pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Com
     if is_asked {
         let escapes = ctx.input_mut(|input| input.count_and_consume_key(NONE, Key::Escape));
         return vec![Command::Escape; escapes.min(1)];
+    }
+    if !focus.any && ctx.input(|input| input.key_pressed(Key::Escape)) && give_up_refused(ctx) {
+        ctx.input_mut(|input| input.consume_key(NONE, Key::Escape));
     }
     let is_taken = |key: Key| focus.any && matches!(key, Key::Enter | Key::Escape);
     ctx.input_mut(|input| {

@@ -47,10 +47,14 @@ pub(in crate::viewer) fn scene(
     let mut actions = vec![Action::Resize(place.viewport)];
     let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
 
+    // A widget gets what happens a little beside it, too; the lines about the picture show nothing of it.
+    let within =
+        |position: Pos2| Some(place.to_px(position)).filter(|at| place.viewport.contains(*at));
     if response.drag_started()
-        && let Some(pressed) = ui.input(|input| input.pointer.press_origin())
+        && let Some(at) = ui
+            .input(|input| input.pointer.press_origin())
+            .and_then(within)
     {
-        let at = place.to_px(pressed);
         let turns = response.dragged_by(PointerButton::Primary) && !shift;
         actions.push(if turns {
             Action::BeginTurn(at)
@@ -75,20 +79,21 @@ pub(in crate::viewer) fn scene(
         *drag = None;
     }
     if response.clicked()
-        && let Some(released) = released_at(ui)
+        && let Some(at) = released_at(ui).and_then(within)
     {
-        actions.push(Action::Click(place.to_px(released), time_s));
+        actions.push(Action::Click(at, time_s));
         if response.double_clicked() {
-            actions.push(Action::Recentre(place.to_px(released)));
+            actions.push(Action::Recentre(at));
         }
     }
     let hovering = response
         .hover_pos()
-        .filter(|_| drag.is_none() && !response.is_pointer_button_down_on());
-    if let Some(pointer) = hovering {
-        wheel(ui, place, pointer, &mut actions);
+        .filter(|_| drag.is_none() && !response.is_pointer_button_down_on())
+        .and_then(within);
+    if let Some(at) = hovering {
+        wheel(ui, place, at, &mut actions);
     }
-    actions.push(Action::Hover(hovering.map(|pointer| place.to_px(pointer))));
+    actions.push(Action::Hover(hovering));
     actions
 }
 
@@ -107,8 +112,7 @@ fn released_at(ui: &Ui) -> Option<Pos2> {
 }
 
 /// Wheel and trackpad: zoom at the pointer; with Shift, shift. With Ctrl they are egui's.
-fn wheel(ui: &Ui, place: SceneRect, pointer: Pos2, actions: &mut Vec<Action>) {
-    let at = place.to_px(pointer);
+fn wheel(ui: &Ui, place: SceneRect, at: DVec2, actions: &mut Vec<Action>) {
     ui.input(|input| {
         for event in &input.events {
             match *event {

@@ -84,7 +84,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             .map_err(|error| error.to_string())
     };
     ui.add_enabled_ui(!next.orthographic, |ui| {
-        ui.horizontal(|ui| {
+        ui.horizontal_top(|ui| {
             let mut slid = next.fov_deg;
             let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
             named(&slider, "fov, slid");
@@ -139,7 +139,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 .check(&Action::Lens(lens))
                 .map_err(|error| error.to_string())
         };
-        ui.horizontal(|ui| {
+        ui.horizontal_top(|ui| {
             let mut slid = value;
             let slider = Slider::new(&mut slid, 1e-6 * size..=1e4 * size)
                 .logarithmic(true)

@@ -71,6 +71,11 @@ pub(super) fn show(
 ) {
     ui.heading(showing.exhibit.title());
     ui.label(showing.exhibit.about());
+    ui.weak(match (showing.method, state.has_outside()) {
+        (Some(_), _) => "Esc: pick by Sightline's own method again.",
+        (None, true) => "Esc, with nothing selected, leaves the gallery.",
+        (None, false) => "Gallery, leave the gallery: to the demo.",
+    });
     ui.separator();
     methods(ui, showing, commands);
     ui.separator();

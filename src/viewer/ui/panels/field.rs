@@ -1,11 +1,43 @@
 //! A number that can be typed: red with the reason while it cannot be, and then the last good value stays.
 
 use super::names::{described, named};
-use egui::{Color32, Id, Key, Modifiers, Response, RichText, TextEdit, Ui};
+use egui::{
+    Align, Color32, Context, Id, Key, Label, Layout, Modifiers, Response, RichText, TextEdit, Ui,
+    util::IdTypeMap, vec2,
+};
 
-/// What is typed but not, or not yet, in force.
+/// What is typed but not, or not yet, in force. It is forgotten when its field shows something else, or does not show.
 #[derive(Clone, Default)]
-struct Typed(String);
+struct Typed {
+    text: String,
+    /// The last pass in which the field showed.
+    shown: u64,
+}
+
+/// The last pass in which a field that was left showed a red text.
+#[derive(Clone, Copy)]
+struct Refused(u64);
+
+/// Gives up every red text that stands in a field. Returns whether there was one.
+pub(in crate::viewer::ui) fn give_up_refused(ctx: &Context) -> bool {
+    let pass = ctx.cumulative_pass_nr();
+    let is_there = |Refused(at)| at == pass;
+    let was = ctx
+        .data(|data| data.get_temp(refused_id()))
+        .is_some_and(is_there);
+    if was {
+        ctx.data_mut(IdTypeMap::remove_by_type::<Typed>);
+        ctx.request_repaint();
+    }
+    was
+}
+
+fn refused_id() -> Id {
+    Id::unique("refused")
+}
+
+/// Height in points of the line that says what stays in force.
+const STILL: f32 = 16.0;
 
 /// Names of axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
@@ -31,8 +63,10 @@ impl Field<'_> {
     pub fn show(&self, ui: &mut Ui, check: impl Fn(f64) -> Result<(), String>) -> Option<f64> {
         let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
         let shown = short(value);
+        let pass = ui.ctx().cumulative_pass_nr();
         let typed = ui.data(|data| data.get_temp::<Typed>(id));
-        let mut text = typed.clone().map_or_else(|| shown.clone(), |typed| typed.0);
+        let typed = typed.filter(|typed| typed.shown + 1 >= pass);
+        let mut text = (typed.as_ref()).map_or_else(|| shown.clone(), |typed| typed.text.clone());
         let parse = |text: &str| {
             let number = parse(text, value, &shown)?;
             check(number).map(|()| number)
@@ -47,22 +81,37 @@ impl Field<'_> {
         let parsed = parse(&text);
         let wrong = parsed.as_ref().err();
         let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
-        let response = self.edit(ui, id, &mut text, wrong.as_deref());
-        if response.changed() {
-            ui.data_mut(|data| data.insert_temp(id, Typed(text)));
+        let was_typed = typed.is_some();
+        // Below the field, once it is left: what is typed on stays where it is.
+        let still = wrong
+            .as_ref()
+            .filter(|_| !ui.memory(|memory| memory.has_focus(id)));
+        let height = ui.spacing().interact_size.y + if still.is_some() { STILL } else { 0.0 };
+        let below = Layout::top_down(Align::Min);
+        let response = ui.allocate_ui_with_layout(vec2(self.width, height), below, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let response = self.edit(ui, id, &mut text, wrong.as_deref());
+            if let Some(wrong) = still {
+                ui.data_mut(|data| data.insert_temp(refused_id(), Refused(pass)));
+                let still = RichText::new(format!("still {shown}")).size(11.0);
+                ui.add(Label::new(still).truncate()).on_hover_text(wrong);
+            }
+            response
+        });
+        let response = response.inner;
+        if was_typed || response.changed() {
+            ui.data_mut(|data| data.insert_temp(id, Typed { text, shown: pass }));
         }
         let given_up = ui.input(|input| input.key_pressed(Key::Escape))
             && (response.has_focus() || response.lost_focus());
-        if given_up {
+        // What was refused may be possible by now: it is not in force all the same.
+        let is_left = was_typed && !response.has_focus() && parsed.is_ok();
+        if given_up || is_left {
             forget(ui, id);
-        } else if response.lost_focus()
-            && typed.is_some()
-            && let Ok(number) = parsed
-        {
-            forget(ui, id);
-            return Some(number);
         }
-        None
+        parsed
+            .ok()
+            .filter(|_| is_left && response.lost_focus() && !given_up)
     }
 
     /// What the arrow keys make of a number, where the field has the focus.
@@ -95,7 +144,6 @@ impl Field<'_> {
             response.show_tooltip_text(text);
             return response;
         }
-        ui.colored_label(red, "!").on_hover_text(text.clone());
         response.on_hover_text(text)
     }
 }

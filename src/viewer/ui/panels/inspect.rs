@@ -2,7 +2,7 @@
 
 use super::{
     field::{short, value_text},
-    record::{PLACES, rows, vector},
+    record::{PLACES, fixed, rows, vector},
     toolbar,
 };
 use crate::{
@@ -87,7 +87,7 @@ fn distance(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Comman
             return;
         };
         let by = to.point_world - from.point_world;
-        let length = |value: f64| format!("{value:.places$}");
+        let length = |value: f64| fixed(value, places);
         let lines = [
             ("from", from.object.clone()),
             ("to", to.object.clone()),
@@ -126,7 +126,10 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
                 }
                 if let Some(next) = steps.next_surface {
                     ui.weak("next surface");
-                    let text = format!("{} units deeper", short(next));
+                    let text = match next {
+                        0.0 => "in the same place".to_owned(),
+                        next => format!("{} units deeper", short(next)),
+                    };
                     ui.label(value_text(text));
                     ui.end_row();
                 }

@@ -58,7 +58,7 @@ pub(in crate::viewer) fn show(
         help::show(ui.ctx(), &mut commands);
     }
     if let Some(intent) = shown.question {
-        question::show(ui.ctx(), intent, &mut commands);
+        question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
     (place.inner, commands)

@@ -7,7 +7,7 @@ use crate::{
     look,
     pick::Pick,
     viewer::{
-        model::{Overlay, Stage, State, triangle},
+        model::{Overlay, PickView, Stage, State, triangle},
         screen::SceneRect,
         ui::theme::color32,
     },
@@ -34,7 +34,8 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     let pick = state
         .selection()
         .and_then(|selection| selection.pick.as_ref()?.hit.as_ref());
-    if let Some(pick) = pick.filter(|_| state.overlays().shows(Overlay::Triangle)) {
+    let is_in = state.pick_view() != Some(PickView::LeftOut);
+    if let Some(pick) = pick.filter(|_| is_in && state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
     }
     if let ([from, to], true) = (state.landmarks(), state.overlays().shows(Overlay::Distance)) {

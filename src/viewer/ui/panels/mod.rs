@@ -26,6 +26,7 @@ mod status;
 mod tests;
 mod toolbar;
 
+pub(super) use field::give_up_refused;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;
 pub(in crate::viewer) use shown::{Floating, Shown, Underway};

@@ -98,7 +98,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             ui.label(name).on_hover_text(hint);
             for (axis, letter) in AXES.into_iter().enumerate() {
                 let value = part.value(&parts)[axis];
-                ui.horizontal(|ui| {
+                ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
                     let step = match part {
                         Part::Translation => 0.01 * size,
@@ -133,9 +133,12 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     if trs.is_none() {
         ui.weak("It shears: rotation and scale alone do not make it.");
     }
-    let determinant = short(model.matrix3.determinant());
+    let determinant = model.matrix3.determinant();
+    let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
     ui.weak(format!(
-        "determinant {determinant}: volumes grow by so much"
+        "determinant {}: volumes times {}{mirrors}",
+        short(determinant),
+        short(determinant.abs())
     ));
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.");

@@ -2,11 +2,14 @@
 
 use super::{
     inspect, model_matrix,
-    record::{PLACES, rows, vector},
+    record::{PLACES, fixed, rows, vector},
 };
 use crate::{
     pick::Pick,
-    viewer::{model::State, ui::command::Command},
+    viewer::{
+        model::{PickView, Stage, State},
+        ui::command::Command,
+    },
 };
 use egui::Ui;
 
@@ -37,9 +40,23 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 ],
             );
         }
-        ui.weak("No point of it is picked: click its surface.");
+        ui.weak(if state.stage() == Stage::World {
+            "No point of it is picked: click its surface."
+        } else {
+            "At this stage a click only selects. Show the scene with M to pick points."
+        });
         return;
     };
+    let of_earlier = match state.pick_view() {
+        Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
+        Some(PickView::LeftOut) => {
+            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far or culling."
+        }
+        Some(PickView::Own) | None => "",
+    };
+    if !of_earlier.is_empty() {
+        ui.colored_label(ui.visuals().warn_fg_color, of_earlier);
+    }
     rows(ui, "record", &record(hit, places));
     let in_one_place = selection
         .pick
@@ -60,7 +77,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
         if ui
             .button("copy command")
-            .on_hover_text("a command line that makes this very pick (C)")
+            .on_hover_text(
+                "a command line that makes this very pick, in the view it was made in (C)",
+            )
             .clicked()
         {
             commands.push(Command::CopyCommandLine);
@@ -101,7 +120,10 @@ fn spaces(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
 fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
     let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
     let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
-    let gap = hit.gap.map(|gap| format!("{gap:.places$} deeper"));
+    let gap = hit.gap.map(|gap| match gap {
+        0.0 => "in the same place".to_owned(),
+        gap => format!("{} deeper", fixed(gap, places)),
+    });
     let decided = if hit.exact {
         "exact arithmetic"
     } else {

@@ -63,8 +63,12 @@ pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
                     }
                 }
                 (_, _, Some(px)) => ("Under the cursor", background(view, px)),
-                _ => (
+                _ if in_world(state) => (
                     "Point at a surface, or click it: its point is followed",
+                    Values::default(),
+                ),
+                _ => (
+                    "Points are followed where the scene is shown with M",
                     Values::default(),
                 ),
             };

@@ -1,19 +1,24 @@
 //! The one question before edits are dropped.
 
-use crate::viewer::ui::command::{Command, Intent, Reply};
+use crate::viewer::{
+    model::State,
+    ui::command::{Command, Intent, Reply},
+};
 use egui::{Context, Id, Modal};
 
 /// In the middle of the window, before everything else.
-pub(super) fn show(ctx: &Context, intent: &Intent, commands: &mut Vec<Command>) {
+pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
     let (what, go_on) = match intent {
         Intent::Open(_) => ("opens other files", "Open, drop the edits"),
         Intent::Reload => ("reads the files again", "Reload, drop the edits"),
         Intent::Quit => ("closes the window", "Close, drop the edits"),
     };
+    let scenes: Vec<_> = intent.drops(state).into_iter().map(State::name).collect();
+    let scenes = scenes.join(" and ");
     Modal::new(Id::unique("question")).show(ctx, |ui| {
         ui.heading("Unsaved edits");
         ui.label(format!(
-            "This {what}. What you have edited is in no file yet."
+            "This {what}. What you have edited in {scenes} is in no file yet."
         ));
         ui.add_space(8.0);
         ui.horizontal(|ui| {

@@ -14,6 +14,17 @@ pub(super) fn vector(v: DVec3, places: usize) -> String {
         .join("  ")
 }
 
+/// A length to so many decimal places; one that would have no two digits left there by its power of ten.
+pub(super) fn fixed(length: f64, places: usize) -> String {
+    let text = format!("{length:.places$}");
+    let left = text.trim_start_matches(['-', '0', '.']);
+    if length != 0.0 && length.abs() < 1.0 && left.len() < 2 {
+        format!("{length:.1e}")
+    } else {
+        text
+    }
+}
+
 /// A table of names and values.
 pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String)]) {
     Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {

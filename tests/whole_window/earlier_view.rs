@@ -1,0 +1,158 @@
+//! A pick belongs to the view that it was made in: after the view changes, the panel says so, and what is copied repeats it.
+
+use super::*;
+use egui::vec2;
+use std::process::Command;
+
+const NONE: Modifiers = Modifiers::NONE;
+
+/// A change of the view.
+type Does = fn(&mut Offscreen);
+
+/// Off the middle, on the front of the cube.
+fn aside() -> Pos2 {
+    MIDDLE + vec2(13.0, 7.0)
+}
+
+fn copied(window: &mut Offscreen, key: Key) -> String {
+    press_key(window, NONE, key);
+    window.copied().expect("something copied").to_owned()
+}
+
+/// What the command says that was copied.
+fn answer(command: &str) -> String {
+    let mut words = command.split_whitespace();
+    assert_eq!(words.next(), Some("sightline"));
+    let said = Command::new(env!("CARGO_BIN_EXE_sightline"))
+        .args(words)
+        .output()
+        .expect("it runs");
+    assert!(said.status.success(), "{command}: {said:?}");
+    let text = String::from_utf8(said.stdout).expect("JSON");
+    text.trim_end().to_owned()
+}
+
+fn says(window: &Offscreen, words: &str) -> bool {
+    let mut all = window.controls().iter();
+    all.any(|control| control.name.contains(words))
+}
+
+fn typed(window: &mut Offscreen, field: &str, number: &str) {
+    type_into(window, field, number);
+    press_key(window, NONE, Key::Enter);
+}
+
+#[test]
+fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
+    let changes: [(&str, Does); 9] = [
+        ("orbit", |window| {
+            drag(
+                window,
+                PointerButton::Primary,
+                MIDDLE,
+                MIDDLE + vec2(70.0, 20.0),
+            );
+        }),
+        ("pan", |window| {
+            drag(
+                window,
+                PointerButton::Secondary,
+                MIDDLE,
+                MIDDLE + vec2(70.0, 20.0),
+            );
+        }),
+        ("frame", |window| press_key(window, NONE, Key::F)),
+        ("projection", |window| press_key(window, NONE, Key::Num5)),
+        ("fov", |window| typed(window, "fov", "37.3")),
+        ("near", |window| typed(window, "near", "7.6")),
+        ("depth", |window| click_on(window, "standard")),
+        ("cull", |window| press_key(window, NONE, Key::B)),
+        ("size", |window| window.resize(px([1180, 700], 1.0))),
+    ];
+    for (name, change) in changes {
+        let (mut window, _folder) = row(1.0);
+        // A field of view that degrees and radians do not hold alike.
+        typed(&mut window, "fov", "44.4");
+        click(&mut window, aside());
+        let (json, at) = (copied(&mut window, Key::J), picked_px(&window));
+        assert!(json.contains("\"front\",\"id\":1"), "{json}");
+        assert!(!says(&window, "earlier view"), "{name}");
+        change(&mut window);
+        assert_eq!(selected(&window), Some("front"), "{name}");
+        assert_eq!(picked_px(&window), at, "{name}");
+        assert!(says(&window, "Picked in an earlier view"), "{name}");
+        assert_eq!(says(&window, "leaves it out"), name == "near", "{name}");
+        assert_eq!(copied(&mut window, Key::J), json, "{name}");
+        let command = copied(&mut window, Key::C);
+        assert_eq!(answer(&command), json, "{name}: {command}");
+        // A click there is of the view on screen again.
+        window.wait_s(1.0);
+        click(&mut window, aside());
+        assert!(!says(&window, "earlier view"), "{name}");
+        let (json, command) = (copied(&mut window, Key::J), copied(&mut window, Key::C));
+        assert_eq!(answer(&command), json, "{name}: {command}");
+    }
+}
+
+#[test]
+fn a_view_that_comes_back_is_the_pick_s_own_again() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, aside());
+    press_key(&mut window, NONE, Key::Num3);
+    assert!(says(&window, "earlier view"));
+    press_key(&mut window, CTRL, Key::Z);
+    assert!(!says(&window, "earlier view"));
+    // What is hidden or shown changes the planes that fit; the pick is made again in the view that results.
+    let json = copied(&mut window, Key::J);
+    click_on(&mut window, "show back");
+    assert!(!says(&window, "earlier view"));
+    let again = copied(&mut window, Key::J);
+    assert_ne!(json, again, "NDC is by other planes");
+    assert_eq!(answer(&copied(&mut window, Key::C)), again);
+    // In another view it stays the first view's.
+    press_key(&mut window, NONE, Key::Num3);
+    click_on(&mut window, "show middle");
+    assert!(says(&window, "earlier view"));
+    let again = copied(&mut window, Key::J);
+    assert_eq!(answer(&copied(&mut window, Key::C)), again);
+}
+
+#[test]
+fn a_surface_behind_is_among_those_that_the_command_lists() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, aside());
+    press_key(&mut window, NONE, Key::N);
+    let json = copied(&mut window, Key::J);
+    assert!(json.contains("\"front\":false"), "{json}");
+    // Seen from the front, the back of the cube is culled.
+    press_key(&mut window, NONE, Key::B);
+    assert!(says(&window, "leaves it out"));
+    let command = copied(&mut window, Key::C);
+    let all: serde_json::Value = serde_json::from_str(&answer(&command)).expect("JSON");
+    let one: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(all["hits"][1], one["hit"], "{command}");
+    assert_eq!(all["hits"].as_array().map(Vec::len), Some(5));
+}
+
+#[test]
+fn a_click_on_nothing_is_repeated_while_its_view_lasts() {
+    let (mut window, _folder) = row(1.0);
+    let nothing = pos2(MIDDLE.x - 250.0, MIDDLE.y - 200.0);
+    click(&mut window, nothing);
+    assert_eq!(selected(&window), None);
+    let json = copied(&mut window, Key::J);
+    assert!(json.contains("\"hit\":null"), "{json}");
+    let command = copied(&mut window, Key::C);
+    assert_eq!(answer(&command), json, "{command}");
+    press_key(&mut window, NONE, Key::Num3);
+    let size = window.state().view().viewport;
+    let middle = DVec2::new(size.width().into(), size.height().into()) / 2.0;
+    let command = copied(&mut window, Key::C);
+    assert!(
+        command.contains(&format!("--at {},{}", middle.x, middle.y)),
+        "{command}"
+    );
+    // The clipboard keeps what it has, and somebody says why.
+    assert_eq!(copied(&mut window, Key::J), command);
+    assert!(window.messages().any(|text| text.contains("no pick")));
+}

@@ -1,0 +1,136 @@
+//! What cannot be is red until it is given up, and never longer than its field is about the same.
+
+use super::*;
+
+const NONE: Modifiers = Modifiers::NONE;
+
+type Does = fn(&mut Offscreen);
+
+/// Types what is refused, and leaves it.
+fn refused(window: &mut Offscreen, field: &str, text: &str) {
+    type_into(window, field, text);
+    press_key(window, NONE, Key::Enter);
+    assert_eq!(control(window, field).value, text, "it stays to be mended");
+}
+
+fn is_red(window: &Offscreen, field: &str) -> bool {
+    let said = &control(window, field).description;
+    said.contains("stays in force")
+}
+
+#[test]
+fn a_red_field_says_what_is_wrong_and_what_is_in_force() {
+    let (mut window, _folder) = row(1.0);
+    for (field, text, wrong, in_force) in [
+        ("fov", "abc", "not a number", "45 stays in force"),
+        ("fov", "200", "field of view", "45 stays in force"),
+        ("near", "-1", "near", "7.425 stays in force"),
+        ("eye x", "", "not a number", "0 stays in force"),
+    ] {
+        type_into(&mut window, field, text);
+        if text.is_empty() {
+            press_key(&mut window, NONE, Key::Backspace);
+        }
+        let said = control(&window, field).description.clone();
+        assert!(
+            said.contains(wrong) && said.contains(in_force),
+            "{field} {text}: {said}"
+        );
+        assert!(
+            has_control(&window, &said),
+            "it can be read while it is typed"
+        );
+        press_key(&mut window, NONE, Key::Enter);
+        assert_eq!(control(&window, field).value, text, "it stays to be mended");
+        assert_eq!(control(&window, field).description, said);
+        let (_, still) = said.rsplit_once("; ").expect("what stays");
+        let still = still.replace(" stays in force", "");
+        control(&window, &format!("still {still}"));
+        click_on(&mut window, field);
+        press_key(&mut window, NONE, Key::Escape);
+        let said = &control(&window, field).description;
+        assert!(!said.contains("stays in force"), "{said}");
+    }
+}
+
+/// What is typed for one object is not another's.
+#[test]
+fn a_red_field_is_of_its_own_object() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "abc");
+    press_key(&mut window, NONE, Key::Enter);
+    assert_eq!(control(&window, "position x").value, "abc");
+    click_on(&mut window, "back");
+    assert_eq!(selected(&window), Some("back"));
+    assert_eq!(control(&window, "position x").value, "0");
+    click_on(&mut window, "front");
+    assert_eq!(control(&window, "position x").value, "0", "it is gone");
+}
+
+#[test]
+fn esc_gives_a_red_text_up_before_anything_else() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    refused(&mut window, "scale x", "0");
+    refused(&mut window, "near", "abc");
+    control(&window, "still 1");
+    control(&window, "still 7.425");
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), Some("front"));
+    for (field, value) in [("scale x", "1"), ("near", "7.425")] {
+        assert_eq!(control(&window, field).value, value);
+        assert!(!is_red(&window, field), "{field}");
+    }
+    assert!(!has_control(&window, "still 1"));
+    press_key(&mut window, NONE, Key::Escape);
+    assert_eq!(selected(&window), None, "the next one is the shortcut");
+}
+
+#[test]
+fn a_red_text_goes_with_what_it_was_typed_for() {
+    let (mut window, _folder) = row(1.0);
+    let away: [(&str, Does); 3] = [
+        ("list", |window| {
+            click_on(window, "back");
+            click_on(window, "front");
+        }),
+        ("nothing", |window| {
+            click(window, pos2(MIDDLE.x - 250.0, MIDDLE.y - 200.0));
+            click_on(window, "front");
+        }),
+        ("folded", |window| {
+            click_on(window, "Model matrix");
+            window.wait_s(1.0);
+            click_on(window, "Model matrix");
+        }),
+    ];
+    click_on(&mut window, "front");
+    click_on(&mut window, "Model matrix");
+    for (name, away) in away {
+        refused(&mut window, "scale x", "0");
+        away(&mut window);
+        assert_eq!(selected(&window), Some("front"), "{name}");
+        assert_eq!(control(&window, "scale x").value, "1", "{name}");
+        assert!(!is_red(&window, "scale x"), "{name}");
+    }
+}
+
+/// It is neither red nor in force: that would be a lie.
+#[test]
+fn what_has_become_possible_meanwhile_is_not_shown_as_if_in_force() {
+    let (mut window, _folder) = row(1.0);
+    let set_far = |window: &mut Offscreen, far: &str| {
+        type_into(window, "far", far);
+        press_key(window, NONE, Key::Enter);
+    };
+    set_far(&mut window, "12");
+    refused(&mut window, "near", "20");
+    assert!(is_red(&window, "near"));
+    set_far(&mut window, "30");
+    assert_eq!(control(&window, "near").value, "7.425");
+    let near = window.state().view().camera.lens().near;
+    assert!((near - 7.425).abs() < 1e-9, "{near}");
+}
