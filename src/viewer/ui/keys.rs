@@ -271,7 +271,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop loading, close, pick by the default, select nothing, leave the gallery",
+        does: "stop, close, default method, select nothing, leave gallery",
         shortcuts: &[(NONE, Key::Escape)],
         command: Command::Escape,
     },
