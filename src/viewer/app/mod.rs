@@ -10,8 +10,6 @@ mod frame;
 mod intents;
 mod program;
 mod rest;
-#[cfg(test)]
-mod tests;
 mod wake;
 
 pub(super) use frame::Frame;
