@@ -112,11 +112,8 @@ impl App {
 
 #[cfg(test)]
 mod tests {
-    use crate::viewer::{
-        app::{App, Host},
-        jobs::Answer,
-        options::Options,
-    };
+    use super::super::{App, Host};
+    use crate::viewer::{jobs::Answer, options::Options};
     use std::sync::Arc;
 
     #[test]
