@@ -9,6 +9,7 @@ mod hits;
 mod matrices;
 mod on_screen;
 mod opening;
+mod ortho_height;
 mod overlay;
 mod picking;
 mod seeing;

@@ -2,12 +2,12 @@
 
 use super::{
     action::LensControls,
+    ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
     stages::Stage,
     state::{Edits, Selection, Source, State, Step},
     timeline::Timeline,
-    viewing::OrthoHeight,
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},

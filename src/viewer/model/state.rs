@@ -5,11 +5,11 @@ use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
     on_screen::OnScreen,
+    ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
     stages::{Prepared, Stage},
     timeline::Timeline,
-    viewing::OrthoHeight,
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},

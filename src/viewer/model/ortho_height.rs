@@ -1,0 +1,38 @@
+//! The height of an orthographic picture that zooms.
+
+use crate::camera::{CameraChoice, Orbit};
+
+/// How high the orthographic picture is: so much at one distance of the orbit, at others in proportion. At that very
+/// distance it is that very height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct OrthoHeight {
+    height: f64,
+    distance: f64,
+}
+
+impl OrthoHeight {
+    /// As high as perspective shows what lies at the target.
+    pub fn of_perspective(fov_deg: f64) -> Self {
+        Self {
+            height: 2.0 * (0.5 * fov_deg.to_radians()).tan(),
+            distance: 1.0,
+        }
+    }
+
+    /// As high as chosen, or else as perspective has it.
+    pub fn chosen(choice: &CameraChoice, orbit: &Orbit) -> Self {
+        let as_chosen = |height| Self {
+            height,
+            distance: orbit.distance(),
+        };
+        let fov_deg = choice.fov.unwrap_or(CameraChoice::FOV);
+        choice
+            .ortho
+            .map_or_else(|| Self::of_perspective(fov_deg), as_chosen)
+    }
+
+    /// At a distance of the orbit.
+    pub fn at(self, distance: f64) -> f64 {
+        self.height * (distance / self.distance)
+    }
+}
