@@ -1,7 +1,9 @@
 //! The cube of side 1 about the origin.
 
 use super::{
-    Aabb, Hit, LocalRay, Ray, U, exact,
+    Aabb, Hit, LocalRay, Ray, U,
+    binary::power_of_two,
+    exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -59,16 +61,28 @@ impl Cuboid {
     }
 }
 
-/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), each plane's parameter with its bound. A coordinate to a
-/// plane rounds once, and is off by the origin's error.
+/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), with one reciprocal an axis and no branch before the decision.
+///
+/// A plane's parameter is the way to it times the reciprocal of the direction's component `d`. The way rounds once and is off
+/// by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the quotient by `f / |d|` of
+/// itself. The terms of second order, with `f` at most `2^-20` of `d`, need less than what 5 and 1.01 add to that; so do the
+/// roundings of the bound itself and of sums with it.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
+    /// Of components between this and its reciprocal, no reciprocal is short of digits.
+    const LEAST: f64 = power_of_two(-1000);
+    const SMALL: f64 = power_of_two(-20);
+    const BEFORE_ALL: Approximate = Approximate {
+        value: f64::NEG_INFINITY,
+        error: 0.0,
+    };
     let Ray {
         origin, direction, ..
     } = *ray.ray;
-    let mut enter: [Option<Approximate>; 3] = [None; 3];
-    let mut leave: [Option<Approximate>; 3] = [None; 3];
-    let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut enter = [BEFORE_ALL; 3];
+    // With the other sign, so that here, too, the greatest counts.
+    let mut leave = [BEFORE_ALL; 3];
+    let mut is_bounded = true;
     for axis in 0..3 {
         let (o, d) = (origin[axis], direction[axis]);
         let (o_error, d_error) = (ray.error.origin[axis], ray.error.direction[axis]);
@@ -77,73 +91,57 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
                 return Ok([None, None]);
             }
             // On a face exactly, or inside though the sum rounds.
-            let is_inside = o.abs() + o_error < Cuboid::HALF_SIDE
+            is_bounded &= o.abs() + o_error < Cuboid::HALF_SIDE
                 || o_error == 0.0 && o.abs() <= Cuboid::HALF_SIDE;
-            if !is_inside {
-                return Err(InDoubt);
-            }
             continue;
         }
-        let half = Cuboid::HALF_SIDE.copysign(d);
-        let at = |plane: f64| {
-            let way = plane - o;
-            let way = Approximate {
-                value: way,
-                error: U * way.abs() + o_error,
-            };
-            way.over(Approximate {
-                value: d,
-                error: d_error,
-            })
+        let inverse = 1.0 / d;
+        let per_value = 5.0 * U + 1.01 * d_error * inverse.abs();
+        // With slack for underflow.
+        let constant = 1.01 * o_error * inverse.abs() + f64::MIN_POSITIVE;
+        let at = |way: f64| {
+            let value = way * inverse;
+            let error = value.abs() * per_value + constant;
+            Approximate { value, error }
         };
-        let (near, far) = (at(-half)?, at(half)?);
-        enters = enters.max(near.low());
-        leaves = leaves.min(far.high());
-        enter[axis] = Some(near);
-        leave[axis] = Some(far);
+        let half = Cuboid::HALF_SIDE.copysign(d);
+        enter[axis] = at(-half - o);
+        leave[axis] = at(half - o).negative();
+        // Written so that NaN is in doubt.
+        is_bounded &= (LEAST..=1.0 / LEAST).contains(&d.abs())
+            && d_error <= SMALL * d.abs()
+            && enter[axis].error + leave[axis].error < f64::INFINITY;
     }
+    if !is_bounded {
+        return Err(InDoubt);
+    }
+    let (entry_axis, entry) = greatest(enter);
+    let (exit_axis, exit) = greatest(leave);
+    let exit = exit.negative();
     // What it enters after it left another slab, it misses.
-    if enters > leaves {
+    if entry.low() > exit.high() {
         return Ok([None, None]);
     }
-    let (entry, exit) = (last(enter)?, first(leave)?);
-    if !(entry.1.high() < exit.1.low()) {
+    let is_alone = |of: [Approximate; 3], least: f64| {
+        of.into_iter().filter(|at| at.high() >= least).count() == 1
+    };
+    if !(entry.high() < exit.low()
+        && is_alone(enter, entry.low())
+        && is_alone(leave, exit.negative().low()))
+    {
         return Err(InDoubt);
     }
     let outward = |axis: usize| DVec3::AXES[axis] * direction[axis].signum();
     Ok([
-        entry.1.hit(ray.ray, -outward(entry.0), true)?,
-        exit.1.hit(ray.ray, outward(exit.0), false)?,
+        entry.hit(ray.ray, -outward(entry_axis), true)?,
+        exit.hit(ray.ray, outward(exit_axis), false)?,
     ])
 }
 
-/// Which is certainly the greatest, with its axis.
+/// The greatest by value, with its axis.
 #[inline]
-fn last(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
-    let mut best: Option<(usize, Approximate)> = None;
-    let mut others = f64::NEG_INFINITY;
-    for (axis, at) in of.into_iter().enumerate() {
-        let Some(at) = at else { continue };
-        match best {
-            Some((_, greatest)) if !(at.value > greatest.value) => others = others.max(at.high()),
-            _ => {
-                others = best.map_or(others, |(_, less)| others.max(less.high()));
-                best = Some((axis, at));
-            }
-        }
-    }
-    // Written so that NaN is in doubt.
-    best.filter(|(_, greatest)| greatest.low() > others)
-        .ok_or(InDoubt)
-}
-
-/// Which is certainly the least, with its axis.
-#[inline]
-fn first(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
-    let negative = |at: Approximate| Approximate {
-        value: -at.value,
-        ..at
-    };
-    let (axis, at) = last(of.map(|at| at.map(negative)))?;
-    Ok((axis, negative(at)))
+fn greatest(of: [Approximate; 3]) -> (usize, Approximate) {
+    let after = |a: usize, b: usize| if of[b].value > of[a].value { b } else { a };
+    let axis = after(after(0, 1), 2);
+    (axis, of[axis])
 }
