@@ -1,6 +1,6 @@
 //! Axis-aligned bounding boxes.
 
-use super::VertexRay;
+use super::{VertexRay, binary::power_of_two_below};
 use glam::DVec3;
 
 /// An axis-aligned box; [`Aabb::EMPTY`] holds nothing and is the start of a union.
@@ -57,7 +57,14 @@ impl Aabb {
     /// Half the diagonal: the radius of the sphere about it. Zero for a point.
     #[must_use]
     pub fn radius(&self) -> f64 {
-        (0.5 * self.max - 0.5 * self.min).length()
+        let half = 0.5 * self.max - 0.5 * self.min;
+        let largest = half.max_element();
+        if !largest.is_finite() {
+            return half.length();
+        }
+        // Squares of lengths neither vanish nor overflow.
+        let unit = power_of_two_below(largest);
+        unit * (half / unit).length()
     }
 
     /// Decimal places with which to write coordinates in it: a millionth of its radius, which is about what vertices

@@ -28,7 +28,7 @@ mod normals;
 mod placement;
 mod pyramid;
 #[cfg(test)]
-mod random;
+pub(crate) mod random;
 mod ray;
 mod sphere;
 mod square;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 /// Knuth's multiplier and a step of one.
-pub(super) struct Random(pub u64);
+pub(crate) struct Random(pub u64);
 
 impl Random {
     fn bits(&mut self) -> u64 {

@@ -127,14 +127,34 @@ pub struct ViewError {
     pub measured: f64,
 }
 
+/// The larger of two bounds. NaN, which is none, counts as infinity.
+#[must_use]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
+    }
+}
+
 impl ViewError {
+    /// No bound: of a point that is no number.
+    pub const UNKNOWN: Self = Self {
+        aside: DVec2::INFINITY,
+        depth: f64::INFINITY,
+        measured: f64::INFINITY,
+    };
+
     /// The larger of two, axis by axis.
     #[must_use]
     pub fn max(self, other: Self) -> Self {
         Self {
-            aside: self.aside.max(other.aside),
-            depth: self.depth.max(other.depth),
-            measured: self.measured.max(other.measured),
+            aside: DVec2::new(
+                larger(self.aside.x, other.aside.x),
+                larger(self.aside.y, other.aside.y),
+            ),
+            depth: larger(self.depth, other.depth),
+            measured: larger(self.measured, other.measured),
         }
     }
 

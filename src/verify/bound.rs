@@ -85,10 +85,21 @@ impl Outline {
         })
     }
 
-    /// The one of two that is nearer for what drawing may move it by.
+    /// The one of two that is nearer for what drawing may move it by; one without a bound before all others.
     pub fn nearer(self, other: Self) -> Self {
-        let [of_self, of_other] = [self, other].map(|at| at.distance_px / at.error_px());
+        let [of_self, of_other] = [self, other].map(|at| {
+            if at.is_bounded() {
+                at.distance_px / at.error_px()
+            } else {
+                f64::NEG_INFINITY
+            }
+        });
         if of_other < of_self { other } else { self }
+    }
+
+    /// Whether it is known how far drawing may move it.
+    pub fn is_bounded(&self) -> bool {
+        self.error_px().is_finite()
     }
 }
 
@@ -191,6 +202,11 @@ impl Stored {
             farthest: self.farthest.max(self.nearness - most),
             ..*self
         }
+    }
+
+    /// Whether it is known how far off the buffer may be.
+    pub fn is_bounded(&self) -> bool {
+        self.nearest.is_finite() && self.farthest.is_finite() && self.rounding.is_finite()
     }
 
     fn class_with(&self, other: &Self) -> Class {

@@ -14,7 +14,7 @@ use crate::{
     camera::Projection,
     geometry::{Cuboid, MeshData, Placement, Sides, Square},
     render::{
-        transform::{Rounding, VertexToView},
+        transform::{Rounding, VertexToView, ViewError},
         view_space::ViewSpace,
     },
 };
@@ -161,10 +161,13 @@ impl Flat<'_> {
         let Vertices {
             to_view, rounding, ..
         } = &self.vertices;
-        Corner {
-            view: self.view(corner_vertex_space),
-            error: to_view.error_view(rounding, corner_vertex_space.as_vec3()),
-        }
+        let view = self.view(corner_vertex_space);
+        let error = if view.is_finite() {
+            to_view.error_view(rounding, corner_vertex_space.as_vec3())
+        } else {
+            ViewError::UNKNOWN
+        };
+        Corner { view, error }
     }
 
     /// In view space, z being depth past near.

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::clip,
-    render::transform::{U, UNDERFLOW},
+    render::transform::{U, UNDERFLOW, larger},
 };
 use glam::{DVec2, DVec3};
 
@@ -47,18 +47,13 @@ pub(super) fn error(
     about
         .map(|triangle| {
             let stored = triangle.map(|(_, stored)| stored);
-            let [least, most] =
-                [f64::min, f64::max].map(|end| end(end(stored[0], stored[1]), stored[2]));
-            let slimness = slimness(&triangle).max(1.0);
-            8.0 * U * ((most - least) * slimness + most.abs().max(least.abs())) + across * slimness
+            let [a, b, c] = stored;
+            let of_all = |sizes: [f64; 3]| sizes.map(f64::abs).into_iter().fold(0.0, larger);
+            let (range, largest) = (of_all([b - a, c - b, a - c]), of_all(stored));
+            let slimness = larger(slimness(&triangle), 1.0);
+            8.0 * U * (range * slimness + largest) + across * slimness
         })
-        .fold(0.0, |worst, error| {
-            if error.is_nan() {
-                f64::INFINITY
-            } else {
-                error.max(worst)
-            }
-        })
+        .fold(0.0, larger)
 }
 
 /// What is left of a polygon within the borders of the picture and before the far plane. In view space, z being depth past near; nothing of it before the near plane.
@@ -94,5 +89,5 @@ fn may_hold(triangle: &[Corner; 3], px: DVec2, reach_px: f64) -> bool {
     let sides = sides_px(triangle);
     let turn = sides[0].perp_dot(sides[1]).signum();
     let mut inside = triangle.iter().zip(sides);
-    inside.all(|((from, _), side)| turn * side.perp_dot(px - *from) >= -reach_px * side.length())
+    inside.all(|((from, _), side)| !(turn * side.perp_dot(px - *from) < -reach_px * side.length()))
 }

@@ -11,15 +11,15 @@
 //! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell; the empty buffer counts as a
 //!   surface at the far plane, and so does the near plane;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
-//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]), or a
-//!   surface well before the far plane that the buffer cannot tell from nothing.
+//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]); or a
+//!   surface for which there is no bound; or one well before the far plane that the buffer cannot tell from nothing.
 //!   Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all lie below the ceiling
 //!   has no such pixel;
 //! * **unexplained**: anything else. Somebody is wrong.
 //!
 //! A surface has no outline where it goes on beyond an edge: there its neighbours may show, and nothing behind.
 //!
-//! A bound that is infinite or NaN is none. A picture that is empty where picks are not, or the reverse, fails whatever
+//! A bound that is infinite or NaN is none, and explains nothing. A picture that is empty where picks are not, or the reverse, fails whatever
 //! explains its pixels one by one, but for a speck smaller than a pixel ([`Report::verdict`]).
 //!
 //! Whether drawing and pick differ there or not: where the bounds leave the order of two surfaces open, they lie *in one
@@ -57,6 +57,8 @@ mod polygon;
 mod report;
 mod round;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub use one_place::{Places, in_one_place};
 pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
@@ -97,7 +99,7 @@ pub enum Class {
     Depth,
     /// The centre lies on an outline, to what `f32` can tell, which here is less than the grid.
     F32Limit,
-    /// One of these by a bound above the ceiling: drawing in `f32` cannot hold the view.
+    /// One of these by a bound above the ceiling, or there is no bound: drawing in `f32` cannot hold the view.
     BeyondF32,
     /// A defect.
     Unexplained,
@@ -197,8 +199,14 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         .min_by(|(a, _), (b, _)| (a.class.cmp(&b.class)).then(a.strain.total_cmp(&b.strain)));
     let unexplained = || {
         let outlines = sides.iter().flatten().map(|surface| surface.outline);
+        let is_bounded =
+            |surface: &Surface| surface.outline.is_bounded() && surface.stored.is_bounded();
         let reason = Reason {
-            class: Class::Unexplained,
+            class: if sides.iter().flatten().all(is_bounded) {
+                Class::Unexplained
+            } else {
+                Class::BeyondF32
+            },
             strain: f64::INFINITY,
             outline: outlines.fold(Outline::NONE, Outline::nearer),
         };

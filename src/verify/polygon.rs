@@ -10,7 +10,7 @@ use crate::{
     camera::{Projection, View},
     geometry::clip,
     render::{
-        transform::{U, ViewError, depth_origin},
+        transform::{U, ViewError, depth_origin, larger},
         view_space::ViewSpace,
     },
 };
@@ -115,7 +115,7 @@ pub(super) fn polygon(
         ends
     };
     let rounding = may_be.map(|end| depths.error(end, &error));
-    let rounding = rounding[0].max(rounding[1])
+    let rounding = larger(rounding[0], rounding[1])
         + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
     let step = may_be.map(|end| depths.step(end));
     let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
@@ -176,14 +176,11 @@ fn depth_ends(corners: &[SeenCorner]) -> Option<[f64; 2]> {
 
 /// Whether a line passes through a convex polygon: on one side of all its edges.
 fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
-    let sides = (0..corners.len()).map(|i| {
+    let mut sides = (0..corners.len()).map(|i| {
         let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|p| p.view - ray.origin);
         ray.direction.dot(a.cross(b))
     });
-    let (least, most) = sides.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), side| {
-        (least.min(side), most.max(side))
-    });
-    least >= 0.0 || most <= 0.0
+    sides.clone().all(|side| side >= 0.0) || sides.all(|side| side <= 0.0)
 }
 
 /// The edge between two corners, neither in front of the near plane.
@@ -242,9 +239,9 @@ pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
 }
 
 /// How far in pixels a view-space error moves a point of this w and pixel: x and y by the focal length, z in
-/// perspective towards or away from the picture's middle; then the projection's roundings (of its factor, of two
-/// products and the reciprocal of w relative to half the picture, of the sum relative to all of it).
-fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
+/// perspective towards or away from the picture's middle; then the projection's roundings: of its factor, of two
+/// products and the reciprocal of w (8 units of U) relative to half the picture, of the sum relative to all of it.
+pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
     let half = view.half_extent();
     let size = view.viewport.size_px();
     let aside = 0.5 * size / half * error.aside / w;
@@ -252,7 +249,7 @@ fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64 {
         Projection::Perspective { .. } => error.depth / w * (px - 0.5 * size).abs(),
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
-    (aside + towards).length() + 4.0 * U * size.length()
+    (aside + towards).length() + 5.0 * U * size.length()
 }
 
 /// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference

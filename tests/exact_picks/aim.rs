@@ -59,13 +59,16 @@ pub fn point_of(random: &mut Random, shape: &Shape, on_border: bool) -> DVec3 {
     }
 }
 
-/// Where the picture shows about this point of a visible object; anywhere when it does not.
+/// Where the picture shows about this point of a visible object; anywhere when it does not, and where none is visible.
 pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -> DVec2 {
     let visible: Vec<_> = scene
         .objects()
         .iter()
         .filter(|object| object.visible)
         .collect();
+    if visible.is_empty() {
+        return anywhere(random, view);
+    }
     let object = visible[random.below(visible.len())];
     let point = point_of(random, &object.shape, on_border);
     let shown = view.project(object.placement.point_to_world(point));

@@ -161,7 +161,7 @@ fn scenes_of_any_size() {
         let (_folder, file) = scene(&text);
         Counts::of(run(Some(&file), "--size 96x64")).agree(1500);
     }
-    for exponent in [-101, 99, 150] {
+    for exponent in [-300, -200, -101, 99, 150] {
         let text = format!("[[object]]\nshape = \"cube\"\nscale = 1e{exponent}\n");
         let (_folder, file) = scene(&text);
         let output = run(Some(&file), "--size 96x64");
@@ -228,6 +228,22 @@ fn a_near_plane_below_what_f32_can_hold() {
             counts.stderr
         );
         assert_eq!(counts.stderr.lines().count(), 1, "{}", counts.stderr);
+    }
+}
+
+/// Planes as far off as `f64` has numbers leave some of the bounds without one.
+#[test]
+fn planes_farther_off_than_f32_can_hold() {
+    for far in ["1e39", "1e150", "1e300"] {
+        for depth in ["reversed", "standard"] {
+            let planes = format!("--ortho 3 --near=-{far} --far {far} --depth {depth}");
+            let view = format!("--size 160x120 --eye 1,2,6 --target 0,0,0 {planes}");
+            let counts = Counts::of(run(None, &view));
+            assert_eq!(counts.get("unexplained"), 0, "{planes}: {}", counts.line);
+            assert_eq!(counts.code, Some(1), "{planes}: {}", counts.line);
+            assert!(counts.get("picked") > 10_000, "{planes}: {}", counts.line);
+            assert!(counts.get("beyond_f32") > 5000, "{planes}: {}", counts.line);
+        }
     }
 }
 

@@ -1,0 +1,272 @@
+//! Terms of the bounds against `f32` step by step, as the shader and the hardware do it: nothing lies above a bound, and
+//! something comes so near to it that a bound without the term would not hold.
+
+use super::{polygon::shift_px, surface::Depths};
+use crate::{
+    camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+    geometry::{Aabb, Placement, Sides, random::Random},
+    render::{
+        transform::{self, U, VertexToView, ViewError},
+        view_space::ViewSpace,
+    },
+};
+use glam::{DAffine3, DMat3, DVec2, DVec3, Vec3};
+
+/// What is found to be off, over what may be: the largest of all.
+#[derive(Default)]
+struct Shares {
+    largest: f64,
+}
+
+impl Shares {
+    #[track_caller]
+    fn add(&mut self, off: f64, bound: f64) {
+        assert!(off.abs() <= bound, "{off:e} is above {bound:e}");
+        if off != 0.0 {
+            self.largest = self.largest.max(off.abs() / bound);
+        }
+    }
+
+    #[track_caller]
+    fn reach(&self, least: f64) {
+        assert!(self.largest >= least, "only {} of the bound", self.largest);
+    }
+}
+
+/// What `f32` holds of a number; with what is too small for a normal one lost, as GPUs may.
+#[expect(clippy::cast_possible_truncation, reason = "that is its purpose")]
+fn rounded(value: f64) -> f32 {
+    let rounded = value as f32;
+    if rounded.is_normal() { rounded } else { 0.0 }
+}
+
+/// A product or a sum as a GPU makes it: of two `f32` numbers both are exact in `f64`, or as good as that.
+fn product(a: f32, b: f32) -> f32 {
+    rounded(f64::from(a) * f64::from(b))
+}
+
+fn sum(a: f32, b: f32) -> f32 {
+    rounded(f64::from(a) + f64::from(b))
+}
+
+/// The reciprocal of a number, by two units in the last place off.
+fn reciprocal(random: &mut Random, w: f32) -> f32 {
+    let exact = 1.0 / w;
+    if random.next() > 0.0 {
+        exact.next_up().next_up()
+    } else {
+        exact.next_down().next_down()
+    }
+}
+
+const MAPPINGS: [DepthMapping; 2] = [DepthMapping::Reversed, DepthMapping::Standard];
+
+/// A view of what lies about the origin at most a unit away.
+fn view(random: &mut Random, depth: DepthMapping, orthographic: bool) -> View {
+    let eye = (3.0 + random.next()) * random.point().normalize();
+    let fov_y = 0.8 + 0.5 * random.next();
+    let lens = Lens {
+        projection: if orthographic {
+            Projection::Orthographic {
+                height: 4.0 * fov_y,
+            }
+        } else {
+            Projection::Perspective { fov_y }
+        },
+        near: 0.3 + 0.2 * random.next(),
+        far: 20.0 + 10.0 * random.next(),
+        depth,
+    };
+    let target = 0.3 * random.point();
+    View {
+        camera: Camera::new(eye, target, random.point(), lens).expect("a camera"),
+        viewport: Viewport::new(1280, 720).expect("a size"),
+        sides: Sides::Both,
+    }
+}
+
+fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
+    (0..count).map(|i| {
+        let mut random = Random(i as u64);
+        let view = view(&mut random, MAPPINGS[i % 2], i / 2 % 2 == 0);
+        (view, random)
+    })
+}
+
+/// The vertex shader's: right, up, measured depth, view depth.
+fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
+    let from_pivot = [0, 1, 2].map(|i| sum(position[i], -to_view.pivot[i]));
+    let row = |i: usize| {
+        let terms = [0, 1, 2].map(|k| product(to_view.linear.col(k)[i], from_pivot[k]));
+        sum(sum(terms[0], terms[1]), terms[2])
+    };
+    let turned = [0, 1, 2].map(row);
+    let [x, y, z] = [0, 1, 2].map(|i| sum(turned[i], to_view.translation[i]));
+    [x, y, z, sum(turned[2], to_view.view_depth)]
+}
+
+/// How far off the vertex shader puts vertices of this size, over their bounds: aside, and in depth.
+fn vertices(size: f64, views: impl Iterator<Item = (View, Random)>) -> [Shares; 2] {
+    let mut shares = <[Shares; 2]>::default();
+    for (view, mut random) in views {
+        let space = ViewSpace::new(&view);
+        let linear = DMat3::from_cols(random.point(), random.point(), random.point());
+        let placement = Placement::new(DAffine3::from_mat3(linear)).expect("no singular one");
+        let bounds = Aabb {
+            min: DVec3::splat(-size),
+            max: DVec3::splat(size),
+        };
+        let to_view = VertexToView::new(&space, &placement, DVec3::ZERO, &bounds);
+        let rounding = to_view.rounding(&space, &placement, DVec3::ZERO);
+        let position = (size * random.point()).as_vec3();
+        let error = to_view.error_view(&rounding, position);
+        let exact = space.at(&placement, DVec3::ZERO, position.as_dvec3());
+        let exact = [exact.aside.x, exact.aside.y, exact.measured, exact.depth];
+        let bounds = [error.aside.x, error.aside.y, error.measured, error.depth];
+        let found = vertex(&to_view, position).map(|at| f64::from(at) / space.unit());
+        for i in 0..4 {
+            shares[i / 2].add(found[i] - exact[i], bounds[i]);
+        }
+    }
+    shares
+}
+
+#[test]
+fn vertices_lie_within_their_bounds() {
+    for shares in vertices(1.0, views(4000)) {
+        shares.reach(0.3);
+    }
+}
+
+/// Vertices as small as the least `f32` numbers, on the line of sight: sideways nothing but underflow moves them.
+#[test]
+fn vertices_that_underflow_lie_within_their_bounds() {
+    let straight = views(4000).map(|(view, random)| {
+        let camera = Camera::new(3.0 * DVec3::Z, DVec3::ZERO, DVec3::Y, *view.camera.lens());
+        let camera = camera.expect("a camera");
+        (View { camera, ..view }, random)
+    });
+    let [aside, _] = vertices(4.0 * f64::from(f32::MIN_POSITIVE), straight);
+    aside.reach(0.1);
+}
+
+/// The projection of what the vertex shader makes, and what the hardware does then.
+#[test]
+fn projected_points_lie_within_their_bounds() {
+    let mut shares = Shares::default();
+    for (view, mut random) in views(20_000) {
+        let frame = transform::frame(&view);
+        let unit = transform::view_unit(&view);
+        let orthographic = view.camera.lens().is_orthographic();
+        let depth = rounded(3.0 + random.next());
+        let w = if orthographic { 1.0 } else { depth };
+        let ndc = DVec2::new(random.next(), random.next());
+        let aside = (ndc * view.half_extent() * f64::from(w)).to_array();
+        // In orthographic projection lengths of view space are in view units.
+        let unit = if orthographic { unit } else { 1.0 };
+        let aside = aside.map(|at| rounded(at * unit));
+        let size = view.viewport.size_px();
+        let by_w = if orthographic {
+            1.0
+        } else {
+            reciprocal(&mut random, w)
+        };
+        let found = [0, 1].map(|i| {
+            let clip = product(aside[i], frame.ndc_per_view[i]);
+            let half = rounded([0.5 * size.x, -0.5 * size.y][i]);
+            let half_size = rounded([0.5 * size.x, 0.5 * size.y][i]);
+            f64::from(sum(product(product(clip, by_w), half), half_size))
+        });
+        let exact = view.px_of(DVec2::from(aside.map(|at| f64::from(at) / unit)), w.into());
+        let bound = shift_px(&view, exact, w.into(), &ViewError::default());
+        shares.add(DVec2::from(found).distance(exact), bound);
+    }
+    shares.reach(0.3);
+}
+
+/// What clipping at the near plane compares is right where the plane is farther off than the bound.
+#[test]
+fn the_near_plane_cuts_within_its_bound() {
+    for mapping in MAPPINGS {
+        for orthographic in [false, true] {
+            let mut shares = Shares::default();
+            for i in 0..20_000 {
+                let mut random = Random(i);
+                let view = view(&mut random, mapping, orthographic);
+                let (space, lens) = (ViewSpace::new(&view), *view.camera.lens());
+                let (depths, unit) = (Depths::new(&space), space.unit());
+                let to_origin = transform::depth_origin(&view) - lens.near;
+                let error = ViewError {
+                    aside: DVec2::ZERO,
+                    depth: 4.0 * U * lens.near,
+                    measured: 4.0 * U * to_origin.abs().max(lens.near),
+                };
+                let bound = depths.near_error(&error, false);
+                let past_near = 1.5 * bound * random.next();
+                let exact = [past_near - to_origin, lens.near + past_near];
+                // A quarter is left for rounding.
+                let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
+                let measured = rounded(unit * off(exact[0], error.measured));
+                let depth = rounded(unit * off(exact[1], error.depth));
+                let clip = product(transform::frame(&view).clip_per_depth, measured);
+                let is_seen = match mapping {
+                    DepthMapping::Reversed => clip <= if orthographic { 1.0 } else { depth },
+                    DepthMapping::Standard => clip >= 0.0,
+                };
+                if is_seen != (past_near >= 0.0) {
+                    shares.add(past_near, bound);
+                }
+            }
+            shares.reach(0.3);
+        }
+    }
+}
+
+/// What the depth buffer stores for a depth, as near to the far plane as `near` is to 0.
+fn stored(near: f64) -> [Shares; 2] {
+    MAPPINGS.map(|mapping| {
+        let mut shares = Shares::default();
+        for i in 0..20_000 {
+            let mut random = Random(i);
+            let any = view(&mut random, mapping, false);
+            let lens = Lens {
+                near,
+                ..*any.camera.lens()
+            };
+            let camera = any.camera.with_lens(lens).expect("a lens");
+            let view = View { camera, ..any };
+            let (space, mut power) = (ViewSpace::new(&view), random.next().abs());
+            power *= (lens.far / near).ln();
+            let (depths, unit) = (Depths::new(&space), space.unit());
+            let depth = near * power.exp();
+            let past_near = depth - near;
+            let to_origin = transform::depth_origin(&view) - near;
+            let exact = [past_near - to_origin, depth];
+            let error = ViewError {
+                aside: DVec2::ZERO,
+                depth: 2.0 * U * depth,
+                measured: 2.0 * U * exact[0].abs(),
+            };
+            let [measured, w] = exact.map(|at| rounded(unit * at));
+            let factor = rounded(transform::frame(&view).clip_per_depth.into());
+            let found = product(product(factor, measured), reciprocal(&mut random, w));
+            let bound = depths.error(past_near, &error);
+            shares.add(f64::from(found) - depths.stored(past_near), bound);
+        }
+        shares
+    })
+}
+
+#[test]
+fn stored_depths_lie_within_their_bounds() {
+    for shares in stored(0.1) {
+        shares.reach(0.3);
+    }
+}
+
+/// A near plane so close that most of what reversed depth stores is lost.
+#[test]
+fn stored_depths_that_underflow_lie_within_their_bounds() {
+    let [reversed, _] = stored(3.0 * f64::from(f32::MIN_POSITIVE));
+    reversed.reach(0.1);
+}
