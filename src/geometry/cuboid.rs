@@ -61,6 +61,16 @@ impl Cuboid {
     }
 }
 
+/// Of components between this and its reciprocal, no reciprocal is short of digits.
+const LEAST: f64 = power_of_two(-1000);
+/// The most that a component may be off, relatively.
+const SMALL: f64 = power_of_two(-20);
+/// Where a slab is entered that says nothing.
+const BEFORE_ALL: Approximate = Approximate {
+    value: f64::NEG_INFINITY,
+    error: 0.0,
+};
+
 /// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), with one reciprocal an axis and no branch before the decision.
 ///
 /// A plane's parameter is the way to it times the reciprocal of the direction's component `d`. The way rounds once and is off
@@ -69,13 +79,6 @@ impl Cuboid {
 /// roundings of the bound itself and of sums with it.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
-    /// Of components between this and its reciprocal, no reciprocal is short of digits.
-    const LEAST: f64 = power_of_two(-1000);
-    const SMALL: f64 = power_of_two(-20);
-    const BEFORE_ALL: Approximate = Approximate {
-        value: f64::NEG_INFINITY,
-        error: 0.0,
-    };
     let Ray {
         origin, direction, ..
     } = *ray.ray;
@@ -86,15 +89,6 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     for axis in 0..3 {
         let (o, d) = (origin[axis], direction[axis]);
         let (o_error, d_error) = (ray.error.origin[axis], ray.error.direction[axis]);
-        if d == 0.0 && d_error == 0.0 {
-            if o.abs() - o_error > Cuboid::HALF_SIDE {
-                return Ok([None, None]);
-            }
-            // On a face exactly, or inside though the sum rounds.
-            is_bounded &= o.abs() + o_error < Cuboid::HALF_SIDE
-                || o_error == 0.0 && o.abs() <= Cuboid::HALF_SIDE;
-            continue;
-        }
         let inverse = 1.0 / d;
         let per_value = 5.0 * U + 1.01 * d_error * inverse.abs();
         // With slack for underflow.
@@ -107,14 +101,67 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
         let half = Cuboid::HALF_SIDE.copysign(d);
         enter[axis] = at(-half - o);
         leave[axis] = at(half - o).negative();
-        // Written so that NaN is in doubt.
-        is_bounded &= (LEAST..=1.0 / LEAST).contains(&d.abs())
-            && d_error <= SMALL * d.abs()
-            && enter[axis].error + leave[axis].error < f64::INFINITY;
+        is_bounded &= is_bounded_across(d, d_error, [enter[axis], leave[axis]]);
     }
-    if !is_bounded {
-        return Err(InDoubt);
+    if is_bounded {
+        crossing(ray.ray, enter, leave)
+    } else {
+        along_slabs(ray, enter, leave)
     }
+}
+
+/// Whether the bounds on where a slab is entered and left hold. Written so that NaN is not.
+#[inline]
+fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> bool {
+    (LEAST..=1.0 / LEAST).contains(&d.abs())
+        && d_error <= SMALL * d.abs()
+        && enter.error + leave.error < f64::INFINITY
+}
+
+/// The hits of a ray that runs along some of the slabs, or as good as that: those say nothing where the ray stays inside
+/// them for as long as it is inside the others.
+#[cold]
+fn along_slabs(
+    ray: &LocalRay,
+    mut enter: [Approximate; 3],
+    mut leave: [Approximate; 3],
+) -> Result<[Option<Hit>; 2], InDoubt> {
+    let (Ray { direction, .. }, error) = (ray.ray, &ray.error);
+    let is_along = [0, 1, 2].map(|axis| {
+        let ends = [enter[axis], leave[axis]];
+        !is_bounded_across(direction[axis], error.direction[axis], ends)
+    });
+    let along = || (0..3).filter(|axis| is_along[*axis]);
+    for axis in along() {
+        (enter[axis], leave[axis]) = (BEFORE_ALL, BEFORE_ALL);
+    }
+    let ends = [enter, leave].map(|of| greatest(of).1.low().abs());
+    let longest = ends[0].max(ends[1]);
+    for axis in along() {
+        let (o, d) = (ray.ray.origin[axis].abs(), direction[axis].abs());
+        let moved = longest * (d + error.direction[axis]);
+        // With slack for the roundings here, and for underflow.
+        let off = 1.01 * (error.origin[axis] + moved) + f64::MIN_POSITIVE;
+        if o - off > Cuboid::HALF_SIDE {
+            return Ok([None, None]);
+        }
+        // On a face exactly, or inside. Written so that NaN is in doubt.
+        let is_still = d + error.direction[axis] + error.origin[axis] == 0.0;
+        if !(o + off < Cuboid::HALF_SIDE || is_still && o <= Cuboid::HALF_SIDE) {
+            return Err(InDoubt);
+        }
+    }
+    crossing(ray.ray, enter, leave)
+}
+
+/// The hits of a ray that enters and leaves slabs there.
+#[inline]
+fn crossing(
+    ray: &Ray,
+    enter: [Approximate; 3],
+    leave: [Approximate; 3],
+) -> Result<[Option<Hit>; 2], InDoubt> {
+    let direction = ray.direction;
     let (entry_axis, entry) = greatest(enter);
     let (exit_axis, exit) = greatest(leave);
     let exit = exit.negative();
@@ -133,8 +180,8 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     }
     let outward = |axis: usize| DVec3::AXES[axis] * direction[axis].signum();
     Ok([
-        entry.hit(ray.ray, -outward(entry_axis), true)?,
-        exit.hit(ray.ray, outward(exit_axis), false)?,
+        entry.hit(ray, -outward(entry_axis), true)?,
+        exit.hit(ray, outward(exit_axis), false)?,
     ])
 }
 

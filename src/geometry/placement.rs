@@ -195,28 +195,18 @@ impl Placement {
 /// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
 /// three sums of it round.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
-    // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows; by powers of
-    // two, which round nothing.
-    let scale = [matrix.x_axis, matrix.y_axis, matrix.z_axis]
-        .map(|axis| axis.abs().max_element())
-        .map(|size| {
-            if size > 0.0 {
-                1.0 / power_of_two_below(size)
-            } else {
-                f64::NAN
-            }
-        });
-    let unit = DMat3::from_cols(
-        matrix.x_axis * scale[0],
-        matrix.y_axis * scale[1],
-        matrix.z_axis * scale[2],
-    );
+    // Columns, then rows, scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor
+    // overflows, and a flat one keeps its digits; by powers of two, which round nothing.
+    let columns = scales(matrix);
+    let unit = matrix * columns;
+    let rows = scales(unit.transpose());
+    let unit = rows * unit;
     // Checked before dividing by it: glam's inverse asserts.
     let determinant = unit.determinant();
     if !(determinant.is_finite() && determinant != 0.0) {
         return None;
     }
-    let inverse = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();
+    let inverse = columns * unit.inverse() * rows;
     let largest = |m: DMat3| {
         m.to_cols_array()
             .into_iter()
@@ -231,6 +221,19 @@ fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
         let error = 3.0 * error / (1.0 - 3.0 * error);
         (inverse, error, determinant < 0.0)
     })
+}
+
+/// What scales each column to about 1; NaN for a column of zeros.
+fn scales(matrix: DMat3) -> DMat3 {
+    let sizes = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
+    let scale = sizes.map(|size| {
+        if size > 0.0 {
+            1.0 / power_of_two_below(size)
+        } else {
+            f64::NAN
+        }
+    });
+    DMat3::from_diagonal(DVec3::from(scale))
 }
 
 fn row_sums(matrix: DMat3) -> DVec3 {

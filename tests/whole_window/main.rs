@@ -12,6 +12,7 @@ mod keeping;
 mod keys;
 mod one_place;
 mod overlays;
+mod panels_kept;
 mod pictures;
 mod stalls;
 
