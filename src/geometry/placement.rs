@@ -165,25 +165,26 @@ impl Placement {
     #[inline]
     #[must_use]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
-        /// Squares between this and its reciprocal are not short of digits.
-        const LEAST: f64 = power_of_two(-500);
-        let to_world = self.inverse_linear.transpose();
-        let normal = to_world * normal_object;
+        /// Squares of this and more, up to its reciprocal, are not short of digits.
+        const LEAST: u64 = power_of_two(-500).to_bits();
+        const RANGE: u64 = power_of_two(500).to_bits() - LEAST;
+        let normal = self.inverse_linear.transpose() * normal_object;
         let squared = normal.length_squared();
-        if (LEAST..=1.0 / LEAST).contains(&squared) {
+        // By the bits, which grow with the number: one comparison, and NaN is no such square.
+        if squared.to_bits().wrapping_sub(LEAST) < RANGE {
             normal * squared.sqrt().recip()
         } else {
-            scaled_normal(to_world, normal_object)
+            self.scaled_normal_to_world(&normal_object)
         }
     }
-}
 
-/// Scaled on the way: an inverse of a very small model times a large normal overflows.
-#[cold]
-fn scaled_normal(to_world: DMat3, normal_object: DVec3) -> DVec3 {
-    let unit = normal_object / normal_object.abs().max_element();
-    let normal = to_world * unit;
-    (normal / normal.abs().max_element()).normalize_or_zero()
+    /// Scaled on the way: an inverse of a very small model times a large normal overflows.
+    #[cold]
+    fn scaled_normal_to_world(&self, normal_object: &DVec3) -> DVec3 {
+        let unit = *normal_object / normal_object.abs().max_element();
+        let normal = self.inverse_linear.transpose() * unit;
+        (normal / normal.abs().max_element()).normalize_or_zero()
+    }
 }
 
 /// The inverse in `f64` with a bound on how far its product with a vector is off, over the row's sum and the vector's

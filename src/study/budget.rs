@@ -69,7 +69,7 @@ pub fn budget(
         for row in rows.iter().filter(|row| row.ours) {
             ours(&mut text, row);
         }
-        lesser(&mut text, report, &rows);
+        lesser(&mut text, &rows);
         text.push('\n');
     }
     text
@@ -131,8 +131,8 @@ fn ours(text: &mut String, row: &Row) {
 }
 
 /// What other methods got wrong on the scene's own rays, and what they would save.
-fn lesser(text: &mut String, report: &Report, rows: &[&Row]) {
-    let ns = |row: &Row| report.time_of(row).map(|time| time.ns);
+fn lesser(text: &mut String, rows: &[&Row]) {
+    let ns = |row: &Row| row.time.map(|time| time.ns);
     let own = rows.iter().find(|row| row.ours).and_then(|row| ns(row));
     for row in rows
         .iter()

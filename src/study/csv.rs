@@ -1,42 +1,73 @@
-//! The study as a table for programs: one line a method at each value of each parameter.
+//! The study as tables for programs: one line a method at each value of each parameter, and one a method.
 
-use super::run::{Report, Row};
+use super::{
+    run::{Report, Row, SCENE},
+    summary::Summary,
+};
 use std::fmt::Write;
 
-/// The columns, in order. All but the last two are the same for a seed on every machine.
-pub const COLUMNS: [&str; 19] = [
-    "step",
-    "method",
-    "precision",
-    "sightlines",
-    "family",
-    "parameter",
-    "value",
-    "cases",
-    "missed",
-    "phantoms",
-    "others",
-    "wrong_percent",
-    "worst_wrong",
-    "wrong_unit",
-    "median_error",
-    "worst_error",
-    "error_unit",
-    "ns",
-    "ratio",
-];
+/// The header of [`csv`]. All but the last four columns are the same for a seed on every machine.
+pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,value,cases,missed,phantoms,others,wrong_percent,\
+                           worst_wrong,wrong_unit,median_error,p999_error,worst_error,error_unit,ns,ns_low,ns_high,ns_learnt";
+
+/// The header of [`summary_csv`].
+pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_ns,wrong_rate,wrong_rate_high,median_error,\
+                                   p999_error,worst_error,on_front,reason";
 
 /// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose square
 /// roots or tangents differ in the last bit agree; a value that is no number is `inf`.
 #[must_use]
 pub fn csv(report: &Report) -> String {
-    let mut text = COLUMNS.join(",") + "\n";
-    for row in &report.rows {
-        let time = report.time_of(row);
-        let ns = time.map_or(String::new(), |time| format!("{:.2}", time.ns));
-        let ratio = time.map_or(String::new(), |time| format!("{:.3}", time.ratio));
-        let cells = verdict(row).into_iter().chain([ns, ratio]);
-        let cells: Vec<String> = cells.map(|cell| quoted(&cell)).collect();
+    let rows = report.rows.iter().map(|row| {
+        let times = row
+            .time
+            .map_or(const { [const { String::new() }; 4] }, |time| {
+                let [low, high] = time.quartiles;
+                [time.ns, low, high, time.learnt].map(|ns| format!("{ns:.2}"))
+            });
+        verdict(row).into_iter().chain(times).collect()
+    });
+    lines(COLUMNS, rows)
+}
+
+/// A line a method: over all workloads but a scene's own, with `ordinary_ns` and `median_error` of the ordinary one, errors at
+/// the worst one, and [`Summary::is_on_front`].
+#[must_use]
+pub fn summary_csv(report: &Report) -> String {
+    let steps = report.steps().into_iter();
+    let rows = steps.flat_map(|step| {
+        let all = report.summaries(step, |row| row.family != SCENE);
+        all.iter()
+            .map(|summary| of_method(summary, &all))
+            .collect::<Vec<_>>()
+    });
+    lines(SUMMARY_COLUMNS, rows)
+}
+
+fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
+    let row = summary.method;
+    let ns = |ns: Option<f64>| ns.map_or(String::new(), |ns| format!("{ns:.2}"));
+    vec![
+        row.step.key.to_owned(),
+        row.method.to_owned(),
+        row.precision.to_string(),
+        row.ours.to_string(),
+        ns(summary.ns()),
+        ns(summary.slowest.map(|(_, time)| time.ns)),
+        format!("{:.2e}", summary.wrong_rate()),
+        format!("{:.2e}", summary.wrong_rate_high()),
+        format!("{:.2e}", row.median_error),
+        format!("{:.2e}", summary.p999_error.p999_error),
+        format!("{:.2e}", summary.worst_error.worst_error),
+        summary.is_on_front(all).to_string(),
+        row.reason.unwrap_or_default().to_owned(),
+    ]
+}
+
+fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut text = format!("{header}\n");
+    for row in rows {
+        let cells: Vec<String> = row.iter().map(|cell| quoted(cell)).collect();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", cells.join(","));
     }
@@ -44,7 +75,7 @@ pub fn csv(report: &Report) -> String {
 }
 
 /// The columns that do not depend on the machine.
-fn verdict(row: &Row) -> [String; 17] {
+fn verdict(row: &Row) -> [String; 18] {
     [
         row.step.key.to_owned(),
         row.method.to_owned(),
@@ -61,6 +92,7 @@ fn verdict(row: &Row) -> [String; 17] {
         format!("{:.1e}", row.worst_wrong),
         row.step.wrong_unit.to_owned(),
         format!("{:.1e}", row.median_error),
+        format!("{:.1e}", row.p999_error),
         format!("{:.1e}", row.worst_error),
         row.step.error_unit.to_owned(),
     ]

@@ -104,7 +104,7 @@ impl Sizes {
         }
         for case in triangles
             .iter()
-            .filter(|case| super::step::Case::truth(*case).t.is_some())
+            .filter(|case| super::step::Case::truth(*case).is_some())
         {
             let [a, b, c] = case.wide.corners;
             let normal = (b - a).cross(c - a);

@@ -3,7 +3,7 @@
 use super::{
     methods::{
         boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
-        object_space::PlacedCase, planes::PlaneCase, rays::PixelCase, spheres::SphereCase,
+        object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
         triangles::TriangleCase,
     },
     step::Precision::{self, F32, F64},
@@ -23,8 +23,8 @@ pub struct Break {
     pub precision: Precision,
     /// The step's family that makes worse what breaks it here.
     pub family: &'static str,
-    /// The least that goes wrong over the scene's own rays: in per cent of decisions for steps that make them, the worst
-    /// error in the step's unit for those that give values.
+    /// The least that goes wrong over the scene's own rays: in per cent of decisions, or where these are all right the worst
+    /// error of a value in the step's unit.
     pub least: f64,
 }
 
@@ -108,7 +108,7 @@ pub static BREAKS: [Break; 12] = [
         "starts on a slab",
         0.1,
     ),
-    Break::of::<PlaneCase>("edge_on", "N . (S - o)", F32, "grazing", 1e-4),
+    Break::of::<SquareCase>("edge_on", "N . (S - o)", F32, "grazing", 1e-4),
     Break::of::<TriangleCase>("needles", "areas, sum == 1", F32, "slivers", 5.0),
 ];
 

@@ -63,7 +63,7 @@ pub mod truth;
 pub mod workloads;
 
 pub use budget::budget;
-pub use csv::{COLUMNS, csv};
+pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use summary::Summary;
 pub use table::table;

@@ -4,6 +4,7 @@ use super::{
     methods::{Visitor, each_step},
     random::Random,
     step::{About, Bound, Case, Family, Precision, Verdict},
+    summary::quantile,
     timing::{self, Time},
     workloads::scene::SceneRays,
 };
@@ -44,6 +45,11 @@ impl Effort {
         rounds: 11,
         seed: 1,
     };
+    /// How many cases of a step are judged.
+    fn count<C: Case>(self) -> usize {
+        if C::SLOW { self.picks } else { self.cases }
+    }
+
     /// Within minutes.
     pub const FULL: Self = Self {
         cases: 8000,
@@ -82,21 +88,32 @@ pub struct Row {
     pub worst_wrong: f64,
     /// The values' middle error, where the decision was right.
     pub median_error: f64,
+    /// The error that one value of a thousand exceeds.
+    pub p999_error: f64,
     /// The values' worst error, where the decision was right.
     pub worst_error: f64,
     /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
     pub bound: Option<Bound>,
+    /// Where another method is faster and no more often wrong: what the difference buys.
+    pub reason: Option<&'static str>,
+    /// How long it took for these cases, where it was timed.
+    pub time: Option<Time>,
 }
 
 impl Row {
-    /// How many decisions were wrong, in per cent.
+    /// How many decisions were wrong.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        self.missed + self.phantoms + self.others
+    }
+
+    /// The same in per cent.
     #[must_use]
     pub fn wrong_percent(&self) -> f64 {
-        let wrong = self.missed + self.phantoms + self.others;
         #[expect(clippy::cast_precision_loss, reason = "few cases")]
-        let percent = 100.0 * wrong as f64 / self.cases.max(1) as f64;
+        let percent = 100.0 * self.wrong() as f64 / self.cases.max(1) as f64;
         percent
     }
 }
@@ -104,10 +121,8 @@ impl Row {
 /// Everything that was found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Accuracy: by step, family, value, method.
+    /// By step, family, value, method.
     pub rows: Vec<Row>,
-    /// Speed, by step and method; none where nothing was timed.
-    pub times: Vec<Time>,
     /// Whether a scene's own rays, the family [`SCENE`], are among the rows.
     pub has_scene: bool,
 }
@@ -164,25 +179,27 @@ struct Workload<'a, C> {
     family: &'static str,
     parameter: &'static str,
     value: f64,
-    make: Box<dyn Fn() -> Vec<C> + Sync + 'a>,
+    /// At most so many of its cases, always the same ones first.
+    make: Box<dyn Fn(usize) -> Vec<C> + Sync + 'a>,
 }
 
 impl Visitor for Run<'_> {
     fn visit<C: Case>(&mut self) {
-        let rows = self.judged::<C>();
-        self.report.rows.extend(rows);
+        let workloads = all_workloads::<C>(self.effort, self.scene);
+        let mut rows = self.judged(&workloads);
         if self.effort.rounds > 0 {
-            let times = timing::time(&self.timed_cases::<C>(), self.effort.rounds);
-            self.report.times.extend(times);
+            for (work, rows) in workloads.iter().zip(&mut rows) {
+                self.timed(work, rows);
+            }
         }
+        self.report.rows.extend(rows.into_iter().flatten());
         self.done += 1;
     }
 }
 
 impl Run<'_> {
     /// Every method's answers to every workload of a step, on all cores.
-    fn judged<C: Case>(&self) -> Vec<Row> {
-        let workloads = self.workloads::<C>();
+    fn judged<C: Case>(&self, workloads: &[Workload<'_, C>]) -> Vec<Vec<Row>> {
         let next = AtomicUsize::new(0);
         let found = Mutex::new(Vec::new());
         let work = || {
@@ -195,7 +212,7 @@ impl Run<'_> {
                     (f64::from(self.done) + share) / f64::from(self.steps),
                     C::ABOUT.name,
                 );
-                let rows = judge(work, &(work.make)());
+                let rows = judge(work, &(work.make)(usize::MAX));
                 // The lock is only ever lost to a panic, which ends the scope anyway.
                 if let Ok(mut found) = found.lock() {
                     found.push((index, rows));
@@ -210,54 +227,60 @@ impl Run<'_> {
         });
         let mut found = found.into_inner().unwrap_or_default();
         found.sort_by_key(|(index, _)| *index);
-        found.into_iter().flat_map(|(_, rows)| rows).collect()
+        found.into_iter().map(|(_, rows)| rows).collect()
     }
 
-    fn workloads<C: Case>(&self) -> Vec<Workload<'_, C>> {
-        let families = C::FAMILIES.iter();
-        let mut all: Vec<Workload<'_, C>> = families
-            .flat_map(|family| workloads(family, self.effort))
-            .collect();
-        all.extend(self.scene.map(|scene| Workload {
-            family: SCENE,
-            parameter: "-",
-            value: 1.0,
-            make: Box::new(|| C::of_scene(scene)),
-        }));
-        all
-    }
-
-    /// The scene's own cases where there are some, else the first family's.
-    fn timed_cases<C: Case>(&self) -> Vec<C> {
-        let mut own = self.scene.map(C::of_scene).unwrap_or_default();
-        if !own.is_empty() {
-            own.truncate(C::TIMED);
-            return own;
+    /// Sets the times of a workload's rows: of the cases that were judged, or as many of them as do.
+    fn timed<C: Case>(&self, work: &Workload<'_, C>, rows: &mut [Row]) {
+        const ROUNDS_OF_SLOW: usize = 11;
+        let rounds = if C::SLOW {
+            self.effort.rounds.min(ROUNDS_OF_SLOW)
+        } else {
+            self.effort.rounds
+        };
+        let cases = (work.make)(C::TIMED);
+        let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
+        let times = timing::time(cases, rounds, &mut random);
+        for (method, time) in C::METHODS.iter().zip(times) {
+            let is_it =
+                |row: &&mut Row| (row.method, row.precision) == (method.name, method.precision);
+            if let Some(row) = rows.iter_mut().find(is_it) {
+                row.time = time;
+            }
         }
-        let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, "timing"]);
-        let Family { values, make, .. } = &C::FAMILIES[0];
-        let cases = (0..C::TIMED).map(|_| make(&mut random, values[0]));
-        cases.collect()
     }
 }
 
+/// Every family's, and that of a scene's own rays.
+fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Workload<'_, C>> {
+    let families = C::FAMILIES.iter();
+    let own = scene.map(|scene| Workload {
+        family: SCENE,
+        parameter: "-",
+        value: 1.0,
+        make: Box::new(move |most| {
+            let mut cases = C::of_scene(scene);
+            cases.truncate(most);
+            cases
+        }),
+    });
+    let general = families.flat_map(|family| workloads(family, effort));
+    general.chain(own).collect()
+}
+
 /// The workloads of a family, one for each value of its parameter.
-fn workloads<C: Case>(
+fn workloads<'a, C: Case>(
     family: &'static Family<C>,
     effort: Effort,
-) -> impl Iterator<Item = Workload<'static, C>> {
-    let Effort {
-        cases, picks, seed, ..
-    } = effort;
-    let count = if C::SLOW { picks } else { cases };
+) -> impl Iterator<Item = Workload<'a, C>> {
     family.values.iter().map(move |&value| Workload {
         family: family.name,
         parameter: family.parameter,
         value,
-        make: Box::new(move || {
+        make: Box::new(move |most| {
             let names = [C::ABOUT.key, family.name, &value.to_string()];
-            let mut random = Random::named(seed, &names);
-            (0..count)
+            let mut random = Random::named(effort.seed, &names);
+            (0..effort.count::<C>().min(most))
                 .map(|_| (family.make)(&mut random, value))
                 .collect()
         }),
@@ -270,7 +293,7 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
     let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
         .flat_map(|family| workloads(family, effort))
-        .flat_map(|work| judge(&work, &(work.make)()))
+        .flat_map(|work| judge(&work, &(work.make)(usize::MAX)))
         .collect()
 }
 
@@ -296,9 +319,12 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 others: 0,
                 worst_wrong: 0.0,
                 median_error: 0.0,
+                p999_error: 0.0,
                 worst_error: 0.0,
                 of_bound: method.ours.then_some(0.0),
                 bound: method.ours.then_some(Bound::NONE),
+                reason: method.reason,
+                time: None,
             };
             let mut errors = Vec::with_capacity(cases.len());
             for (case, truth) in cases.iter().zip(&truths) {
@@ -329,8 +355,8 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 row.bound = row.bound.map(|most| most.max(bound));
             }
             errors.sort_by(f64::total_cmp);
-            row.median_error = errors.get(errors.len() / 2).copied().unwrap_or(0.0);
-            row.worst_error = errors.last().copied().unwrap_or(0.0);
+            [row.median_error, row.p999_error, row.worst_error] =
+                [0.5, 0.999, 1.0].map(|share| quantile(&errors, share));
             row
         })
         .collect()

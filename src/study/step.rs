@@ -34,7 +34,9 @@ pub struct Method<C: Case> {
     pub source: &'static str,
     /// Whether it is what the rest of this program does.
     pub ours: bool,
-    /// Does it.
+    /// Where something else is faster and no more often wrong: what the difference buys.
+    pub reason: Option<&'static str>,
+    /// Does it. Whatever a program would have at hand by then is part of the case.
     pub run: fn(&C) -> C::Answer,
 }
 
@@ -51,6 +53,7 @@ impl<C: Case> Method<C> {
             precision,
             source,
             ours: false,
+            reason: None,
             run,
         }
     }
@@ -65,6 +68,14 @@ impl<C: Case> Method<C> {
         Self {
             ours: true,
             ..Self::new(name, precision, source, run)
+        }
+    }
+
+    /// The same, with what it buys.
+    pub(super) const fn because(self, reason: &'static str) -> Self {
+        Self {
+            reason: Some(reason),
+            ..self
         }
     }
 }
@@ -105,6 +116,8 @@ pub struct About {
     pub name: &'static str,
     /// One word for file names and CSV.
     pub key: &'static str,
+    /// The job that every method does: what it is given, and what it answers.
+    pub job: &'static str,
     /// What a value's error is measured in.
     pub error_unit: &'static str,
     /// What the distance of a wrong decision is measured in; empty for steps that decide nothing.
@@ -112,7 +125,7 @@ pub struct About {
 }
 
 /// One question to the methods of a step, with all that they need to answer it.
-pub trait Case: Sized + Sync + Send + 'static {
+pub trait Case: Sized + Clone + Sync + Send + 'static {
     /// What methods answer.
     type Answer;
     /// What is so.
@@ -121,8 +134,8 @@ pub trait Case: Sized + Sync + Send + 'static {
     const ABOUT: About;
     /// Whether an answer takes so long that fewer cases have to do.
     const SLOW: bool = false;
-    /// How many cases are timed in a row: too many for the processor to learn their branches.
-    const TIMED: usize = if Self::SLOW { 24 } else { 4096 };
+    /// How many cases of a workload are timed; 0 for steps that only act out what hardware does.
+    const TIMED: usize = if Self::SLOW { 24 } else { 512 };
     /// Every method, the reference that times are relative to first.
     const METHODS: &'static [Method<Self>];
     /// Every workload, the ordinary one first.

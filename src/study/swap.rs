@@ -3,15 +3,15 @@
 
 use super::{
     methods::{
-        MethodInfo,
+        MethodInfo, ShapeCase,
         boxes::BoxCase,
         clipping::ClipCase,
         depth::DepthCase,
         normals::NormalCase,
         object_space::PlacedCase,
-        planes::PlaneCase,
         rays::{PixelCase, Sight},
         spheres::SphereCase,
+        squares::SquareCase,
         triangles::TriangleCase,
     },
     real::V3,
@@ -277,7 +277,7 @@ impl Step for SphereCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
         nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
-            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
+            let t = first(local, |ray| run(&Self(ShapeCase::of_object(ray, 1.0))))?;
             Some(analytic(local, t, local.at(t)))
         })
     }
@@ -287,7 +287,7 @@ impl Step for BoxCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
         nearest(scene, view, &view.ray(px), is_cube, |_, local| {
-            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
+            let t = first(local, |ray| run(&Self(ShapeCase::of_object(ray, 1.0))))?;
             let point = local.at(t);
             let face = DVec3::AXES.into_iter().max_by(|a, b| {
                 let depth = |axis: &DVec3| point.dot(*axis).abs();
@@ -298,14 +298,15 @@ impl Step for BoxCase {
     }
 }
 
-impl Step for PlaneCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
+impl Step for SquareCase {
+    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let ray = view.ray(px);
         let is_square = |shape: &Shape| matches!(shape, Shape::Square);
         nearest(scene, view, &ray, is_square, |object, local| {
-            let t = run(&Self::of_object(&object.placement, &ray));
-            let beside = local.at(t).truncate().abs().max_element();
-            (beside <= Square::HALF_SIDE).then(|| analytic(local, t, DVec3::Z))
+            let t = first(&ray, |ray| {
+                run(&Self::of_object(&object.placement, ray, 1.0))
+            })?;
+            Some(analytic(local, t, DVec3::Z))
         })
     }
 }

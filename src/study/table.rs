@@ -32,18 +32,10 @@ pub fn table(report: &Report) -> String {
     text
 }
 
-fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>]) {
-    if summaries.is_empty() {
-        return;
-    }
-    let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
-    let decides = decides || !measures;
-    let mut header = vec![
-        "method".to_owned(),
-        String::new(),
-        "ns".to_owned(),
-        "ratio".to_owned(),
-    ];
+fn header(step: About, decides: bool, measures: bool) -> Vec<String> {
+    let timed = ["ns", "quartiles", "ratio", "learnt", "worst ns", "in"];
+    let first = ["method", "", "front"].into_iter().chain(timed);
+    let mut header: Vec<String> = first.map(str::to_owned).collect();
     if decides {
         header.extend(["wrong %".to_owned(), "in".to_owned()]);
     }
@@ -57,17 +49,38 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         ]);
     }
     header.push("of bound".to_owned());
-    let mut rows = vec![header];
+    header
+}
+
+fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>]) {
+    let Some(first) = summaries.first().map(Summary::ns) else {
+        return;
+    };
+    let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
+    let decides = decides || !measures;
+    let mut rows = vec![header(step, decides, measures)];
     rows.extend(summaries.iter().map(|summary| {
         let method = summary.method;
-        let mut cells = vec![
-            method.method.to_owned(),
-            method.precision.to_string(),
-            summary.ns.map_or("-".to_owned(), time),
-            summary
-                .ratio
-                .map_or("-".to_owned(), |ratio| format!("{ratio:.2}")),
-        ];
+        let mut cells = vec![method.method.to_owned(), method.precision.to_string()];
+        cells.push(
+            if summary.is_on_front(summaries) {
+                "yes"
+            } else {
+                ""
+            }
+            .to_owned(),
+        );
+        cells.extend(match (method.time, summary.slowest) {
+            (Some(of), Some((slowest, worst))) => [
+                time(of.ns),
+                of.quartiles.map(time).join(".."),
+                first.map_or(String::new(), |first| format!("{:.2}", of.ns / first)),
+                time(of.learnt),
+                time(worst.ns),
+                place(slowest, worst.ns),
+            ],
+            _ => std::array::from_fn(|_| String::new()),
+        });
         if decides {
             let row = summary.most_wrong;
             cells.extend([
@@ -106,7 +119,7 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         .map(|column| width(column).unwrap_or(0))
         .collect();
     // Writing to a string cannot fail.
-    let _ = writeln!(text, "{title}");
+    let _ = writeln!(text, "{title}\nEach method is given {}.", step.job);
     for row in &rows {
         let cells = row
             .iter()
@@ -123,6 +136,11 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
             });
         let line = cells.collect::<Vec<_>>().join("  ");
         let _ = writeln!(text, "  {}", line.trim_end());
+    }
+    for summary in summaries {
+        if let Some(reason) = summary.method.reason {
+            let _ = writeln!(text, "  {} buys: {reason}", summary.method.method);
+        }
     }
     text.push('\n');
 }
@@ -141,7 +159,7 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let timed = summaries
         .iter()
         .filter(does)
-        .filter_map(|summary| Some((summary, summary.ns?)));
+        .filter_map(|summary| Some((summary, summary.ns()?)));
     let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let Row {
         method, precision, ..

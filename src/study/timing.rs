@@ -1,81 +1,115 @@
 //! How long methods take, side by side.
 //!
-//! All methods answer the same cases, in one order that is too long and too random for the processor to learn. They
-//! take turns, round by round, so that whatever else the machine does falls on all of them alike; what is reported is
-//! the median over the rounds, and the median over the rounds of the ratio to the step's first method.
+//! All methods answer the cases of one workload. In each round the cases are put into a new order, so that the processor
+//! cannot learn their branches, and the methods too, so that whatever else the machine does falls on all of them alike. They
+//! take turns over so few cases at a time that the first-level cache holds them: memory is not what is timed. The time of a
+//! call that does nothing is taken off. What is reported is the median over the rounds, with the quartiles.
+//!
+//! Beside that the same few cases are answered over and over in one order, which the processor does learn: the difference is
+//! what wrongly predicted branches cost.
 
-use super::step::{About, Case, Method, Precision};
+use super::{random::Random, step::Case};
 use std::{hint::black_box, time::Instant};
 
-/// How long a method takes for one case.
+/// How long a method takes for one case of a workload, in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
-    /// The step.
-    pub step: About,
-    /// The method.
-    pub method: &'static str,
-    /// Its precision.
-    pub precision: Precision,
-    /// Nanoseconds.
+    /// The median over the rounds, in an order that cannot be learnt.
     pub ns: f64,
-    /// Relative to the step's first method.
-    pub ratio: f64,
+    /// The first and the third quartile.
+    pub quartiles: [f64; 2],
+    /// The median where the processor has learnt the branches.
+    pub learnt: f64,
 }
 
-/// Times every method of a step over the same cases. What answers for a whole picture at a time is timed
-/// by that.
+/// Cases that the processor learns.
+const FEW: usize = 32;
+/// What the first-level cache holds twice, as a copy of the cases brings them there.
+const CACHED_BYTES: usize = 16 << 10;
+/// Less than this hides behind what the loop does.
+const LEAST_NS: f64 = 0.1;
+
+/// Times each method of a step over the same cases, in the registry's order; `None` for what cannot be run. What answers for
+/// a whole picture at a time is timed by that.
 #[must_use]
-pub fn time<C: Case>(cases: &[C], rounds: usize) -> Vec<Time> {
+pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> Vec<Option<Time>> {
+    let mut times = vec![None; C::METHODS.len()];
     let Some(first) = cases.first() else {
-        return Vec::new();
+        return times;
     };
-    let (pictures, methods): (Vec<_>, Vec<_>) = C::METHODS
-        .iter()
-        .filter(|method| first.can_run(method))
-        .map(|method| (C::whole_picture(cases, method), method))
-        .partition(|(whole, _)| whole.is_some());
-    let methods: Vec<_> = methods.into_iter().map(|(_, method)| method).collect();
-    if methods.is_empty() {
-        return Vec::new();
+    let mut order = Vec::new();
+    for (index, method) in C::METHODS.iter().enumerate() {
+        if let Some(ns) = C::whole_picture(&cases, method) {
+            times[index] = Some(Time {
+                ns,
+                quartiles: [ns; 2],
+                learnt: ns,
+            });
+        } else if first.can_run(method) {
+            order.push(index);
+        }
     }
-    #[expect(clippy::cast_precision_loss, reason = "few cases")]
-    let per_case = 1e9 / cases.len() as f64;
-    let mut samples = vec![Vec::with_capacity(rounds); methods.len()];
+    let mut few = cases.clone();
+    few.truncate(FEW);
+    let turns = cases.len() / few.len();
+    let at_once = (CACHED_BYTES / size_of::<C>()).max(1);
+    let mut samples = vec![[const { Vec::new() }; 2]; C::METHODS.len()];
     // One round more, whose times do not count: caches and clocks warm up.
     for round in 0..=rounds {
-        for turn in 0..methods.len() {
-            let index = (turn + round) % methods.len();
-            let run = methods[index].run;
-            let start = Instant::now();
-            for case in cases {
-                black_box(run(black_box(case)));
+        random.shuffle(&mut cases);
+        random.shuffle(&mut order);
+        let mut taken = vec![[0.0; 2]; C::METHODS.len()];
+        for cases in cases.chunks(at_once) {
+            seconds(cases, 1, C::clone);
+            let nothing = seconds(cases, 1, nothing);
+            for &index in &order {
+                taken[index][0] += seconds(cases, 1, C::METHODS[index].run) - nothing;
             }
-            let ns = start.elapsed().as_secs_f64() * per_case;
-            if round > 0 {
-                samples[index].push(ns);
+        }
+        let nothing = seconds(&few, turns, nothing);
+        for &index in &order {
+            taken[index][1] = seconds(&few, turns, C::METHODS[index].run) - nothing;
+        }
+        if round > 0 {
+            for &index in &order {
+                samples[index][0].push(ns_each(taken[index][0], cases.len()));
+                samples[index][1].push(ns_each(taken[index][1], turns * few.len()));
             }
         }
     }
-    let reference = samples[0].clone();
-    let time = |method: &Method<C>, ns: f64, ratio: f64| Time {
-        step: C::ABOUT,
-        method: method.name,
-        precision: method.precision,
-        ns,
-        ratio,
-    };
-    let pictures = pictures.into_iter().filter_map(|(whole, method)| {
-        let ns = whole?;
-        Some(time(method, ns, ns / median(reference.clone())))
-    });
-    let times = methods.iter().zip(&samples).map(|(method, samples)| {
-        let ratios = samples.iter().zip(&reference).map(|(ns, first)| ns / first);
-        time(method, median(samples.clone()), median(ratios.collect()))
-    });
-    times.chain(pictures).collect()
+    for index in order {
+        let [new, learnt] = &mut samples[index];
+        times[index] = Some(Time {
+            ns: quantile(new, 0.5),
+            quartiles: [quantile(new, 0.25), quantile(new, 0.75)],
+            learnt: quantile(learnt, 0.5),
+        });
+    }
+    times
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+fn nothing<C>(_: &C) {}
+
+/// How long it takes to answer all cases so many times, one after the other.
+#[inline(never)]
+fn seconds<C, A>(cases: &[C], turns: usize, run: fn(&C) -> A) -> f64 {
+    let run = black_box(run);
+    let start = Instant::now();
+    for _ in 0..turns {
+        for case in cases {
+            black_box(run(black_box(case)));
+        }
+    }
+    start.elapsed().as_secs_f64()
+}
+
+fn ns_each(seconds: f64, count: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "few cases")]
+    let count = count as f64;
+    1e9 * seconds / count
+}
+
+fn quantile(values: &mut [f64], share: f64) -> f64 {
     values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+    super::summary::quantile(values, share).max(LEAST_NS)
 }

@@ -78,6 +78,28 @@ fn spheres_with_the_direction_taken_as_1_long_need_it_so() {
     assert!(row.wrong_percent() > 30.0, "{row:?}");
 }
 
+/// Where whole numbers make a ray touch, or pass an edge by less than `f64` can add to them, only exact arithmetic knows.
+#[test]
+fn rays_that_touch_need_exact_arithmetic() {
+    for (step, method, family, bits) in [
+        ("sphere", "Hearn & Baker", "exactly touching", 16.0),
+        ("square", "N . (S - o)", "exactly through the rim", 16.0),
+        ("box", "slabs with a branch", "past an edge", 1e-20),
+    ] {
+        let bad = row(step, method, F64, family, bits);
+        assert!(bad.wrong() * 20 > bad.cases, "{bad:?}");
+        assert!(bad.worst_wrong < 1e-9, "{bad:?}");
+    }
+}
+
+#[test]
+fn the_distance_form_of_a_plane_is_lost_far_from_the_origin() {
+    let bad = row("square", "D - N . o", F32, "far from the origin", 1e6);
+    assert!(bad.wrong() > 0 && bad.worst_error > 1e-2, "{bad:?}");
+    let good = row("square", "N . (S - o)", F64, "far from the origin", 1e6);
+    assert!(good.worst_wrong < 1e-6, "{good:?}");
+}
+
 #[test]
 fn min_and_max_lose_boxes_from_a_slab() {
     for precision in [F32, F64] {
@@ -102,7 +124,7 @@ fn min_and_max_lose_boxes_from_a_slab() {
 
 #[test]
 fn padded_boxes_lose_nothing() {
-    for (method, precision) in [("padded, to cull", F32), ("Ize's in f64, to cull", F64)] {
+    for (method, precision) in [("padded, to cull", F32), ("padded, to cull", F64)] {
         let found = report()
             .rows
             .iter()

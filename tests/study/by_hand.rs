@@ -3,13 +3,14 @@
 use sightline::study::{
     exact::{Exact, Exact3, angle},
     methods::{
-        boxes::{BoxCase, RayBox},
+        ObjectRay, ShapeCase,
+        boxes::BoxCase,
         clipping::ClipCase,
         normals::{NormalCase, Tilted},
         object_space::{Placed, PlacedCase},
-        planes::{PlaneCase, RayPlane},
         rays::PixelCase,
-        spheres::{RaySphere, SphereCase},
+        spheres::SphereCase,
+        squares::{RaySquare, SquareCase},
         triangles::{RayTriangle, TriangleCase},
     },
     random::Random,
@@ -46,76 +47,58 @@ fn exact_numbers_keep_every_bit() {
 #[test]
 fn truth_agrees_with_hand_cases() {
     let corners = [v(0.0, 0.0, 5.0), v(1.0, 0.0, 5.0), v(0.0, 1.0, 5.0)];
-    let triangle = |x: f64, y: f64| {
-        let ray = RayTriangle {
-            origin: v(x, y, 0.0),
-            direction: v(0.0, 0.0, 2.0),
-            corners,
-        };
-        truth::triangles::truth(&ray)
+    let triangle = |x: f64, y: f64| RayTriangle {
+        origin: v(x, y, 0.0),
+        direction: v(0.0, 0.0, 2.0),
+        corners,
     };
-    assert_eq!(triangle(0.25, 0.25).t, Some(2.5));
-    assert_eq!(triangle(0.5, 0.5).t, Some(2.5), "an edge belongs to it");
-    assert_eq!(triangle(0.0, 0.0).t, Some(2.5), "a corner, too");
-    let outside = triangle(0.25, -1e-12);
-    assert_eq!(outside.t, None);
-    assert!(
-        (outside.edge_angle / 2e-13 - 1.0).abs() < 1e-9,
-        "{outside:?}"
-    );
+    let t = |x: f64, y: f64| truth::triangles::truth(&triangle(x, y));
+    assert_eq!(t(0.25, 0.25), Some(2.5));
+    assert_eq!(t(0.5, 0.5), Some(2.5), "an edge belongs to it");
+    assert_eq!(t(0.0, 0.0), Some(2.5), "a corner, too");
+    assert_eq!(t(0.25, -1e-12), None);
+    let outside = truth::triangles::nearest_edge_angle(&triangle(0.25, -1e-12));
+    assert!((outside / 2e-13 - 1.0).abs() < 1e-9, "{outside:?}");
 
-    let sphere = |y: f64| {
-        let ray = RaySphere {
-            origin: v(0.0, y, -4.0),
-            direction: v(0.0, 0.0, 1.0),
-            center: v(0.0, 0.0, 0.0),
-            radius: 1.0,
-        };
-        truth::spheres::truth(&ray)
-    };
-    assert_eq!(sphere(0.0).t, Some(3.0));
-    assert_eq!(sphere(1.0).t, Some(4.0), "a touch is a hit");
-    assert_eq!(sphere(1.0_f64.next_up()).t, None);
+    let ray = |origin: V3<f64>, direction: V3<f64>| ObjectRay { origin, direction };
+    let sphere = |y: f64| truth::spheres::truth(&ray(v(0.0, y, -2.0), v(0.0, 0.0, 0.5)));
+    assert_eq!(sphere(0.0), Some(3.0));
+    assert_eq!(sphere(0.5), Some(4.0), "a touch is a hit");
+    assert_eq!(sphere(0.5_f64.next_up()), None);
+    let beside = truth::spheres::outline_angle(&ray(v(0.0, 0.5 + 1e-9, -2.0), v(0.0, 0.0, 0.5)));
+    assert!((beside / 5e-10 - 1.0).abs() < 1e-6, "{beside}");
 
-    let cube = |origin: V3<f64>, direction: V3<f64>| {
-        let ray = RayBox {
-            origin,
-            direction,
-            min: v(-1.0, -1.0, -1.0),
-            max: v(1.0, 1.0, 1.0),
-        };
-        truth::boxes::truth(&ray).t
-    };
-    assert_eq!(cube(v(-3.0, 0.0, 0.0), v(2.0, 0.0, 0.0)), Some(1.0));
+    let cube = |origin: V3<f64>, direction: V3<f64>| truth::boxes::truth(&ray(origin, direction));
+    assert_eq!(cube(v(-1.5, 0.0, 0.0), v(1.0, 0.0, 0.0)), Some(1.0));
     assert_eq!(
-        cube(v(0.0, 0.0, 0.0), v(2.0, 0.0, 0.0)),
+        cube(v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0)),
         Some(0.5),
         "from inside: the exit"
     );
     assert_eq!(
-        cube(v(1.0, -3.0, 0.0), v(0.0, 1.0, 0.0)),
+        cube(v(0.5, -1.5, 0.0), v(0.0, 0.5, 0.0)),
         Some(2.0),
         "within a face"
     );
+    let beside = v(0.5_f64.next_up(), -1.5, 0.0);
+    assert_eq!(cube(beside, v(0.0, 0.5, 0.0)), None);
     assert_eq!(
-        cube(v(1.0_f64.next_up(), -3.0, 0.0), v(0.0, 1.0, 0.0)),
-        None
-    );
-    assert_eq!(
-        cube(v(-3.0, -1.0, 0.0), v(1.0, 1.0, 0.0)),
+        cube(v(-1.5, -0.5, 0.0), v(0.5, 0.5, 0.0)),
         Some(2.0),
         "from below onto a face"
     );
-    assert_eq!(cube(v(-3.0, 1.0, 0.0), v(1.0, 1.0, 0.0)), None);
+    assert_eq!(cube(v(-1.5, 0.5, 0.0), v(0.5, 0.5, 0.0)), None);
 
-    let plane = RayPlane {
-        origin: v(0.0, 0.0, 0.0),
-        direction: v(0.0, 1.0, 1.0),
-        point: v(7.0, 3.0, 0.0),
-        normal: v(0.0, 2.0, 0.0),
-        distance: 6.0,
-    };
-    assert_eq!(truth::planes::truth(&plane), 3.0);
+    // 4 wide and 2 high, facing -x and 6 away.
+    let sides = [v(0.0, 0.0, 4.0), v(0.0, 2.0, 0.0)];
+    let square =
+        |y: f64, z: f64| RaySquare::new(v(1.0, y, z), v(2.0, 0.0, 0.0), v(7.0, 3.0, 1.0), sides);
+    let t = |y: f64, z: f64| truth::squares::truth(&square(y, z));
+    assert_eq!(t(3.5, 2.0), Some(3.0));
+    assert_eq!(t(4.0, 3.0), Some(3.0), "its rim belongs to it");
+    assert_eq!([t(4.0_f64.next_up(), 2.0), t(3.5, 3.5)], [None; 2]);
+    let beside = truth::squares::rim_angle(&square(4.0 + 6e-9, 2.0));
+    assert!((beside / 1e-9 - 1.0).abs() < 1e-6, "{beside}");
 
     let clip = |depth: f64| {
         let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
@@ -128,12 +111,8 @@ fn truth_agrees_with_hand_cases() {
 
     // An object moved by (0, 0, 5) and doubled: its ray comes back onto the world's, or one unit of space beside it.
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
-    let placed = Placed {
-        linear: twice,
-        translation: v(0.0, 0.0, 5.0),
-        origin: v(0.0, 0.0, 0.0),
-        direction: v(0.0, 0.0, 1.0),
-    };
+    let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
+    let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));
     let aside = |x: f64| truth::object_space::aside(&placed, &[v(x, 0.0, -2.5), v(0.0, 0.0, 0.5)]);
     assert_eq!([aside(0.0), aside(0.5)], [0.0, 0.2]);
 }
@@ -159,15 +138,16 @@ fn cases_are_the_same_numbers_for_both_precisions() {
         let [p, q, r] = c.corners;
         of([c.origin, c.direction, p, q, r])
     }
-    fn sphere<T: Real>(c: &RaySphere<T>) -> Vec<V3<f64>> {
-        let radius = V3::new(c.radius, c.radius, c.radius);
-        of([c.origin, c.direction, c.center, radius])
+    fn shape(c: &ShapeCase) -> [Vec<V3<f64>>; 2] {
+        let (narrow, wide) = (c.narrow, c.wide);
+        [
+            of([narrow.origin, narrow.direction]),
+            of([wide.origin, wide.direction]),
+        ]
     }
-    fn cuboid<T: Real>(c: &RayBox<T>) -> Vec<V3<f64>> {
-        of([c.origin, c.direction, c.min, c.max])
-    }
-    fn plane<T: Real>(c: &RayPlane<T>) -> Vec<V3<f64>> {
-        of([c.origin, c.direction, c.point, c.normal])
+    fn square<T: Real>(c: &RaySquare<T>) -> Vec<V3<f64>> {
+        let [u, v] = c.sides;
+        of([c.origin, c.direction, c.middle, u, v])
     }
     fn placed<T: Real>(c: &Placed<T>) -> Vec<V3<f64>> {
         let [u, v, w] = c.linear.0;
@@ -178,12 +158,12 @@ fn cases_are_the_same_numbers_for_both_precisions() {
         of([c.normal, u, v, w])
     }
     check::<TriangleCase>(|c| [triangle(&c.narrow), triangle(&c.wide)]);
-    check::<SphereCase>(|c| [sphere(&c.narrow), sphere(&c.wide)]);
-    check::<BoxCase>(|c| [cuboid(&c.narrow), cuboid(&c.wide)]);
-    check::<PlaneCase>(|c| [plane(&c.narrow), plane(&c.wide)]);
+    check::<SphereCase>(|c| shape(&c.0));
+    check::<BoxCase>(|c| shape(&c.0));
+    check::<SquareCase>(|c| [square(&c.narrow), square(&c.wide)]);
     check::<PlacedCase>(|c| [placed(&c.narrow), placed(&c.wide)]);
     check::<NormalCase>(|c| [tilted(&c.narrow), tilted(&c.wide)]);
-    check::<PixelCase>(|c| [of([c.narrow.eye]), of([c.wide.eye])]);
+    check::<PixelCase>(|c| [of([c.narrow.picture.eye]), of([c.wide.picture.eye])]);
 }
 
 #[test]

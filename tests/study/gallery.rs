@@ -59,8 +59,7 @@ fn each_scene_breaks_its_method_and_not_ours() {
         };
         let scene = broken.exhibit;
         let bad = row(&|row| (row.method, row.precision) == (broken.method, broken.precision));
-        let decides = !bad.step.wrong_unit.is_empty();
-        let wrong = if decides {
+        let wrong = if bad.wrong() > 0 {
             bad.wrong_percent()
         } else {
             bad.worst_error

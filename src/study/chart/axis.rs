@@ -135,6 +135,8 @@ pub struct Labels<'a> {
     pub title: &'a str,
     /// Under the horizontal axis, with its unit.
     pub x: &'a str,
+    /// Whether that is marked with numbers.
+    pub has_x_ticks: bool,
     /// Beside the vertical axis, with its unit.
     pub y: &'a str,
     /// At the place of 0.
@@ -184,7 +186,12 @@ impl Panel {
             picture.rectangle([left, top], [right, y + 0.5 * BEYOND], [0xfb, 0xeb, 0xe2]);
             picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, "fails");
         }
-        for (value, word) in self.x.ticks(6) {
+        let ticks = if labels.has_x_ticks {
+            self.x.ticks(6)
+        } else {
+            Vec::new()
+        };
+        for (value, word) in ticks {
             let x = self.x.at(value);
             picture.line(vec![[x, top], [x, bottom]], FAINT, 1, false);
             picture.text([x, bottom + 12.0], Anchor::Middle, TICK, QUIET, word);

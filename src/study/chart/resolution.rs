@@ -71,6 +71,7 @@ pub fn chart(title: &str) -> Picture {
         &Labels {
             title: "",
             x: "view depth (world units)",
+            has_x_ticks: true,
             y: "least step in depth (world units)",
             zero: "0",
             least: None,

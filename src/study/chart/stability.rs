@@ -88,6 +88,7 @@ fn panel(
         &Labels {
             title: &title,
             x: rows[0].parameter,
+            has_x_ticks: true,
             y: &y,
             zero: measure.zero(),
             least: measure.least(&ys),

@@ -46,10 +46,7 @@ pub fn chart(title: &str) -> Picture {
     let at = |i: u32| {
         let px =
             DVec2::new(f64::from(i % columns), f64::from(i / columns)) * f64::from(STRIDE) + 0.5;
-        PickCase {
-            world: Arc::clone(&world),
-            px,
-        }
+        PickCase::new(&world, px)
     };
     let cases: Vec<PickCase> = (0..columns * rows).map(at).collect();
     let truths = each(&cases, &PickCase::truth);

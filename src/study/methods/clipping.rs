@@ -99,6 +99,7 @@ impl Case for ClipCase {
     const ABOUT: About = About {
         name: "Near and far",
         key: "clip",
+        job: "t of a hit on a ray and two planes: whether it counts",
         error_unit: "",
         wrong_unit: "of depth",
     };

@@ -51,6 +51,7 @@ impl Case for DepthCase {
     const ABOUT: About = About {
         name: "Depth buffer",
         key: "depth",
+        job: "a view depth: what can be read of it from the depth buffer (acted out: no time)",
         error_unit: "of depth",
         wrong_unit: "",
     };
@@ -70,8 +71,10 @@ impl Case for DepthCase {
         }),
         Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
             Mapping::REVERSED.there_and_back(c)
-        }),
+        })
+        .because("A far plane, for one bit of depth."),
     ];
+    const TIMED: usize = 0;
     const FAMILIES: &'static [Family<Self>] = workloads::depth::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {

@@ -8,13 +8,84 @@ pub mod depth;
 pub mod normals;
 pub mod object_space;
 pub mod picks;
-pub mod planes;
 pub mod rays;
 pub mod spheres;
+pub mod squares;
 pub mod triangles;
 pub mod usual;
 
-use super::step::{About, Case, Method, Precision};
+use super::{
+    real::{Real, V3},
+    step::{About, Case, Method, Precision},
+};
+use crate::geometry::Ray;
+
+/// A ray in the space of a unit shape about the origin.
+#[derive(Clone, Copy, Debug)]
+pub struct ObjectRay<T> {
+    /// Where it starts.
+    pub origin: V3<T>,
+    /// Where it goes; any length.
+    pub direction: V3<T>,
+}
+
+/// A ray that meets a unit shape in the shape's own space, where the step before took it, as each kind of method wants it.
+#[derive(Clone, Debug)]
+pub struct ShapeCase {
+    /// Rounded to `f32`.
+    pub narrow: ObjectRay<f32>,
+    /// As given.
+    pub wide: ObjectRay<f64>,
+    /// The same as this program's.
+    pub ray: Ray,
+    /// An angle that is one pixel wide, in radians.
+    pub px: f64,
+}
+
+impl ShapeCase {
+    /// The case of a ray; `px` is the width of a pixel in radians.
+    #[must_use]
+    pub fn new(origin: V3<f64>, direction: V3<f64>, px: f64) -> Self {
+        Self {
+            narrow: ObjectRay {
+                origin: V3::of(origin),
+                direction: V3::of(direction),
+            },
+            wide: ObjectRay { origin, direction },
+            ray: from_start(origin, direction),
+            px,
+        }
+    }
+
+    /// The case of an object and a ray in its space.
+    #[must_use]
+    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
+        Self::new(ray_object.origin.into(), ray_object.direction.into(), px)
+    }
+}
+
+/// What a pick does in place of [`Method::ours`], which knows no bounds: they are for the exact decisions later on, and no
+/// part of this job.
+const WITH_BOUNDS: &str = "Sightline's, with its bounds";
+
+/// A ray that hits from its start on, without an end.
+fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
+    Ray {
+        origin: origin.into(),
+        direction: direction.into(),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    }
+}
+
+/// The first of two parameters that lies ahead.
+fn first_ahead<T: Real>(near: T, far: T) -> Option<f64> {
+    ahead(near).or_else(|| ahead(far))
+}
+
+fn ahead<T: Real>(t: T) -> Option<f64> {
+    (t >= T::zero()).then(|| t.wide())
+}
 
 /// What is known about a method without running it.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +129,7 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<triangles::TriangleCase>();
     visitor.visit::<spheres::SphereCase>();
     visitor.visit::<boxes::BoxCase>();
-    visitor.visit::<planes::PlaneCase>();
+    visitor.visit::<squares::SquareCase>();
     visitor.visit::<clipping::ClipCase>();
     visitor.visit::<normals::NormalCase>();
     visitor.visit::<depth::DepthCase>();

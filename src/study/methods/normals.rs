@@ -1,4 +1,4 @@
-//! An object's outward normal in the world. The answer is a direction of any length.
+//! An object's outward normal in the world. The answer is about 1 long.
 
 use crate::{
     geometry::Placement,
@@ -23,6 +23,22 @@ pub struct Tilted<T> {
     pub linear: M3<T>,
     /// Outward, in object space.
     pub normal: V3<T>,
+    /// The inverse's transpose, which a program keeps for each object.
+    pub inverse_transpose: M3<T>,
+    /// Its cofactors, likewise.
+    pub cofactors: M3<T>,
+}
+
+impl<T: Real> Tilted<T> {
+    /// A normal and a matrix, with what is kept of it in the same precision.
+    pub fn new(linear: M3<T>, normal: V3<T>) -> Self {
+        Self {
+            linear,
+            normal,
+            inverse_transpose: linear.inverse().transpose(),
+            cofactors: linear.cofactors(),
+        }
+    }
 }
 
 /// One normal, as each kind of method wants it.
@@ -46,11 +62,8 @@ impl NormalCase {
             translation: DVec3::ZERO,
         };
         Some(Self {
-            narrow: Tilted {
-                linear: M3::of(&linear),
-                normal: V3::of(normal),
-            },
-            wide: Tilted { linear, normal },
+            narrow: Tilted::new(M3::of(&linear), V3::of(normal)),
+            wide: Tilted::new(linear, normal),
             placement: Placement::new(model).ok()?,
         })
     }
@@ -68,6 +81,7 @@ impl Case for NormalCase {
     const ABOUT: About = About {
         name: "Normal into the world",
         key: "normal",
+        job: "a normal and a model matrix with what is kept of it: the unit normal in the world",
         error_unit: "degrees",
         wrong_unit: "",
     };
@@ -85,8 +99,9 @@ impl Case for NormalCase {
             "Sightline's",
             F64,
             "geometry::Placement::normal_to_world",
-            |c| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
-        ),
+            |c: &Self| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
+        )
+        .because("No size of matrix or normal overflows."),
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::normals::FAMILIES;
 
@@ -114,12 +129,11 @@ pub fn as_point<T: Real>(case: &Tilted<T>) -> [f64; 3] {
 
 /// By the transpose of its inverse.
 pub fn transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
-    let inverse = case.linear.inverse().transpose();
-    inverse.apply(case.normal).normalize().wide().array()
+    let matrix = &case.inverse_transpose;
+    matrix.apply(case.normal).normalize().wide().array()
 }
 
 /// By its cofactors: inward under a mirroring matrix.
 pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
-    let cofactors = case.linear.cofactors();
-    cofactors.apply(case.normal).normalize().wide().array()
+    case.cofactors.apply(case.normal).normalize().wide().array()
 }

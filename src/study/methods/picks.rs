@@ -1,9 +1,8 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
 use super::{
-    rays::{PixelCase, Sight, course},
-    triangles::{RayTriangle, areas},
-    usual,
+    rays::{PixelCase, Sight, course, far_less_near},
+    triangles::{RayTriangle, areas, moeller_trumbore},
 };
 use crate::{
     camera::View,
@@ -37,6 +36,34 @@ pub struct PickWorld {
     pub view: View,
     /// What a graphics adapter drew; none where there is no adapter.
     pub ids: Option<Image<Id>>,
+    /// The visible objects as a program that knows `f32` only holds them, with their indices.
+    flat: Vec<(usize, Flat)>,
+}
+
+/// An object without origins and matrices.
+#[derive(Debug)]
+enum Flat {
+    /// A mesh: its triangles in the world, counter-clockwise from outside.
+    Triangles(Vec<[V3<f32>; 3]>),
+    /// Another shape, which is met as this program does.
+    Shape(Scene),
+}
+
+impl Flat {
+    fn new(object: &Object) -> Self {
+        let Shape::Mesh { mesh, part } = &object.shape else {
+            return Self::Shape(Scene::new(vec![object.clone()]));
+        };
+        let corners = |triangle: u32| {
+            let mut corners = mesh.corners(triangle);
+            if object.placement.mirrors() {
+                corners.swap(1, 2);
+            }
+            corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()))
+        };
+        let triangles = mesh.data().parts[*part].triangles.clone();
+        Self::Triangles(triangles.map(corners).collect())
+    }
 }
 
 impl PickWorld {
@@ -50,6 +77,11 @@ impl PickWorld {
             treeless: copy(scene),
             view,
             ids,
+            flat: (0..)
+                .zip(scene.objects())
+                .filter(|(_, object)| object.visible)
+                .map(|(index, object)| (index, Flat::new(object)))
+                .collect(),
         }
     }
 }
@@ -89,14 +121,15 @@ pub struct PickCase {
     pub world: Arc<PickWorld>,
     /// Where: the centre of a pixel.
     pub px: DVec2,
+    /// The same as methods for the ray want it.
+    pixel: PixelCase,
 }
 
 /// Object index and, on a mesh, the triangle within that object.
 pub type Picked = Option<(usize, Option<u32>)>;
 
 const COURSE: &str = "courses: every step as they teach it, over all triangles";
-const USUAL: &str =
-    "study::methods::usual, over all triangles: as most viewers and tutorials have it";
+const USUAL: &str = "most viewers and tutorials: through the inverse of P * V, then Moeller & Trumbore over all triangles";
 const IDS: &str = "picking by colour: draw ids, read the pixel back";
 
 impl Case for PickCase {
@@ -105,6 +138,7 @@ impl Case for PickCase {
     const ABOUT: About = About {
         name: "Whole pick",
         key: "pick",
+        job: "a click on a scene that is ready to be picked from: object and triangle",
         error_unit: "",
         wrong_unit: "",
     };
@@ -112,12 +146,11 @@ impl Case for PickCase {
 
     const METHODS: &'static [Method<Self>] = &[
         Method::new("the course's", F32, COURSE, |c| {
-            c.cast_f32(course(&c.pixel().narrow), |case| areas(case, 0.0))
+            c.cast_f32(course(&c.pixel.narrow), |case| areas(case, 0.0))
         }),
         Method::new("unproject, Moeller-Trumbore", F32, USUAL, |c| {
-            let world = &c.world;
-            usual::closest(&world.treeless, &world.view, c.px)
-                .map(|hit| picked(&world.treeless, hit))
+            let ray = far_less_near(&c.pixel.narrow);
+            c.cast_f32(ray, |case| moeller_trumbore(case, 0.0))
         }),
         Method::new(GPU_IDS, F32, IDS, |c| {
             let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
@@ -197,9 +230,14 @@ fn ids_latency(world: &PickWorld) -> Option<f64> {
 pub const GPU_IDS: &str = "the GPU's ids, read back";
 
 impl PickCase {
-    fn pixel(&self) -> PixelCase {
-        let view = &self.world.view;
-        PixelCase::of_view(view, self.px)
+    /// A click on the centre of a pixel.
+    #[must_use]
+    pub fn new(world: &Arc<PickWorld>, px: DVec2) -> Self {
+        Self {
+            world: Arc::clone(world),
+            px,
+            pixel: PixelCase::of_view(&world.view, px),
+        }
     }
 
     fn pixel_at(&self) -> [u32; 2] {
@@ -212,62 +250,52 @@ impl PickCase {
         at
     }
 
-    /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles: meshes
-    /// are brought to the world first, as a loader that knows no origins does.
+    /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
     fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
-        let scene = &self.world.treeless;
-        let sides = self.world.view.sides;
+        let View { camera, sides, .. } = self.world.view;
         let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
         // The planes are at view depths, which the method's direction need not be 1 long along.
         let direction_world = DVec3::from(sight.along);
-        let view = &self.world.view;
-        let depth_per_t = direction_world.dot(view.camera.forward());
-        let ray = view.ray(self.px);
+        let depth_per_t = direction_world.dot(camera.forward());
+        let lens = camera.lens();
+        let start = if lens.is_orthographic() {
+            camera.to_view(sight.from.into()).z
+        } else {
+            0.0
+        };
         let world = Ray {
             origin: sight.from.into(),
             direction: direction_world,
-            t_min: ray.t_min / depth_per_t,
-            t_max: ray.t_max / depth_per_t,
+            t_min: (lens.near - start) / depth_per_t,
+            t_max: (lens.far - start) / depth_per_t,
         };
         let mut best: Option<(f64, usize, Option<u32>)> = None;
-        for (index, object) in scene
-            .objects()
-            .iter()
-            .enumerate()
-            .filter(|(_, o)| o.visible)
-        {
-            let Shape::Mesh { mesh, part } = &object.shape else {
-                let alone = pick::closest(&Scene::new(vec![object.clone()]), world, sides);
-                if let Some(hit) = alone
-                    && best.is_none_or(|best| hit.hit.t < best.0)
-                {
-                    best = Some((hit.hit.t, index, None));
+        for (index, object) in &self.world.flat {
+            let triangles = match object {
+                Flat::Triangles(triangles) => triangles,
+                Flat::Shape(scene) => {
+                    if let Some(hit) = pick::closest(scene, world, sides)
+                        && best.is_none_or(|best| hit.hit.t < best.0)
+                    {
+                        best = Some((hit.hit.t, *index, None));
+                    }
+                    continue;
                 }
-                continue;
             };
-            let triangles = mesh.data().parts[*part].triangles.clone();
-            let outward = if object.placement.mirrors() {
-                -1.0
-            } else {
-                1.0
-            };
-            for triangle in triangles.clone() {
-                let corners = mesh.corners(triangle);
-                let corners =
-                    corners.map(|corner| V3::of(object.placement.point_to_world(corner).into()));
+            for (triangle, &corners) in (0..).zip(triangles) {
                 let case = RayTriangle {
                     origin,
                     direction,
                     corners,
                 };
                 let [a, b, c] = corners;
-                let normal = || DVec3::from(((b - a).cross(c - a) * outward).wide());
+                let is_front = || direction.dot((b - a).cross(c - a)) < 0.0;
                 if let Some(t) = test(&case)
                     && world.contains(t)
-                    && (sides == Sides::Both || world.direction.dot(normal()) < 0.0)
+                    && (sides == Sides::Both || is_front())
                     && best.is_none_or(|best| t < best.0)
                 {
-                    best = Some((t, index, Some(triangle - triangles.start)));
+                    best = Some((t, *index, Some(triangle)));
                 }
             }
         }

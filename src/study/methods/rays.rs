@@ -1,9 +1,10 @@
 //! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
-//! what counts is the direction. Every method is given the camera's axes and makes the rest for each ray anew, as a
-//! click does.
+//! what counts is the direction. What is the same for all pixels of a picture is made before.
 
+use super::WITH_BOUNDS;
 use crate::{
-    camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+    camera::View,
+    geometry::{PixelGrid, PixelRays, Ray},
     study::{
         exact,
         real::{Real, V3},
@@ -17,10 +18,11 @@ use crate::{
     },
 };
 use glam::{DMat4, DVec2, DVec4, Mat4, Vec4};
+use std::hint::black_box;
 
-/// A pixel of a camera's picture.
+/// A camera and its picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Pixel<T> {
+pub struct Picture<T> {
     /// Where the eye stands.
     pub eye: V3<T>,
     /// What it looks at: `eye + length * forward`, rounded.
@@ -41,8 +43,23 @@ pub struct Pixel<T> {
     pub far: T,
     /// The picture's width and height in pixels.
     pub size: [T; 2],
+}
+
+/// A position in a picture, with what methods make once for the picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixel<T> {
+    /// The camera.
+    pub picture: Picture<T>,
     /// The position in pixels from the top left corner.
     pub px: [T; 2],
+    /// 2 over the size.
+    per_px: [T; 2],
+    /// The picture's middle in the world, and from there to its right and its upper end.
+    course: [V3<T>; 3],
+    /// R and U as long as half the picture is wide and high.
+    basis: [V3<T>; 2],
+    /// Of P * V, by columns.
+    inverse: [[T; 4]; 4],
 }
 
 /// A ray in the world.
@@ -50,7 +67,7 @@ pub struct Pixel<T> {
 pub struct Sight {
     /// Where it starts.
     pub from: V3<f64>,
-    /// Where it goes; 1 long, or nearly so.
+    /// Where it goes; any length.
     pub along: V3<f64>,
 }
 
@@ -63,92 +80,77 @@ pub struct PixelCase {
     pub wide: Pixel<f64>,
     /// Vectors of equal lengths along R, U and F without any rounding.
     pub exact_axes: [V3<f64>; 3],
-    /// The same camera as this program's.
-    pub camera: Camera,
-    /// Its picture's size.
-    pub viewport: Viewport,
+    /// The picture's rays as this program's.
+    pub rays: PixelRays,
 }
 
 impl PixelCase {
-    /// The case of a camera's pixel; `None` where there is no such camera or picture.
+    /// The case of a position in pixels; the size is in whole ones.
     #[must_use]
-    pub fn new(wide: Pixel<f64>, exact_axes: [V3<f64>; 3]) -> Option<Self> {
-        let lens = Lens {
-            projection: Projection::Perspective {
-                fov_y: 2.0 * wide.tan.atan(),
-            },
-            near: wide.near,
-            far: wide.far,
-            depth: DepthMapping::Reversed,
+    pub fn new(picture: Picture<f64>, px: [f64; 2], exact_axes: [V3<f64>; 3]) -> Self {
+        let narrow = Picture {
+            eye: V3::<f32>::of(picture.eye),
+            target: V3::of(picture.target),
+            length: f32::of(picture.length),
+            axes: picture.axes.map(V3::of),
+            tan: f32::of(picture.tan),
+            parallel: picture.parallel,
+            aspect: f32::of(picture.aspect),
+            near: f32::of(picture.near),
+            far: f32::of(picture.far),
+            size: picture.size.map(f32::of),
         };
-        let [_, up, forward] = wide.axes;
-        let camera = Camera::looking(wide.eye.into(), forward.into(), up.into(), lens).ok()?;
+        let [right, up, forward] = picture.axes.map(Into::into);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "whole numbers of pixels"
         )]
-        let [width, height] = wide.size.map(|side| side as u32);
-        let viewport = Viewport::new(width, height).ok()?;
-        Some(Self::with_camera(wide, exact_axes, camera, viewport))
-    }
-
-    /// The case of a camera's pixel that is already there.
-    fn with_camera(
-        wide: Pixel<f64>,
-        exact_axes: [V3<f64>; 3],
-        camera: Camera,
-        viewport: Viewport,
-    ) -> Self {
-        let narrow = Pixel {
-            eye: V3::of(wide.eye),
-            target: V3::of(wide.target),
-            length: f32::of(wide.length),
-            axes: wide.axes.map(V3::of),
-            tan: f32::of(wide.tan),
-            parallel: wide.parallel,
-            aspect: f32::of(wide.aspect),
-            near: f32::of(wide.near),
-            far: f32::of(wide.far),
-            size: wide.size.map(f32::of),
-            px: wide.px.map(f32::of),
+        let size_px = picture.size.map(|side| side as u32);
+        let grid = PixelGrid {
+            eye: picture.eye.into(),
+            right,
+            up,
+            forward,
+            half_height: picture.tan,
+            size_px,
+            is_orthographic: picture.parallel,
         };
         Self {
-            narrow,
-            wide,
+            narrow: Pixel::new(narrow, px.map(f32::of), inverse_f32(&narrow)),
+            wide: Pixel::new(picture, px, inverse_f64(&picture)),
             exact_axes,
-            camera,
-            viewport,
+            rays: grid.rays([picture.near, picture.far]),
         }
     }
 
     /// The case of a pixel of a view; its axes are taken as exact.
     #[must_use]
     pub fn of_view(view: &View, px: DVec2) -> Self {
-        let camera = view.camera;
-        let viewport = view.viewport;
-        let lens = *camera.lens();
+        let View {
+            camera, viewport, ..
+        } = view;
+        let lens = camera.lens();
         let axes = [camera.right(), camera.up(), camera.forward()].map(V3::from);
-        let wide = Pixel {
+        let picture = Picture {
             eye: camera.eye().into(),
             target: camera.target().into(),
             length: camera.target().distance(camera.eye()),
             axes,
-            tan: lens.half_extent(1.0).y,
+            tan: camera.half_height(),
             parallel: lens.is_orthographic(),
             aspect: viewport.aspect(),
             near: lens.near,
             far: lens.far,
             size: viewport.size_px().to_array(),
-            px: px.to_array(),
         };
-        Self::with_camera(wide, axes, camera, viewport)
+        Self::new(picture, px.to_array(), axes)
     }
 
     /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
     #[must_use]
     pub fn px_angle(&self) -> f64 {
-        2.0 * self.wide.tan / self.wide.size[1]
+        2.0 * self.wide.picture.tan / self.wide.picture.size[1]
     }
 }
 
@@ -162,6 +164,7 @@ impl Case for PixelCase {
     const ABOUT: About = About {
         name: "Ray from pixel",
         key: "ray",
+        job: "a position in a picture that is set up: the ray's start and direction",
         error_unit: "px",
         wrong_unit: "",
     };
@@ -176,25 +179,26 @@ impl Case for PixelCase {
         Method::new("eye basis", F32, BASIS, |c| eye_basis(&c.narrow)),
         Method::new("eye basis", F64, BASIS, |c| eye_basis(&c.wide)),
         Method::new("inverse(P V), far - near", F32, UNPROJECT, |c| {
-            unprojected_f32(&c.narrow)
+            far_less_near(&c.narrow)
         }),
         Method::new("inverse(P V), far - near", F64, UNPROJECT, |c| {
-            let [near, far] = unproject_f64(&c.wide);
-            c.wide.between(near, far)
+            far_less_near(&c.wide)
         }),
         Method::new("inverse(P V), near - eye", F32, UNPROJECT, |c| {
-            let [near, _] = unproject_f32(&c.narrow);
-            c.narrow.towards(near)
+            near_less_eye(&c.narrow)
         }),
         Method::new("inverse(P V), near - eye", F64, UNPROJECT, |c| {
-            let [near, _] = unproject_f64(&c.wide);
-            c.wide.towards(near)
+            near_less_eye(&c.wide)
+        }),
+        Method::new(WITH_BOUNDS, F64, "geometry::PixelRays::ray", |c| {
+            let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
+            of(&ray)
         }),
         Method::ours(
             "Sightline's",
             F64,
-            "camera::Camera::ray: eye basis",
-            sightlines,
+            "geometry::PixelRays::rounded: eye basis, by steps of a pixel",
+            |c| of(&c.rays.rounded(DVec2::from(c.wide.px))),
         ),
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::rays::FAMILIES;
@@ -208,7 +212,7 @@ impl Case for PixelCase {
     }
 
     fn judge(&self, truth: &exact::Exact3, answer: &Sight) -> Verdict {
-        let error = if self.wide.parallel {
+        let error = if self.wide.picture.parallel {
             truth::aside(self, truth, answer)
         } else {
             exact::angle(truth, answer.along.array())
@@ -221,9 +225,7 @@ impl Case for PixelCase {
     }
 }
 
-/// The ray that picks cast.
-fn sightlines(case: &PixelCase) -> Sight {
-    let ray = case.camera.ray(case.viewport, DVec2::from(case.wide.px));
+fn of(ray: &Ray) -> Sight {
     Sight {
         from: ray.origin.into(),
         along: ray.direction.into(),
@@ -231,92 +233,112 @@ fn sightlines(case: &PixelCase) -> Sight {
 }
 
 impl<T: Real> Pixel<T> {
+    fn new(picture: Picture<T>, px: [T; 2], inverse: [[T; 4]; 4]) -> Self {
+        let two = T::one() + T::one();
+        let Picture {
+            tan,
+            aspect,
+            length,
+            parallel,
+            ..
+        } = picture;
+        let [right, up, forward] = picture.axes;
+        let (middle, size) = if parallel {
+            (picture.target - forward * length, T::one())
+        } else {
+            (picture.target, length)
+        };
+        Self {
+            picture,
+            px,
+            per_px: picture.size.map(|side| two / side),
+            course: [middle, right * (size * aspect * tan), up * (size * tan)],
+            basis: [right * (aspect * tan), up * tan],
+            inverse,
+        }
+    }
+
+    fn ndc(&self) -> [T; 2] {
+        let [x, y] = [0, 1].map(|axis| self.px[axis] * self.per_px[axis]);
+        [x - T::one(), T::one() - y]
+    }
+
     /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
     fn towards(&self, point: V3<T>) -> Sight {
-        if self.parallel {
+        let Picture { eye, axes, .. } = self.picture;
+        if self.picture.parallel {
             return Sight {
                 from: point.wide(),
-                along: self.axes[2].wide(),
+                along: axes[2].wide(),
             };
         }
         Sight {
-            from: self.eye.wide(),
-            along: (point - self.eye).normalize().wide(),
+            from: eye.wide(),
+            along: (point - eye).wide(),
         }
     }
 
-    /// The ray along two points of it, which in perspective starts at the eye.
-    fn between(&self, near: V3<T>, far: V3<T>) -> Sight {
-        let from = if self.parallel { near } else { self.eye };
-        Sight {
-            from: from.wide(),
-            along: (far - near).normalize().wide(),
-        }
+    /// The pixel's point on the near plane (z = 0) or the far plane (1), through the inverse of P * V.
+    fn unprojected(&self, z: T) -> V3<T> {
+        let [sx, sy] = self.ndc();
+        let [a, b, c, d] = self.inverse;
+        let [x, y, z, w] = std::array::from_fn(|i| a[i] * sx + b[i] * sy + c[i] * z + d[i]);
+        V3::new(x / w, y / w, z / w)
     }
-}
-
-fn ndc<T: Real>(pixel: &Pixel<T>) -> [T; 2] {
-    let two = T::one() + T::one();
-    [
-        two * pixel.px[0] / pixel.size[0] - T::one(),
-        T::one() - two * pixel.px[1] / pixel.size[1],
-    ]
 }
 
 /// Over a point in the world, from which the eye is then taken off again.
 pub fn course<T: Real>(pixel: &Pixel<T>) -> Sight {
-    let [sx, sy] = ndc(pixel);
-    let [right, up, _] = pixel.axes;
-    let size = if pixel.parallel {
-        T::one()
-    } else {
-        pixel.length
-    };
-    let across = right * (size * pixel.aspect * pixel.tan);
-    let along = up * (size * pixel.tan);
-    let point = pixel.target + across * sx + along * sy;
-    if pixel.parallel {
-        return pixel.towards(point - pixel.axes[2] * pixel.length);
-    }
-    pixel.towards(point)
+    let [sx, sy] = pixel.ndc();
+    let [middle, right, up] = pixel.course;
+    pixel.towards(middle + right * sx + up * sy)
 }
 
 /// With directions only.
 pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
-    let [sx, sy] = ndc(pixel);
-    let [right, up, forward] = pixel.axes;
-    let aside = right * (sx * pixel.aspect * pixel.tan) + up * (sy * pixel.tan);
-    if pixel.parallel {
-        return pixel.towards(pixel.eye + aside);
+    let [sx, sy] = pixel.ndc();
+    let [right, up] = pixel.basis;
+    let aside = right * sx + up * sy;
+    let Picture { eye, axes, .. } = pixel.picture;
+    if pixel.picture.parallel {
+        return pixel.towards(eye + aside);
     }
     Sight {
-        from: pixel.eye.wide(),
-        along: (forward + aside).normalize().wide(),
+        from: eye.wide(),
+        along: (axes[2] + aside).wide(),
     }
 }
 
-/// From the pixel's point on the near plane to that on the far plane.
-#[must_use]
-pub fn unprojected_f32(pixel: &Pixel<f32>) -> Sight {
-    let [near, far] = unproject_f32(pixel);
-    pixel.between(near, far)
+/// From the pixel's point on the near plane to that on the far plane; in perspective from the eye.
+pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
+    let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(z));
+    let Picture { eye, parallel, .. } = pixel.picture;
+    Sight {
+        from: if parallel { near } else { eye }.wide(),
+        along: (far - near).wide(),
+    }
 }
 
-/// The pixel's points on the near and the far plane, through the inverse of P * V in one precision.
-macro_rules! unproject {
+/// Through the pixel's point on the near plane.
+pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
+    pixel.towards(pixel.unprojected(T::zero()))
+}
+
+/// The inverse of P * V in one precision, by columns.
+macro_rules! inverse {
     ($name:ident, $real:ty, $matrix:ty, $vector:ty) => {
-        fn $name(pixel: &Pixel<$real>) -> [V3<$real>; 2] {
-            let [r, u, f] = pixel.axes;
+        fn $name(picture: &Picture<$real>) -> [[$real; 4]; 4] {
+            let [r, u, f] = picture.axes;
             let row =
-                |axis: V3<$real>| <$vector>::new(axis.x, axis.y, axis.z, -axis.dot(pixel.eye));
+                |axis: V3<$real>| <$vector>::new(axis.x, axis.y, axis.z, -axis.dot(picture.eye));
             let last = <$vector>::new(0.0, 0.0, 0.0, 1.0);
             let view = <$matrix>::from_cols(row(r), row(u), row(f), last).transpose();
-            let (near, far) = (pixel.near, pixel.far);
-            let depth = if pixel.parallel { 1.0 } else { far } / (far - near);
-            let w_from_z = if pixel.parallel { 0.0 } else { 1.0 };
+            let (near, far) = (picture.near, picture.far);
+            let depth = if picture.parallel { 1.0 } else { far } / (far - near);
+            let w_from_z = if picture.parallel { 0.0 } else { 1.0 };
             let projection = <$matrix>::from_cols(
-                <$vector>::new(1.0 / (pixel.tan * pixel.aspect), 0.0, 0.0, 0.0),
-                <$vector>::new(0.0, 1.0 / pixel.tan, 0.0, 0.0),
+                <$vector>::new(1.0 / (picture.tan * picture.aspect), 0.0, 0.0, 0.0),
+                <$vector>::new(0.0, 1.0 / picture.tan, 0.0, 0.0),
                 <$vector>::new(0.0, 0.0, depth, w_from_z),
                 <$vector>::new(0.0, 0.0, -depth * near, 1.0 - w_from_z),
             );
@@ -324,18 +346,12 @@ macro_rules! unproject {
             // glam's inverse asserts; the answer to such a matrix is no number.
             let determinant = product.determinant();
             if determinant == 0.0 || !determinant.is_finite() {
-                let none = <$real>::NAN;
-                return [V3::new(none, none, none); 2];
+                return [[<$real>::NAN; 4]; 4];
             }
-            let inverse = product.inverse();
-            let [sx, sy] = ndc(pixel);
-            [0.0, 1.0].map(|z| {
-                let p = inverse * <$vector>::new(sx, sy, z, 1.0);
-                V3::new(p.x / p.w, p.y / p.w, p.z / p.w)
-            })
+            product.inverse().to_cols_array_2d()
         }
     };
 }
 
-unproject!(unproject_f32, f32, Mat4, Vec4);
-unproject!(unproject_f64, f64, DMat4, DVec4);
+inverse!(inverse_f32, f32, Mat4, Vec4);
+inverse!(inverse_f64, f64, DMat4, DVec4);

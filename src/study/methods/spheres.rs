@@ -1,79 +1,23 @@
-//! Rays against one sphere. The answer is the least t >= 0 on the sphere, or none.
+//! Rays against the sphere of radius 1/2 about the origin. The answer is the least t >= 0 on the sphere, or none.
 
+use super::{ObjectRay, ShapeCase, first_ahead};
 use crate::{
-    geometry::{Placement, Ray, Sphere},
+    geometry::Sphere,
     study::{
-        real::{Real, V3},
+        real::Real,
         step::{
             About, Bound, Case, Family, Method,
-            Precision::{F32, F64},
+            Precision::{Exact, F32, F64},
             Verdict,
         },
-        truth::spheres::{self as truth, Truth},
+        truth::{decide, relative, spheres as truth},
         workloads::{self, scene::SceneRays},
     },
 };
-use glam::{DAffine3, DMat3, DVec3};
 
-/// A ray and a sphere.
-#[derive(Clone, Copy, Debug)]
-pub struct RaySphere<T> {
-    /// Where the ray starts.
-    pub origin: V3<T>,
-    /// Where it goes; any length.
-    pub direction: V3<T>,
-    /// The sphere's centre.
-    pub center: V3<T>,
-    /// Its radius, above 0.
-    pub radius: T,
-}
-
-/// One ray and one sphere, as each kind of method wants them.
+/// One ray and the sphere.
 #[derive(Clone, Debug)]
-pub struct SphereCase {
-    /// Rounded to `f32`.
-    pub narrow: RaySphere<f32>,
-    /// As given.
-    pub wide: RaySphere<f64>,
-    /// The sphere as an object of a scene.
-    pub placement: Placement,
-    /// An angle that is one pixel wide, in radians.
-    pub px: f64,
-}
-
-impl SphereCase {
-    /// The case of a ray and a sphere; `px` is the width of a pixel in radians.
-    #[must_use]
-    pub fn new(wide: RaySphere<f64>, px: f64) -> Self {
-        let model = DAffine3 {
-            matrix3: DMat3::from_diagonal(DVec3::splat(wide.radius / Sphere::RADIUS)),
-            translation: wide.center.into(),
-        };
-        Self {
-            narrow: RaySphere {
-                origin: V3::of(wide.origin),
-                direction: V3::of(wide.direction),
-                center: V3::of(wide.center),
-                radius: f32::of(wide.radius),
-            },
-            wide,
-            placement: Placement::new(model).unwrap_or(Placement::IDENTITY),
-            px,
-        }
-    }
-
-    /// The case of an object and a ray in its space.
-    #[must_use]
-    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
-        let wide = RaySphere {
-            origin: ray_object.origin.into(),
-            direction: ray_object.direction.into(),
-            center: V3::new(0.0, 0.0, 0.0),
-            radius: Sphere::RADIUS,
-        };
-        Self::new(wide, px)
-    }
-}
+pub struct SphereCase(pub ShapeCase);
 
 const PLAIN: &str = "textbooks and courses: a t^2 + b t + c = 0";
 const PRESS: &str =
@@ -82,32 +26,36 @@ const HEARN: &str = "Hearn & Baker; Haines et al., Precision Improvements for Ra
 
 impl Case for SphereCase {
     type Answer = Option<f64>;
-    type Truth = Truth;
+    type Truth = Option<f64>;
     const ABOUT: About = About {
         name: "Ray against sphere",
         key: "sphere",
+        job: "a ray in the sphere's space: t of the first hit",
         error_unit: "of t",
         wrong_unit: "px",
     };
 
     const METHODS: &'static [Method<Self>] = &[
-        Method::new("plain quadratic", F32, PLAIN, |c| plain(&c.narrow)),
-        Method::new("plain quadratic", F64, PLAIN, |c| plain(&c.wide)),
+        Method::new("plain quadratic", F32, PLAIN, |c| plain(&c.0.narrow)),
+        Method::new("plain quadratic", F64, PLAIN, |c| plain(&c.0.wide)),
         Method::new("plain, direction taken as 1 long", F32, PLAIN, |c| {
-            plain_unit(&c.narrow)
+            plain_unit(&c.0.narrow)
         }),
         Method::new("plain, direction taken as 1 long", F64, PLAIN, |c| {
-            plain_unit(&c.wide)
+            plain_unit(&c.0.wide)
         }),
-        Method::new("stable quadratic", F32, PRESS, |c| stable(&c.narrow)),
-        Method::new("stable quadratic", F64, PRESS, |c| stable(&c.wide)),
-        Method::new("Hearn & Baker", F32, HEARN, |c| hearn_baker(&c.narrow)),
-        Method::new("Hearn & Baker", F64, HEARN, |c| hearn_baker(&c.wide)),
+        Method::new("stable quadratic", F32, PRESS, |c| stable(&c.0.narrow)),
+        Method::new("stable quadratic", F64, PRESS, |c| stable(&c.0.wide)),
+        Method::new("Hearn & Baker", F32, HEARN, |c| hearn_baker(&c.0.narrow)),
+        Method::new("Hearn & Baker", F64, HEARN, |c| hearn_baker(&c.0.wide)),
         Method::ours(
             "Sightline's",
-            F64,
-            "geometry::sphere, under a model matrix",
-            sightlines,
+            Exact,
+            "geometry::sphere: by the line's moment, which its bound decides, else exactly",
+            |c| {
+                let [near, far] = Sphere::hits(&c.0.ray);
+                near.or(far).map(|hit| hit.t)
+            },
         ),
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::spheres::FAMILIES;
@@ -116,49 +64,37 @@ impl Case for SphereCase {
         scene.spheres()
     }
 
-    fn truth(&self) -> Truth {
-        truth::truth(&self.wide)
+    fn truth(&self) -> Option<f64> {
+        truth::truth(&self.0.wide)
     }
 
-    fn judge(&self, truth: &Truth, answer: &Option<f64>) -> Verdict {
-        truth.judge(*answer, self.px)
+    fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
+        let off = || truth::outline_angle(&self.0.wide) / self.0.px;
+        decide(*truth, *answer, relative, off)
     }
 
-    fn bound(&self, truth: &Truth) -> Bound {
-        truth::bound(&self.wide, truth, self.px)
+    fn bound(&self, truth: &Option<f64>) -> Bound {
+        truth::bound(&self.0.wide, *truth)
     }
 }
 
-/// The sphere that picks use: the ray goes into its object space.
-fn sightlines(case: &SphereCase) -> Option<f64> {
-    let ray = Ray {
-        origin: case.wide.origin.into(),
-        direction: case.wide.direction.into(),
-        t_min: 0.0,
-        t_max: f64::INFINITY,
-    };
-    let [near, far] = Sphere::hits(&case.placement.ray_to_object(&ray));
-    near.or(far).map(|hit| hit.t)
+/// Its radius, squared.
+fn r2<T: Real>() -> T {
+    T::of(Sphere::RADIUS * Sphere::RADIUS)
 }
 
 /// The first of two roots that lies ahead.
-fn first<T: Real>(near: T, far: T) -> Option<f64> {
-    let (near, far) = if near <= far {
-        (near, far)
-    } else {
-        (far, near)
-    };
-    let ahead = |t: T| (t >= T::zero()).then(|| t.wide());
-    ahead(near).or(ahead(far))
+fn first<T: Real>(a: T, b: T) -> Option<f64> {
+    first_ahead(if a <= b { a } else { b }, if a <= b { b } else { a })
 }
 
 /// `b^2 - 4ac` and both roots from the same formula.
-pub fn plain<T: Real>(case: &RaySphere<T>) -> Option<f64> {
+pub fn plain<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let two = T::one() + T::one();
-    let from_center = case.origin - case.center;
+    let from_center = case.origin;
     let a = case.direction.dot(case.direction);
     let b = two * from_center.dot(case.direction);
-    let c = from_center.dot(from_center) - case.radius * case.radius;
+    let c = from_center.dot(from_center) - r2();
     let discriminant = b * b - two * two * a * c;
     if !(discriminant >= T::zero()) {
         return None;
@@ -168,10 +104,10 @@ pub fn plain<T: Real>(case: &RaySphere<T>) -> Option<f64> {
 }
 
 /// [`plain`] with a = 1: shorter, and wrong for directions of another length.
-pub fn plain_unit<T: Real>(case: &RaySphere<T>) -> Option<f64> {
-    let from_center = case.origin - case.center;
+pub fn plain_unit<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let from_center = case.origin;
     let b = from_center.dot(case.direction);
-    let c = from_center.dot(from_center) - case.radius * case.radius;
+    let c = from_center.dot(from_center) - r2();
     let discriminant = b * b - c;
     if !(discriminant >= T::zero()) {
         return None;
@@ -181,11 +117,11 @@ pub fn plain_unit<T: Real>(case: &RaySphere<T>) -> Option<f64> {
 }
 
 /// The plain discriminant, and roots without cancellation.
-pub fn stable<T: Real>(case: &RaySphere<T>) -> Option<f64> {
-    let from_center = case.origin - case.center;
+pub fn stable<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let from_center = case.origin;
     let a = case.direction.dot(case.direction);
     let b = -from_center.dot(case.direction);
-    let c = from_center.dot(from_center) - case.radius * case.radius;
+    let c = from_center.dot(from_center) - r2();
     let discriminant = b * b - a * c;
     if !(discriminant >= T::zero()) {
         return None;
@@ -195,16 +131,16 @@ pub fn stable<T: Real>(case: &RaySphere<T>) -> Option<f64> {
 }
 
 /// The discriminant from the line's point nearest to the centre, and roots without cancellation.
-pub fn hearn_baker<T: Real>(case: &RaySphere<T>) -> Option<f64> {
-    let from_center = case.origin - case.center;
+pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let from_center = case.origin;
     let a = case.direction.dot(case.direction);
     let b = -from_center.dot(case.direction);
     let nearest = from_center + case.direction * (b / a);
-    let discriminant = case.radius * case.radius - nearest.dot(nearest);
+    let discriminant = r2::<T>() - nearest.dot(nearest);
     if !(discriminant >= T::zero()) {
         return None;
     }
-    let c = from_center.dot(from_center) - case.radius * case.radius;
+    let c = from_center.dot(from_center) - r2();
     let q = b + (a * discriminant).sqrt().copysign(b);
     first(c / q, q / a)
 }

@@ -1,5 +1,6 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
+use super::ahead;
 use crate::{
     geometry::{Mesh, Ray, VertexRay, guarded_volume},
     study::{
@@ -9,7 +10,7 @@ use crate::{
             Precision::{Exact, F32, F64},
             Verdict,
         },
-        truth::triangles::{self as truth, Truth},
+        truth::{decide, relative, triangles as truth},
         workloads::{self, scene::SceneRays},
     },
 };
@@ -35,6 +36,8 @@ pub struct TriangleCase {
     pub wide: RayTriangle<f64>,
     /// The ray as this program's test wants it: made once for all triangles of a mesh.
     pub ray: VertexRay<'static>,
+    /// What Woop, Benthin & Wald make once for a ray.
+    pub shear: (Shear<f32>, Shear<f64>),
     /// What Baldwin & Weber keep for the triangle.
     pub world_to_unit: (BaldwinWeber<f32>, BaldwinWeber<f64>),
     /// An angle that is one pixel wide, in radians.
@@ -50,16 +53,11 @@ impl TriangleCase {
             direction: V3::of(wide.direction),
             corners: wide.corners.map(V3::of),
         };
-        let ray = Ray {
-            origin: wide.origin.into(),
-            direction: wide.direction.into(),
-            t_min: 0.0,
-            t_max: f64::INFINITY,
-        };
         Self {
             narrow,
             wide,
-            ray: VertexRay::exact(ray),
+            ray: VertexRay::exact(super::from_start(wide.origin, wide.direction)),
+            shear: (Shear::new(narrow.direction), Shear::new(wide.direction)),
             world_to_unit: (
                 BaldwinWeber::new(narrow.corners),
                 BaldwinWeber::new(wide.corners),
@@ -94,10 +92,11 @@ const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coord
 
 impl Case for TriangleCase {
     type Answer = Option<f64>;
-    type Truth = Truth;
+    type Truth = Option<f64>;
     const ABOUT: About = About {
         name: "Ray against triangle",
         key: "triangle",
+        job: "a ray among its mesh's vertices and three corners: t of the hit",
         error_unit: "of t",
         wrong_unit: "px",
     };
@@ -123,8 +122,8 @@ impl Case for TriangleCase {
             signed_volumes(&c.narrow)
         }),
         Method::new("signed volumes", F64, KENSLER, |c| signed_volumes(&c.wide)),
-        Method::new("Woop watertight", F32, WOOP, |c| woop(&c.narrow)),
-        Method::new("Woop watertight", F64, WOOP, |c| woop(&c.wide)),
+        Method::new("Woop watertight", F32, WOOP, |c| c.shear.0.hit(&c.narrow)),
+        Method::new("Woop watertight", F64, WOOP, |c| c.shear.1.hit(&c.wide)),
         Method::new("Baldwin-Weber", F32, BALDWIN, |c| {
             c.world_to_unit.0.hit(&c.narrow)
         }),
@@ -144,26 +143,23 @@ impl Case for TriangleCase {
         scene.triangles()
     }
 
-    fn truth(&self) -> Truth {
+    fn truth(&self) -> Option<f64> {
         truth::truth(&self.wide)
     }
 
-    fn judge(&self, truth: &Truth, answer: &Option<f64>) -> Verdict {
-        truth.judge(*answer, self.px)
+    fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
+        let off = || truth::nearest_edge_angle(&self.wide) / self.px;
+        decide(*truth, *answer, relative, off)
     }
 
-    fn bound(&self, truth: &Truth) -> Bound {
-        truth::bound(&self.wide, truth)
+    fn bound(&self, truth: &Option<f64>) -> Bound {
+        truth::bound(&self.wide, *truth)
     }
 }
 
 /// The test that picks use.
 fn sightlines(case: &TriangleCase) -> Option<f64> {
     guarded_volume(&case.ray, case.wide.corners.map(DVec3::from)).map(|hit| hit.t)
-}
-
-fn from_start<T: Real>(t: T) -> Option<f64> {
-    (t >= T::zero()).then(|| t.wide())
 }
 
 /// The plane first; then the point is inside when the areas of its three triangles make up the whole, which for
@@ -178,7 +174,7 @@ pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     if !((sum - T::one()).abs() <= T::of(tolerance)) {
         return None;
     }
-    from_start(t)
+    ahead(t)
 }
 
 /// Cramer's rule on `o + t d = a + u e1 + v e2`. With an epsilon, rays that close to the plane's direction miss: an
@@ -202,7 +198,7 @@ pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<
     if !(v >= T::zero() && u + v <= T::one()) {
         return None;
     }
-    from_start(e2.dot(q) * inverse)
+    ahead(e2.dot(q) * inverse)
 }
 
 /// The volumes of the tetrahedra between the ray and each edge have one sign inside.
@@ -216,53 +212,69 @@ pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
         return None;
     }
     let normal = (b - a).cross(c - a);
-    from_start(normal.dot(a) / normal.dot(d))
+    ahead(normal.dot(a) / normal.dot(d))
 }
 
-/// Shear the triangle so that the ray runs along +z and decide by 2D edge functions; a shared edge gives both its
-/// triangles the same number. In `f32` zeros are decided in `f64`, as the paper does.
-pub fn woop<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
-    let d = case.direction;
-    let size = d.abs();
-    let z = if size.x > size.y {
-        if size.x > size.z { 0 } else { 2 }
-    } else if size.y > size.z {
-        1
-    } else {
-        2
-    };
-    let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
-    if d[z] < T::zero() {
-        std::mem::swap(&mut x, &mut y);
+/// Takes a ray along +z, made once for the ray: a shear, after the axis along which the ray runs most became z.
+#[derive(Clone, Copy, Debug)]
+pub struct Shear<T> {
+    axes: [usize; 3],
+    by: [T; 3],
+}
+
+impl<T: Real> Shear<T> {
+    /// The shear of a direction.
+    pub fn new(d: V3<T>) -> Self {
+        let size = d.abs();
+        let z = if size.x > size.y {
+            if size.x > size.z { 0 } else { 2 }
+        } else if size.y > size.z {
+            1
+        } else {
+            2
+        };
+        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
+        if d[z] < T::zero() {
+            std::mem::swap(&mut x, &mut y);
+        }
+        Self {
+            axes: [x, y, z],
+            by: [d[x] / d[z], d[y] / d[z], T::one() / d[z]],
+        }
     }
-    let (sx, sy, sz) = (d[x] / d[z], d[y] / d[z], T::one() / d[z]);
-    let [a, b, c] = case.corners.map(|corner| corner - case.origin);
-    let flat = |p: V3<T>| (p[x] - sx * p[z], p[y] - sy * p[z]);
-    let ((ax, ay), (bx, by), (cx, cy)) = (flat(a), flat(b), flat(c));
-    let edge = |px: T, py: T, qx: T, qy: T| px * qy - py * qx;
-    let (mut u, mut v, mut w) = (
-        edge(cx, cy, bx, by),
-        edge(ax, ay, cx, cy),
-        edge(bx, by, ax, ay),
-    );
-    let zero = T::zero();
-    if u == zero || v == zero || w == zero {
-        let wide =
-            |px: T, py: T, qx: T, qy: T| T::of(px.wide() * qy.wide() - py.wide() * qx.wide());
-        (u, v, w) = (
-            wide(cx, cy, bx, by),
-            wide(ax, ay, cx, cy),
-            wide(bx, by, ax, ay),
+
+    /// Shears the triangle so that the ray runs along +z and decides by 2D edge functions; a shared edge gives both its
+    /// triangles the same number. In `f32` zeros are decided in `f64`, as the paper does.
+    pub fn hit(&self, case: &RayTriangle<T>) -> Option<f64> {
+        let ([x, y, z], [sx, sy, sz]) = (self.axes, self.by);
+        let [a, b, c] = case.corners.map(|corner| corner - case.origin);
+        let flat = |p: V3<T>| (p[x] - sx * p[z], p[y] - sy * p[z]);
+        let ((ax, ay), (bx, by), (cx, cy)) = (flat(a), flat(b), flat(c));
+        let edge = |px: T, py: T, qx: T, qy: T| px * qy - py * qx;
+        let (mut u, mut v, mut w) = (
+            edge(cx, cy, bx, by),
+            edge(ax, ay, cx, cy),
+            edge(bx, by, ax, ay),
         );
+        let zero = T::zero();
+        if u == zero || v == zero || w == zero {
+            let wide =
+                |px: T, py: T, qx: T, qy: T| T::of(px.wide() * qy.wide() - py.wide() * qx.wide());
+            (u, v, w) = (
+                wide(cx, cy, bx, by),
+                wide(ax, ay, cx, cy),
+                wide(bx, by, ax, ay),
+            );
+        }
+        if (u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero) {
+            return None;
+        }
+        let det = u + v + w;
+        if !(det.abs() > zero) {
+            return None;
+        }
+        ahead((u * sz * a[z] + v * sz * b[z] + w * sz * c[z]) / det)
     }
-    if (u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero) {
-        return None;
-    }
-    let det = u + v + w;
-    if !(det.abs() > zero) {
-        return None;
-    }
-    from_start((u * sz * a[z] + v * sz * b[z] + w * sz * c[z]) / det)
 }
 
 /// The affine map that takes a triangle to the unit triangle and its plane to z = 0, made once a triangle. One row
@@ -313,6 +325,6 @@ impl<T: Real> BaldwinWeber<T> {
         if !(u >= zero && v >= zero && u + v <= T::one()) {
             return None;
         }
-        from_start(t)
+        ahead(t)
     }
 }

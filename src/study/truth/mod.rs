@@ -7,16 +7,19 @@ pub mod depth;
 pub mod normals;
 pub mod object_space;
 pub mod picks;
-pub mod planes;
 pub mod rays;
 pub mod spheres;
+pub mod squares;
 pub mod triangles;
 
-use super::{real::V3, step::Verdict};
+use super::{exact::Exact3, real::V3, step::Verdict};
 
 /// Half an ulp of 1 in `f64`: what one rounding errs at most, relatively.
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
-/// The same in `f32`.
+/// What a hit's `t` errs by at most, relatively, where shapes take it from `f64`: what is less certain they leave to exact
+/// arithmetic.
+const CERTAIN: f64 = 1.0 / 67_108_864.0;
+/// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 
 /// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
@@ -27,6 +30,14 @@ fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
         p.z * q.x + p.x * q.z,
         p.x * q.y + p.y * q.x,
     )
+}
+
+/// How far a ray passes from a segment, in radians seen from its origin.
+fn segment_angle(origin: V3<f64>, direction: V3<f64>, from: V3<f64>, to: V3<f64>) -> f64 {
+    let start = Exact3::new(origin);
+    let [p, q] = [from, to].map(|end| &Exact3::new(end) - &start);
+    let volume = Exact3::new(direction).dot(&p.cross(&q));
+    triangles::edge_angle(direction, from - origin, to - origin, &volume)
 }
 
 /// Relative error of `answer`, infinite where it is no number.

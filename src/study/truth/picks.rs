@@ -41,7 +41,8 @@ struct Meeting {
 /// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
 #[must_use]
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
-    let (ray, line) = (view.ray(px), Line::new(view, px));
+    let line = Line::new(view, px);
+    let ray = line.rounded(view);
     let mut best: Option<(Exact, usize, Option<u32>)> = None;
     for (index, object) in scene.objects().iter().enumerate() {
         if !object.visible || !may_hit(&scene.bounds_of(index), &ray) {
@@ -132,6 +133,21 @@ impl Line {
             origin,
             direction,
             height,
+        }
+    }
+}
+
+impl Line {
+    /// For what leaves out what is certainly missed.
+    fn rounded(&self, view: &View) -> Ray {
+        let lens = view.camera.lens();
+        let rounded =
+            |of: &Exact3| DVec3::from(of.0.each_ref().map(|c| (c / &self.height).to_f64()));
+        Ray {
+            origin: rounded(&self.origin),
+            direction: rounded(&self.direction),
+            t_min: lens.near,
+            t_max: lens.far,
         }
     }
 }

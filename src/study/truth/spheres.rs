@@ -1,91 +1,91 @@
-//! Which rays hit a sphere, where, and how far from its outline they pass.
+//! Which rays hit the sphere, where, and how far from its outline they pass.
 
-use super::{UNIT, decide, relative};
-use crate::study::{
-    exact::{Exact, Exact3},
-    methods::spheres::RaySphere,
-    step::{Bound, Verdict},
+use super::{CERTAIN, UNIT};
+use crate::{
+    geometry::Sphere,
+    study::{
+        exact::{Exact, Exact3},
+        methods::ObjectRay,
+        step::Bound,
+    },
 };
 use std::cmp::Ordering;
 
-/// What is so about a ray and a sphere.
-#[derive(Clone, Debug)]
-pub struct Truth {
-    /// The least t >= 0 on the sphere.
-    pub t: Option<f64>,
-    /// How far the ray passes from the outline, in radians seen from its origin.
-    pub outline_angle: f64,
-    /// Half the chord, in world units; 0 for a line that misses.
-    half_chord: f64,
+/// `a t^2 - 2 b t + c = 0` on the sphere.
+struct Quadratic {
+    a: Exact,
+    b: Exact,
+    c: Exact,
 }
 
-/// By the sign of the discriminant.
-#[must_use]
-pub fn truth(case: &RaySphere<f64>) -> Truth {
-    let d = Exact3::new(case.direction);
-    let from_center = &Exact3::new(case.origin) - &Exact3::new(case.center);
-    let radius = Exact::new(case.radius);
-    let a = d.dot(&d);
-    let b = -from_center.dot(&d);
-    let c = &from_center.dot(&from_center) - &(&radius * &radius);
-    let discriminant = &(&b * &b) - &(&a * &c);
-    let hits = discriminant.sign() != Ordering::Less;
-    let root = discriminant.clone().abs().sqrt();
-    let t = hits.then(|| {
-        let near = &(&b - &root) / &a;
-        if near.sign() == Ordering::Less {
-            &(&b + &root) / &a
-        } else {
-            near
+impl Quadratic {
+    fn new(ray: &ObjectRay<f64>) -> Self {
+        let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
+        let radius = Exact::new(Sphere::RADIUS);
+        Self {
+            a: d.dot(&d),
+            b: -o.dot(&d),
+            c: &o.dot(&o) - &(&radius * &radius),
         }
-    });
-    let t = t.filter(|t| t.sign() != Ordering::Less);
-    // The line's distance from the centre less the radius is (distance^2 - r^2) / (distance + r), and the first of
-    // these is the discriminant over -a; the outline lies a tangent's length away.
-    let off = (&discriminant / &a).to_f64();
-    let distance = from_center.cross(&d).length().to_f64() / d.length().to_f64();
-    let tangent = c.to_f64().max(0.0).sqrt();
-    Truth {
-        t: t.map(|t| t.to_f64()),
-        outline_angle: (off / (distance + case.radius) / tangent).abs(),
-        half_chord: off.max(0.0).sqrt(),
+    }
+
+    fn discriminant(&self) -> Exact {
+        &(&self.b * &self.b) - &(&self.a * &self.c)
     }
 }
 
-impl Truth {
-    /// Holds an answer against it; `px` is the width of a pixel in radians.
-    #[must_use]
-    pub fn judge(&self, answer: Option<f64>, px: f64) -> Verdict {
-        decide(self.t, answer, relative, || self.outline_angle / px)
-    }
-}
-
-/// Bounds of Hearn & Baker's form in `f64` under a model matrix.
-///
-/// With u = 2^-53, D the distance of the origin from the centre and r the radius: object space's origin carries 5u in
-/// each coordinate (difference, inverse scale, product), its direction 4u; the nearest point `o + (b/a) d` then errs
-/// by at most 26u D (b and a 8u each with what they are made of, quotient, product and sum 4u, and the inputs' own).
-/// A decision is wrong only where the line passes that close to the outline, which lies a tangent's length L away.
-///
-/// Half the chord is a root of `r^2 - nearest^2`, so an error e = 26u D moves it by at most
-/// `min(2 r e / half, sqrt(2 r e))`. The larger root `q / a` errs by that plus 10u D; the smaller is `c / q`, where
-/// `c = (D - r)(D + r)` errs by `8u D / (D - r) + 12u` relative.
+/// The least t >= 0 on the sphere, by the sign of the discriminant.
 #[must_use]
-pub fn bound(case: &RaySphere<f64>, truth: &Truth, px: f64) -> Bound {
-    let from_center = case.origin - case.center;
-    let distance = from_center.length();
-    let r = case.radius;
-    let off = 26.0 * UNIT * distance + 2.0 * UNIT * r;
-    let tangent = ((distance - r) * (distance + r)).max(0.0).sqrt();
-    let half = truth.half_chord;
-    let slack = 2.0 * r * off + off * off;
-    let root = (slack / half).min(slack.sqrt());
-    let middle = from_center.dot(case.direction).abs() / case.direction.length();
-    let q = middle + half;
-    let relative =
-        8.0 * UNIT * distance / (distance - r).abs() + (10.0 * UNIT * distance + root) / q;
+pub fn truth(ray: &ObjectRay<f64>) -> Option<f64> {
+    let quadratic = Quadratic::new(ray);
+    let discriminant = quadratic.discriminant();
+    if discriminant.sign() == Ordering::Less {
+        return None;
+    }
+    let (root, Quadratic { a, b, .. }) = (discriminant.sqrt(), &quadratic);
+    let ahead = |t: &Exact| t.sign() != Ordering::Less;
+    let roots = [b - &root, b + &root].map(|numerator| &numerator / a);
+    roots.into_iter().find(ahead).map(|t| t.to_f64())
+}
+
+/// How far the ray passes from the outline, in radians seen from its origin.
+///
+/// The line's distance from the centre less the radius is `(distance^2 - r^2) / (distance + r)`, and the first of these is the
+/// discriminant over -a; the outline lies a tangent's length away.
+#[must_use]
+pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
+    let quadratic = Quadratic::new(ray);
+    let off = (&quadratic.discriminant() / &quadratic.a).to_f64();
+    let distance = ray.origin.cross(ray.direction).length() / ray.direction.length();
+    let tangent = quadratic.c.to_f64().max(0.0).sqrt();
+    (off / (distance + Sphere::RADIUS) / tangent).abs()
+}
+
+/// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
+///
+/// With u = 2^-53 and m the moment `o x d`, whose components err by 5u O D (O and D the largest components of o and d): the
+/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by what m errs times `2.2 |m|_1`, its root by that over the
+/// root; `o.d` by 4u |o|_1 D; the quotient and the sum by a few u more.
+#[must_use]
+pub fn bound(ray: &ObjectRay<f64>, truth: Option<f64>) -> Bound {
+    let Some(t) = truth else {
+        return Bound::NONE;
+    };
+    let (o, d) = (ray.origin, ray.direction);
+    let largest = |v: [f64; 3]| v.into_iter().fold(0.0, f64::max);
+    let sum = |v: [f64; 3]| v.into_iter().sum::<f64>();
+    let [sizes_o, sizes_d, sizes_m] = [o, d, o.cross(d)].map(|v| v.abs().array());
+    let (a, m2) = (d.dot(d), o.cross(d).dot(o.cross(d)));
+    let term = Sphere::RADIUS * Sphere::RADIUS * a;
+    let moment_error = 5.0 * UNIT * largest(sizes_o) * largest(sizes_d);
+    let error =
+        10.0 * UNIT * (term + m2) + 2.2 * (sum(sizes_m) + 2.0 * moment_error) * moment_error;
+    let root = (term - m2).max(0.0).sqrt();
+    let numerator = error / root
+        + 4.0 * UNIT * sum(sizes_o) * largest(sizes_d)
+        + 4.0 * UNIT * (o.dot(d).abs() + root);
     Bound {
-        error: relative + 20.0 * UNIT,
-        wrong: off / tangent / px,
+        error: (numerator / (a * t) + 12.0 * UNIT).min(CERTAIN),
+        wrong: 0.0,
     }
 }

@@ -1,26 +1,18 @@
 //! Which rays hit a triangle, where, and how far from its edges they pass.
 
-use super::{UNIT, cross_sizes, decide, relative};
+use super::{UNIT, cross_sizes, segment_angle};
 use crate::study::{
     exact::{Exact, Exact3},
     methods::triangles::RayTriangle,
     real::V3,
-    step::{Bound, Verdict},
+    step::Bound,
 };
 use std::cmp::Ordering;
 
-/// What is so about a ray and a triangle.
-#[derive(Clone, Debug)]
-pub struct Truth {
-    /// The ray parameter of the hit; none where the ray misses, also when it runs within the plane.
-    pub t: Option<f64>,
-    /// How far the ray passes from the triangle's nearest edge, in radians seen from the ray's origin.
-    pub edge_angle: f64,
-}
-
-/// By the signs of the three volumes: exactly one ray in the plane's every point is inside, on an edge or outside.
+/// The ray parameter of the hit, by the signs of the three volumes; none where the ray misses, also when it runs within the
+/// plane.
 #[must_use]
-pub fn truth(case: &RayTriangle<f64>) -> Truth {
+pub fn truth(case: &RayTriangle<f64>) -> Option<f64> {
     let origin = Exact3::new(case.origin);
     let [a, b, c] = case.corners.map(|corner| &Exact3::new(corner) - &origin);
     let d = Exact3::new(case.direction);
@@ -34,15 +26,16 @@ pub fn truth(case: &RayTriangle<f64>) -> Truth {
         &normal.dot(&a) / &normal.dot(&d)
     });
     let t = t.filter(|t| t.sign() != Ordering::Less);
-    let relative = case.corners.map(|corner| corner - case.origin);
-    let edge = |i: usize| {
-        let (p, q) = (relative[(i + 1) % 3], relative[(i + 2) % 3]);
-        edge_angle(case.direction, p, q, &volumes[i])
-    };
-    Truth {
-        t: t.map(|t| t.to_f64()),
-        edge_angle: edge(0).min(edge(1)).min(edge(2)),
-    }
+    t.map(|t| t.to_f64())
+}
+
+/// How far the ray passes from the triangle's nearest edge, in radians seen from its origin.
+#[must_use]
+pub fn nearest_edge_angle(case: &RayTriangle<f64>) -> f64 {
+    let [a, b, c] = case.corners;
+    let angle = |[p, q]: [V3<f64>; 2]| segment_angle(case.origin, case.direction, p, q);
+    let edges = [[b, c], [c, a], [a, b]].into_iter();
+    edges.map(angle).fold(f64::INFINITY, f64::min)
 }
 
 /// How far a direction passes from a segment between two points, seen from where the points are relative to, in
@@ -70,20 +63,12 @@ pub fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
     }
 }
 
-impl Truth {
-    /// Holds an answer against it; `px` is the width of a pixel in radians.
-    #[must_use]
-    pub fn judge(&self, answer: Option<f64>, px: f64) -> Verdict {
-        decide(self.t, answer, relative, || self.edge_angle / px)
-    }
-}
-
 /// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
 ///
 /// `t = N . a / N . d` with edges from corners: with u = 2^-53 each scalar product errs by at most 9u times its
 /// magnitudes' sum (edges u, products and difference 3u, `a` u, product and sum 4u), the quotient by u.
 #[must_use]
-pub fn bound(case: &RayTriangle<f64>, truth: &Truth) -> Bound {
+pub fn bound(case: &RayTriangle<f64>, truth: Option<f64>) -> Bound {
     let (e1, e2) = (
         case.corners[1] - case.corners[0],
         case.corners[2] - case.corners[0],
@@ -93,7 +78,7 @@ pub fn bound(case: &RayTriangle<f64>, truth: &Truth) -> Bound {
     let normal = e1.cross(e2);
     let share = |v: V3<f64>| 10.0 * UNIT * cross_sizes(e1, e2).dot(v.abs()) / normal.dot(v).abs();
     let (above, below) = (share(a), share(d));
-    let error = if truth.t.is_none() {
+    let error = if truth.is_none() {
         0.0
     } else if below < 0.5 {
         (above + below + UNIT) / (1.0 - below)

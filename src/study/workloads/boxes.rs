@@ -1,8 +1,8 @@
-//! Rays and boxes.
+//! Rays and the cube.
 
 use super::PX;
 use crate::study::{
-    methods::boxes::{BoxCase, RayBox},
+    methods::{ShapeCase, boxes::BoxCase},
     random::Random,
     real::{V3, narrow3},
     step::Family,
@@ -14,22 +14,22 @@ pub const FAMILIES: &[Family<BoxCase>] = &[
         name: "ordinary",
         parameter: "-",
         values: &[1.0],
-        make: |random, _| {
-            let (min, max) = box_about(random, V3::new(1.0, 1.0, 1.0));
-            let target = (min + max) * 0.5 + random.point(1.2);
-            let towards = random.direction();
-            aim(min, max, target, towards * 5.0)
-        },
+        make: |random, _| ordinary(random),
+    },
+    Family {
+        name: "hit rate",
+        parameter: "share of hits",
+        values: &super::HIT_RATES,
+        make: |random, rate| super::at_rate(random, rate, ordinary),
     },
     Family {
         name: "aimed at edges",
         parameter: "distance / size",
         values: &[2.0, 1e1, 1e2, 1e3, 1e4, 1e5],
         make: |random, distance| {
-            let (min, max) = box_about(random, V3::new(1.0, 1.0, 1.0));
-            let target = on_edge(random, min, max);
+            let target = on_edge(random);
             let towards = random.direction();
-            aim(min, max, target, towards * distance)
+            aim(target, towards * distance)
         },
     },
     Family {
@@ -39,28 +39,23 @@ pub const FAMILIES: &[Family<BoxCase>] = &[
         make: on_slab,
     },
     Family {
-        name: "far from the origin",
-        parameter: "offset / size",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: |random, offset| {
-            let offset = narrow3(random.direction() * offset);
-            let (min, max) = box_about(random, V3::new(1.0, 1.0, 1.0));
-            let (min, max) = (narrow3(min + offset), narrow3(max + offset));
-            let target = on_edge(random, min, max) + off(random);
-            let towards = random.direction();
-            aim(min, max, target, towards * 5.0)
-        },
-    },
-    Family {
         name: "thin",
         parameter: "thickness / width",
         values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
         make: |random, thickness| {
-            let (min, max) = box_about(random, V3::new(1.0, thickness, 1.0));
-            let target = on_edge(random, min, max) + off(random);
-            let towards = random.direction();
-            aim(min, max, target, towards * 5.0)
+            // What is thin in the world is a cube in its own space, where rays are steep.
+            let size = random.decades(-8, 0);
+            let target = on_edge(random) + random.point(size);
+            let mut back = random.direction() * 5.0;
+            back.y /= thickness;
+            aim(target, back)
         },
+    },
+    Family {
+        name: "past an edge",
+        parameter: "by (sides)",
+        values: &[1e-4, 1e-8, 1e-12, 1e-16, 1e-20, 1e-24],
+        make: past_an_edge,
     },
     Family {
         name: "exactly through edges",
@@ -70,57 +65,40 @@ pub const FAMILIES: &[Family<BoxCase>] = &[
     },
 ];
 
-/// A step of some power of ten.
-fn off(random: &mut Random) -> V3<f64> {
-    let size = random.decades(-8, 0);
-    random.point(size)
+fn ordinary(random: &mut Random) -> BoxCase {
+    let target = random.point(0.8);
+    let towards = random.direction();
+    aim(target, towards * 3.5)
 }
 
-/// About the world's origin, `size` give or take a half on each axis.
-fn box_about(random: &mut Random, size: V3<f64>) -> (V3<f64>, V3<f64>) {
-    let mut half = |axis: usize| size[axis] * random.within(0.5, 1.0);
-    let half = V3::new(half(0), half(1), half(2));
-    let center = random.point(0.5);
-    let center = V3::new(center.x * size.x, center.y * size.y, center.z * size.z);
-    (narrow3(center - half), narrow3(center + half))
-}
-
-fn on_edge(random: &mut Random, min: V3<f64>, max: V3<f64>) -> V3<f64> {
+fn on_edge(random: &mut Random) -> V3<f64> {
     let along = random.below(3);
     let mut coordinate = |axis: usize| {
         let share = random.unit();
-        let end = random.sign() < 0.0;
-        match (axis == along, end) {
-            (true, _) => min[axis] + share * (max[axis] - min[axis]),
-            (false, true) => min[axis],
-            (false, false) => max[axis],
+        let end = random.sign();
+        0.5 * if axis == along {
+            2.0 * share - 1.0
+        } else {
+            end
         }
     };
     V3::new(coordinate(0), coordinate(1), coordinate(2))
 }
 
-fn aim(min: V3<f64>, max: V3<f64>, target: V3<f64>, back: V3<f64>) -> BoxCase {
+fn aim(target: V3<f64>, back: V3<f64>) -> BoxCase {
     let origin = narrow3(target + back);
-    let wide = RayBox {
-        origin,
-        direction: narrow3(target - origin),
-        min,
-        max,
-    };
-    BoxCase::new(wide, PX)
+    case(origin, narrow3(target - origin))
+}
+
+fn case(origin: V3<f64>, direction: V3<f64>) -> BoxCase {
+    BoxCase(ShapeCase::new(origin, direction, PX))
 }
 
 /// A ray that starts on the plane of a slab and runs within it, along one axis or in two.
 fn on_slab(random: &mut Random, along: f64) -> BoxCase {
-    let (min, max) = box_about(random, V3::new(1.0, 1.0, 1.0));
-    let target = min + (max - min) * 0.5 + random.point(1.2);
+    let target = random.point(0.8);
     let axis = random.below(3);
-    let other = (axis + 1) % 3;
-    let plane = if random.sign() < 0.0 {
-        min[axis]
-    } else {
-        max[axis]
-    };
+    let plane = 0.5 * random.sign();
     let zero = if random.sign() < 0.0 { -0.0 } else { 0.0 };
     let towards = random.direction();
     let set = |v: V3<f64>, at: usize, value: f64| {
@@ -130,45 +108,44 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
     };
     let mut direction = set(narrow3(towards), axis, zero);
     if along > 1.5 {
-        direction = set(direction, other, zero);
+        direction = set(direction, (axis + 1) % 3, zero);
     }
-    let origin = set(narrow3(target - direction * 5.0), axis, plane);
-    let wide = RayBox {
-        origin,
+    case(
+        set(narrow3(target - direction * 3.5), axis, plane),
         direction,
-        min,
-        max,
-    };
-    BoxCase::new(wide, PX)
+    )
 }
 
-/// Integer boxes and a ray exactly through an edge or a corner.
+/// A ray in whole numbers, over a power of two, exactly through an edge or a corner.
 fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
     #[expect(clippy::cast_possible_truncation, reason = "at most 20")]
     let limit = 1_i32 << bits as i32;
-    let mut pair = || {
-        // Even, so that the middle is a whole number too.
-        let (a, b) = (random.integer(-limit, limit), random.integer(-limit, limit));
-        (f64::from(a.min(b)) * 2.0, f64::from(a.max(b) + 1) * 2.0)
-    };
-    let (x, y, z) = (pair(), pair(), pair());
-    let (min, max) = (V3::new(x.0, y.0, z.0), V3::new(x.1, y.1, z.1));
-    let target = V3::new(
-        if random.sign() < 0.0 { x.0 } else { x.1 },
-        if random.sign() < 0.0 { y.0 } else { y.1 },
-        f64::from(random.integer(0, 4)) * 0.25 * (z.1 - z.0) + z.0,
-    );
+    let half = f64::from(limit);
+    let along = f64::from(random.integer(-2, 2)) * 0.5 * half;
+    let mut target = [half * random.sign(), half * random.sign(), along];
+    target.rotate_left(random.below(3));
     let mut whole = || f64::from(random.integer(-limit, limit));
     let step = V3::new(whole(), whole(), whole());
-    let wide = RayBox {
-        origin: narrow3(target - step),
-        direction: if step == V3::new(0.0, 0.0, 0.0) {
-            V3::new(1.0, 0.0, 0.0)
-        } else {
-            step
-        },
-        min,
-        max,
+    let step = if step == V3::new(0.0, 0.0, 0.0) {
+        V3::new(1.0, 0.0, 0.0)
+    } else {
+        step
     };
-    BoxCase::new(wide, PX)
+    case((V3::from(target) - step) * (0.5 / half), step)
+}
+
+/// A ray that passes an edge on either side, by so little. It starts so far from a plane through the middle, which is the one
+/// number that `f32` holds as well as any other.
+fn past_an_edge(random: &mut Random, by: f64) -> BoxCase {
+    let mut part = |most: i32| f64::from(random.integer(-most, most)) / 256.0;
+    let start = [0.0, part(1024), part(1024)];
+    let along = part(128);
+    let target = [0.5 * random.sign(), 0.5 * random.sign(), along];
+    let mut direction: [f64; 3] = std::array::from_fn(|axis| target[axis] - start[axis]);
+    let mut origin = start;
+    origin[0] = by * random.sign() * random.within(0.5, 1.0);
+    let turn = random.below(3);
+    direction.rotate_left(turn);
+    origin.rotate_left(turn);
+    case(narrow3(origin.into()), direction.into())
 }

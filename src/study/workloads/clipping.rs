@@ -32,6 +32,12 @@ pub const FAMILIES: &[Family<ClipCase>] = &[
             make(random, TAN_30, off)
         },
     },
+    Family {
+        name: "exactly on a plane",
+        parameter: "-",
+        values: &[1.0],
+        make: |random, _| make(random, TAN_30, 0.0),
+    },
 ];
 
 /// A hit whose depth is off that of one of the planes by so much of it.

@@ -2,7 +2,7 @@
 
 use super::PX;
 use crate::study::{
-    methods::object_space::{Placed, PlacedCase},
+    methods::object_space::PlacedCase,
     random::Random,
     real::{M3, V3, narrow3},
     step::Family,
@@ -67,13 +67,7 @@ fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
         let origin = narrow3(translation + random.direction() * (5.0 * size.max(1.0)));
         let target = translation + linear.apply(random.point(0.7));
         let direction = narrow3((target - origin).normalize());
-        let wide = Placed {
-            linear,
-            translation,
-            origin,
-            direction,
-        };
-        if let Some(case) = PlacedCase::new(wide, PX) {
+        if let Some(case) = PlacedCase::new([origin, direction], linear, translation, PX) {
             return case;
         }
     }

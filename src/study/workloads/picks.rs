@@ -28,7 +28,7 @@ pub const FAMILIES: &[Family<PickCase>] = &[Family {
         let size = world.view.viewport;
         let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
         let px = DVec2::new(at(size.width()), at(size.height()));
-        PickCase { world, px }
+        PickCase::new(&world, px)
     },
 }];
 

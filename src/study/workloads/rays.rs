@@ -2,7 +2,7 @@
 
 use super::TAN_30;
 use crate::study::{
-    methods::rays::{Pixel, PixelCase},
+    methods::rays::{Picture, PixelCase},
     random::Random,
     real::{V3, narrow, narrow3},
     step::Family,
@@ -103,40 +103,36 @@ fn fov(degrees: f64) -> Camera {
 }
 
 fn make(random: &mut Random, camera: Camera) -> PixelCase {
-    loop {
-        let exact_axes = turned(random);
-        let axes = exact_axes.map(|axis| axis * (1.0 / axis.length()));
-        let eye = narrow3(random.direction() * camera.eye);
-        let height = camera.height;
-        let width = (height * 16.0 / 9.0).round();
-        let middle = |random: &mut Random, side: f64| (random.unit() * side).floor() + 0.5;
-        let wide = Pixel {
-            eye,
-            target: eye + axes[2] * camera.length,
-            length: camera.length,
-            axes,
-            tan: narrow(camera.tan),
-            parallel: false,
-            // The camera computes it from the size: both have to mean the same.
-            aspect: width / height,
-            near: narrow(camera.near),
-            far: narrow(camera.far),
-            size: [width, height],
-            px: [middle(random, width), middle(random, height)],
-        };
-        if let Some(case) = PixelCase::new(wide, exact_axes) {
-            return case;
-        }
-    }
+    let exact_axes = turned(random, 99);
+    let axes = exact_axes.map(|axis| axis * (1.0 / axis.length()));
+    let eye = narrow3(random.direction() * camera.eye);
+    let height = camera.height;
+    let width = (height * 16.0 / 9.0).round();
+    let middle = |random: &mut Random, side: f64| (random.unit() * side).floor() + 0.5;
+    let px = [middle(random, width), middle(random, height)];
+    let picture = Picture {
+        eye,
+        target: eye + axes[2] * camera.length,
+        length: camera.length,
+        axes,
+        tan: narrow(camera.tan),
+        parallel: false,
+        // Methods compute it from the size: both have to mean the same.
+        aspect: width / height,
+        near: narrow(camera.near),
+        far: narrow(camera.far),
+        size: [width, height],
+    };
+    PixelCase::new(picture, px, exact_axes)
 }
 
-/// The axes of a random rotation from a quaternion with whole coordinates: at right angles, of equal length and whole,
+/// The axes of a random rotation from a quaternion with whole coordinates up to `most`: at right angles, of equal length and whole,
 /// so that truth knows them without rounding. Left-handed, as view space is: R, U, F with R = F x U.
-fn turned(random: &mut Random) -> [V3<f64>; 3] {
-    let mut whole = || f64::from(random.integer(-99, 99));
+pub(super) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
+    let mut whole = || f64::from(random.integer(-most, most));
     let (a, b, c, d) = (whole(), whole(), whole(), whole());
     if a * a + b * b + c * c + d * d == 0.0 {
-        return turned(random);
+        return turned(random, most);
     }
     [
         V3::new(

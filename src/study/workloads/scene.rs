@@ -2,21 +2,22 @@
 
 use crate::{
     camera::View,
-    geometry::Ray,
+    geometry::{Placement, Ray},
     pick::{self, SceneHit},
     render,
     scene::{Object, Scene, Shape},
     study::{
         methods::{
+            ShapeCase,
             boxes::BoxCase,
             clipping::ClipCase,
             depth::DepthCase,
             normals::NormalCase,
             object_space::PlacedCase,
             picks::{PickCase, PickWorld},
-            planes::PlaneCase,
             rays::PixelCase,
             spheres::SphereCase,
+            squares::SquareCase,
             triangles::TriangleCase,
         },
         random::Random,
@@ -74,8 +75,8 @@ impl SceneRays {
             .map(|(ray, hit)| (ray, &objects[hit.object], hit))
     }
 
-    /// Rays in the space of each object of a kind, hit or not, with the width of a pixel.
-    fn local(&self, wanted: fn(&Shape) -> bool) -> Vec<(Ray, f64)> {
+    /// Rays in the world with an object of a kind each, hit or not, and the width of a pixel there.
+    fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
         let objects = self.world.scene.objects().iter();
         let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
         let mut random = Random::named(self.seed, &["objects"]);
@@ -84,9 +85,15 @@ impl SceneRays {
             let object = objects[random.below(objects.len())];
             let ray = self.world.view.ray(*px);
             let distance = object.placement.model().translation.distance(ray.origin);
-            (object.placement.ray_to_object(&ray), self.px(distance))
+            (&object.placement, *ray, self.px(distance))
         })
         .collect()
+    }
+
+    /// The same in the objects' own space.
+    fn local(&self, wanted: fn(&Shape) -> bool) -> impl Iterator<Item = ShapeCase> {
+        let rays = self.rays_at(wanted).into_iter();
+        rays.map(|(placement, ray, px)| ShapeCase::of_object(&placement.ray_to_object(&ray), px))
     }
 
     pub(in crate::study) fn pixels(&self) -> Vec<PixelCase> {
@@ -128,21 +135,20 @@ impl SceneRays {
 
     pub(in crate::study) fn spheres(&self) -> Vec<SphereCase> {
         let rays = self.local(|shape| matches!(shape, Shape::Sphere));
-        let cases = rays.iter().map(|(ray, px)| SphereCase::of_object(ray, *px));
-        cases.collect()
+        rays.map(SphereCase).collect()
     }
 
     pub(in crate::study) fn boxes(&self) -> Vec<BoxCase> {
         let rays = self.local(|shape| matches!(shape, Shape::Cube));
-        let cases = rays.iter().map(|(ray, px)| BoxCase::of_object(ray, *px));
-        cases.collect()
+        rays.map(BoxCase).collect()
     }
 
-    pub(in crate::study) fn planes(&self) -> Vec<PlaneCase> {
-        let hits = self.objects();
-        let squares = hits.filter(|(_, object, _)| matches!(object.shape, Shape::Square));
-        let cases = squares.map(|(ray, object, _)| PlaneCase::of_object(&object.placement, ray));
-        cases.collect()
+    pub(in crate::study) fn squares(&self) -> Vec<SquareCase> {
+        let squares = self.rays_at(|shape| matches!(shape, Shape::Square));
+        let case = |(placement, ray, px): (&Placement, Ray, f64)| {
+            SquareCase::of_object(placement, &ray, px)
+        };
+        squares.into_iter().map(case).collect()
     }
 
     pub(in crate::study) fn clips(&self) -> Vec<ClipCase> {
@@ -168,10 +174,7 @@ impl SceneRays {
     pub(in crate::study) fn picks(&self) -> Vec<PickCase> {
         // The methods without a tree are slow, and so is truth.
         const MOST: usize = 256;
-        let case = |px: &DVec2| PickCase {
-            world: Arc::clone(&self.world),
-            px: *px,
-        };
+        let case = |px: &DVec2| PickCase::new(&self.world, *px);
         self.at.iter().take(MOST).map(case).collect()
     }
 }

@@ -22,6 +22,12 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
         },
     },
     Family {
+        name: "hit rate",
+        parameter: "share of hits",
+        values: &super::HIT_RATES,
+        make: |random, rate| super::at_rate(random, rate, |random| (FAMILIES[0].make)(random, 1.0)),
+    },
+    Family {
         name: "aimed at edges",
         parameter: "distance / size",
         values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5],
