@@ -10,9 +10,13 @@ mod in_view;
 mod inspect;
 mod keeping;
 mod keys;
+mod layout;
+mod looks;
+mod menus;
 mod one_place;
 mod overlays;
 mod pictures;
+mod remembering;
 mod stalls;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
@@ -27,7 +31,7 @@ use tempfile::TempDir;
 /// The window's size in points.
 const SIZE: [u32; 2] = [1280, 720];
 /// A point of the scene's rectangle that shows its middle, whatever the scale.
-const MIDDLE: Pos2 = pos2(580.0, 362.0);
+const MIDDLE: Pos2 = pos2(590.0, 361.0);
 
 /// Three things in a row along z, the camera before them, as a scene file.
 const ROW: &str = "

@@ -207,3 +207,23 @@ fn what_follows_the_mouse_waits_for_no_tree() {
     state.apply(Action::Hover(Some(MIDDLE)));
     assert_eq!(state.hover(), Some(0));
 }
+
+/// A row of a list lights its object, whatever lies under the cursor, and selects nothing.
+#[test]
+fn a_row_lights_its_object() {
+    let mut state = front_view();
+    state.apply(Action::Hover(Some(MIDDLE)));
+    assert_eq!(state.hover(), Some(0));
+    state.apply(Action::Light(Some(2)));
+    assert_eq!(state.hover(), Some(2));
+    assert_eq!(selected(&state), None);
+    assert_eq!(
+        state
+            .cursor()
+            .and_then(|cursor| cursor.hit)
+            .map(|hit| hit.0),
+        Some(0)
+    );
+    state.apply(Action::Light(None));
+    assert_eq!(state.hover(), Some(0));
+}

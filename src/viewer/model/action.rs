@@ -28,6 +28,9 @@ pub enum Action {
     Recentre(DVec2),
     /// The cursor rests there, or left.
     Hover(Option<DVec2>),
+    /// The cursor rests on the row of this object, by index, in a list of them. Asked for in each pass that it does: the
+    /// next puts the light out.
+    Light(Option<usize>),
     /// Show all that is visible.
     FrameAll,
     /// Show the selected object, or all when there is none.
@@ -120,7 +123,7 @@ impl Action {
     pub(super) fn may_be_of_a_gesture(&self) -> bool {
         matches!(
             self,
-            Self::Lens(_) | Self::Place(..) | Self::Hover(_) | Self::Resize(_)
+            Self::Lens(_) | Self::Place(..) | Self::Hover(_) | Self::Light(_) | Self::Resize(_)
         )
     }
 }

@@ -54,6 +54,7 @@ impl State {
             pan_depth: orbit.distance(),
             selection: None,
             cursor: None,
+            lit: None,
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
@@ -180,7 +181,7 @@ impl State {
         }
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.cursor = None;
+        (self.cursor, self.lit) = (None, None);
         self.hits = None;
         self.landmarks.clear();
         self.source.meshes = loaded.meshes;

@@ -54,7 +54,7 @@ impl State {
         self.stage = stage;
         self.scene_revision += 1;
         self.visibility_revision += 1;
-        self.cursor = None;
+        (self.cursor, self.lit) = (None, None);
         if let Some(selection) = &mut self.selection {
             selection.pick = None;
         }

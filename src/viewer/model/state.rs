@@ -155,6 +155,8 @@ pub struct State {
     pub(super) pan_depth: f64,
     pub(super) selection: Option<Selection>,
     pub(super) cursor: Option<Cursor>,
+    /// The object whose row in a list the cursor rests on.
+    pub(super) lit: Option<usize>,
     /// When [`State::hits`] was clicked; `None` once another click there is to be the first.
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
@@ -272,10 +274,11 @@ impl State {
         &self.source
     }
 
-    /// The object under the cursor.
+    /// The object that is lit: the one under the cursor, or whose row in a list is.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
-        self.cursor?.hit.map(|(object, _)| object)
+        let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
+        self.lit.or_else(under_cursor)
     }
 
     /// The pixel under the cursor; `None` while the cursor is elsewhere.

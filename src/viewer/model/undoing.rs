@@ -138,7 +138,7 @@ impl State {
         other.visibility_revision = self.visibility_revision + 1;
         (other.grid, other.overlays) = (self.grid, self.overlays);
         other.view.viewport = self.view.viewport;
-        (other.cursor, other.clicked_s) = (None, None);
+        (other.cursor, other.lit, other.clicked_s) = (None, None, None);
         mem::swap(self, &mut *other);
         self.fit();
         other

@@ -50,6 +50,7 @@ impl State {
             Action::Click(px, time_s) => return self.click(px, time_s),
             Action::Recentre(px) => self.recentre(px),
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
+            Action::Light(object) => self.lit = object,
             Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self

@@ -4,6 +4,7 @@ mod banner;
 mod camera;
 mod corners;
 mod differences;
+mod docks;
 mod exhibit;
 mod field;
 mod gesture;
@@ -11,6 +12,7 @@ mod help;
 mod inspect;
 mod layout;
 mod marks;
+mod menu;
 mod model_matrix;
 mod names;
 mod objects;
@@ -24,7 +26,10 @@ mod status;
 #[cfg(test)]
 mod tests;
 mod toolbar;
+mod tools;
+mod wings;
 
+pub(in crate::viewer) use docks::Docks;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;
 pub(in crate::viewer) use shown::{Floating, Shown, Underway};

@@ -1,5 +1,6 @@
 //! The one question before edits are dropped.
 
+use super::names::Hint;
 use crate::viewer::ui::command::{Command, Intent, Reply};
 use egui::{Context, Id, Modal};
 
@@ -18,7 +19,7 @@ pub(super) fn show(ctx: &Context, intent: &Intent, commands: &mut Vec<Command>) 
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             let mut answer = |ui: &mut egui::Ui, text: &str, hint: &str, reply| {
-                if ui.button(text).on_hover_text(hint).clicked() {
+                if ui.button(text).hint(hint).clicked() {
                     commands.push(Command::Reply(reply));
                 }
             };
