@@ -122,13 +122,23 @@ impl Lens {
         }
     }
 
-    /// What the depth buffer stores for a view depth: NDC z.
+    /// What the depth buffer stores for a view depth: NDC z, to within a few roundings, and in [0, 1] between the planes.
     #[must_use]
     pub fn ndc_depth(&self, depth: f64) -> f64 {
-        let (a, b) = self.depth_row();
-        match self.projection {
-            Projection::Perspective { .. } => a + b / depth,
-            Projection::Orthographic { .. } => a * depth + b,
+        let Self { near, far, .. } = *self;
+        // By halves: the distance between the planes may be more than `f64` holds.
+        let range = 0.5 * far - 0.5 * near;
+        let [to_near, to_far] =
+            [(depth, near), (far, depth)].map(|(a, b)| (0.5 * a - 0.5 * b) / range);
+        let [from_near, from_far] = match self.projection {
+            Projection::Perspective { .. } => [far / depth * to_near, near / depth * to_far],
+            Projection::Orthographic { .. } => [to_near, to_far],
+        };
+        match self.depth {
+            DepthMapping::Reversed => from_far,
+            // The complement, where that rounds less; above 1 it never is.
+            DepthMapping::Standard if from_far < 0.5 => 1.0 - from_far,
+            DepthMapping::Standard => from_near,
         }
     }
 

@@ -31,7 +31,7 @@ What a hit is, in the object's own space:
   sphere    radius 1/2 about 0,0,0: the ray enters (front) and leaves (back). A
             ray that only touches it hits it once, and not from the front.
   Front and back stay what they are there under a matrix that mirrors. A matrix
-  without an inverse is refused.";
+  without an inverse that f64 holds is refused.";
 
 /// What the fields of a pick's line mean.
 pub(super) const FIELDS: &str = "\
@@ -40,7 +40,8 @@ of each of \"hits\":
   object, id       name, and number from 1
   triangle         of the object, from 0; null for sphere, cube and square
   front            whether the surface is seen from outside
-  t, depth         where on the ray: depth along F, from the eye; rounded once
+  t, depth         where on the ray: depth along F, from the eye; rounded once,
+                   but below far where the exact one is
   distance         from the eye to the point
   ndc              the point in normalised device coordinates, z by --depth
   point_world, normal_world, point_object, normal_object
@@ -56,7 +57,8 @@ of each of \"hits\":
                    hits is nearer, and exact arithmetic decided
   differs_px       pixels from the position to the nearest centre of a pixel,
                    its own too, that shows another object, another triangle or
-                   the background; null where there is none within 8
+                   the background; null where there is none within 8, and in a
+                   window while its trees are being built
 
 Beside \"hit\" or \"hits\":
   in_one_place     what drawing cannot tell from the nearest surface: it and all

@@ -9,8 +9,8 @@ use crate::{
     scene::Scene,
     study::methods::usual,
     verify::{
-        self, COLOURS, Class, DEPTH_CEILING_STEPS, Disagreement, IN_ONE_PLACE, OUTLINE_CEILING_PX,
-        Places, Report, Verdict,
+        self, COLOURS, Class, Disagreement, IN_ONE_PLACE, OUTLINE_CEILING_PX, Places, Report,
+        Verdict,
     },
 };
 use serde::Serialize;
@@ -236,9 +236,10 @@ impl<'a> Outcome<'a> {
         for (class, _, colour) in COLOURS {
             let what = match class {
                 Class::Edge => "the centre lies on an outline, to 1/256 pixel".to_owned(),
-                Class::Depth => format!(
-                    "two surfaces as deep, to the depth buffer and at most {DEPTH_CEILING_STEPS} steps"
-                ),
+                Class::Depth => {
+                    "two surfaces as deep, to the depth buffer and at most half a pixel's width"
+                        .into()
+                }
                 Class::F32Limit => format!(
                     "the centre lies on an outline, to what f32 can tell and at most {OUTLINE_CEILING_PX} px"
                 ),

@@ -28,8 +28,8 @@ impl Number for DoubleDouble {}
 /// The sum `hi + lo`, where `hi` is what the sum rounds to.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
-    hi: f64,
-    lo: f64,
+    pub(super) hi: f64,
+    pub(super) lo: f64,
 }
 
 /// Two numbers' sum and what rounding took of it (Knuth, The Art of Computer Programming, vol. 2, 4.2.2).
@@ -43,7 +43,7 @@ fn two_sum(a: f64, b: f64) -> DoubleDouble {
 }
 
 /// The same where `a` is not the smaller of the two, or `b` is 0.
-fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
+pub(super) fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     DoubleDouble {
         hi,

@@ -14,8 +14,8 @@ pub(super) struct Approximate {
 }
 
 /// `f64` cannot say.
-#[derive(Debug)]
-pub(super) struct InDoubt;
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InDoubt;
 
 impl Approximate {
     pub fn low(self) -> f64 {

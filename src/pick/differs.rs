@@ -1,28 +1,34 @@
 //! How far away the picture shows something else.
 //!
-//! Some 200 rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
+//! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
+//! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
 //! What may come before it is gathered once, by the pyramid about all of them. Triangles of its own plane that come later
-//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one.
+//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where nothing is
+//! left and what shows fills the square of all these pixels, no ray is asked.
 
 use super::{
     SceneHit,
     nearest::{closest, hits_of, shows_part},
-    order::{comes_later_in_plane, order},
+    order::{comes_later_alike, comes_later_in_plane, order},
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{LocalRay, Placement, Pyramid, WorldRay},
-    scene::{Scene, Shape},
+    geometry::{Cuboid, LocalRay, Placement, Pyramid, Sphere, WorldRay, binary::power_of_two},
+    scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
 use std::ops::ControlFlow;
 
 /// How far, in pixels, to look for a pixel with another answer.
 const REACH: f64 = 8.0;
+/// So far each ray asks the whole scene, before anything is gathered: mostly one of these finds something else.
+const NEARBY: f64 = 2.0;
 /// From a position to the sides of a square that holds all centres within reach, and a pixel of room.
 const ASIDE: f64 = REACH + 1.0;
-/// With more to ask, each ray goes through the trees by itself.
-const MOST: usize = 64;
+/// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
+const MOST: usize = 6;
+/// The same where many surfaces are in one place, each of which a tree would ask about.
+const MOST_IN_A_CROWD: usize = 64;
 
 /// Something that may come before what shows at the position: an object, or a triangle of its mesh.
 #[derive(Clone, Copy)]
@@ -32,10 +38,17 @@ struct Rival {
 }
 
 /// How far from `px` the centre of the nearest pixel lies whose answer, object or triangle, is not `here`, that at `px`;
-/// within [`REACH`] and the picture. The pixel's own centre is one of them.
+/// within [`REACH`] and the picture. The pixel's own centre is one of them. `is_alone` says that nothing else is at one place
+/// with `here`, as far as `f64` tells.
 ///
 /// `None` too while a tree is still being built: every triangle would have to be asked.
-pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<f64> {
+pub(super) fn differs_px(
+    scene: &Scene,
+    view: &View,
+    px: DVec2,
+    here: &SceneHit,
+    is_alone: bool,
+) -> Option<f64> {
     if !scene.trees_are_built() {
         return None;
     }
@@ -43,33 +56,102 @@ pub(super) fn differs_px(scene: &Scene, view: &View, px: DVec2, here: &SceneHit)
         object: here.object,
         triangle: here.triangle(),
     };
-    let rivals = rivals(scene, view, px, here);
+    let differs = |ray: WorldRay| {
+        let there = closest(scene, ray, view.sides);
+        there.is_none_or(|there| (there.object, there.triangle()) != (shown.object, shown.triangle))
+    };
+    let mut asked = 0.0;
+    if is_alone {
+        let mut nearby = centres(view, px, [asked, NEARBY]).into_iter();
+        if let Some((distance, _)) = nearby.find(|(_, centre)| differs(view.ray(*centre))) {
+            return Some(distance);
+        }
+        asked = NEARBY;
+    }
+    let most = if is_alone { MOST } else { MOST_IN_A_CROWD };
+    let rivals = rivals(scene, view, px, here, most);
+    let fills = rivals.is_some() && fills(scene, view, px, shown);
+    if fills && rivals.as_ref().is_some_and(Vec::is_empty) {
+        return None;
+    }
     let differs = |centre: DVec2| {
         let ray = view.ray(centre);
         let Some(rivals) = &rivals else {
-            let there = closest(scene, ray, view.sides);
-            return there.is_none_or(|there| {
-                (there.object, there.triangle()) != (shown.object, shown.triangle)
-            });
+            return differs(ray);
         };
-        let Some(there) = first_of(scene, view, &ray, shown) else {
-            return true;
-        };
+        let mut there = None;
+        if !fills {
+            there = first_of(scene, view, &ray, shown);
+            if there.is_none() {
+                return true;
+            }
+        }
         let mut hits = (rivals.iter()).filter_map(|rival| first_of(scene, view, &ray, *rival));
-        hits.any(|rival| order(scene, &ray, &rival, &there).is_lt())
+        hits.any(|rival| {
+            there = there.or_else(|| first_of(scene, view, &ray, shown));
+            there.is_none_or(|there| order(scene, &ray, &rival, &there).is_lt())
+        })
     };
+    let others = centres(view, px, [asked, REACH]).into_iter();
+    let nearest = { others }.find(|(_, centre)| differs(*centre))?;
+    Some(nearest.0)
+}
+
+/// The centres of the picture's pixels that lie farther from a position than one distance and no farther than another,
+/// nearest first, with how far.
+fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     let own = pixel_centre(px);
-    let steps = || (-9_i8..=9).map(f64::from);
-    let mut nearby: Vec<(f64, DVec2)> = steps()
+    let steps = || {
+        (-8_i8..=8)
+            .map(f64::from)
+            .filter(|step| step.abs() <= to + 0.5)
+    };
+    let mut centres: Vec<(f64, DVec2)> = steps()
         .flat_map(|y| steps().map(move |x| own + DVec2::new(x, y)))
         .map(|centre| (centre.distance(px), centre))
         .filter(|(distance, centre)| {
-            *centre != px && *distance <= REACH && view.viewport.contains(*centre)
+            from < *distance && *distance <= to && view.viewport.contains(*centre)
         })
         .collect();
-    nearby.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let nearest = nearby.into_iter().find(|(_, centre)| differs(*centre))?;
-    Some(nearest.0)
+    centres.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    centres
+}
+
+/// Whether every ray within reach meets what shows at a position. Written so that NaN is none.
+///
+/// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it; unless some of it
+/// does not count. The depth of a flat shape lies between those at the corners. Of a solid the depths of all its points are
+/// bounded, with room for what a few roundings take.
+fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
+    const ROOM: f64 = power_of_two(-40);
+    let Object {
+        shape, placement, ..
+    } = &scene.objects()[shown.object];
+    let model = placement.model();
+    let axes = model.matrix3.transpose() * view.camera.forward();
+    let spread = match shape {
+        Shape::Sphere => Some(Sphere::RADIUS * axes.length()),
+        Shape::Cube => Some(Cuboid::HALF_SIDE * axes.abs().element_sum()),
+        Shape::Square | Shape::Mesh { .. } => None,
+    };
+    let lies_between = spread.is_none_or(|spread| {
+        let (eye, lens) = (view.camera.eye(), view.camera.lens());
+        let depth = view.camera.forward().dot(model.translation - eye);
+        let columns = model.matrix3.to_cols_array();
+        let size = eye.abs().element_sum()
+            + model.translation.abs().element_sum()
+            + columns.iter().map(|c| c.abs()).sum::<f64>();
+        let spread = spread + ROOM * size;
+        lens.near < depth - spread && depth + spread < lens.far
+    });
+    let mut corners = corners(view, px).into_iter();
+    lies_between && corners.all(|ray| first_of(scene, view, &ray, shown).is_some())
+}
+
+/// The rays through the corners of a square about a position that holds all centres within reach.
+fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)))
 }
 
 /// The first shown hit on an object, or on a triangle of it.
@@ -78,11 +160,16 @@ fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<S
     hits.find(|hit| view.sides.shows(&hit.hit))
 }
 
-/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is too much to ask
-/// one by one.
-fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<Rival>> {
-    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)));
+/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than
+/// `most`.
+fn rivals(
+    scene: &Scene,
+    view: &View,
+    px: DVec2,
+    here: &SceneHit,
+    most: usize,
+) -> Option<Vec<Rival>> {
+    let corners = corners(view, px);
     let pyramid_in = |placement: &Placement| {
         let local = corners.each_ref().map(|ray| placement.local_ray(ray));
         Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
@@ -90,12 +177,12 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
     let mut rivals = Vec::new();
     let mut is_complete = true;
     scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
-        if rivals.len() > MOST || !is_complete {
+        if rivals.len() > most || !is_complete {
             return;
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && batch.start != here.object;
+            let is_rival = first.visible && !comes_later_alike(scene, here, batch.start);
             rivals.extend(is_rival.then_some(Rival {
                 object: batch.start,
                 triangle: None,
@@ -117,12 +204,12 @@ fn rivals(scene: &Scene, view: &View, px: DVec2, here: &SceneHit) -> Option<Vec<
                     });
                 }
             }
-            if rivals.len() > MOST {
+            if rivals.len() > most {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
             }
         });
     });
-    (is_complete && rivals.len() <= MOST).then_some(rivals)
+    (is_complete && rivals.len() <= most).then_some(rivals)
 }

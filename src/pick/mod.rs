@@ -45,8 +45,8 @@
 //!
 //! # What a record adds
 //!
-//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once, and so is `gap`, the
-//! difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
+//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once (but below far where the exact
+//! one is), and so is `gap`, the difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
 //! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
 //!
 //! The order of picks is exact however close two surfaces lie; a drawing's is not. Where others lie so close to the nearest
@@ -62,6 +62,7 @@ mod picture;
 mod record;
 mod selection;
 
+pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
 pub use picture::{each_pixel, ids, ids_by, raycast};
@@ -120,7 +121,8 @@ pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let exact = next.is_some_and(|next| next.overlaps(&hit))
         || is_tied(scene, &ray, view.sides, &hit)
         || is_in_doubt(scene, &ray, hit.limit());
-    let differs_px = differs::differs_px(scene, view, px, &hit);
+    let is_alone = next.is_none_or(|next| !next.overlaps(&hit));
+    let differs_px = differs::differs_px(scene, view, px, &hit, is_alone);
     let at = record::At { scene, view, px };
     Some(Pick::of(&at, &hit, next.as_ref(), exact, differs_px))
 }
@@ -133,7 +135,8 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let Some(first) = hits.first() else {
         return Vec::new();
     };
-    let differs_px = differs::differs_px(scene, view, px, first);
+    let is_alone = hits.get(1).is_none_or(|next| !next.overlaps(first));
+    let differs_px = differs::differs_px(scene, view, px, first, is_alone);
     let tied = tied(&hits);
     // What is in doubt is for all hits from some one on.
     let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));

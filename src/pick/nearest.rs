@@ -1,7 +1,10 @@
 //! Hits of a ray on a scene: the nearest, the next one behind it, all of them. One walk answers for clicks, pictures and
 //! hover.
 
-use super::{SceneHit, order::order};
+use super::{
+    SceneHit,
+    order::{by_name, is_same_place, order},
+};
 use crate::{
     geometry::{
         Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Placement, Sides, Sphere, Square, TriangleTest,
@@ -63,7 +66,35 @@ pub fn closest_by(
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHit> {
+    all_near(scene, ray, sides, |_, _| true)
+}
+
+/// Of [`all`] hits the nearest one, and what `is_near` says to be so of a hit when it is told the nearest.
+#[must_use]
+pub(crate) fn all_near(
+    scene: &Scene,
+    ray: impl Into<WorldRay>,
+    sides: Sides,
+    is_near: impl Fn(&SceneHit, &SceneHit) -> bool,
+) -> Vec<SceneHit> {
     let ray = &ray.into();
+    let mut all = unordered(scene, ray, sides);
+    let Some(first) = all.iter().copied().min_by(|a, b| order(scene, ray, a, b)) else {
+        return all;
+    };
+    all.retain(|hit| *hit == first || is_near(hit, &first));
+    // Those in the place of the first, of which there may be many, are ordered without a look at where they are.
+    let (mut here, mut others): (Vec<_>, Vec<_>) =
+        (all.into_iter()).partition(|hit| is_same_place(scene, &first, hit));
+    here.sort_unstable_by(by_name);
+    others.sort_unstable_by(|a, b| order(scene, ray, a, b));
+    here.append(&mut others);
+    // Two runs, which this merges.
+    here.sort_by(|a, b| order(scene, ray, a, b));
+    here
+}
+
+fn unordered(scene: &Scene, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
     let mut all = Vec::new();
     scene.visit_batches(ray, |batch| {
         let first = &scene.objects()[batch.start];
@@ -85,7 +116,6 @@ pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHi
         }
         ray.t_max
     });
-    all.sort_unstable_by(|a, b| order(scene, ray, a, b));
     all
 }
 

@@ -2,9 +2,7 @@
 
 use super::SceneHit;
 use crate::{
-    geometry::{
-        Corners, Mesh, Root, Surface, WorldRay, are_coplanar, compare_surfaces, parameter, weights,
-    },
+    geometry::{Corners, Mesh, Parameter, Surface, WorldRay, are_coplanar, compare_surfaces},
     scene::{Object, Scene, Shape},
 };
 use glam::DVec3;
@@ -12,8 +10,12 @@ use std::cmp::Ordering;
 
 /// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    by_t(scene, ray, a, b)
-        .then(a.object.cmp(&b.object))
+    by_t(scene, ray, a, b).then_with(|| by_name(a, b))
+}
+
+/// [`order`] of hits at one `t`.
+pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
+    (a.object.cmp(&b.object))
         .then(a.triangle().cmp(&b.triangle()))
         .then(b.hit.front.cmp(&a.hit.front))
 }
@@ -22,30 +24,19 @@ pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -
 pub(super) fn gap(
     scene: &Scene,
     ray: &WorldRay,
-    (hit, t): (&SceneHit, Option<&Root>),
+    (hit, t): (&SceneHit, &Parameter),
     next: &SceneHit,
 ) -> f64 {
     if is_same_place(scene, hit, next) {
         return 0.0;
     }
-    match (t, root(scene, ray, next)) {
-        (Some(t), Some(next)) => next.behind(t),
-        _ => (next.hit.t - hit.hit.t).max(0.0),
-    }
+    let behind = parameter(scene, ray, next).behind(t);
+    behind.unwrap_or_else(|| (next.hit.t - hit.hit.t).max(0.0))
 }
 
-/// The `t` of a hit, without rounding.
-pub(super) fn root(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<Root> {
-    parameter(ray, &surface(scene, hit))
-}
-
-/// The weights of the corners of the triangle that was hit.
-pub(super) fn barycentric(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> Option<[f64; 3]> {
-    let rounded = hit.hit.on_triangle?.barycentric;
-    let Surface::Triangle(triangle) = surface(scene, hit) else {
-        return None;
-    };
-    Some(weights(ray, &triangle).unwrap_or(rounded))
+/// The `t` of a hit, before it is rounded.
+pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit) -> Parameter<'a> {
+    Parameter::new(ray, surface(scene, hit))
 }
 
 fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
@@ -60,7 +51,7 @@ fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
 
 /// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two triangles of one plane. Cheaper
 /// to tell than by their parameters.
-fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
+pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     let [on_a, on_b] = [a, b].map(|hit| &scene.objects()[hit.object]);
     if on_a.placement != on_b.placement {
         return false;
@@ -99,6 +90,18 @@ pub(super) fn comes_later_in_plane(
         && is_one_plane((mesh, vertex_corners(mesh, hit)), (of_other, corners))
 }
 
+/// Whether an object comes no earlier than a hit on every ray: the very one, or the same shape in the same place, of no mesh
+/// and no earlier in order.
+pub(super) fn comes_later_alike(scene: &Scene, hit: &SceneHit, object: usize) -> bool {
+    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
+    let is_alike = || {
+        hit.triangle().is_none()
+            && of_hit.shape.kind() == other.shape.kind()
+            && of_hit.placement == other.placement
+    };
+    hit.object == object || hit.object < object && is_alike()
+}
+
 /// Whether two triangles, by their corners about their meshes' origins, lie in one plane of object space.
 fn is_one_plane(a: (&Mesh, [DVec3; 3]), b: (&Mesh, [DVec3; 3])) -> bool {
     a.0.data().origin == b.0.data().origin && are_coplanar(a.1, b.1)
@@ -116,7 +119,11 @@ fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let exit = !hit.hit.front;
     match shape {
         Shape::Sphere => Surface::Sphere(placement, exit),
-        Shape::Cube => Surface::Cube(placement, exit),
+        Shape::Cube => Surface::Cube {
+            placement,
+            exit,
+            normal: hit.hit.normal,
+        },
         Shape::Square => Surface::Square(placement),
         Shape::Mesh { mesh, .. } => Surface::Triangle(Corners {
             placement: Some(placement),

@@ -3,7 +3,7 @@
 use super::{InOnePlace, SceneHit, edge, order};
 use crate::{
     camera::View,
-    geometry::{Placement, Root, point_object},
+    geometry::{OnTriangle, Placement},
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -96,11 +96,12 @@ impl Pick {
         let object = &scene.objects()[index];
         let placement = &object.placement;
         let ray = view.ray(px);
-        let root = order::root(scene, &ray, found);
+        let at = order::parameter(scene, &ray, found);
         // Rounded once, and in the interval still.
-        let t = ray.kept_within(root.as_ref().map_or(hit.t, Root::to_f64));
-        let point = |placement| point_object(&ray, placement, root.as_ref()?);
-        let point_object = point(placement).unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
+        let t = ray.kept_within(at.to_f64().unwrap_or(hit.t));
+        let point_object = at.point_object(placement);
+        let point_object = point_object.unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
+        let barycentric = |on: OnTriangle| at.weights().unwrap_or(on.barycentric);
         let normal = match object.shape {
             Shape::Sphere => point_object,
             _ => hit.normal,
@@ -115,14 +116,14 @@ impl Pick {
             distance: length(view.from_eye(px, t)),
             depth: t,
             ndc: ndc_xy.extend(view.camera.lens().ndc_depth(t)),
-            point_world: point(&Placement::IDENTITY).unwrap_or_else(|| ray.at(t)),
+            point_world: (at.point_object(&Placement::IDENTITY)).unwrap_or_else(|| ray.at(t)),
             normal_world: placement.normal_to_world(normal) + DVec3::ZERO,
             point_object,
             // Of 0 and -0 it is 0.
             normal_object: (normal / normal.abs().max_element()).normalize() + DVec3::ZERO,
-            barycentric: order::barycentric(scene, &ray, found),
+            barycentric: hit.on_triangle.map(barycentric),
             edge_px: edge::edge_px(object, view, px, &hit),
-            gap: next.map(|next| order::gap(scene, &ray, (found, root.as_ref()), next)),
+            gap: next.map(|next| order::gap(scene, &ray, (found, &at), next)),
             exact,
             differs_px,
         }

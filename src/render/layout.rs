@@ -126,7 +126,7 @@ pub struct Quadratic {
 /// polynomials in the pixel's offset from `pivot_px`. A root `s` is counted from a point of the ray near the
 /// surface, in object units.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Sphere {
     /// Pixels that may show it: left, top, right, bottom; all equal when none does.
     pub rect_px: [f32; 4],

@@ -11,7 +11,7 @@ use std::{collections::HashMap, mem::offset_of};
 use wgpu::{VertexAttribute, VertexFormat};
 
 /// WGSL of each shader, by name: the shared head is already before those that need it.
-pub const SHADERS: [(&str, &str); 4] = [
+pub const SHADERS: [(&str, &str); 5] = [
     (
         "mesh",
         concat!(
@@ -34,6 +34,7 @@ pub const SHADERS: [(&str, &str); 4] = [
         ),
     ),
     ("composite", include_str!("../../shaders/composite.wgsl")),
+    ("panels", include_str!("../../shaders/panels.wgsl")),
 ];
 
 /// What a pass writes.

@@ -233,8 +233,23 @@ pub struct Rounding {
 /// most 10 u times the sum of its terms' sizes (Higham 2002, ch. 3). From there to first order: a wrong square root is
 /// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
 /// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
+///
+/// Infinite for a sphere so flat that `f32` does not hold its numbers; nothing for one that the picture does not show.
 #[must_use]
 pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
+    let all = |error: f64| Rounding {
+        discriminant: error,
+        measured: [error; 2],
+        depth: [error; 2],
+    };
+    if *sphere == Row::default() {
+        return all(0.0);
+    }
+    let steps = [sphere.origin_step, sphere.depth_per_root];
+    let mut numbers = steps.into_iter().chain(sphere.normal_per_root);
+    if !numbers.all(f32::is_finite) || !sphere.depth_per_root.is_normal() {
+        return all(f64::INFINITY);
+    }
     let at = px - DVec2::from(sphere.pivot_px.map(f64::from));
     let polynomial = |q: &Quadratic| {
         let [constant, x, y] = q.linear.map(f64::from);

@@ -1,7 +1,7 @@
 //! How far off drawing may be at a pixel, and what that explains there. Bounds are made from camera, scene and the
 //! driver's steps; nothing here knows what was drawn or picked.
 
-use super::{Class, DEPTH_CEILING_STEPS, GRID_PX, OUTLINE_CEILING_PX};
+use super::{Class, GRID_PX, OUTLINE_CEILING_PX};
 
 /// An outline near a pixel's centre; lengths in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +47,8 @@ pub(super) struct Stored {
     pub farthest: f64,
     /// What rounding may take of that, apart from moving the surface aside.
     pub rounding: f64,
-    /// A step of the depth buffer there.
-    pub step: f64,
+    /// What of that drawing may be off by and be held to hold the view.
+    pub ceiling: f64,
     /// Whether the bounds lie above a ceiling.
     pub beyond_f32: bool,
 }
@@ -70,7 +70,7 @@ impl Outline {
     pub fn reason(self) -> Option<Reason> {
         let error_px = self.error_px();
         let strain = strain(self.distance_px, error_px)?;
-        let class = if beyond_f32(error_px, 0.0) {
+        let class = if beyond_f32(error_px, 0.0, 0.0) {
             Class::BeyondF32
         } else if self.f32_px <= GRID_PX {
             Class::Edge
@@ -196,10 +196,9 @@ impl Stored {
         if !self.beyond_f32 {
             return *self;
         }
-        let most = DEPTH_CEILING_STEPS * self.step;
         Self {
-            nearest: self.nearest.min(self.nearness + most),
-            farthest: self.farthest.max(self.nearness - most),
+            nearest: self.nearest.min(self.nearness + self.ceiling),
+            farthest: self.farthest.max(self.nearness - self.ceiling),
             ..*self
         }
     }
@@ -218,9 +217,9 @@ impl Stored {
     }
 }
 
-/// Whether drawing in `f32` cannot hold what may be so far off, aside in pixels or in steps of depth.
-pub(super) fn beyond_f32(error_px: f64, steps: f64) -> bool {
-    !(error_px <= OUTLINE_CEILING_PX && steps <= DEPTH_CEILING_STEPS)
+/// Whether drawing in `f32` cannot hold what may be so far off: aside in pixels, or in depth beside its ceiling.
+pub(super) fn beyond_f32(error_px: f64, depth_error: f64, depth_ceiling: f64) -> bool {
+    !(error_px <= OUTLINE_CEILING_PX && depth_error <= depth_ceiling)
 }
 
 /// What is needed over what is allowed, when it suffices. Neither nothing nor infinity nor NaN allows anything.

@@ -5,7 +5,7 @@ use super::{
     adjoining::Adjoining,
     flat::{Flat, Vertices},
     round,
-    surface::Surface,
+    surface::{Depths, Surface},
 };
 use crate::{
     camera::View,
@@ -148,7 +148,8 @@ impl<'a> Surfaces<'a> {
             let (both, _) = round::both(&self.space, placement, px);
             return Some(both[usize::from(!hit.hit.front)]);
         };
-        self.flat(px, hit.object).face(&face.corners)
+        let surface = self.flat(px, hit.object).face(&face.corners)?;
+        Some(surface.at_hit(&Depths::new(&self.space), hit.hit.t))
     }
 
     /// Whether two faces of an object's batch meet at a pixel, in an edge or a corner.

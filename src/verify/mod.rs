@@ -12,9 +12,9 @@
 //!   surface at the far plane, and so does the near plane;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
 //! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]); or a
-//!   surface for which there is no bound; or one well before the far plane that the buffer cannot tell from nothing.
-//!   Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all lie below the ceiling
-//!   has no such pixel;
+//!   surface for which there is no bound, or one larger than the picture; or one well before the far plane that the buffer
+//!   cannot tell from nothing. Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all
+//!   lie below the ceiling, and above what the buffer can tell from nothing, has no such pixel;
 //! * **unexplained**: anything else. Somebody is wrong.
 //!
 //! A surface has no outline where it goes on beyond an edge: there its neighbours may show, and nothing behind.
@@ -39,6 +39,8 @@
 //! * The geometry here is in `f64`. Its own roundings are small beside those of `f32`.
 //!
 //! # What it cannot see
+//!
+//! The far side of a cube or a sphere where its near side ought to be: both have one id.
 //!
 //! A ray's error below the bound at a pixel: whether a pick is exactly right, this does not tell. That is held by an
 //! oracle (`tests/exact_picks`). Where a pixel's ray runs is defined once for picks, for the drawing of spheres and for the
@@ -73,17 +75,17 @@ use bound::{Outline, Reason};
 use face::Surfaces;
 use glam::DVec2;
 use serde::Serialize;
-use surface::Surface;
+use surface::{Depths, Surface};
 
 /// The most that drawing may move an outline by, in pixels, and be held to hold the view: a picture that is off by more
 /// shows other pixels than the scene has.
 pub const OUTLINE_CEILING_PX: f64 = 0.5;
 
-/// The most that `f32` may be off in depth, in steps of the depth buffer, and be held to hold the view.
+/// The most that `f32` may be off in depth and be held to hold the view, in steps of 2^-23 of the depth, or of the distance
+/// between near and far where that is less: 1/8192 of it. Nor may it be off by more than half a pixel's width, or by more
+/// than moving the surface aside by half a pixel makes of it, where that is more.
 ///
-/// In steps of 2^-23 of the depth, as reversed depth has them, it is 1/8192 of the depth: no more than half a pixel spans
-/// sideways in a picture of 2,160 rows through a lens of 30 degrees. So depth may be off by no more than outlines may, in
-/// any ordinary picture.
+/// These are lengths, and do not depend on what a depth buffer stores.
 pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
 
 /// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.
@@ -190,9 +192,9 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         .iter()
         .filter(|_| !twins)
         .flat_map(|of_drawn| sides[1].iter().map(move |of_picked| (of_drawn, of_picked)));
-    let lens = surfaces.space.view().camera.lens();
+    let depths = Depths::new(&surfaces.space);
     let explained = pairs.filter_map(|(of_drawn, of_picked)| {
-        let reason = surface::explain(lens, of_drawn, of_picked)?;
+        let reason = surface::explain(&depths, of_drawn, of_picked)?;
         Some((reason, [of_drawn.depth, of_picked.depth]))
     });
     let best = explained

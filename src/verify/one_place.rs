@@ -17,7 +17,7 @@
 //!   name.
 
 use super::{
-    DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
+    OUTLINE_CEILING_PX,
     face::{Face, Surfaces, batch_of},
     surface::{Depths, Surface, ViewRay},
 };
@@ -67,16 +67,15 @@ impl<'a> Places<'a> {
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
-        let hits = pick::all(scene, view.ray(px), view.sides);
-        let Some((first, behind)) = hits.split_first() else {
+        let reach = Reach::new(&self.surfaces, px);
+        // Most lie too far behind, which is cheap to tell.
+        let is_near =
+            |hit: &SceneHit, first: &SceneHit| reach.nearness(hit)[0] >= reach.nearness(first)[1];
+        let hits = pick::all_near(scene, view.ray(px), view.sides, is_near);
+        let Some((first, near)) = hits.split_first() else {
             return Vec::new();
         };
-        let reach = Reach::new(&self.surfaces, px);
-        let [_, farthest] = reach.nearness(first);
-        // Most lie too far behind, which is cheap to tell.
-        let near = |hit: &&SceneHit| reach.nearness(hit)[0] >= farthest;
-        let mut near = behind.iter().filter(near).peekable();
-        if near.peek().is_none() {
+        if near.is_empty() {
             return Vec::new();
         }
         let nearest = Patch::of(scene, first);
@@ -186,9 +185,8 @@ impl<'a> Reach<'a> {
         let past_near = hit.t - self.view.camera.lens().near;
         let [near, far] = [past_near - off, past_near + off];
         let most = |end: f64| {
-            // A step grows towards one end, or towards both.
-            let step = self.depths.step(past_near).max(self.depths.step(end));
-            DEPTH_CEILING_STEPS * step
+            // It grows towards one end, or towards both.
+            self.depths.ceiling(past_near).max(self.depths.ceiling(end))
         };
         let nearest = self.depths.nearness(near) + most(near);
         let farthest = self.depths.nearness(far) - most(far);
@@ -212,7 +210,7 @@ impl<'a> Reach<'a> {
         let normal = self.view.camera.rotation() * normal_world;
         let cosine = self.ray.direction.normalize().dot(normal).abs();
         if cosine > LEAST_COSINE {
-            2.0 * OUTLINE_CEILING_PX * self.ray.slope(depth, normal).length()
+            4.0 * OUTLINE_CEILING_PX * self.ray.slope(depth, normal).length()
         } else {
             f64::INFINITY
         }

@@ -1,7 +1,7 @@
 //! A flat convex polygon at a pixel, with how far drawing in `f32` may move it.
 
 use super::{
-    GRID_PX,
+    GRID_PX, OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
     interpolation,
     surface::{Depths, Source, Surface, ViewRay},
@@ -68,20 +68,7 @@ pub(super) fn polygon(
         Projection::Perspective { .. } => -cut_error.min(0.5 * near),
         Projection::Orthographic { .. } => -cut_error,
     };
-    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
-        at,
-        is_cut: false,
-        edge,
-    });
-    let seen = clip(
-        &tagged.collect::<Vec<_>>(),
-        |corner| corner.at.view.z - nearest,
-        |a, b, s| SeenCorner {
-            at: a.at.lerp(&b.at, s),
-            is_cut: true,
-            edge: a.edge,
-        },
-    );
+    let seen = seen_from(corners, nearest);
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
@@ -117,8 +104,16 @@ pub(super) fn polygon(
     let rounding = may_be.map(|end| depths.error(end, &error));
     let rounding = larger(rounding[0], rounding[1])
         + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
-    let step = may_be.map(|end| depths.step(end));
-    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding / step[0].min(step[1]));
+    let rounding = if is_known(&depths, corners, past_near) {
+        rounding
+    } else {
+        f64::INFINITY
+    };
+    // A surface that is seen at an angle may be off by as much as moving it aside makes of it; NaN gives way.
+    let of_slope = (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0]);
+    let ceiling =
+        |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
+    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding, ceiling(at));
     let covers = covers(&ray, corners);
     let cut = Cut {
         gap: past_near.abs(),
@@ -126,8 +121,11 @@ pub(super) fn polygon(
         f32: slope * f32_px + cut_error,
     };
     // Corners are cut off before anything is interpolated.
-    let cut_steps = cut_error * depths.stored_per_depth(0.0) / depths.step(0.0);
-    let cut_beyond = bound::beyond_f32(GRID_PX + f32_px, cut_steps);
+    let cut_beyond = bound::beyond_f32(
+        GRID_PX + f32_px,
+        cut_error * depths.stored_per_depth(0.0),
+        ceiling(0.0),
+    );
     let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
@@ -143,12 +141,30 @@ pub(super) fn polygon(
             nearest: nearest + rounding,
             farthest: farthest - rounding,
             rounding,
-            step: depths.step(at),
+            ceiling: ceiling(at),
             beyond_f32,
         },
         source: *source,
     };
     Some(Polygon { surface, edges })
+}
+
+/// What is left of a polygon at this depth past near and behind.
+fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
+    let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
+        at,
+        is_cut: false,
+        edge,
+    });
+    clip(
+        &tagged.collect::<Vec<_>>(),
+        |corner| corner.at.view.z - past_near,
+        |a, b, s| SeenCorner {
+            at: a.at.lerp(&b.at, s),
+            is_cut: true,
+            edge: a.edge,
+        },
+    )
 }
 
 /// What is behind the near plane of a segment, or of one corner, as an outline; `None` when nothing is.
@@ -165,6 +181,14 @@ impl Corner {
             error: self.error.lerp(other.error, s),
         }
     }
+}
+
+/// Whether `f64` tells the depth at a pixel: it loses less of corners as large as these than the ceiling.
+fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
+    let sizes = corners.iter().map(|corner| corner.view.abs().max_element());
+    let lost = 16.0 * f64::EPSILON * sizes.fold(0.0, larger);
+    let at = past_near.abs();
+    lost <= depths.ceiling(at) / depths.stored_per_depth(at)
 }
 
 /// The least and the largest depth of corners; `None` of none.
@@ -249,7 +273,13 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
         Projection::Perspective { .. } => error.depth / w * (px - 0.5 * size).abs(),
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
-    (aside + towards).length() + 5.0 * U * size.length()
+    let px = (aside + towards).length() + 5.0 * U * size.length();
+    // Larger than the picture it bounds nothing.
+    if px <= size.length() {
+        px
+    } else {
+        f64::INFINITY
+    }
 }
 
 /// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference

@@ -1,6 +1,7 @@
 //! Spheres at a pixel.
 
 use super::{
+    OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
     surface::{Depths, Source, Surface},
 };
@@ -35,12 +36,16 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
     let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
+    let change = Change::of_discriminant(lens.projection, &ray);
     let rim = Outline {
-        distance_px: least_distance(lens.projection, &ray, discriminant),
+        distance_px: change.least_distance_px(discriminant),
         grid_px: 0.0,
-        f32_px: least_distance(lens.projection, &ray, error.discriminant),
+        f32_px: change.least_distance_px(error.discriminant),
     };
     let root = (-outside.min(0.0) / d2).sqrt();
+    // The root is that of the discriminant over d^2: so much half a pixel aside makes of it, at most the sphere's radius.
+    let of_slope = OUTLINE_CEILING_PX * change.slope / (2.0 * d2 * d2 * root);
+    let of_slope = (Sphere::RADIUS / d2.sqrt()).min(of_slope);
     let ends = [middle - root, middle + root];
     let errors = [0, 1].map(|i| ViewError {
         aside: DVec2::ZERO,
@@ -53,16 +58,17 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let nearness = depths.nearness(past_near);
         let rounding = depths.error(past_near, &error);
         // No grid, and the rim by itself: at the centre nothing moves the surface aside.
-        let step = depths.step(past_near);
-        let beyond_f32 = bound::beyond_f32(0.0, rounding / step);
+        let ceiling =
+            |past_near| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
+        let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(past_near));
         let near_error = depths.near_error(&error, false);
-        let cut_steps = near_error * depths.stored_per_depth(0.0) / depths.step(0.0);
+        let cut_error = near_error * depths.stored_per_depth(0.0);
         let cut = Cut {
             gap: past_near.abs(),
             grid: 0.0,
             f32: near_error,
         };
-        let cut = cut.reason(bound::beyond_f32(0.0, cut_steps));
+        let cut = cut.reason(bound::beyond_f32(0.0, cut_error, ceiling(0.0)));
         Surface {
             loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
             crossed: None,
@@ -75,7 +81,7 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
                 nearest: nearness + rounding,
                 farthest: nearness - rounding,
                 rounding,
-                step,
+                ceiling: ceiling(past_near),
                 beyond_f32,
             },
             source: Source::Sphere(*placement),
@@ -84,31 +90,43 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
     (both, is_opened)
 }
 
-/// No pixel position nearer than this, in pixels, has a discriminant that differs by `change` from the one at the
-/// centre.
+/// How fast the discriminant changes over the picture: by at most `slope s + bend s^2` within s pixels.
 ///
-/// Over the picture the discriminant is a quadratic: with w the ray's step for a pixel offset (of the direction d in
-/// perspective, of the origin o in orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is
-/// `2 r^2 d.w - 2 (o x d).(o x w)` or `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
-/// Within distance s it changes by at most `slope s + bend s^2`.
-fn least_distance(projection: Projection, ray: &RayDifferential<DoubleDouble>, change: f64) -> f64 {
-    let (o, d) = (ray.origin, ray.direction);
-    let r2 = Sphere::RADIUS * Sphere::RADIUS;
-    let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
-    let moment = across(o, d);
-    let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
-        Projection::Perspective { .. } => {
-            let turn = across(o, step);
-            let (d, step) = (d.narrow(), step.narrow());
-            let slope = 2.0 * (r2 * d.dot(step) - moment.dot(turn));
-            (slope, r2 * step.length_squared() + turn.length_squared())
+/// It is a quadratic there: with w the ray's step for a pixel offset (of the direction d in perspective, of the origin o in
+/// orthographic projection), it is `r^2 |d|^2 - |o x d|^2`, so its slope is `2 r^2 d.w - 2 (o x d).(o x w)` or
+/// `-2 (o x d).(w x d)`, and its bend at most `r^2 |w|^2 + |o x w|^2` or `|w x d|^2`.
+struct Change {
+    slope: f64,
+    bend: f64,
+}
+
+impl Change {
+    fn of_discriminant(projection: Projection, ray: &RayDifferential<DoubleDouble>) -> Self {
+        let (o, d) = (ray.origin, ray.direction);
+        let r2 = Sphere::RADIUS * Sphere::RADIUS;
+        let across = |a: Vector<DoubleDouble>, b: Vector<DoubleDouble>| a.cross(b).narrow();
+        let moment = across(o, d);
+        let [(x, bend_x), (y, bend_y)] = [ray.right, ray.down].map(|step| match projection {
+            Projection::Perspective { .. } => {
+                let turn = across(o, step);
+                let (d, step) = (d.narrow(), step.narrow());
+                let slope = 2.0 * (r2 * d.dot(step) - moment.dot(turn));
+                (slope, r2 * step.length_squared() + turn.length_squared())
+            }
+            Projection::Orthographic { .. } => {
+                let turn = across(step, d);
+                (-2.0 * moment.dot(turn), turn.length_squared())
+            }
+        });
+        Self {
+            slope: DVec2::new(x, y).length(),
+            bend: bend_x + bend_y,
         }
-        Projection::Orthographic { .. } => {
-            let turn = across(step, d);
-            (-2.0 * moment.dot(turn), turn.length_squared())
-        }
-    });
-    let (slope, bend) = (DVec2::new(x, y).length(), bend_x + bend_y);
-    let change = change.abs();
-    2.0 * change / (slope + (slope * slope + 4.0 * bend * change).sqrt())
+    }
+
+    /// No position nearer than this, in pixels, has a discriminant that differs by `change` from the one at the centre.
+    fn least_distance_px(&self, change: f64) -> f64 {
+        let (Self { slope, bend }, change) = (self, change.abs());
+        2.0 * change / (slope + (slope * slope + 4.0 * bend * change).sqrt())
+    }
 }

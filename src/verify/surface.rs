@@ -1,7 +1,7 @@
 //! One surface at a pixel, and whether two of them explain a difference.
 
 use super::{
-    Class, DEPTH_CEILING_STEPS,
+    Class, DEPTH_CEILING_STEPS, OUTLINE_CEILING_PX,
     bound::{Outline, Reason, Stored},
 };
 use crate::{
@@ -66,25 +66,39 @@ impl Surface {
                 nearest: nearness,
                 farthest: nearness,
                 rounding: 0.0,
-                step: 0.0,
+                ceiling: 0.0,
                 beyond_f32: false,
             },
             source: Source::Empty,
         }
     }
 
-    /// Whether it lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: in depth
-    /// as far from it as [`DEPTH_CEILING_STEPS`] of reversed depth. Standard depth stores 1 for most of what lies between
-    /// planes far apart.
-    fn is_at_plane(&self, lens: &Lens) -> bool {
-        let scales = match lens.projection {
-            Projection::Perspective { .. } => [lens.near, lens.far],
-            Projection::Orthographic { .. } => [lens.far - lens.near; 2],
+    /// The same where a ray hits it at this view depth, which its corners may be too large to tell.
+    pub fn at_hit(self, depths: &Depths, depth: f64) -> Self {
+        if self.stored.is_bounded() {
+            return self;
+        }
+        let past_near = depth - depths.lens.near;
+        let stored = Stored {
+            nearness: depths.nearness(past_near),
+            ceiling: depths.ceiling(past_near),
+            ..self.stored
         };
-        let is_at = |(plane, scale): (f64, f64)| {
-            (self.depth - plane).abs() <= DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * scale
-        };
-        [lens.near, lens.far].into_iter().zip(scales).any(is_at)
+        Self {
+            depth,
+            stored,
+            ..self
+        }
+    }
+
+    /// Whether it lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: no
+    /// farther off than the ceiling. Standard depth stores 1 for most of what lies between planes far apart.
+    fn is_at_plane(&self, depths: &Depths) -> bool {
+        let Lens { near, far, .. } = depths.lens;
+        let ceiling = self.stored.ceiling / depths.stored_per_depth(self.depth - near);
+        [near, far]
+            .into_iter()
+            .any(|plane| (self.depth - plane).abs() <= ceiling)
     }
 }
 
@@ -109,7 +123,7 @@ pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
 /// which of them shows is settled by their order, and nothing excuses another answer.
 ///
 /// A surface well within the planes that the depth buffer takes for nothing is lost, whatever its bounds.
-pub(super) fn explain(lens: &Lens, drawn: &Surface, picked: &Surface) -> Option<Reason> {
+pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
         // Both sides come to the same one, edge by edge.
         return drawn.crossed;
@@ -139,7 +153,7 @@ pub(super) fn explain(lens: &Lens, drawn: &Surface, picked: &Surface) -> Option<
     });
     let all = [drawn_only, picked_only, by_depth];
     let best = all.into_iter().flatten().reduce(Reason::or)?;
-    let is_lost = drawn.source == Source::Empty && !picked.is_at_plane(lens);
+    let is_lost = drawn.source == Source::Empty && !picked.is_at_plane(depths);
     Some(if is_lost && best.class == Class::Depth {
         best.and(Class::BeyondF32)
     } else {
@@ -157,6 +171,8 @@ pub(super) struct Depths {
     origin: f64,
     /// What the depth buffer stores for a unit of measured depth, times w.
     per_measured: f64,
+    /// A pixel's height in world units where w is 1.
+    pixel_at_w_1: f64,
 }
 
 impl Depths {
@@ -170,6 +186,8 @@ impl Depths {
                 DepthMapping::Standard => 0.0,
             },
             per_measured: lens.depth_row().0,
+            pixel_at_w_1: 2.0 * space.view().half_extent().y
+                / f64::from(space.view().viewport.height()),
         }
     }
 
@@ -242,20 +260,26 @@ impl Depths {
                 self.unit * (past_near - self.origin),
             ),
         };
-        is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
+        #[expect(clippy::float_cmp, reason = "to the bit: it may have been rounded")]
+        let is_exact = measured / self.unit + self.origin == past_near;
+        is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
     }
 
-    /// A step of depth, by what the buffer stores: what one unit in the last place of an `f32` is there of the stored
-    /// number, or of the depth, or of the distance between near and far where that is less.
+    /// The most that the stored number may be off for drawing to hold the view: [`DEPTH_CEILING_STEPS`] of 2^-23 of the
+    /// depth, or of the distance between near and far where that is less; and no more than half a pixel's width, as far
+    /// as an outline may be off.
     ///
-    /// Of these the largest: a depth that is stored as nearly 0 is not known as finely as the number could tell.
-    pub fn step(&self, past_near: f64) -> f64 {
+    /// In lengths, whatever the buffer stores: one that holds less is no excuse for showing more of it wrong.
+    pub fn ceiling(&self, past_near: f64) -> f64 {
         let range = self.lens.far - self.lens.near;
+        let w = self.w(past_near).abs();
         let known = match self.lens.projection {
-            Projection::Perspective { .. } => range.min(self.w(past_near).abs()),
+            Projection::Perspective { .. } => range.min(w),
             Projection::Orthographic { .. } => range,
         };
-        2.0 * U * (self.stored(past_near).abs()).max(self.stored_per_depth(past_near) * known)
+        let steps = DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * known;
+        let aside = OUTLINE_CEILING_PX * self.pixel_at_w_1 * w;
+        self.stored_per_depth(past_near) * steps.min(aside)
     }
 
     /// How fast the stored number changes with depth.

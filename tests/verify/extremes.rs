@@ -9,14 +9,14 @@ use std::{
 };
 
 /// A scene file in a folder of its own.
-fn scene(toml: &str) -> (tempfile::TempDir, PathBuf) {
+pub fn scene(toml: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("scene.toml");
     std::fs::write(&file, toml).expect("a file");
     (folder, file)
 }
 
-fn run(scene: Option<&PathBuf>, args: &str) -> Output {
+pub fn run(scene: Option<&PathBuf>, args: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
     command.arg("verify").args(scene).arg("--json");
     command
@@ -26,14 +26,14 @@ fn run(scene: Option<&PathBuf>, args: &str) -> Output {
 }
 
 /// The counts of a run, and its exit code.
-struct Counts {
-    line: Value,
-    code: Option<i32>,
-    stderr: String,
+pub struct Counts {
+    pub line: Value,
+    pub code: Option<i32>,
+    pub stderr: String,
 }
 
 impl Counts {
-    fn of(output: Output) -> Self {
+    pub fn of(output: Output) -> Self {
         let stderr = String::from_utf8(output.stderr).expect("text");
         let line = serde_json::from_slice(&output.stdout);
         Self {
@@ -43,7 +43,7 @@ impl Counts {
         }
     }
 
-    fn get(&self, name: &str) -> u64 {
+    pub fn get(&self, name: &str) -> u64 {
         self.line[name]
             .as_u64()
             .unwrap_or_else(|| panic!("{name}: {}", self.line))

@@ -14,6 +14,7 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod conditions;
+mod depths;
 mod excuses;
 mod extremes;
 #[path = "../exact_picks/families.rs"]

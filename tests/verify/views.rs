@@ -5,7 +5,7 @@
 //! family and prints a line for each.
 
 use crate::{
-    blocks::{Sample, chance},
+    blocks::{Layout, Sample, chance},
     common::Random,
     drawn, families, lattice,
     one_place::{is_of_two_surfaces, name},
@@ -13,7 +13,7 @@ use crate::{
     ties,
 };
 use sightline::{
-    camera::{DepthMapping, Lens, View, Viewport},
+    camera::{DepthMapping, Lens, View, Viewport, fit_near_far},
     pick,
     render::{Gpu, Renderer, SceneBuffers},
     verify::{Class, Places, Report, Verdict, compare},
@@ -31,6 +31,8 @@ struct Tally {
     picked: usize,
     drawn: usize,
     classes: [usize; 5],
+    /// Views that were beyond `f32` by their planes or their depth mapping, and are not by others.
+    by_planes: usize,
     /// Views with pixels that are beyond `f32`, and with nothing drawn or nothing picked.
     beyond: usize,
     one_sided: usize,
@@ -69,6 +71,10 @@ struct Expected {
     one_sided: usize,
 }
 
+/// Views that may be beyond `f32` only by planes a million times as far apart as what lies between them, or by standard
+/// depth with the near plane at the eye, in a thousand of each family.
+const BY_PLANES: usize = 250;
+
 fn wanted() -> usize {
     std::env::var("SIGHTLINE_VIEWS").map_or(VIEWS, |count| {
         count.parse().expect("SIGHTLINE_VIEWS is a number")
@@ -92,7 +98,15 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
             };
             sample.view.camera = sample.view.camera.with_lens(lens).expect("a lens");
         }
-        let report = compared(&gpu, &mut renderer, &sample);
+        let mut report = compared(&gpu, &mut renderer, &sample);
+        if matches!(report.verdict(), Verdict::BeyondF32(_)) {
+            let fitted = with_planes_that_fit(&sample);
+            let again = compared(&gpu, &mut renderer, &fitted);
+            if again.verdict() == Verdict::Agrees {
+                (sample, report) = (fitted, again);
+                tally.by_planes += 1;
+            }
+        }
         tally.of_two += depths_are_named(name, &sample, &report);
         pixels += report.pixels;
         tally.add(&report, &sample);
@@ -100,8 +114,8 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
     let [edge, depth, limit, beyond, unexplained] = tally.classes;
     println!(
         "{name:16} {pixels:>9} pixels, {:>8} picked, {:>8} drawn: {edge} edge, {depth} depth, {limit} f32 limit, \
-         {beyond} beyond in {} views, {} one-sided, {unexplained} unexplained, {} of two",
-        tally.picked, tally.drawn, tally.beyond, tally.one_sided, tally.of_two
+         {beyond} beyond in {} views, {} only by their planes, {} one-sided, {unexplained} unexplained, {} of two",
+        tally.picked, tally.drawn, tally.beyond, tally.by_planes, tally.one_sided, tally.of_two
     );
     assert!(
         tally.defects.is_empty(),
@@ -118,6 +132,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
         "{name}: only {shown} in 1000 show something"
     );
     for (what, seen, most) in [
+        ("beyond f32 by their planes", tally.by_planes, BY_PLANES),
         ("beyond f32", tally.beyond, expected.beyond),
         ("one-sided", tally.one_sided, expected.one_sided),
     ] {
@@ -128,6 +143,24 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
             0
         };
         assert!(seen <= most, "{name}: {seen} views are {what}");
+    }
+}
+
+/// The same, with near and far about the scene and reversed depth.
+fn with_planes_that_fit(Sample { scene, view, .. }: &Sample) -> Sample {
+    let (near, far) = fit_near_far(&view.camera, &scene.bounds(), None, None);
+    let lens = Lens {
+        near,
+        far,
+        depth: DepthMapping::Reversed,
+        ..*view.camera.lens()
+    };
+    let camera = view.camera.with_lens(lens).expect("planes that fit");
+    Sample {
+        scene: scene.clone(),
+        view: View { camera, ..*view },
+        positions: Vec::new(),
+        layout: Layout::Anywhere,
     }
 }
 

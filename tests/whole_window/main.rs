@@ -15,6 +15,7 @@ mod looks;
 mod menus;
 mod one_place;
 mod overlays;
+mod panels_kept;
 mod pictures;
 mod remembering;
 mod stalls;

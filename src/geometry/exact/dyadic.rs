@@ -1,9 +1,14 @@
 //! The numbers of exact decisions in any length, with what distances in pixels take besides: quotients, roots and rounding.
 
+pub(crate) use super::{
+    super::interval::InDoubt,
+    enclosure::Enclosure,
+    integer::{Decided, Ring},
+    number::{Number, Vector},
+};
 use super::{
     super::{PixelGrid, Placement, binary::times_power_of_two, local_ray::Exactly, ray::Line},
     integer::Integer,
-    number::{Number, Vector},
     world::{self, LocalLine},
 };
 use glam::{DVec2, DVec3};
@@ -17,7 +22,11 @@ pub(crate) type Dyadic = Number<BigInt>;
 pub(crate) type DyadicVector = Vector<BigInt>;
 
 /// Where a placement puts a vertex, given about an origin of object space.
-pub(crate) fn vertex_world(placement: &Placement, origin: DVec3, vertex: DVec3) -> DyadicVector {
+pub(crate) fn vertex_world<I: Ring>(
+    placement: &Placement,
+    origin: DVec3,
+    vertex: DVec3,
+) -> Vector<I> {
     world::point(Some(placement), [origin, vertex])
 }
 
@@ -39,7 +48,7 @@ pub(crate) fn to_object(
 }
 
 /// What R and U are multiplied with in a position's ray, times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
-pub(crate) fn factors(grid: &PixelGrid, px: DVec2) -> [Dyadic; 2] {
+pub(crate) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     world::factors(grid, px)
 }
 
@@ -56,13 +65,6 @@ impl Dyadic {
 
     pub fn is_zero(&self) -> bool {
         self.sign().is_eq()
-    }
-
-    pub fn negated(&self) -> Self {
-        Self {
-            integer: -&self.integer,
-            exponent: self.exponent,
-        }
     }
 
     pub fn abs(&self) -> Self {
@@ -93,11 +95,6 @@ impl Dyadic {
             integer: self.in_units(unit),
             exponent: unit,
         }
-    }
-
-    /// Two to the power of `-unit` times it, rounded to within one unit in the last place.
-    pub fn to_f64_in(&self, unit: i64) -> f64 {
-        rounded(&self.integer, self.exponent - unit)
     }
 
     /// The square root, rounded down to so many bits or one more; 0 for what is negative.

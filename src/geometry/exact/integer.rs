@@ -3,18 +3,49 @@
 //! Fixed widths need no memory of their own and are ten times as fast. Which one suffices is found by running a formula on
 //! [`Bits`], which only counts how long each number may become.
 
+use super::super::{binary::split, interval::InDoubt};
 use bnum::BInt;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
-/// What formulas are made of. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
-pub(crate) trait Integer: Clone {
+/// What formulas are made of: integers, or what stands for them.
+pub(crate) trait Ring: Clone {
+    /// Of up to 53 bits.
     fn new(value: i64) -> Self;
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;
     fn times(&self, other: &Self) -> Self;
     /// Times `2^by`.
     fn shifted(&self, by: u32) -> Self;
+
+    /// A finite number, by the exponent of the power of two that it is multiplied with.
+    #[inline]
+    fn parts(value: f64) -> (Self, i64) {
+        let (mantissa, exponent) = split(value);
+        (Self::new(mantissa), exponent)
+    }
+}
+
+/// A number that says what can be read off it, or that it cannot.
+pub(crate) trait Decided: Ring {
+    /// Against 0.
+    fn decided_sign(&self) -> Result<Ordering, InDoubt>;
+    /// As [`Integer::rounded`].
+    fn decided_value(&self) -> Result<(f64, i64), InDoubt>;
+}
+
+impl<I: Integer> Decided for I {
+    fn decided_sign(&self) -> Result<Ordering, InDoubt> {
+        Ok(self.sign())
+    }
+
+    fn decided_value(&self) -> Result<(f64, i64), InDoubt> {
+        Ok(self.rounded())
+    }
+}
+
+/// Exact numbers. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
+pub(crate) trait Integer: Ring {
     /// Against 0.
     fn sign(&self) -> Ordering;
     fn to_big(&self) -> BigInt;
@@ -47,14 +78,16 @@ macro_rules! wrapping_operations {
     };
 }
 
-impl Integer for i128 {
+impl Ring for i128 {
     #[inline]
     fn new(value: i64) -> Self {
         value.into()
     }
 
     wrapping_operations!();
+}
 
+impl Integer for i128 {
     fn sign(&self) -> Ordering {
         self.cmp(&0)
     }
@@ -69,14 +102,16 @@ impl Integer for i128 {
     }
 }
 
-impl<const N: usize> Integer for BInt<N> {
+impl<const N: usize> Ring for BInt<N> {
     #[inline]
     fn new(value: i64) -> Self {
         Self::from(value)
     }
 
     wrapping_operations!();
+}
 
+impl<const N: usize> Integer for BInt<N> {
     fn sign(&self) -> Ordering {
         self.cmp(&Self::ZERO)
     }
@@ -104,7 +139,7 @@ impl<const N: usize> Integer for BInt<N> {
     }
 }
 
-impl Integer for BigInt {
+impl Ring for BigInt {
     fn new(value: i64) -> Self {
         value.into()
     }
@@ -124,7 +159,9 @@ impl Integer for BigInt {
     fn shifted(&self, by: u32) -> Self {
         self << by
     }
+}
 
+impl Integer for BigInt {
     fn sign(&self) -> Ordering {
         match Self::sign(self) {
             Sign::Minus => Ordering::Less,
@@ -171,7 +208,7 @@ impl Bits {
     }
 }
 
-impl Integer for Bits {
+impl Ring for Bits {
     fn new(value: i64) -> Self {
         let here = u64::BITS - value.unsigned_abs().leading_zeros();
         Self { here, most: here }
@@ -199,29 +236,17 @@ impl Integer for Bits {
         let shifted = self.here.saturating_add(by);
         Self::of(if self.here == 0 { 0 } else { shifted }, [*self; 2])
     }
-
-    fn sign(&self) -> Ordering {
-        unreachable!("lengths decide nothing")
-    }
-
-    fn to_big(&self) -> BigInt {
-        unreachable!("lengths decide nothing")
-    }
-
-    fn rounded(&self) -> (f64, i64) {
-        unreachable!("lengths decide nothing")
-    }
 }
 
 /// A formula, whose numbers can be had in any integers, and what is read off them.
 pub(super) trait Formula {
     /// The formula's numbers.
-    type Numbers<I: Integer>;
+    type Numbers<I: Ring>;
     /// What is read off them.
     type Answer;
 
     /// The formula, without a decision.
-    fn numbers<I: Integer>(&self) -> Self::Numbers<I>;
+    fn numbers<I: Ring>(&self) -> Self::Numbers<I>;
 
     /// The most bits of any number that [`Formula::numbers`] makes.
     fn most_bits(numbers: &Self::Numbers<Bits>) -> u32;
@@ -255,9 +280,9 @@ mod tests {
     fn what_fits_is_the_same_in_every_width() {
         struct Determinant([i64; 4], [u32; 4]);
         impl Formula for Determinant {
-            type Numbers<I: Integer> = I;
+            type Numbers<I: Ring> = I;
             type Answer = BigInt;
-            fn numbers<I: Integer>(&self) -> I {
+            fn numbers<I: Ring>(&self) -> I {
                 let [a, b, c, d] = [0, 1, 2, 3].map(|i| I::new(self.0[i]).shifted(self.1[i]));
                 a.times(&d).minus(&b.times(&c)).plus(&a).shifted(1)
             }

@@ -5,24 +5,30 @@
 //! cubes and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
 //! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`root`]).
 //!
+//! What a record says of a hit, parameters, points and distances in the picture, is tried in pairs of `f64` with bounds first
+//! ([`enclosure`]). They are believed where they round to what integers would.
+//!
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
 //! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
 pub(crate) mod dyadic;
+mod enclosure;
 mod integer;
 mod matrix;
 mod number;
+mod parameter;
 mod root;
 mod solids;
 mod triangle;
 mod world;
 
 pub(super) use matrix::{inverse, mirrors};
-pub(crate) use root::Root;
+pub(crate) use parameter::Parameter;
+use root::Root;
 pub(super) use solids::{cube, sphere, square};
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
-pub(crate) use triangle::{Corners, are_coplanar, weights};
+pub(crate) use triangle::{Corners, are_coplanar};
 pub(super) use triangle::{compare, hit, reaches_plane};
 #[cfg(test)]
 pub(super) use world::errors;
@@ -35,24 +41,26 @@ pub(crate) enum Surface<'a> {
     Triangle(Corners<'a>),
     /// With whether the line leaves it there.
     Sphere(&'a Placement, bool),
-    Cube(&'a Placement, bool),
+    Cube {
+        placement: &'a Placement,
+        exit: bool,
+        /// The outward normal of the face that is named.
+        normal: glam::DVec3,
+    },
     Square(&'a Placement),
 }
 
 /// Where a ray's line meets a surface, which it must meet.
-pub(crate) fn parameter(ray: &WorldRay, surface: &Surface) -> Option<Root> {
+fn root(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     let on = |placement| Exactly::placed(ray, placement);
     match *surface {
         Surface::Triangle(triangle) => triangle::plane_parameter(ray.line(), &triangle),
         Surface::Sphere(placement, exit) => solids::sphere_parameter(&on(placement), exit),
-        Surface::Cube(placement, exit) => solids::cube_parameter(&on(placement), exit),
+        Surface::Cube {
+            placement, exit, ..
+        } => solids::cube_parameter(&on(placement), exit),
         Surface::Square(placement) => solids::square_parameter(&on(placement)),
     }
-}
-
-/// The point at a parameter of a ray, in the object space of a placement: each coordinate to within three roundings.
-pub(crate) fn point_object(ray: &WorldRay, placement: &Placement, t: &Root) -> Option<glam::DVec3> {
-    solids::point_at(&Exactly::placed(ray, placement), t)
 }
 
 /// Which of two surfaces a ray meets first; it must meet both.
@@ -60,7 +68,7 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std:
     if let (Surface::Triangle(a), Surface::Triangle(b)) = (a, b) {
         return compare(ray.line(), a, b);
     }
-    match (parameter(ray, a), parameter(ray, b)) {
+    match (root(ray, a), root(ray, b)) {
         (Some(a), Some(b)) => a.compare(&b),
         _ => std::cmp::Ordering::Equal,
     }

@@ -1,8 +1,11 @@
 //! Numbers and vectors that are integers times a power of two: every finite `f64`, and every sum and product of such.
 
 use super::{
-    super::binary::{split, times_power_of_two},
-    integer::Integer,
+    super::{
+        binary::{power_of_two_below, split, times_power_of_two},
+        interval::InDoubt,
+    },
+    integer::{Decided, Integer, Ring},
 };
 use glam::DVec3;
 use num_bigint::BigInt;
@@ -22,13 +25,17 @@ pub(crate) struct Vector<I> {
     pub exponent: i64,
 }
 
-impl<I: Integer> Number<I> {
+impl<I: Ring> Number<I> {
     /// A finite number.
     pub fn new(value: f64) -> Self {
-        let (mantissa, exponent) = split(value);
+        let (integer, exponent) = I::parts(value);
+        Self { integer, exponent }
+    }
+
+    pub fn negated(&self) -> Self {
         Self {
-            integer: I::new(mantissa),
-            exponent,
+            integer: I::new(0).minus(&self.integer),
+            exponent: self.exponent,
         }
     }
 
@@ -54,7 +61,51 @@ impl<I: Integer> Number<I> {
             exponent: self.exponent + other.exponent,
         }
     }
+}
 
+impl<I: Decided> Number<I> {
+    /// Against 0.
+    pub fn decided_sign(&self) -> Result<Ordering, InDoubt> {
+        self.integer.decided_sign()
+    }
+
+    pub fn decided_negative(&self) -> Result<bool, InDoubt> {
+        self.decided_sign().map(Ordering::is_lt)
+    }
+
+    pub fn decided_zero(&self) -> Result<bool, InDoubt> {
+        self.decided_sign().map(Ordering::is_eq)
+    }
+
+    /// A number from 0.5 to 1 (or 0) and the exponent of the power of two that makes it the size of this one, rounded once.
+    pub fn size(&self) -> Result<(f64, i64), InDoubt> {
+        let (value, exponent) = self.integer.decided_value()?;
+        if value == 0.0 {
+            return Ok((0.0, 0));
+        }
+        let (_, unit) = split(power_of_two_below(value.abs()));
+        let value = times_power_of_two(value.abs(), -unit - 1);
+        Ok((value, exponent + self.exponent + unit + 1))
+    }
+
+    /// `self / other`, which must not be 0, to within three roundings.
+    pub fn decided_ratio(&self, other: &Self) -> Result<f64, InDoubt> {
+        let ((a, above), (b, below)) = (
+            self.integer.decided_value()?,
+            other.integer.decided_value()?,
+        );
+        if a == 0.0 {
+            return Ok(0.0);
+        }
+        let ratio = a / b;
+        Ok(times_power_of_two(
+            ratio,
+            above + self.exponent - below - other.exponent,
+        ))
+    }
+}
+
+impl<I: Integer> Number<I> {
     /// Against 0.
     pub fn sign(&self) -> Ordering {
         self.integer.sign()
@@ -78,7 +129,7 @@ impl<I: Integer> Number<I> {
 }
 
 /// Both integers in the smaller of the two units.
-fn aligned<I: Integer>(a: &Number<I>, b: &Number<I>) -> ([I; 2], i64) {
+fn aligned<I: Ring>(a: &Number<I>, b: &Number<I>) -> ([I; 2], i64) {
     let exponent = a.exponent.min(b.exponent);
     (
         [a, b].map(|n| n.integer.shifted(difference(n.exponent, exponent))),
@@ -91,19 +142,15 @@ fn difference(greater: i64, less: i64) -> u32 {
     u32::try_from(greater - less).unwrap_or(u32::MAX)
 }
 
-impl<I: Integer> Vector<I> {
+impl<I: Ring> Vector<I> {
     /// A finite vector.
     pub fn new(v: DVec3) -> Self {
-        let parts = v.to_array().map(split);
-        let exponents = parts.iter().filter(|(mantissa, _)| *mantissa != 0);
-        let exponent = exponents.map(|(_, exponent)| *exponent).min().unwrap_or(0);
-        let integers = parts.map(|(mantissa, of_this)| {
-            let by = if mantissa == 0 {
-                0
-            } else {
-                difference(of_this, exponent)
-            };
-            I::new(mantissa).shifted(by)
+        let parts = v.to_array().map(|c| (c != 0.0).then(|| I::parts(c)));
+        let exponents = parts.iter().flatten().map(|(_, exponent)| *exponent);
+        let exponent = exponents.min().unwrap_or(0);
+        let integers = parts.map(|part| match part {
+            Some((integer, of_this)) => integer.shifted(difference(of_this, exponent)),
+            None => I::new(0),
         });
         Self { integers, exponent }
     }

@@ -141,10 +141,13 @@ impl Root {
         })
     }
 
-    /// Numerator and denominator of a quotient that is it, or within `2^-400` of it, relative to what its parts are.
-    pub(super) fn quotient_near(&self) -> [BigInt; 2] {
-        let [low, _] = self.enclosed(400);
-        [low.numerator, low.denominator]
+    /// What a function that grows or falls makes of it, given numerators and denominators: what both ends of an enclosure
+    /// give, as [`rounded`] does it.
+    pub(super) fn settled<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
+        settled(|bits| {
+            self.enclosed(bits)
+                .map(|end| of([end.numerator, end.denominator]))
+        })
     }
 
     /// Two quotients about it, which are one where the root is a whole number; else the root has so many bits behind the
@@ -279,10 +282,14 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
 /// mathematical functions with correctly rounded last bit", 1991). It ends: only rational numbers lie in the middle between
 /// two `f64`, and the enclosure of those is a point.
 fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
+    settled(|bits| enclosure(bits).map(|end| end.to_f64()))
+}
+
+/// What both ends give, of so many bits that they give the same.
+fn settled<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
     let mut bits = 128;
     loop {
-        let [low, high] = enclosure(bits).map(|end| end.to_f64());
-        #[expect(clippy::float_cmp, reason = "to the bit")]
+        let [low, high] = ends(bits);
         if low == high {
             return low;
         }

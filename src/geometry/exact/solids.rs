@@ -1,7 +1,8 @@
 //! Rays against spheres, cubes and squares in integers of any length.
 
 use super::{
-    super::{Cuboid, Hit, Ray, Sphere, Square, local_ray::Exactly},
+    super::{Cuboid, Hit, Ray, Sphere, Square, interval::InDoubt, local_ray::Exactly},
+    integer::Decided,
     number::Number,
     root::Root,
     world::LocalLine,
@@ -144,7 +145,7 @@ pub(in super::super) fn sphere(exactly: &Exactly, ray: &Ray) -> [Option<Hit>; 2]
         Some(Hit::analytic(
             t,
             super::rounding_of(t),
-            at(&line, root),
+            at_root(&line, root)?,
             front,
         ))
     };
@@ -183,26 +184,39 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
 }
 
-/// The point at a parameter in object space, each coordinate to within three roundings.
-fn at(line: &Integers, root: &Root) -> DVec3 {
-    let [numerator, denominator] = root.quotient_near().map(|integer| Number {
-        integer,
-        exponent: 0,
-    });
-    let one = line.one.times(&denominator);
-    let coordinate = |axis| {
-        let start = line.origin.component(axis).times(&denominator);
-        start
-            .plus(&line.direction.component(axis).times(&numerator))
-            .ratio(&one)
+/// The point at a parameter in object space, each coordinate to within three roundings; that along one axis may be known.
+pub(super) fn at<I: Decided>(
+    line: &LocalLine<I>,
+    [numerator, denominator]: [&Number<I>; 2],
+    known: Option<(usize, f64)>,
+) -> Result<DVec3, InDoubt> {
+    let one = line.one.times(denominator);
+    let coordinate = |axis| match known {
+        Some((known, value)) if known == axis => Ok(value),
+        _ => {
+            let start = line.origin.component(axis).times(denominator);
+            let way = line.direction.component(axis).times(numerator);
+            start.plus(&way).decided_ratio(&one)
+        }
     };
-    DVec3::new(coordinate(0), coordinate(1), coordinate(2))
+    Ok(DVec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))
+}
+
+/// [`at`] a parameter as it is.
+fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
+    root.settled(|quotient| {
+        let quotient = quotient.map(|integer| Number {
+            integer,
+            exponent: 0,
+        });
+        at(line, quotient.each_ref(), None).ok()
+    })
 }
 
 /// The point at a parameter of the line of `exactly`, in the object space of its placement; `None` where a number is not
 /// finite.
 pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
-    Some(at(&local(exactly)?, root))
+    at_root(&local(exactly)?, root)
 }
 
 /// A parameter that counts, rounded, and within the interval still.

@@ -2,13 +2,14 @@
 
 use super::{
     super::{
-        Placement, Ray, TriangleHit, WorldRay,
+        Placement, Ray, TriangleHit,
         binary::{power_of_two, power_of_two_below},
         interval::{Approximate, InDoubt},
         local_ray::Exactly,
         ray::Line,
     },
-    integer::{Bits, Formula, Integer, solve},
+    enclosure::Enclosure,
+    integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     root::Root,
     world::{ExactLine, point, way},
@@ -56,7 +57,7 @@ struct Seen<I> {
     plane: Plane<I>,
 }
 
-impl<I: Integer> Seen<I> {
+impl<I: Ring> Seen<I> {
     fn new(line: &Line, triangle: &Corners) -> Self {
         let line = ExactLine::new(line);
         let Corners {
@@ -125,10 +126,10 @@ struct Hit<'a> {
 }
 
 impl Formula for Hit<'_> {
-    type Numbers<I: Integer> = (Plane<I>, Weights<I>);
+    type Numbers<I: Ring> = (Plane<I>, Weights<I>);
     type Answer = Option<TriangleHit>;
 
-    fn numbers<I: Integer>(&self) -> Self::Numbers<I> {
+    fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
         let seen = Seen::new(&self.line, &self.triangle);
         let weights = seen.weights();
         (seen.plane, weights)
@@ -194,9 +195,9 @@ pub(in super::super) fn hit(
 pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
     struct Parameter<'a>(&'a Line, &'a Corners<'a>);
     impl Formula for Parameter<'_> {
-        type Numbers<I: Integer> = Plane<I>;
+        type Numbers<I: Ring> = Plane<I>;
         type Answer = Option<Root>;
-        fn numbers<I: Integer>(&self) -> Plane<I> {
+        fn numbers<I: Ring>(&self) -> Plane<I> {
             Seen::new(self.0, self.1).plane
         }
         fn most_bits(plane: &Plane<Bits>) -> u32 {
@@ -212,14 +213,36 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
         .flatten()
 }
 
+/// [`plane_parameter`], numerator and denominator.
+pub(super) fn enclosed_parameter(
+    line: &Line,
+    triangle: &Corners,
+) -> (Number<Enclosure>, Number<Enclosure>) {
+    let plane = Seen::new(line, triangle).plane;
+    (plane.numerator, plane.denominator)
+}
+
+/// [`weights`], where pairs of `f64` tell them.
+pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 3], InDoubt> {
+    let Weights {
+        corners: [a, b, c],
+        sum,
+    } = Seen::<Enclosure>::new(line, triangle).weights();
+    Ok([
+        a.decided_ratio(&sum)?,
+        b.decided_ratio(&sum)?,
+        c.decided_ratio(&sum)?,
+    ])
+}
+
 /// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` when it runs
 /// along it.
-pub(crate) fn weights(ray: &WorldRay, triangle: &Corners) -> Option<[f64; 3]> {
+pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
     struct Rounded<'a>(&'a Line, &'a Corners<'a>);
     impl Formula for Rounded<'_> {
-        type Numbers<I: Integer> = Weights<I>;
+        type Numbers<I: Ring> = Weights<I>;
         type Answer = Option<[f64; 3]>;
-        fn numbers<I: Integer>(&self) -> Weights<I> {
+        fn numbers<I: Ring>(&self) -> Weights<I> {
             Seen::new(self.0, self.1).weights()
         }
         fn most_bits(weights: &Weights<Bits>) -> u32 {
@@ -229,7 +252,6 @@ pub(crate) fn weights(ray: &WorldRay, triangle: &Corners) -> Option<[f64; 3]> {
             weights.sum.sign().is_ne().then(|| weights.rounded())
         }
     }
-    let line = ray.line();
     let is_finite = triangle.is_finite() && super::is_finite(line);
     is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
@@ -238,9 +260,9 @@ pub(crate) fn weights(ray: &WorldRay, triangle: &Corners) -> Option<[f64; 3]> {
 pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Ordering {
     struct Both<'a>(&'a Line, [&'a Corners<'a>; 2]);
     impl Formula for Both<'_> {
-        type Numbers<I: Integer> = ([Number<I>; 2], Number<I>);
+        type Numbers<I: Ring> = ([Number<I>; 2], Number<I>);
         type Answer = Ordering;
-        fn numbers<I: Integer>(&self) -> Self::Numbers<I> {
+        fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
             let [a, b] = self
                 .1
                 .map(|triangle| Seen::<I>::new(self.0, triangle).plane);
@@ -273,9 +295,9 @@ pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Orderi
 pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
     struct Plane([DVec3; 3], [DVec3; 3]);
     impl Formula for Plane {
-        type Numbers<I: Integer> = [Number<I>; 3];
+        type Numbers<I: Ring> = [Number<I>; 3];
         type Answer = bool;
-        fn numbers<I: Integer>(&self) -> Self::Numbers<I> {
+        fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
             let [p, q, r] = self.0.map(Vector::<I>::new);
             let normal = q.minus(&p).cross(&r.minus(&p));
             self.1

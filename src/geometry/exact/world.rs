@@ -4,7 +4,7 @@
 use super::super::LocalRay;
 use super::{
     super::{PixelGrid, Placement, local_ray::Exactly, ray::Line},
-    integer::Integer,
+    integer::Ring,
     number::{Number, Vector},
 };
 use glam::{DMat3, DVec2, DVec3};
@@ -16,7 +16,7 @@ pub(super) struct ExactLine<I> {
     pub weight: Number<I>,
 }
 
-impl<I: Integer> ExactLine<I> {
+impl<I: Ring> ExactLine<I> {
     pub fn new(line: &Line) -> Self {
         match line {
             Line::Given { origin, direction } => Self {
@@ -53,7 +53,7 @@ impl<I: Integer> ExactLine<I> {
 }
 
 /// Of R and of U in [`PixelGrid::ray`], times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
-pub(super) fn factors<I: Integer>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
+pub(super) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
     let two = Number::new(2.0);
     let [x, y] = [px.x, px.y].map(|at| two.times(&Number::new(at)));
@@ -62,7 +62,7 @@ pub(super) fn factors<I: Integer>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2]
 }
 
 /// The sum of two vectors of object space, where the placement puts it.
-pub(super) fn point<I: Integer>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
+pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
     let object = match sum_of {
         [DVec3::ZERO, point] => Vector::new(point),
         [a, b] => Vector::new(a).plus(&Vector::new(b)),
@@ -76,7 +76,7 @@ pub(super) fn point<I: Integer>(placement: Option<&Placement>, sum_of: [DVec3; 2
 }
 
 /// The way from one point of object space to another, in the world of the placement.
-pub(super) fn way<I: Integer>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
+pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
     let object = Vector::new(to).minus(&Vector::new(from));
     match moved(placement) {
         Some(placement) => turned(placement, &object),
@@ -90,13 +90,13 @@ fn moved(placement: Option<&Placement>) -> Option<&Placement> {
 }
 
 /// A vector of object space by the placement's linear part.
-fn turned<I: Integer>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
+fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
     let columns = columns(placement.model().matrix3);
     let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
     x.plus(&y).plus(&z)
 }
 
-fn columns<I: Integer>(matrix: DMat3) -> [Vector<I>; 3] {
+fn columns<I: Ring>(matrix: DMat3) -> [Vector<I>; 3] {
     [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(Vector::new)
 }
 
@@ -109,7 +109,7 @@ pub(super) struct LocalLine<I> {
     pub one: Number<I>,
 }
 
-impl<I: Integer> LocalLine<I> {
+impl<I: Ring> LocalLine<I> {
     pub fn new(exactly: &Exactly) -> Self {
         let line = ExactLine::<I>::new(&exactly.line);
         let Some(placement) = moved(exactly.placement) else {
@@ -137,7 +137,7 @@ pub(super) struct Adjugate<I> {
     pub determinant: Number<I>,
 }
 
-impl<I: Integer> Adjugate<I> {
+impl<I: Ring> Adjugate<I> {
     pub fn new(matrix: DMat3) -> Self {
         let [x, y, z] = &columns(matrix);
         let rows = [y.cross(z), z.cross(x), x.cross(y)];
@@ -147,7 +147,7 @@ impl<I: Integer> Adjugate<I> {
 }
 
 /// A matrix, by rows, times a vector.
-fn product<I: Integer>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
+fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
     Vector::of(&rows.each_ref().map(|row| row.dot(v)))
 }
 

@@ -5,7 +5,7 @@ use crate::{
     geometry::{
         PixelGrid,
         binary::times_power_of_two,
-        dyadic::{Dyadic, DyadicVector, factors},
+        dyadic::{Decided, InDoubt, Number, Vector, factors},
     },
 };
 use glam::DVec2;
@@ -17,55 +17,59 @@ use glam::DVec2;
 /// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
 /// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
 /// two are `u` and `v`, and 2 h |D| s is `w`.
-pub(super) struct Frame {
+pub(super) struct Frame<I> {
     pub(super) grid: PixelGrid,
-    u: Row,
-    v: Row,
-    w: Weight,
-    depth: Row,
-    near: Dyadic,
+    u: Row<I>,
+    v: Row<I>,
+    w: Weight<I>,
+    depth: Row<I>,
+    near: Number<I>,
 }
 
 /// What makes `w`.
-enum Weight {
+enum Weight<I> {
     /// A factor of depth: perspective.
-    PerDepth(Dyadic),
+    PerDepth(Number<I>),
     /// Orthographic.
-    Constant(Dyadic),
+    Constant(Number<I>),
 }
 
 /// A linear function of world space and a constant.
-struct Row {
-    normal: DyadicVector,
-    constant: Dyadic,
+struct Row<I> {
+    normal: Vector<I>,
+    constant: Number<I>,
 }
 
 /// A point as the picture shows it: right by `u / w` and down by `v / w` pixels from the position. Of a direction, by how
 /// much a step along it changes each.
-pub(super) struct Shown {
-    pub(super) u: Dyadic,
-    pub(super) v: Dyadic,
+pub(super) struct Shown<I> {
+    pub(super) u: Number<I>,
+    pub(super) v: Number<I>,
     /// Above 0 in front of the eye.
-    pub(super) w: Dyadic,
+    pub(super) w: Number<I>,
     /// The t of the ray there, in units of the frame's own.
-    pub(super) depth: Dyadic,
+    pub(super) depth: Number<I>,
 }
 
-impl Frame {
-    pub(super) fn new(view: &View, px: DVec2) -> Self {
+impl<I: Decided> Frame<I> {
+    pub(super) fn new(view: &View, px: DVec2) -> Result<Self, InDoubt> {
         let grid = view.camera.pixel_grid(view.viewport);
         let [right, up, forward, eye] =
-            [grid.right, grid.up, grid.forward, grid.eye].map(DyadicVector::new);
-        let height = Dyadic::new(grid.size_px[1].into());
+            [grid.right, grid.up, grid.forward, grid.eye].map(Vector::new);
+        let height = Number::new(grid.size_px[1].into());
         let [of_right, of_up] = factors(&grid, px);
         let per_depth = right.cross(&up);
         let determinant = forward.dot(&per_depth);
         // A determinant below 0, as axes of a left-handed view space have it, turns all signs.
-        let sign = Dyadic::new(if determinant.is_negative() { -1.0 } else { 1.0 });
+        let sign = Number::new(if determinant.decided_negative()? {
+            -1.0
+        } else {
+            1.0
+        });
         let determinant = determinant.times(&sign);
         let [per_right, per_down, per_depth] =
             [up.cross(&forward), right.cross(&forward), per_depth].map(|row| row.times(&sign));
-        let row = |normal: &DyadicVector, aside: &Dyadic| {
+        let row = |normal: &Vector<I>, aside: &Number<I>| {
             let normal = normal.times(&height);
             if grid.is_orthographic {
                 let from_origin = normal.dot(&eye).plus(&aside.times(&determinant));
@@ -77,8 +81,8 @@ impl Frame {
                 Row::through(&eye, normal.minus(&per_depth.times(aside)))
             }
         };
-        let whole_height = Dyadic::new(2.0).times(&Dyadic::new(grid.half_height));
-        Self {
+        let whole_height = Number::new(2.0).times(&Number::new(grid.half_height));
+        Ok(Self {
             grid,
             u: row(&per_right, &of_right),
             v: row(&per_down, &of_up.negated()),
@@ -87,13 +91,13 @@ impl Frame {
             } else {
                 Weight::PerDepth(whole_height)
             },
-            near: Dyadic::new(view.camera.lens().near).times(&determinant),
+            near: Number::new(view.camera.lens().near).times(&determinant),
             depth: Row::through(&eye, per_depth),
-        }
+        })
     }
 
     /// A point of world space.
-    pub(super) fn point(&self, world: &DyadicVector) -> Shown {
+    pub(super) fn point(&self, world: &Vector<I>) -> Shown<I> {
         let [u, v, depth] =
             [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world).plus(&row.constant));
         let w = match &self.w {
@@ -104,24 +108,24 @@ impl Frame {
     }
 
     /// A direction of world space.
-    pub(super) fn direction(&self, world: &DyadicVector) -> Shown {
+    pub(super) fn direction(&self, world: &Vector<I>) -> Shown<I> {
         let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world));
         let w = match &self.w {
             Weight::PerDepth(factor) => factor.times(&depth),
-            Weight::Constant(_) => Dyadic::new(0.0),
+            Weight::Constant(_) => Number::new(0.0),
         };
         Shown { u, v, w, depth }
     }
 
     /// How far a point lies behind the near plane, in units of its `depth`; below 0 before the plane.
-    pub(super) fn behind_near(&self, point: &Shown) -> Dyadic {
+    pub(super) fn behind_near(&self, point: &Shown<I>) -> Number<I> {
         point.depth.minus(&self.near)
     }
 }
 
-impl Row {
+impl<I: Decided> Row<I> {
     /// The one that is 0 at a point.
-    fn through(point: &DyadicVector, normal: DyadicVector) -> Self {
+    fn through(point: &Vector<I>, normal: Vector<I>) -> Self {
         Self {
             constant: normal.dot(point).negated(),
             normal,
@@ -129,33 +133,40 @@ impl Row {
     }
 }
 
-impl Shown {
+impl<I: Decided> Shown<I> {
     /// Distance from the position, of a point in front of the eye.
-    pub(super) fn distance_px(&self) -> f64 {
+    pub(super) fn distance_px(&self) -> Result<f64, InDoubt> {
         distance_px(&self.u, &self.v, &self.w)
     }
 }
 
 /// The length of (u, v) over w, each rounded once; w is not 0.
-pub(super) fn distance_px(u: &Dyadic, v: &Dyadic, w: &Dyadic) -> f64 {
-    let (length, unit) = length(u, v);
-    quotient((length, unit), in_own_unit(w))
+pub(super) fn distance_px<I: Decided>(
+    u: &Number<I>,
+    v: &Number<I>,
+    w: &Number<I>,
+) -> Result<f64, InDoubt> {
+    Ok(quotient(length(u, v)?, w.size()?))
 }
 
 /// The size of n over the length of (x, y), which is not 0, each rounded once.
-pub(super) fn ratio(n: &Dyadic, x: &Dyadic, y: &Dyadic) -> f64 {
-    quotient(in_own_unit(n), length(x, y))
+pub(super) fn ratio<I: Decided>(
+    n: &Number<I>,
+    x: &Number<I>,
+    y: &Number<I>,
+) -> Result<f64, InDoubt> {
+    Ok(quotient(n.size()?, length(x, y)?))
 }
 
-/// A number from 0.5 to 1 and the exponent of the power of two that makes it the size of `n`.
-fn in_own_unit(n: &Dyadic) -> (f64, i64) {
-    let unit = n.magnitude().unwrap_or(0);
-    (n.to_f64_in(unit).abs(), unit)
-}
-
-fn length(x: &Dyadic, y: &Dyadic) -> (f64, i64) {
-    let unit = x.magnitude().max(y.magnitude()).unwrap_or(0);
-    (x.to_f64_in(unit).hypot(y.to_f64_in(unit)), unit)
+fn length<I: Decided>(x: &Number<I>, y: &Number<I>) -> Result<(f64, i64), InDoubt> {
+    let ((x, of_x), (y, of_y)) = (x.size()?, y.size()?);
+    let unit = match (x > 0.0, y > 0.0) {
+        (true, true) => of_x.max(of_y),
+        (true, false) => of_x,
+        _ => of_y,
+    };
+    let in_unit = |size, of: i64| times_power_of_two(size, of - unit);
+    Ok((in_unit(x, of_x).hypot(in_unit(y, of_y)), unit))
 }
 
 fn quotient(a: (f64, i64), b: (f64, i64)) -> f64 {

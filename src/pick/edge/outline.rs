@@ -53,7 +53,7 @@ struct Part {
 }
 
 /// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane; `None` when there is none.
-pub(super) fn distance_px(frame: &Frame, placement: &Placement) -> Option<f64> {
+pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Option<f64> {
     let circle = Circle::new(frame, placement)?;
     if !circle.is_visible() {
         return None;
@@ -71,7 +71,7 @@ pub(super) fn distance_px(frame: &Frame, placement: &Placement) -> Option<f64> {
 
 impl Circle {
     /// `None` when the eye is not outside.
-    fn new(frame: &Frame, placement: &Placement) -> Option<Self> {
+    fn new(frame: &Frame<BigInt>, placement: &Placement) -> Option<Self> {
         let grid = &frame.grid;
         let (eye, forward, determinant) = to_object(placement, grid.eye, grid.forward);
         let (o, m) = if grid.is_orthographic {
@@ -90,7 +90,7 @@ impl Circle {
         let linear = model.matrix3;
         let axes = [linear.x_axis, linear.y_axis, linear.z_axis]
             .map(|axis| frame.direction(&DyadicVector::new(axis)));
-        let row = |of: fn(&Shown) -> &Dyadic| {
+        let row = |of: fn(&Shown<BigInt>) -> &Dyadic| {
             DyadicVector::of(&axes.each_ref().map(|axis| of(axis).clone()))
         };
         let [u, v, w] = [row(|p| &p.u), row(|p| &p.v), row(|p| &p.w)];

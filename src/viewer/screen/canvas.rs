@@ -1,6 +1,7 @@
 //! What is drawn: the scene's picture with its marks, and the panels over it, onto any texture.
 
 use super::{
+    panels_picture::PanelsPicture,
     place::SceneRect,
     scene_picture::{Progress, ScenePicture},
 };
@@ -13,8 +14,7 @@ use crate::{
         model::{OnScreen, State},
     },
 };
-use egui_wgpu::{Renderer as EguiRenderer, RendererOptions, ScreenDescriptor};
-use std::mem;
+use egui_wgpu::ScreenDescriptor;
 use wgpu::TextureFormat;
 
 /// All that one device draws, and what it has drawn already.
@@ -23,11 +23,9 @@ pub(in crate::viewer) struct Canvas {
     /// What it draws onto: values as they are, viewed as sRGB where the scene goes in.
     pub format: TextureFormat,
     scene: ScenePicture,
-    panels: EguiRenderer,
+    panels: PanelsPicture,
     /// Of the texture that was drawn onto last.
     size: Viewport,
-    /// egui's textures that the last frame may still have shown.
-    stale: Vec<egui::TextureId>,
 }
 
 /// One frame, laid out.
@@ -61,14 +59,12 @@ pub(in crate::viewer) trait Screen {
 impl Canvas {
     /// A canvas for textures of this format, which must have an sRGB twin.
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
-        let panels = EguiRenderer::new(&gpu.device, format, RendererOptions::default());
         Self {
+            panels: PanelsPicture::new(&gpu, format),
             scene: ScenePicture::new(&gpu),
             gpu,
             format,
-            panels,
             size: Viewport::DEFAULT,
-            stale: Vec::new(),
         }
     }
 
@@ -97,18 +93,9 @@ impl Canvas {
         self.scene.on_screen()
     }
 
-    /// Takes what came and went among egui's textures. What goes may still be in the next frame, and is freed after it.
+    /// Takes what came and went among egui's textures.
     pub fn take_textures(&mut self, textures: &mut egui::TexturesDelta) {
-        for id in mem::take(&mut self.stale) {
-            self.panels.free_texture(&id);
-        }
-        for (id, deltas) in mem::take(&mut textures.set) {
-            for delta in deltas {
-                self.panels
-                    .update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
-            }
-        }
-        self.stale.extend(mem::take(&mut textures.free));
+        self.panels.take_textures(&self.gpu, textures);
     }
 
     /// Draws a frame onto all of a texture. Returns how far the scene's picture has come.
@@ -147,7 +134,17 @@ impl Canvas {
         self.gpu.check()?;
         // egui blends in sRGB values, so it draws through a view that does not convert them.
         // Where the scene could not be drawn, they say so.
-        self.draw_panels(&view_as(format), size_px, laid, has_scene);
+        let screen = ScreenDescriptor {
+            size_in_pixels: size_px,
+            pixels_per_point: laid.pixels_per_point,
+        };
+        let load = if has_scene {
+            wgpu::LoadOp::Load
+        } else {
+            wgpu::LoadOp::Clear(wgpu::Color::BLACK)
+        };
+        self.panels
+            .draw(&self.gpu, &view_as(format), &laid.primitives, &screen, load);
         if self.gpu.is_software() {
             // The frame time that is shown is the frame's, then, and not that of handing it over.
             self.gpu.wait()?;
@@ -213,42 +210,5 @@ impl Canvas {
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[self.format.add_srgb_suffix()],
         })
-    }
-
-    fn draw_panels(
-        &mut self,
-        view: &wgpu::TextureView,
-        size_px: [u32; 2],
-        laid: &Laid,
-        has_scene: bool,
-    ) {
-        let screen = ScreenDescriptor {
-            size_in_pixels: size_px,
-            pixels_per_point: laid.pixels_per_point,
-        };
-        let Gpu { device, queue, .. } = &self.gpu;
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.panels
-            .update_buffers(device, queue, &mut encoder, &laid.primitives, &screen);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("panels"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: if has_scene {
-                        wgpu::LoadOp::Load
-                    } else {
-                        wgpu::LoadOp::Clear(wgpu::Color::BLACK)
-                    },
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            ..wgpu::RenderPassDescriptor::default()
-        });
-        self.panels
-            .render(&mut pass.forget_lifetime(), &laid.primitives, &screen);
-        queue.submit([encoder.finish()]);
     }
 }

@@ -2,9 +2,11 @@
 
 mod box_edges;
 mod canvas;
+mod damage;
 mod frozen;
 mod overlay_lines;
 mod pace;
+mod panels_picture;
 mod place;
 mod scene_picture;
 mod screenshot;

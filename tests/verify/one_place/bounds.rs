@@ -37,7 +37,7 @@ fn what_standard_depth_cannot_tell_far_away() {
     let wide = DAffine3::from_scale(DVec3::splat(8.0));
     let scene = Scene::new(vec![
         object("A", Shape::Square, wide),
-        object("B", Shape::Square, moved(0.01) * wide),
+        object("B", Shape::Square, moved(0.002) * wide),
     ]);
     for (depth, expected) in [
         (DepthMapping::Reversed, 0..=0),
@@ -51,6 +51,30 @@ fn what_standard_depth_cannot_tell_far_away() {
         let [_, marked, unexplained] = counts(&scene, &view);
         assert!(expected.contains(&marked), "{depth}: {marked}");
         assert_eq!(unexplained, 0);
+    }
+}
+
+/// Corners so far out that `f64` does not tell from them how deep the squares are; a pick does.
+#[test]
+fn squares_of_one_plane_too_large_for_their_depth() {
+    let sheared = |exponent: i32| {
+        let s = 2.0_f64.powi(exponent);
+        let columns = [[s, -s, 0.0], [0.0, s, -s], [1.0; 3]].map(DVec3::from_array);
+        DAffine3::from_mat3(DMat3::from_cols(columns[0], columns[1], columns[2]))
+    };
+    let view = view(
+        [1.0, 2.0, 3.0],
+        [0.0; 3],
+        perspective(40.0, 0.1, 100.0),
+        [64, 48],
+    );
+    for exponent in [30, 45, 60, 100] {
+        let squares = [exponent, exponent - 1].map(|e| object("S", Shape::Square, sheared(e)));
+        let scene = Scene::new(squares.to_vec());
+        let px = dvec2(20.25, 30.5);
+        let hits = pick::all(&scene, view.ray(px), view.sides);
+        assert_eq!(hits.len(), 2, "{exponent}");
+        assert_eq!(Places::new(&scene, &view).at(px), hits, "{exponent}");
     }
 }
 

@@ -1,0 +1,166 @@
+//! Where a ray meets what it hits, as records give it: by pairs of `f64` where those say enough, else exactly.
+
+use super::{
+    super::{WorldRay, interval::InDoubt, local_ray::Exactly},
+    Surface,
+    enclosure::{Enclosure, rounded_quotient},
+    number::Number,
+    root::Root,
+    solids, triangle,
+    world::LocalLine,
+};
+use crate::geometry::{Cuboid, Placement, Sphere};
+use glam::DVec3;
+use std::{cell::OnceCell, ptr};
+
+/// The ray parameter of a hit, which the ray must have.
+pub(crate) struct Parameter<'a> {
+    ray: &'a WorldRay,
+    surface: Surface<'a>,
+    enclosed: Option<Quotient>,
+    root: OnceCell<Option<Root>>,
+}
+
+struct Quotient {
+    numerator: Number<Enclosure>,
+    denominator: Number<Enclosure>,
+}
+
+impl<'a> Parameter<'a> {
+    /// Where a ray meets a surface.
+    pub fn new(ray: &'a WorldRay, surface: Surface<'a>) -> Self {
+        Self {
+            ray,
+            enclosed: enclosed(ray, &surface).ok(),
+            surface,
+            root: OnceCell::new(),
+        }
+    }
+
+    /// As it is; `None` where a number is not finite.
+    fn root(&self) -> Option<&Root> {
+        let root = || super::root(self.ray, &self.surface);
+        self.root.get_or_init(root).as_ref()
+    }
+
+    /// The nearest `f64`; `None` where a number is not finite.
+    pub fn to_f64(&self) -> Option<f64> {
+        let rounded =
+            |Quotient {
+                 numerator,
+                 denominator,
+             }: &Quotient| { rounded_quotient(numerator, denominator).ok() };
+        let rounded = self.enclosed.as_ref().and_then(rounded);
+        rounded.or_else(|| Some(self.root()?.to_f64()))
+    }
+
+    /// How far it lies behind another of the same ray: the exact difference, rounded once; `None` where a number is not
+    /// finite.
+    pub fn behind(&self, before: &Self) -> Option<f64> {
+        let rounded = || {
+            let (a, b) = (self.enclosed.as_ref()?, before.enclosed.as_ref()?);
+            let [left, right] = [
+                a.numerator.times(&b.denominator),
+                b.numerator.times(&a.denominator),
+            ];
+            rounded_quotient(&left.minus(&right), &a.denominator.times(&b.denominator)).ok()
+        };
+        rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
+    }
+
+    /// The axis across which the surface lies in the object space of a placement, and where; of a flat one placed by it.
+    fn plane(&self, placement: &Placement) -> Option<(usize, f64)> {
+        match &self.surface {
+            Surface::Cube {
+                placement: own,
+                normal,
+                ..
+            } if ptr::eq(*own, placement) => Some(face(*normal)),
+            Surface::Square(own) if ptr::eq(*own, placement) => Some((2, 0.0)),
+            _ => None,
+        }
+    }
+
+    /// The point there in the object space of a placement: each coordinate to within three roundings; `None` where a
+    /// number is not finite.
+    pub fn point_object(&self, placement: &Placement) -> Option<DVec3> {
+        let exactly = Exactly::placed(self.ray, placement);
+        let enclosed = || {
+            let Quotient {
+                numerator,
+                denominator,
+            } = self.enclosed.as_ref()?;
+            let line = LocalLine::<Enclosure>::new(&exactly);
+            solids::at(&line, [numerator, denominator], self.plane(placement)).ok()
+        };
+        enclosed().or_else(|| solids::point_at(&exactly, self.root()?))
+    }
+
+    /// The weights of the corners there, each within three roundings, where it is a triangle's; `None` when the ray runs
+    /// along its plane.
+    pub fn weights(&self) -> Option<[f64; 3]> {
+        let Surface::Triangle(triangle) = &self.surface else {
+            return None;
+        };
+        let line = self.ray.line();
+        let enclosed = triangle::enclosed_weights(line, triangle).ok();
+        enclosed.or_else(|| triangle::weights(line, triangle))
+    }
+}
+
+/// The parameter as [`super::root`] has it.
+fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
+    let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
+    let (numerator, denominator) = match *surface {
+        Surface::Triangle(triangle) => triangle::enclosed_parameter(ray.line(), &triangle),
+        Surface::Sphere(placement, exit) => {
+            let line = local(placement);
+            let moment = line.origin.cross(&line.direction);
+            let squared = line.direction.dot(&line.direction);
+            let radius = line.one.times(&Number::new(Sphere::RADIUS));
+            let discriminant = radius
+                .times(&radius)
+                .times(&squared)
+                .minus(&moment.dot(&moment));
+            let root = Number {
+                integer: discriminant.integer.sqrt()?,
+                exponent: 0,
+            };
+            let middle = line.origin.dot(&line.direction).negated();
+            let numerator = if exit {
+                middle.plus(&root)
+            } else {
+                middle.minus(&root)
+            };
+            (numerator, squared)
+        }
+        Surface::Cube {
+            placement, normal, ..
+        } => {
+            let line = local(placement);
+            let (axis, plane) = face(normal);
+            let way = line
+                .one
+                .times(&Number::new(plane))
+                .minus(&line.origin.component(axis));
+            (way, line.direction.component(axis))
+        }
+        Surface::Square(placement) => {
+            let line = local(placement);
+            (
+                line.origin.component(2).negated(),
+                line.direction.component(2),
+            )
+        }
+    };
+    Ok(Quotient {
+        numerator,
+        denominator,
+    })
+}
+
+/// The axis across which a face of the cube lies, and where.
+fn face(normal: DVec3) -> (usize, f64) {
+    let axis = normal.abs().max_position();
+    (axis, Cuboid::HALF_SIDE.copysign(normal[axis]))
+}

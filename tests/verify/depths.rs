@@ -1,0 +1,172 @@
+//! Depths that `f32` cannot hold, by the command each was found with: what is drawn before what it lies behind is no harmless
+//! difference, however little the buffer stores of it.
+
+use crate::extremes::{Counts, run, scene};
+
+/// Drawing shows what lies farther off, at so many pixels at least, and verify does not excuse it.
+#[track_caller]
+fn cannot_be_held(toml: Option<&str>, view: &str, least: u64) {
+    let file = toml.map(scene);
+    let counts = Counts::of(run(file.as_ref().map(|(_, path)| path), view));
+    assert_eq!(counts.get("unexplained"), 0, "{view}: {}", counts.line);
+    assert_eq!(counts.code, Some(1), "{view}: {}", counts.line);
+    let beyond = counts.get("beyond_f32");
+    assert!(beyond >= least, "{view}: {}", counts.line);
+    assert!(counts.get("depth") <= beyond / 8, "{view}: {}", counts.line);
+}
+
+const BEFORE_A_WALL: &str = r#"
+[[object]]
+shape = "square"
+scale = 30
+position = [0, 0, -11]
+[[object]]
+shape = "square"
+scale = 2
+position = [3, 0, -9.4]
+[[object]]
+shape = "square"
+scale = 2
+position = [-3, 0, -7.9]
+"#;
+
+#[test]
+fn standard_depth_with_near_at_the_eye() {
+    let view = "--size 320x240 --depth standard --near 1e-5 --far 100";
+    cannot_be_held(None, view, 1000);
+    let view =
+        "--size 320x240 --eye 0,0,0 --look 0,0,-1 --fov 60 --depth standard --near 5e-7 --far 100";
+    cannot_be_held(Some(BEFORE_A_WALL), view, 4000);
+    let view = "--size 320x240 --eye 3000,2400,5000 --target 0,0.7,0 --fov 0.04 --depth standard --near 0.001 --far 1e6";
+    cannot_be_held(None, view, 1500);
+}
+
+#[test]
+fn orthographic_planes_far_apart() {
+    for (planes, least) in [
+        ("--near=-1e7 --far 1e7", 400),
+        ("--near 0 --far 1e7", 1000),
+        ("--near 0 --far 1e8", 5000),
+        ("--near=-1e9 --far 1e9", 5000),
+        ("--near=-1e20 --far 1e20", 5000),
+    ] {
+        cannot_be_held(None, &format!("--size 320x240 --ortho 6 {planes}"), least);
+    }
+}
+
+#[test]
+fn a_telescope_with_planes_from_the_eye_on() {
+    let view = "--size 320x240 --eye 60000000,48000000,100000000 --target 0,0.7,0 --fov 0.000002 --near 1 --far 200000000";
+    cannot_be_held(None, view, 10_000);
+}
+
+/// Lying on each other, seen at a glance: drawing may show either, at any height.
+#[test]
+fn a_rug_on_a_floor_at_a_glance() {
+    let objects = [("floor", 4, 0), ("rug", 2, 30)].map(|(name, scale, turn)| {
+        format!("[[object]]\nname = \"{name}\"\nshape = \"square\"\nscale = {scale}\nrotation = [-90, {turn}, 0]\n")
+    });
+    let [floor, rug] = &objects;
+    for toml in [format!("{floor}{rug}"), format!("{rug}{floor}")] {
+        let (_folder, file) = scene(&toml);
+        for height in ["0.02", "0.05", "0.1", "0.5"] {
+            let view = format!("--size 320x240 --eye 0.5,{height},3 --target 0,0,0");
+            let counts = Counts::of(run(Some(&file), &view));
+            assert_eq!(counts.code, Some(0), "{height}: {}", counts.line);
+            assert!(
+                counts.get("in_one_place") > 100,
+                "{height}: {}",
+                counts.line
+            );
+        }
+    }
+}
+
+/// What `f64` cannot tell from the near plane, a face too large for its own depth, a sphere too flat.
+#[test]
+fn numbers_that_no_bound_holds() {
+    let hair = r#"
+[[object]]
+shape = "square"
+position = [0, 0, 5.551115123125783e-17]
+[[object]]
+shape = "cube"
+position = [2, 0, -1]
+"#;
+    let huge = r#"
+[[object]]
+shape = "square"
+scale = SCALE
+rotation = [70, 20, 10]
+position = [0.1, 0.2, 0.3]
+[[object]]
+shape = "cube"
+"#;
+    let flat = r#"
+[[object]]
+shape = "square"
+position = [0, 0, -0.25]
+[[object]]
+shape = "sphere"
+scale = [1, 1, SCALE]
+"#;
+    let cases = [
+        (
+            hair,
+            "1",
+            "--eye 0,0,1 --look 0,0,-1 --fov 60 --near 1 --far 2 --size 40x30",
+        ),
+        (
+            hair,
+            "1",
+            "--eye 0,0,1 --look 0,0,-1 --fov 60 --near 1 --far 5 --size 40x30",
+        ),
+        (
+            hair,
+            "1",
+            "--eye 0,0,0 --look 0,0,-1 --ortho 2 --near 0 --far 1 --size 40x30",
+        ),
+        (
+            huge,
+            "1e16",
+            "--eye 1,2,3 --target 0,0,0 --fov 40 --near 0.1 --far 100 --size 64x48",
+        ),
+        (
+            huge,
+            "1e20",
+            "--eye 1,2,3 --target 0,0,0 --fov 40 --near 0.1 --far 100 --size 64x48",
+        ),
+        (
+            huge,
+            "1e30",
+            "--eye 1,2,3 --target 0,0,0 --fov 40 --near 0.1 --far 100 --size 64x48",
+        ),
+        (
+            flat,
+            "1e-38",
+            "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
+        ),
+        (
+            flat,
+            "1e-40",
+            "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
+        ),
+        (
+            flat,
+            "1e-100",
+            "--eye 0.1,0.3,3 --target 0,0,0 --fov 40 --size 64x48",
+        ),
+    ];
+    for (toml, scale, view) in cases {
+        let (_folder, file) = scene(&toml.replace("SCALE", scale));
+        let counts = Counts::of(run(Some(&file), view));
+        assert_eq!(
+            counts.get("unexplained"),
+            0,
+            "{scale} {view}: {}",
+            counts.line
+        );
+        let shown = counts.get("picked") + counts.get("drawn");
+        assert!(shown > 100, "{scale} {view}: {}", counts.line);
+    }
+}
