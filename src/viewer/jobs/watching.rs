@@ -39,9 +39,10 @@ impl Watching {
                 log::info!("{}: {error}: not watched", folder.display());
             }
         }
+        // As they are now, and not when the thread gets to it.
+        let mut known = stamps(&files);
         let (sender, changed) = channel();
         thread::spawn(move || {
-            let mut known = stamps(&files);
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
                 let now = stamps(&files);
