@@ -1,7 +1,9 @@
 //! The cube of side 1 about the origin.
 
 use super::{
-    Aabb, Hit, LocalRay, Ray, U, exact,
+    Aabb, Hit, LocalRay, Ray, U,
+    binary::power_of_two,
+    exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -59,91 +61,134 @@ impl Cuboid {
     }
 }
 
-/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), each plane's parameter with its bound. A coordinate to a
-/// plane rounds once, and is off by the origin's error.
+/// Of components between this and its reciprocal, no reciprocal is short of digits.
+const LEAST: f64 = power_of_two(-1000);
+/// The most that a component may be off, relatively.
+const SMALL: f64 = power_of_two(-20);
+/// Where a slab is entered that says nothing.
+const BEFORE_ALL: Approximate = Approximate {
+    value: f64::NEG_INFINITY,
+    error: 0.0,
+};
+
+/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), with one reciprocal an axis and no branch before the decision.
+///
+/// A plane's parameter is the way to it times the reciprocal of the direction's component `d`. The way rounds once and is off
+/// by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the quotient by `f / |d|` of
+/// itself. The terms of second order, with `f` at most `2^-20` of `d`, need less than what 5 and 1.01 add to that; so do the
+/// roundings of the bound itself and of sums with it.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let Ray {
         origin, direction, ..
     } = *ray.ray;
-    let mut enter: [Option<Approximate>; 3] = [None; 3];
-    let mut leave: [Option<Approximate>; 3] = [None; 3];
-    let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut enter = [BEFORE_ALL; 3];
+    // With the other sign, so that here, too, the greatest counts.
+    let mut leave = [BEFORE_ALL; 3];
+    let mut is_bounded = true;
     for axis in 0..3 {
         let (o, d) = (origin[axis], direction[axis]);
         let (o_error, d_error) = (ray.error.origin[axis], ray.error.direction[axis]);
-        if d == 0.0 && d_error == 0.0 {
-            if o.abs() - o_error > Cuboid::HALF_SIDE {
-                return Ok([None, None]);
-            }
-            // On a face exactly, or inside though the sum rounds.
-            let is_inside = o.abs() + o_error < Cuboid::HALF_SIDE
-                || o_error == 0.0 && o.abs() <= Cuboid::HALF_SIDE;
-            if !is_inside {
-                return Err(InDoubt);
-            }
-            continue;
-        }
-        let half = Cuboid::HALF_SIDE.copysign(d);
-        let at = |plane: f64| {
-            let way = plane - o;
-            let way = Approximate {
-                value: way,
-                error: U * way.abs() + o_error,
-            };
-            way.over(Approximate {
-                value: d,
-                error: d_error,
-            })
+        let inverse = 1.0 / d;
+        let per_value = 5.0 * U + 1.01 * d_error * inverse.abs();
+        // With slack for underflow.
+        let constant = 1.01 * o_error * inverse.abs() + f64::MIN_POSITIVE;
+        let at = |way: f64| {
+            let value = way * inverse;
+            let error = value.abs() * per_value + constant;
+            Approximate { value, error }
         };
-        let (near, far) = (at(-half)?, at(half)?);
-        enters = enters.max(near.low());
-        leaves = leaves.min(far.high());
-        enter[axis] = Some(near);
-        leave[axis] = Some(far);
+        let half = Cuboid::HALF_SIDE.copysign(d);
+        enter[axis] = at(-half - o);
+        leave[axis] = at(half - o).negative();
+        is_bounded &= is_bounded_across(d, d_error, [enter[axis], leave[axis]]);
     }
+    if is_bounded {
+        crossing(ray.ray, enter, leave)
+    } else {
+        along_slabs(ray, enter, leave)
+    }
+}
+
+/// Whether the bounds on where a slab is entered and left hold. Written so that NaN is not.
+#[inline]
+fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> bool {
+    (LEAST..=1.0 / LEAST).contains(&d.abs())
+        && d_error <= SMALL * d.abs()
+        && enter.error + leave.error < f64::INFINITY
+}
+
+/// The hits of a ray that runs along some of the slabs, or as good as that: those say nothing where the ray stays inside
+/// them for as long as it is inside the others.
+#[cold]
+fn along_slabs(
+    ray: &LocalRay,
+    mut enter: [Approximate; 3],
+    mut leave: [Approximate; 3],
+) -> Result<[Option<Hit>; 2], InDoubt> {
+    let (Ray { direction, .. }, error) = (ray.ray, &ray.error);
+    let is_along = [0, 1, 2].map(|axis| {
+        let ends = [enter[axis], leave[axis]];
+        !is_bounded_across(direction[axis], error.direction[axis], ends)
+    });
+    let along = || (0..3).filter(|axis| is_along[*axis]);
+    for axis in along() {
+        (enter[axis], leave[axis]) = (BEFORE_ALL, BEFORE_ALL);
+    }
+    let ends = [enter, leave].map(|of| greatest(of).1.low().abs());
+    let longest = ends[0].max(ends[1]);
+    for axis in along() {
+        let (o, d) = (ray.ray.origin[axis].abs(), direction[axis].abs());
+        let moved = longest * (d + error.direction[axis]);
+        // With slack for the roundings here, and for underflow.
+        let off = 1.01 * (error.origin[axis] + moved) + f64::MIN_POSITIVE;
+        if o - off > Cuboid::HALF_SIDE {
+            return Ok([None, None]);
+        }
+        // On a face exactly, or inside. Written so that NaN is in doubt.
+        let is_still = d + error.direction[axis] + error.origin[axis] == 0.0;
+        if !(o + off < Cuboid::HALF_SIDE || is_still && o <= Cuboid::HALF_SIDE) {
+            return Err(InDoubt);
+        }
+    }
+    crossing(ray.ray, enter, leave)
+}
+
+/// The hits of a ray that enters and leaves slabs there.
+#[inline]
+fn crossing(
+    ray: &Ray,
+    enter: [Approximate; 3],
+    leave: [Approximate; 3],
+) -> Result<[Option<Hit>; 2], InDoubt> {
+    let direction = ray.direction;
+    let (entry_axis, entry) = greatest(enter);
+    let (exit_axis, exit) = greatest(leave);
+    let exit = exit.negative();
     // What it enters after it left another slab, it misses.
-    if enters > leaves {
+    if entry.low() > exit.high() {
         return Ok([None, None]);
     }
-    let (entry, exit) = (last(enter)?, first(leave)?);
-    if !(entry.1.high() < exit.1.low()) {
+    let is_alone = |of: [Approximate; 3], least: f64| {
+        of.into_iter().filter(|at| at.high() >= least).count() == 1
+    };
+    if !(entry.high() < exit.low()
+        && is_alone(enter, entry.low())
+        && is_alone(leave, exit.negative().low()))
+    {
         return Err(InDoubt);
     }
     let outward = |axis: usize| DVec3::AXES[axis] * direction[axis].signum();
     Ok([
-        entry.1.hit(ray.ray, -outward(entry.0), true)?,
-        exit.1.hit(ray.ray, outward(exit.0), false)?,
+        entry.hit(ray, -outward(entry_axis), true)?,
+        exit.hit(ray, outward(exit_axis), false)?,
     ])
 }
 
-/// Which is certainly the greatest, with its axis.
+/// The greatest by value, with its axis.
 #[inline]
-fn last(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
-    let mut best: Option<(usize, Approximate)> = None;
-    let mut others = f64::NEG_INFINITY;
-    for (axis, at) in of.into_iter().enumerate() {
-        let Some(at) = at else { continue };
-        match best {
-            Some((_, greatest)) if !(at.value > greatest.value) => others = others.max(at.high()),
-            _ => {
-                others = best.map_or(others, |(_, less)| others.max(less.high()));
-                best = Some((axis, at));
-            }
-        }
-    }
-    // Written so that NaN is in doubt.
-    best.filter(|(_, greatest)| greatest.low() > others)
-        .ok_or(InDoubt)
-}
-
-/// Which is certainly the least, with its axis.
-#[inline]
-fn first(of: [Option<Approximate>; 3]) -> Result<(usize, Approximate), InDoubt> {
-    let negative = |at: Approximate| Approximate {
-        value: -at.value,
-        ..at
-    };
-    let (axis, at) = last(of.map(|at| at.map(negative)))?;
-    Ok((axis, negative(at)))
+fn greatest(of: [Approximate; 3]) -> (usize, Approximate) {
+    let after = |a: usize, b: usize| if of[b].value > of[a].value { b } else { a };
+    let axis = after(after(0, 1), 2);
+    (axis, of[axis])
 }

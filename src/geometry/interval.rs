@@ -26,6 +26,14 @@ impl Approximate {
         self.value + self.error
     }
 
+    #[inline]
+    pub fn negative(self) -> Self {
+        Self {
+            value: -self.value,
+            ..self
+        }
+    }
+
     /// `numerator / denominator`.
     ///
     /// Quotients of numbers that err by `e_n` and `e_d` err by `(e_n + |q| e_d) / (|d| - e_d)`. The answer is in doubt where

@@ -50,7 +50,7 @@ pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
 pub(crate) use ray::RayDifferential;
-pub use ray::{PixelGrid, Ray, RayError, WorldRay};
+pub use ray::{PixelGrid, PixelRays, Ray, RayError, WorldRay};
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;

@@ -1,6 +1,10 @@
 //! Model matrices: where a shape stands in the world.
 
-use super::{PlacedRay, Ray, RayError, U, WorldRay, exact};
+use super::{
+    PlacedRay, Ray, RayError, U, WorldRay,
+    binary::{power_of_two, power_of_two_below},
+    exact,
+};
 use glam::{DAffine3, DMat3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -103,6 +107,7 @@ impl Placement {
     }
 
     /// A world-space point in object space. The translation goes first, which keeps its digits.
+    #[inline]
     #[must_use]
     pub fn point_to_object(&self, point_world: DVec3) -> DVec3 {
         self.inverse_linear * (point_world - self.model.translation)
@@ -145,6 +150,7 @@ impl Placement {
     }
 
     /// A world-space ray in object space, rounded, with the same `t`.
+    #[inline]
     #[must_use]
     pub fn ray_to_object(&self, ray_world: &Ray) -> Ray {
         Ray {
@@ -155,14 +161,29 @@ impl Placement {
     }
 
     /// An outward object-space normal as the outward unit normal in world space: by the inverse transpose,
-    /// which keeps outward outward under mirroring.
+    /// which keeps outward outward under mirroring. Zero stays zero.
+    #[inline]
     #[must_use]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
-        // Scaled first: the inverse of a very small model times a large normal could overflow.
-        let unit = normal_object / normal_object.abs().max_element();
-        let normal = self.inverse_linear.transpose() * unit;
-        (normal / normal.abs().max_element()).normalize_or_zero()
+        /// Squares between this and its reciprocal are not short of digits.
+        const LEAST: f64 = power_of_two(-500);
+        let to_world = self.inverse_linear.transpose();
+        let normal = to_world * normal_object;
+        let squared = normal.length_squared();
+        if (LEAST..=1.0 / LEAST).contains(&squared) {
+            normal * squared.sqrt().recip()
+        } else {
+            scaled_normal(to_world, normal_object)
+        }
     }
+}
+
+/// Scaled on the way: an inverse of a very small model times a large normal overflows.
+#[cold]
+fn scaled_normal(to_world: DMat3, normal_object: DVec3) -> DVec3 {
+    let unit = normal_object / normal_object.abs().max_element();
+    let normal = to_world * unit;
+    (normal / normal.abs().max_element()).normalize_or_zero()
 }
 
 /// The inverse in `f64` with a bound on how far its product with a vector is off, over the row's sum and the vector's
@@ -173,21 +194,18 @@ impl Placement {
 /// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
 /// three sums of it round.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
-    // Scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor overflows.
-    let scale = [matrix.x_axis, matrix.y_axis, matrix.z_axis]
-        .map(|axis| axis.abs().max_element())
-        .map(|size| if size > 0.0 { 1.0 / size } else { f64::NAN });
-    let unit = DMat3::from_cols(
-        matrix.x_axis * scale[0],
-        matrix.y_axis * scale[1],
-        matrix.z_axis * scale[2],
-    );
+    // Columns, then rows, scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor
+    // overflows, and a flat one keeps its digits; by powers of two, which round nothing.
+    let columns = scales(matrix);
+    let unit = matrix * columns;
+    let rows = scales(unit.transpose());
+    let unit = rows * unit;
     // Checked before dividing by it: glam's inverse asserts.
     let determinant = unit.determinant();
     if !(determinant.is_finite() && determinant != 0.0) {
         return None;
     }
-    let inverse = DMat3::from_diagonal(DVec3::from(scale)) * unit.inverse();
+    let inverse = columns * unit.inverse() * rows;
     let largest = |m: DMat3| {
         m.to_cols_array()
             .into_iter()
@@ -202,6 +220,19 @@ fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
         let error = 3.0 * error / (1.0 - 3.0 * error);
         (inverse, error, determinant < 0.0)
     })
+}
+
+/// What scales each column to about 1; NaN for a column of zeros.
+fn scales(matrix: DMat3) -> DMat3 {
+    let sizes = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.abs().max_element());
+    let scale = sizes.map(|size| {
+        if size > 0.0 {
+            1.0 / power_of_two_below(size)
+        } else {
+            f64::NAN
+        }
+    });
+    DMat3::from_diagonal(DVec3::from(scale))
 }
 
 fn row_sums(matrix: DMat3) -> DVec3 {

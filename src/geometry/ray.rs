@@ -231,60 +231,119 @@ impl PixelGrid {
     ///
     /// With `a = (h / H) ((2 px - W) R + (H - 2 py) U)`: `eye + t (F + a)` in perspective, `eye + a + t F` in orthographic
     /// projection.
-    ///
-    /// Bounds: a factor of R or U rounds three times, its product with a component once, the sum of both once, and adding
-    /// F or the eye once more. With `A` and `B` the two products, that is below `6 U (|A| + |B|)` and `U` of the result;
-    /// nothing where both are 0.
     #[inline]
     #[must_use]
-    pub fn ray(&self, px: DVec2, [near, far]: [f64; 2]) -> WorldRay {
-        let [right, up] = self.factors::<f64>(px);
-        let (a, b) = (right * self.right, up * self.up);
-        let aside = a + b;
-        let base = if self.is_orthographic {
-            self.eye
-        } else {
-            self.forward
-        };
-        let moved = base + aside;
-        let size = a.abs() + b.abs();
-        let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
-        // A factor that underflowed would look like none.
+    pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay {
+        self.rays(interval).ray(px)
+    }
+
+    /// The rays of the whole picture, with the interval of view depth that counts.
+    #[inline]
+    #[must_use]
+    pub fn rays(&self, interval: [f64; 2]) -> PixelRays {
         let per_half_px = self.per_half_px::<f64>();
+        let are_moderate = |v: DVec3| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z);
+        let [right, up] = [self.right, self.up].map(|axis| per_half_px * axis);
+        // A step that underflowed would look like none.
         let is_bounded = is_moderate(per_half_px)
             && per_half_px != 0.0
-            && is_moderate(right)
-            && is_moderate(up)
-            && [self.right, self.up]
-                .iter()
-                .all(|v| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z));
-        let moved_error = if is_bounded {
+            && [self.right, self.up, right, up]
+                .into_iter()
+                .all(are_moderate);
+        PixelRays {
+            grid: *self,
+            interval,
+            right,
+            up,
+            is_bounded,
+        }
+    }
+}
+
+/// The rays through a picture's pixels: what of each is the same for all was reckoned once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelRays {
+    grid: PixelGrid,
+    interval: [f64; 2],
+    /// For half a pixel to the right: `(h / H) R`.
+    right: DVec3,
+    /// For half a pixel upwards: `(h / H) U`.
+    up: DVec3,
+    /// Whether the steps are so moderate that the bounds hold.
+    is_bounded: bool,
+}
+
+impl PixelRays {
+    /// The ray through a position in pixels; see [`PixelGrid::ray`].
+    ///
+    /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once, the sum
+    /// of both products once, and adding F or the eye once more. With `A` and `B` the two products, that is below
+    /// `6 U (|A| + |B|)` and `U` of the result; nothing where both are 0.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, px: DVec2) -> WorldRay {
+        let (ray, [a, b]) = self.rounded_with_aside(px);
+        let is_orthographic = self.grid.is_orthographic;
+        let moved = if is_orthographic {
+            ray.origin
+        } else {
+            ray.direction
+        };
+        let size = a.abs() + b.abs();
+        let rounded_base = DVec3::select(size.cmpgt(DVec3::ZERO), U * moved.abs(), DVec3::ZERO);
+        let [right, up] = self.half_pixels(px);
+        let error = if self.is_bounded && is_moderate(right) && is_moderate(up) {
             7.0 * U * size + rounded_base
         } else {
             DVec3::INFINITY
         };
-        let (origin, direction, error) = if self.is_orthographic {
-            let error = RayError {
-                origin: moved_error,
-                direction: DVec3::ZERO,
-            };
-            (moved, self.forward, error)
+        let [origin, direction] = if is_orthographic {
+            [error, DVec3::ZERO]
         } else {
-            let error = RayError {
-                origin: DVec3::ZERO,
-                direction: moved_error,
-            };
-            (self.eye, moved, error)
+            [DVec3::ZERO, error]
         };
         WorldRay {
-            ray: Ray {
-                origin,
-                direction,
-                t_min: near,
-                t_max: far,
+            ray,
+            error: RayError { origin, direction },
+            line: Line::Pixel {
+                grid: self.grid,
+                px,
             },
-            error,
-            line: Line::Pixel { grid: *self, px },
         }
+    }
+
+    /// The same without its bounds.
+    #[inline]
+    #[must_use]
+    pub fn rounded(&self, px: DVec2) -> Ray {
+        self.rounded_with_aside(px).0
+    }
+
+    /// With the two products of which it is a sum.
+    #[inline]
+    fn rounded_with_aside(&self, px: DVec2) -> (Ray, [DVec3; 2]) {
+        let [right, up] = self.half_pixels(px);
+        let (a, b) = (right * self.right, up * self.up);
+        let &PixelGrid { eye, forward, .. } = &self.grid;
+        let (origin, direction) = if self.grid.is_orthographic {
+            (eye + (a + b), forward)
+        } else {
+            (eye, forward + (a + b))
+        };
+        let [t_min, t_max] = self.interval;
+        let ray = Ray {
+            origin,
+            direction,
+            t_min,
+            t_max,
+        };
+        (ray, [a, b])
+    }
+
+    /// From the middle of the picture, to the right and upwards.
+    #[inline]
+    fn half_pixels(&self, px: DVec2) -> [f64; 2] {
+        let [width, height] = self.grid.size_px.map(f64::from);
+        [2.0 * px.x - width, height - 2.0 * px.y]
     }
 }

@@ -63,21 +63,23 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         return Ok(None);
     }
     let rim = Square::HALF_SIDE * d.z.abs();
-    let mut is_inside = true;
-    for axis in 0..2 {
+    // How far the point is past the rim, and the bound on that; both axes before the decision, which costs a branch.
+    let past = |axis: usize| {
         let (a, b) = (o[axis] * d.z, o.z * d[axis]);
-        let point = (a - b).abs();
         let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();
         let across = (o.z.abs() + p.z) * f[axis] + p.z * d[axis].abs();
-        // Slack for underflow.
+        // With slack for underflow.
         let error =
             4.0 * U * (a.abs() + b.abs()) + 1.01 * (through + across) + f.z + f64::MIN_POSITIVE;
-        if point > rim + error {
-            return Ok(None);
-        }
-        is_inside &= point < rim - error;
+        let point = (a - b).abs();
+        [point - (rim + error), point - (rim - error)]
+    };
+    let [x, y] = [past(0), past(1)];
+    if x[0] > 0.0 || y[0] > 0.0 {
+        return Ok(None);
     }
-    if !is_inside {
+    // Written so that NaN is in doubt.
+    if !(x[1] < 0.0 && y[1] < 0.0) {
         return Err(InDoubt);
     }
     let way = Approximate {

@@ -1,8 +1,9 @@
 //! Rays at the border of what is hit: the ends of their interval, tangents, faces and planes that they run along.
 
-use crate::common::{ray_to, scene_of};
-use glam::{DAffine3, DVec3, dvec3};
+use crate::common::{orthographic, ray_to, scene_of};
+use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
 use sightline::{
+    camera::{Camera, View, Viewport},
     geometry::{Cuboid, Ray, Sides, Sphere, Square, VertexRay, guarded_volume},
     pick,
     scene::Shape,
@@ -172,6 +173,47 @@ fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
                 hit.map(|hit| hit.t),
                 (inside && direction.z != 0.0).then_some(2.0)
             );
+        }
+    }
+}
+
+/// A view along an axis, as engineers like them: rays run along four faces of each cube, and `f64` tells that they stay
+/// inside.
+#[test]
+fn cubes_seen_along_an_axis_are_decided_by_f64() {
+    let models = [
+        DAffine3::from_translation(DVec3::new(0.1, 0.2, 0.3)),
+        DAffine3::from_scale_rotation_translation(
+            DVec3::new(1.3, 0.7, 0.1),
+            DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2),
+            DVec3::new(-0.3, 1e3, -7.0),
+        ),
+    ];
+    for model in models {
+        let scene = scene_of(Shape::Cube, model);
+        let target = model.translation;
+        for axis in DVec3::AXES {
+            let lens = orthographic(1.7, 1.0, 30.0);
+            let camera = Camera::looking(
+                target + 10.0 * axis,
+                -axis,
+                DVec3::new(axis.y, axis.z, axis.x),
+                lens,
+            );
+            let view = View {
+                camera: camera.expect("a camera"),
+                viewport: Viewport::new(40, 40).expect("a viewport"),
+                sides: Sides::Both,
+            };
+            let (mut hits, mut exact) = (0, 0);
+            for (x, y) in (0..40).flat_map(|y| (0..40).map(move |x| (x, y))) {
+                let px = DVec2::new(f64::from(x), f64::from(y)) + 0.37;
+                let pick = pick::pick(&scene, &view, px);
+                hits += usize::from(pick.is_some());
+                exact += usize::from(pick.is_some_and(|pick| pick.exact));
+            }
+            assert!(hits > 30, "{axis}: {hits}");
+            assert_eq!(exact, 0, "{axis}: of {hits}");
         }
     }
 }

@@ -287,17 +287,21 @@ fn matrices_without_an_inverse_are_refused() {
     // What is singular but for what rounding left is not.
     let nearly = rows([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.7, 0.8, 0.9]]);
     assert!(Placement::new(nearly).is_ok());
-    // Very flat, small and large ones have their inverse.
-    for model in [
-        DAffine3::from_scale(DVec3::splat(1e-30)),
-        DAffine3::from_scale(DVec3::splat(1e30)),
-        DAffine3::from_mat3(turned * flat(1e-12, 1.0, 1e12)),
-        DAffine3::from_mat3(flat(1e-12, 1.0, 1e12) * turned),
+    // Very flat, small and large ones have their inverse, to the digits of each row.
+    let (turned_back, flattened) = (turned.transpose(), flat(1e-12, 1.0, 1e12));
+    let stretched = flat(1e12, 1.0, 1e-12);
+    for (linear, expected) in [
+        (flat(1e-30, 1e-30, 1e-30), flat(1e30, 1e30, 1e30)),
+        (flat(1e30, 1e30, 1e30), flat(1e-30, 1e-30, 1e-30)),
+        (turned * flattened, stretched * turned_back),
+        (flattened * turned, turned_back * stretched),
     ] {
-        let placement = Placement::new(model).expect("an inverse");
-        let product = placement.inverse_linear() * model.matrix3;
-        for axis in DVec3::AXES {
-            assert!((product * axis - axis).length() <= 1e-3, "{product}");
+        let placement = Placement::new(DAffine3::from_mat3(linear)).expect("an inverse");
+        let inverse = placement.inverse_linear();
+        for axis in 0..3 {
+            let (row, expected) = (inverse.row(axis), expected.row(axis));
+            let off = (row - expected).abs().max_element();
+            assert!(off <= 1e-14 * expected.length(), "{inverse}");
         }
     }
 }
