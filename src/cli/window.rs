@@ -46,6 +46,7 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         sides: args.view.sides(),
         hidden: args.view.hide.clone(),
         size: args.view.size,
+        memory: viewer::memory_file(),
         print_picks: args.print_picks,
     };
     Ok(viewer::run(options)?)

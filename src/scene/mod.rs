@@ -26,6 +26,7 @@ pub use obj::{ObjError, ObjFile};
 pub use object::{Object, Shape};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
+pub(crate) use replace::replace;
 pub use save::save;
 pub use warning::Warning;
 

@@ -12,7 +12,7 @@ use std::{
 ///
 /// # Errors
 /// What the system says, or `write`.
-pub(super) fn replace(
+pub(crate) fn replace(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {

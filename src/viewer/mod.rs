@@ -5,7 +5,7 @@
 //! | room | holds |
 //! |---|---|
 //! | [`model`] | what is shown and how it answers: data and state, no window |
-//! | `jobs` | what takes long: loading, trees, comparison, chart, dialogs; a thread and a receiver each |
+//! | `jobs` | what takes long: loading, trees, comparison, chart, dialogs, typefaces, watching files; a thread and a receiver each |
 //! | `screen` | what is drawn: the canvas, lines about the scene, the window's surface, screenshots |
 //! | `ui` | keys, mouse, panels, theme: they show the state and return commands |
 //! | `app` | the program: what commands do, and the one driver of a frame |
@@ -27,5 +27,6 @@ mod options;
 mod screen;
 mod ui;
 
+pub use app::memory_file;
 pub use host::{Control, Offscreen, run};
 pub use options::{Options, ViewerError};

@@ -18,8 +18,11 @@ pub struct Options {
     pub sides: Sides,
     /// Ids (from 1) of objects that are hidden in the first scene.
     pub hidden: Vec<usize>,
-    /// The window's size in physical pixels; `None` for 1280 x 720 logical ones.
+    /// The window's size in physical pixels; `None` for what is remembered, or else 1280 x 720 logical ones.
     pub size: Option<Viewport>,
+    /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a window
+    /// that remembers nothing.
+    pub memory: Option<PathBuf>,
     /// Whether each pick is printed as a line of JSON.
     pub print_picks: bool,
 }

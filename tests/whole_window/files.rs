@@ -81,8 +81,8 @@ fn the_command_is_about_the_world_at_every_stage() {
         key(window, Key::C);
         window.copied().expect("a command").to_owned()
     };
-    let in_world = command(&mut window);
     key(&mut window, Key::P);
+    let in_world = command(&mut window);
     click_on(&mut window, "show with P V M");
     assert_eq!(window.state().stage(), Stage::Ndc);
     assert_eq!(command(&mut window), in_world);

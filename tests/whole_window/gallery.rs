@@ -10,7 +10,7 @@ use sightline::{
 /// The banner's yellow.
 const BANNER: Rgb = [0xf0, 0xe4, 0x42];
 /// Left of the ball of `small_and_far`, where nothing is.
-const BESIDE: Pos2 = pos2(430.0, 500.0);
+const BESIDE: Pos2 = pos2(345.0, 480.0);
 
 fn share_of(picture: &Image<Rgb>, colour: Rgb) -> f64 {
     let same = picture.pixels().iter().filter(|pixel| **pixel == colour);

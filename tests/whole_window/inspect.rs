@@ -64,6 +64,7 @@ fn a_camera_is_copied_and_pasted_by_keys() {
     assert_ne!(*window.state().view(), turned);
     window.send([Event::Paste(text.clone())]);
     assert_eq!(*window.state().view(), turned, "to the bit");
+    window.wait_s(5.0);
     assert_eq!(window.messages().count(), 0);
 
     for (bad, word) in [

@@ -12,11 +12,15 @@ mod in_view;
 mod inspect;
 mod keeping;
 mod keys;
+mod layout;
+mod looks;
+mod menus;
 mod one_place;
 mod overlays;
 mod panels_kept;
 mod pictures;
 mod red_fields;
+mod remembering;
 mod rest;
 mod stalls;
 
@@ -32,7 +36,7 @@ use tempfile::TempDir;
 /// The window's size in points.
 const SIZE: [u32; 2] = [1280, 720];
 /// A point of the scene's rectangle that shows its middle, whatever the scale.
-const MIDDLE: Pos2 = pos2(580.0, 362.0);
+const MIDDLE: Pos2 = pos2(590.0, 361.0);
 
 /// Three things in a row along z, the camera before them, as a scene file.
 const ROW: &str = "

@@ -2,7 +2,7 @@
 //! run with `SIGHTLINE_GOLDENS=write` and look at each.
 
 use super::{
-    MIDDLE, click, drag, here,
+    MIDDLE, click, click_on, drag, here,
     images::{apart, read},
     open, press_key, px, row,
 };
@@ -20,17 +20,28 @@ fn shown(name: &str) -> (Offscreen, [u32; 4]) {
     // Off the picture, so that nothing is hovered.
     window.send([Event::PointerGone]);
     match name {
-        "panels" => (window, [940, 0, 340, 720]),
+        "panels" => (window, [960, 0, 320, 720]),
+        "light" => {
+            window.set_theme(egui::Theme::Light);
+            (window, [960, 0, 320, 720])
+        }
+        // The list over the panels of the right, in the least window.
+        "small" => {
+            window.resize(px([640, 400], 1.0));
+            click_on(&mut window, "more");
+            window.send([Event::PointerGone]);
+            (window, [0, 0, 640, 400])
+        }
         "gallery" => {
             let mut window = open(vec!["gallery:stretched".into()], 1.0);
             press_key(&mut window, Modifiers::NONE, Key::M);
-            click(&mut window, pos2(735.0, 330.0));
+            click(&mut window, pos2(681.0, 330.0));
             window.send([Event::PointerGone]);
-            (window, [0, 0, 950, 690])
+            (window, [0, 0, 970, 690])
         }
         "pipeline" => {
             press_key(&mut window, Modifiers::NONE, Key::P);
-            (window, [215, 50, 620, 560])
+            (window, [0, 25, 280, 670])
         }
         _ => {
             press_key(&mut window, Modifiers::NONE, Key::H);
@@ -67,7 +78,7 @@ fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
 
 #[test]
 fn panels_look_as_they_did() {
-    for name in ["panels", "pipeline", "help", "gallery"] {
+    for name in ["panels", "light", "small", "pipeline", "help", "gallery"] {
         let (mut window, at) = shown(name);
         let picture = crop(&window.picture().expect("a picture"), at);
         compare(
@@ -121,6 +132,6 @@ fn readme_shows_this_frozen_camera() {
 fn readme_shows_this_gallery() {
     let mut window = open(vec!["gallery:small_and_far".into()], 1.0);
     press_key(&mut window, Modifiers::NONE, Key::M);
-    click(&mut window, pos2(430.0, 500.0));
+    click(&mut window, pos2(345.0, 480.0));
     compare_asset("gallery", window);
 }

@@ -1,7 +1,7 @@
 //! What each command does.
 
 use super::{
-    program::{App, Host, Purpose},
+    program::{App, Extent, Host, Purpose, Shot},
     wake::Wake,
 };
 use crate::{
@@ -36,7 +36,8 @@ impl App {
             Command::Reload => self.intend(Intent::Reload),
             Command::Reply(reply) => self.reply(reply),
             Command::CopyCommandLine => {
-                self.copied = Some(view_command(&self.state));
+                let command = view_command(&self.state);
+                self.copy(command, "the view as a command is copied");
                 if self.state.edited() {
                     self.complain(
                         "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
@@ -46,21 +47,40 @@ impl App {
             }
             Command::CopyCamera => {
                 let camera = self.state.camera_choice();
-                self.copied = description::to_toml(&Scene::default(), &camera, &[]).ok();
+                if let Ok(text) = description::to_toml(&Scene::default(), &camera, &[]) {
+                    self.copy(text, "the camera is copied: Ctrl+V takes it over");
+                }
             }
             Command::Paste(text) => {
                 if let Err(reason) = self.paste_camera(&text) {
                     self.complain(reason);
                 }
             }
-            Command::Screenshot => {
-                self.screenshots.wanted = true;
+            Command::Screenshot { alone } => {
+                self.screenshots.wanted = Some(Shot { alone });
                 self.context.request_repaint();
             }
-            Command::CopyPick => match self.state.pick_ray().map(RayHits::line) {
-                Some(line) => self.copied = serde_json::to_string(&line).ok(),
-                None => self.complain("there is no pick to copy: click a surface first".into()),
-            },
+            Command::Copy(text) => self.copy(text, "copied"),
+            Command::SelectRow { down } => {
+                let now = self.state.selection().map(|selection| selection.object);
+                if let Some(next) = self.filter.next(&self.state, now, down) {
+                    self.act(Action::Select(Some(next)));
+                    self.reveal_selection = true;
+                }
+            }
+            Command::ToggleFullScreen => {
+                self.extent = match self.extent {
+                    Extent::Window => Extent::Screen,
+                    Extent::Screen => Extent::Window,
+                };
+            }
+            Command::CopyPick => {
+                let line = self.state.pick_ray().map(RayHits::line);
+                match line.and_then(|line| serde_json::to_string(&line).ok()) {
+                    Some(json) => self.copy(json, "the pick is copied as JSON"),
+                    None => self.complain("there is no pick to copy: click a surface first".into()),
+                }
+            }
             Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
             Command::Escape if self.stop_arriving() => {}
             Command::Escape if self.floating.help => self.floating.help = false,
@@ -79,8 +99,18 @@ impl App {
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::NextLook => {
+                self.memory.look = self.memory.look.next();
+                self.memory.look.apply(&self.context);
+            }
             Command::Quit => self.intend(Intent::Quit),
         }
+    }
+
+    /// Puts a text on the clipboard, and says so.
+    fn copy(&mut self, text: String, done: &str) {
+        self.copied = Some(text);
+        self.say(done.into());
     }
 
     /// Takes what the user answered.

@@ -56,7 +56,10 @@ impl App {
                 let scene = loaded.scene.clone();
                 self.arrive(&scene, Arrival::Loaded(Box::new(loaded), paths, purpose));
             }
-            Err(error) => self.complain(error.to_string()),
+            Err(error) => {
+                self.forget_gone();
+                self.complain(error.to_string());
+            }
         }
     }
 
@@ -72,23 +75,32 @@ impl App {
             Purpose::Add => {
                 self.state.add(loaded, paths);
                 self.warn(&warnings);
+                self.watch();
                 return Ok(());
             }
-            Purpose::Reload => self.state.reload(loaded),
+            Purpose::Reload | Purpose::Follow => self.state.reload(loaded),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
                 }
                 let file = loaded.camera_file.take();
-                let opened = self.state.open(loaded, paths);
+                let opened = self.state.open(loaded, paths.clone());
                 opened.map_err(|error| match file {
                     Some(file) => format!("{}: {error}", file.display()),
                     None => error.to_string(),
                 })?;
                 self.first = false;
+                self.remember_opened(&paths);
             }
         }
+        self.watch();
         self.notices.clear();
+        if purpose == Purpose::Follow {
+            self.say(format!(
+                "{} has changed and was read again",
+                self.state.name()
+            ));
+        }
         for text in unused {
             self.complain(text);
         }
@@ -156,7 +168,9 @@ impl App {
                     paths: vec![saved.path],
                     meshes: saved.meshes,
                 };
+                self.remember_opened(&source.paths);
                 self.state.saved(&saved.snapshot, source);
+                self.watch();
                 if let Some(intent) = then {
                     self.intend(intent);
                 }

@@ -3,7 +3,7 @@
 
 use super::{
     checks::painted,
-    program::{App, Host},
+    program::{App, Host, Shot},
     rest::REST_S,
 };
 use crate::{
@@ -79,18 +79,21 @@ impl App {
         self.take_checked();
         self.take_chart();
         self.take_waiting();
+        self.take_changed();
+        self.take_typefaces();
     }
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.
     fn run_pass(&mut self, mut input: egui::RawInput) -> Pass {
         self.take_finished();
+        self.forget_said(input.time.unwrap_or_default());
         input.max_texture_side = self.max_texture_side;
         let dropped = input.dropped_files.iter();
         let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
         let mut commands = Vec::new();
         let mut place = None;
         let context = self.context.clone();
-        let underway = self.underway();
+        let (underway, docks) = (self.underway(), self.docks);
         let mut output = context.run_ui(input, |ui| {
             let mut shown = Shown {
                 state: &self.state,
@@ -102,6 +105,9 @@ impl App {
                 checking: &self.checking,
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),
                 statistics: &self.statistics,
+                docks: &mut self.docks,
+                recent: &self.memory.recent,
+                look: self.memory.look,
                 filter: &mut self.filter,
                 reveal_selection: self.reveal_selection,
             };
@@ -132,7 +138,7 @@ impl App {
         }
         // The panels showed the state before that: they show what came of it in the next pass.
         let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
-        if acted || follows_cursor || hover != self.state.hover() {
+        if acted || follows_cursor || hover != self.state.hover() || docks != self.docks {
             context.request_repaint();
         } else if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
@@ -209,10 +215,13 @@ impl App {
 
     /// Writes the frame that was just drawn, where that was asked for.
     fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid) {
-        if !std::mem::take(&mut self.screenshots.wanted) {
+        let Some(Shot { alone }) = self.screenshots.wanted.take() else {
             return;
-        }
-        let picture = canvas.picture(&self.state, laid);
+        };
+        let picture = match laid.place.filter(|_| alone) {
+            Some(place) => canvas.picture_alone(&self.state, place),
+            None => canvas.picture(&self.state, laid),
+        };
         let written = picture
             .map_err(|error| error.to_string())
             .and_then(|picture| write_screenshot(&self.screenshots.folder, &picture));

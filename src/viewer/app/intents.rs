@@ -31,7 +31,10 @@ impl App {
         match intent {
             Intent::Open(paths) => self.load(paths, Purpose::Open),
             Intent::Reload => self.reload(),
-            Intent::Quit => self.quit = true,
+            Intent::Quit => {
+                self.keep_memory();
+                self.quit = true;
+            }
         }
     }
 }

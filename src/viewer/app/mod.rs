@@ -8,11 +8,17 @@ mod exhibits;
 mod files;
 mod frame;
 mod intents;
+mod memory;
 mod program;
+mod remembering;
 mod rest;
+mod typesetting;
 mod wake;
+mod watch;
 
 pub(super) use frame::Frame;
-pub(super) use program::{App, Host};
+pub(super) use memory::WindowPlace;
+pub use memory::memory_file;
+pub(super) use program::{App, Extent, Host};
 pub(super) use rest::REST_S;
 pub(super) use wake::{Wake, Waker};

@@ -1,6 +1,7 @@
 //! The program behind the window: all that outlives frames, devices and windows, and what it says.
 
 use super::{
+    memory::Memory,
     rest::Rest,
     wake::{Wake, Waker},
 };
@@ -9,14 +10,23 @@ use crate::{
     render::{Gpu, MeshStore},
     scene::{Loaded, Warning},
     viewer::{
-        jobs::{Chart, Checking, Loading, Saving, Staging, TreeBuild, Upload, Uploaded},
+        jobs::{
+            Chart, Checking, Loading, Saving, Staging, TreeBuild, Typefaces, Upload, Uploaded,
+            Watching,
+        },
         model::{Action, Snapshot, Stage, State},
         options::Options,
         screen::{Progress, Textures},
-        ui::{self, Drag, Filter, Floating, Intent, Notice, Notices, Statistics},
+        ui::{self, Docks, Drag, Filter, Floating, Intent, Kind, Notice, Notices, Statistics},
     },
 };
-use std::path::PathBuf;
+use std::{
+    path::PathBuf,
+    time::{Duration, Instant},
+};
+
+/// How long what is done is said, in seconds.
+const SAID_S: f64 = 4.0;
 
 /// What a load is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -25,6 +35,8 @@ pub(super) enum Purpose {
     Open,
     /// The files of what is shown, again: view, selection and visibility stay.
     Reload,
+    /// The same, since they have changed.
+    Follow,
     /// Beside what is shown.
     Add,
 }
@@ -35,11 +47,27 @@ pub(super) enum Arrival {
     Stage(Stage),
 }
 
+/// How much of the screen the window has.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::viewer) enum Extent {
+    /// What the desktop gives it.
+    Window,
+    /// All of it.
+    Screen,
+}
+
+/// What a screenshot shows.
+#[derive(Clone, Copy)]
+pub(in crate::viewer) struct Shot {
+    /// The picture without the panels.
+    pub alone: bool,
+}
+
 /// Screenshots that are asked for.
 #[derive(Default)]
 pub(in crate::viewer) struct Screenshots {
     /// Of the next frame.
-    pub wanted: bool,
+    pub wanted: Option<Shot>,
     /// Where they go: the folder that the program runs in, at first.
     pub folder: PathBuf,
 }
@@ -83,6 +111,13 @@ pub(in crate::viewer) struct App {
     pub first: bool,
     pub notices: Notices,
     pub floating: Floating,
+    pub docks: Docks,
+    /// What is remembered from one run to the next.
+    pub memory: Memory,
+    /// The files of what is shown, as somebody else may change them.
+    pub(super) watching: Option<Watching>,
+    /// The system's, for names that the panels' own do not have.
+    pub(super) typefaces: Typefaces,
     pub filter: Filter,
     pub checking: Checking,
     /// The pixels in which a comparison found differences.
@@ -101,6 +136,7 @@ pub(in crate::viewer) struct App {
     pub copied: Option<String>,
     /// A click, and through which view, that waits for trees.
     pub(super) waiting: Option<(Action, View)>,
+    pub extent: Extent,
     /// How far the scene's picture has come.
     pub picture: Progress,
     /// Since when it rests.
@@ -118,6 +154,10 @@ impl App {
             Viewport::DEFAULT,
             options.sides,
         );
+        let memory = Memory::read(options.memory.as_deref());
+        let (context, typefaces) = (ui::context(), Typefaces::default());
+        memory.look.apply(&context);
+        ui::note_missing(&context, typefaces.missing.clone());
         Self {
             gpu: None,
             staging: None,
@@ -131,6 +171,10 @@ impl App {
             first: true,
             notices: Notices::new(),
             floating: Floating::default(),
+            docks: memory.panels,
+            memory,
+            watching: None,
+            typefaces,
             filter: Filter::default(),
             checking: Checking::Off,
             marks: None,
@@ -144,10 +188,11 @@ impl App {
             max_texture_side: None,
             copied: None,
             waiting: None,
+            extent: Extent::Window,
             picture: Progress::default(),
             rest: Rest::default(),
             quit: false,
-            context: ui::context(),
+            context,
             textures: Textures::default(),
             state: state.expect("nothing is framed by default"),
             wake,
@@ -163,7 +208,11 @@ impl App {
             .as_ref()
             .is_some_and(|chart| chart.rows.is_none());
         let files = self.underway().is_some() || !self.saving.is_empty();
-        files || checks || studies || !self.state.scene().trees_are_built()
+        files
+            || checks
+            || studies
+            || self.typefaces.is_busy()
+            || !self.state.scene().trees_are_built()
     }
 
     /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
@@ -173,20 +222,27 @@ impl App {
             return;
         }
         log::error!("{text}");
-        self.notices.push(Notice {
-            text,
-            is_error: true,
-        });
+        self.notices.push(Notice::new(text, Kind::Error));
         self.context.request_repaint();
     }
 
-    /// Says that something is done.
+    /// Says that something is done. It goes away by itself.
     pub fn say(&mut self, text: String) {
         log::info!("{text}");
-        self.notices.push(Notice {
-            text,
-            is_error: false,
-        });
+        let until_s = self.context.input(|input| input.time) + SAID_S;
+        self.notices.retain(|notice| notice.text != text);
+        self.notices.push(Notice::new(text, Kind::Done { until_s }));
+        self.context.request_repaint();
+        (self.wake)(Wake::RepaintAt(
+            Instant::now() + Duration::from_secs_f64(SAID_S),
+        ));
+    }
+
+    /// Says something that is to be read.
+    pub fn remind(&mut self, text: String) {
+        log::warn!("{text}");
+        self.notices.retain(|notice| notice.text != text);
+        self.notices.push(Notice::new(text, Kind::Warning));
         self.context.request_repaint();
     }
 
@@ -196,18 +252,19 @@ impl App {
         for warning in warnings {
             log::warn!("{warning}");
         }
-        self.notices
-            .extend(warnings.iter().take(SHOWN).map(|warning| Notice {
-                text: warning.to_string(),
-                is_error: false,
-            }));
-        if warnings.len() > SHOWN {
-            let text = format!("and {} more warnings", warnings.len() - SHOWN);
-            self.notices.push(Notice {
-                text,
-                is_error: false,
-            });
-        }
+        let shown = warnings.iter().take(SHOWN).map(Warning::to_string);
+        let more = warnings.len().saturating_sub(SHOWN);
+        let more = (more > 0).then(|| format!("and {more} more warnings"));
+        let notice = |text| Notice::new(text, Kind::Warning);
+        self.notices.extend(shown.chain(more).map(notice));
+    }
+
+    /// Takes away what was said long enough.
+    pub(super) fn forget_said(&mut self, now_s: f64) {
+        self.notices.retain(|notice| match notice.kind {
+            Kind::Done { until_s } => now_s < until_s,
+            Kind::Warning | Kind::Error => true,
+        });
     }
 
     /// Begins to build the trees of what is shown.

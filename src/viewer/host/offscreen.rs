@@ -10,7 +10,7 @@ use crate::{
     image::{Image, Rgb},
     render::{GpuError, read_rgb},
     viewer::{
-        app::{App, Frame, Host, REST_S, Wake},
+        app::{App, Extent, Frame, Host, REST_S, Wake},
         jobs::Answer,
         model::State,
         options::Options,
@@ -57,6 +57,7 @@ pub struct Offscreen {
     copied: Option<String>,
     controls: Vec<Control>,
     at_rest: bool,
+    theme: Option<egui::Theme>,
 }
 
 impl Offscreen {
@@ -79,6 +80,7 @@ impl Offscreen {
             copied: None,
             controls: Vec::new(),
             at_rest: false,
+            theme: None,
         };
         window.app.context.enable_accesskit();
         window.settle();
@@ -123,6 +125,12 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Makes the desktop dark or light.
+    pub fn set_theme(&mut self, theme: egui::Theme) {
+        self.theme = Some(theme);
+        self.settle();
+    }
+
     /// What stands in the window's title.
     #[must_use]
     pub fn title(&self) -> String {
@@ -153,6 +161,21 @@ impl Offscreen {
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && !self.app.picture.behind
+    }
+
+    /// Whether it fills the screen.
+    #[must_use]
+    pub fn is_full_screen(&self) -> bool {
+        self.app.extent == Extent::Screen
+    }
+
+    /// Whether the panels can write all of a text.
+    #[must_use]
+    pub fn can_write(&self, text: &str) -> bool {
+        let font = egui::FontId::default();
+        self.app
+            .context
+            .fonts_mut(|fonts| fonts.has_glyphs(&font, text))
     }
 
     /// What was put on the clipboard last.
@@ -275,6 +298,7 @@ impl Offscreen {
             time: Some(self.time_s),
             events,
             dropped_files: dropped,
+            system_theme: self.theme,
             ..egui::RawInput::default()
         };
         let viewport = input.viewports.entry(input.viewport_id).or_default();

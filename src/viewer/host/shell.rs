@@ -1,14 +1,15 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
 use crate::viewer::{
+    app::WindowPlace,
     options::{Options, ViewerError},
     screen::Surface,
 };
 use std::sync::Arc;
 use winit::{
-    dpi::{LogicalSize, PhysicalSize},
+    dpi::{LogicalSize, PhysicalPosition, PhysicalSize},
     event_loop::ActiveEventLoop,
-    window::Window,
+    window::{Fullscreen, Window, WindowAttributes},
 };
 
 /// The window and what draws into it.
@@ -23,6 +24,7 @@ impl Shell {
     pub fn open(
         event_loop: &ActiveEventLoop,
         options: &Options,
+        remembered: Option<WindowPlace>,
         context: egui::Context,
     ) -> Result<Self, ViewerError> {
         let attributes = Window::default_attributes().with_title("Sightline");
@@ -30,7 +32,7 @@ impl Shell {
             Some(size) => {
                 attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
             }
-            None => attributes.with_inner_size(LogicalSize::new(1280, 720)),
+            None => stood(attributes, remembered, event_loop),
         };
         let window = event_loop.create_window(attributes);
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
@@ -50,5 +52,60 @@ impl Shell {
             egui,
             surface,
         })
+    }
+
+    /// Where the window stands, to be remembered; as it was `before` while it fills its screen.
+    pub fn stands(&self, before: Option<WindowPlace>) -> Option<WindowPlace> {
+        let maximised = self.window.is_maximized();
+        if maximised || self.window.fullscreen().is_some() {
+            return before.map(|place| WindowPlace { maximised, ..place });
+        }
+        let size: LogicalSize<f64> = self
+            .window
+            .inner_size()
+            .to_logical(self.window.scale_factor());
+        let corner = self.window.outer_position().ok();
+        Some(WindowPlace {
+            size: [size.width, size.height],
+            corner_px: corner.map(|corner| [corner.x, corner.y]),
+            maximised,
+        })
+    }
+
+    /// Fills the screen with the window, or no more.
+    pub fn fill_screen(&self, wanted: bool) {
+        if self.window.fullscreen().is_some() != wanted {
+            let whole = wanted.then_some(Fullscreen::Borderless(None));
+            self.window.set_fullscreen(whole);
+        }
+    }
+}
+
+/// Where the window stood when it was closed last, as far as a screen is there still.
+fn stood(
+    attributes: WindowAttributes,
+    remembered: Option<WindowPlace>,
+    event_loop: &ActiveEventLoop,
+) -> WindowAttributes {
+    let Some(place) = remembered else {
+        return attributes.with_inner_size(LogicalSize::new(1280, 720));
+    };
+    let [width, height] = place.size.map(|side| side.clamp(320.0, 16_384.0));
+    let attributes = attributes
+        .with_inner_size(LogicalSize::new(width, height))
+        .with_maximized(place.maximised);
+    let is_on_a_screen = |[x, y]: &[i32; 2]| {
+        event_loop.available_monitors().any(|screen| {
+            let (corner, size) = (screen.position(), screen.size());
+            let within = |at: i32, from: i32, long: u32| {
+                let past = i64::from(at) - i64::from(from);
+                (0..i64::from(long) - 50).contains(&past)
+            };
+            within(*x, corner.x, size.width) && within(*y, corner.y, size.height)
+        })
+    };
+    match place.corner_px.filter(is_on_a_screen) {
+        Some([x, y]) => attributes.with_position(PhysicalPosition::new(x, y)),
+        None => attributes,
     }
 }

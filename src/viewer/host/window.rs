@@ -2,7 +2,7 @@
 
 use super::shell::Shell;
 use crate::viewer::{
-    app::{App, Host, Wake, Waker},
+    app::{App, Extent, Host, Wake, Waker},
     options::{Options, ViewerError},
     ui::Command,
 };
@@ -73,6 +73,7 @@ impl Program {
             .egui
             .handle_platform_output(&shell.window, frame.platform);
         shell.window.set_title(&self.app.title());
+        shell.fill_screen(self.app.extent == Extent::Screen);
         self.leave_if_done(event_loop);
     }
 
@@ -102,7 +103,12 @@ impl ApplicationHandler<Wake> for Program {
             return;
         }
         let app = &mut self.app;
-        match Shell::open(event_loop, &app.options, app.context.clone()) {
+        match Shell::open(
+            event_loop,
+            &app.options,
+            app.memory.window,
+            app.context.clone(),
+        ) {
             Ok(shell) => {
                 self.shell = Some(shell);
                 self.request_redraw();
@@ -122,7 +128,11 @@ impl ApplicationHandler<Wake> for Program {
                 self.request_redraw();
             }
             Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
-            Wake::RepaintAt(time) => event_loop.set_control_flow(ControlFlow::WaitUntil(time)),
+            Wake::RepaintAt(time) => match event_loop.control_flow() {
+                // Something comes before that.
+                ControlFlow::WaitUntil(sooner) if sooner < time => {}
+                _ => event_loop.set_control_flow(ControlFlow::WaitUntil(time)),
+            },
         }
     }
 
@@ -139,6 +149,10 @@ impl ApplicationHandler<Wake> for Program {
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
+                self.app.memory.window = shell.stands(self.app.memory.window);
+            }
+            WindowEvent::Moved(_) => {
+                self.app.memory.window = shell.stands(self.app.memory.window);
             }
             _ => {}
         }

@@ -2,18 +2,24 @@
 
 mod check;
 mod dialogs;
+mod keeping;
 mod loading;
 mod preparing;
 mod saving;
 mod study;
 mod trees;
+mod typefaces;
 mod uploading;
+mod watching;
 
 pub(super) use check::{Check, Checked, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
+pub(super) use keeping::{keep, keep_beside};
 pub(super) use loading::Loading;
 pub(super) use preparing::Staging;
 pub(super) use saving::Saving;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
+pub(super) use typefaces::{Missing, Typeface, Typefaces};
 pub(super) use uploading::{Upload, Uploaded};
+pub(super) use watching::Watching;

@@ -180,6 +180,31 @@ impl Canvas {
         Ok(Image::new(self.size, pixels.collect()))
     }
 
+    /// The scene's picture that was drawn last, without panels.
+    ///
+    /// # Errors
+    /// When memory runs out, or the device fails.
+    pub fn picture_alone(
+        &mut self,
+        state: &State,
+        place: SceneRect,
+    ) -> Result<Image<Rgb>, GpuError> {
+        let size = self.size;
+        let bare = Laid {
+            place: Some(SceneRect {
+                origin_px: [0, 0],
+                ..place
+            }),
+            primitives: Vec::new(),
+            pixels_per_point: place.pixels_per_point,
+            at_rest: true,
+        };
+        self.size = place.viewport;
+        let picture = self.picture(state, &bare);
+        self.size = size;
+        picture
+    }
+
     /// A texture of this size that it can draw onto and that can be read.
     pub fn texture(&self, size: Viewport) -> wgpu::Texture {
         self.gpu.device.create_texture(&wgpu::TextureDescriptor {

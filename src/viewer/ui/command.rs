@@ -28,7 +28,19 @@ pub(in crate::viewer) enum Command {
     /// Take over the camera in this text from the clipboard.
     Paste(String),
     /// Write what is on screen into a PNG file.
-    Screenshot,
+    Screenshot {
+        /// Without the panels.
+        alone: bool,
+    },
+    /// Put this text on the clipboard.
+    Copy(String),
+    /// Select the object of the next row in the list, or of the one before.
+    SelectRow {
+        /// The next.
+        down: bool,
+    },
+    /// Fill the screen with the window, or no more.
+    ToggleFullScreen,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
     /// Compare the picture with its picks, or close the comparison.
@@ -49,6 +61,8 @@ pub(in crate::viewer) enum Command {
     ToggleHelp,
     /// Show or hide the matrices.
     TogglePipeline,
+    /// Give the panels the next of the looks that they can have.
+    NextLook,
     /// Close the window.
     Quit,
 }

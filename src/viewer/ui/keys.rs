@@ -120,6 +120,18 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::Act(Action::ShowAll),
     },
     Binding {
+        keys: "",
+        does: "",
+        shortcuts: &[(NONE, Key::ArrowUp)],
+        command: Command::SelectRow { down: false },
+    },
+    Binding {
+        keys: "Down, Up",
+        does: "in the list of objects: select the next, the one before",
+        shortcuts: &[(NONE, Key::ArrowDown)],
+        command: Command::SelectRow { down: true },
+    },
+    Binding {
         keys: "Ctrl+O",
         does: "open files",
         shortcuts: &[(CTRL, Key::O)],
@@ -252,10 +264,22 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::CopyCamera,
     },
     Binding {
-        keys: "F12",
-        does: "save what is on screen as a PNG file",
+        keys: "",
+        does: "",
+        shortcuts: &[(SHIFT, Key::F12)],
+        command: Command::Screenshot { alone: true },
+    },
+    Binding {
+        keys: "F12, Shift+F12",
+        does: "save what is on screen as a PNG file; the picture alone",
         shortcuts: &[(NONE, Key::F12)],
-        command: Command::Screenshot,
+        command: Command::Screenshot { alone: false },
+    },
+    Binding {
+        keys: "F11",
+        does: "fill the screen; back",
+        shortcuts: &[(NONE, Key::F11)],
+        command: Command::ToggleFullScreen,
     },
     Binding {
         keys: "C",
@@ -299,6 +323,7 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),
+    ("right click", "what can be done with what is there"),
     (
         "double click",
         "set pivot and centre; on nothing: frame all",
@@ -314,7 +339,7 @@ const fn look(to_eye: DVec3) -> Command {
 }
 
 /// What the keys that were pressed ask for. While a text is edited, nothing; while a question waits for an answer, only Esc
-/// does. Enter and Esc are first of all for what was reached by Tab, and Esc then for red texts.
+/// does. Enter, Esc and the arrows are first of all for what was reached by Tab, and Esc then for red texts.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Command> {
     let now = Focus::now(ctx);
     let focus = Focus::before(ctx).or(now);
@@ -329,7 +354,13 @@ pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Com
     if !focus.any && ctx.input(|input| input.key_pressed(Key::Escape)) && give_up_refused(ctx) {
         ctx.input_mut(|input| input.consume_key(NONE, Key::Escape));
     }
-    let is_taken = |key: Key| focus.any && matches!(key, Key::Enter | Key::Escape);
+    let is_taken = |key: Key| {
+        focus.any
+            && matches!(
+                key,
+                Key::Enter | Key::Escape | Key::ArrowUp | Key::ArrowDown
+            )
+    };
     ctx.input_mut(|input| {
         let mut asked = Vec::new();
         for binding in BINDINGS {

@@ -10,6 +10,6 @@ mod theme;
 
 pub(super) use command::{Command, Intent, Reply};
 pub(super) use mouse::Drag;
-pub(super) use notice::{Notice, Notices};
-pub(super) use panels::{Filter, Floating, Shown, Statistics, Underway, show};
-pub(super) use theme::{color32, context};
+pub(super) use notice::{Kind, Notice, Notices};
+pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
+pub(super) use theme::{Look, color32, context, note_missing};

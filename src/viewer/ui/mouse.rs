@@ -5,7 +5,7 @@ use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S},
     screen::SceneRect,
 };
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Sense, Ui};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::DVec2;
 
 /// A press that travels further than this, in points, is a drag.
@@ -31,13 +31,13 @@ pub(in crate::viewer) struct Drag {
     at: DVec2,
 }
 
-/// What the mouse did on the scene.
+/// What the mouse did on the scene, which is returned too.
 pub(in crate::viewer) fn scene(
     ui: &mut Ui,
     rect: Rect,
     place: SceneRect,
     drag: &mut Option<Drag>,
-) -> Vec<Action> {
+) -> (Response, Vec<Action>) {
     // Tab does not stop here: there is nothing to type.
     let response = ui.interact(
         rect,
@@ -94,7 +94,7 @@ pub(in crate::viewer) fn scene(
         wheel(ui, place, at, &mut actions);
     }
     actions.push(Action::Hover(hovering));
-    actions
+    (response, actions)
 }
 
 /// Where the primary button was released in this frame: the pointer may have moved on since.

@@ -1,25 +1,81 @@
-//! How panels look.
+//! How panels look, and what their own typefaces lack.
 
 use super::mouse;
-use crate::colour::Srgb;
-use egui::Color32;
+use crate::{colour::Srgb, viewer::jobs::Missing};
+use egui::{Color32, Theme, ThemePreference, epaint::text::FallbackRequest};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A colour as egui has it.
 pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// egui as the viewer wants it: panels as dark as the scene, whatever the desktop's theme, with words that are
-/// readable on them.
+/// Which of the two looks panels have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::viewer) enum Look {
+    /// As the desktop has it; dark where that does not tell.
+    #[default]
+    Desktop,
+    Light,
+    Dark,
+}
+
+impl Look {
+    pub fn next(self) -> Self {
+        match self {
+            Self::Desktop => Self::Light,
+            Self::Light => Self::Dark,
+            Self::Dark => Self::Desktop,
+        }
+    }
+
+    /// In words.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::Desktop => "as the desktop has it",
+            Self::Light => "light",
+            Self::Dark => "dark",
+        }
+    }
+
+    /// Gives panels this look.
+    pub fn apply(self, context: &egui::Context) {
+        context.set_theme(match self {
+            Self::Desktop => ThemePreference::System,
+            Self::Light => ThemePreference::Light,
+            Self::Dark => ThemePreference::Dark,
+        });
+    }
+}
+
+/// egui as the viewer wants it: dark or light as the desktop is, with words that are readable on projectors too, which
+/// swallow dark greys.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
-    context.set_theme(egui::Theme::Dark);
-    let mut visuals = egui::Visuals::dark();
-    visuals.error_fg_color = Color32::from_rgb(255, 120, 105);
-    // For projectors, which swallow dark greys.
-    visuals.override_text_color = Some(Color32::from_gray(222));
-    visuals.weak_text_color = Some(Color32::from_gray(160));
-    context.set_visuals(visuals);
+    let mut dark = egui::Visuals::dark();
+    dark.error_fg_color = Color32::from_rgb(255, 120, 105);
+    dark.override_text_color = Some(Color32::from_gray(222));
+    dark.weak_text_color = Some(Color32::from_gray(160));
+    context.set_visuals_of(Theme::Dark, dark);
+    let mut light = egui::Visuals::light();
+    light.error_fg_color = Color32::from_rgb(176, 20, 0);
+    light.warn_fg_color = Color32::from_rgb(140, 75, 0);
+    light.override_text_color = Some(Color32::from_gray(24));
+    light.weak_text_color = Some(Color32::from_gray(86));
+    context.set_visuals_of(Theme::Light, light);
     context
+}
+
+/// Takes note of what egui's own typefaces do not have.
+pub(in crate::viewer) fn note_missing(context: &egui::Context, missing: Missing) {
+    context.add_font_provider(Arc::new(move |request: &FallbackRequest<'_>| {
+        request
+            .cluster
+            .chars()
+            .for_each(|character| missing.add(character));
+        None
+    }));
 }

@@ -2,6 +2,7 @@
 //! both have it.
 
 use super::exhibit::{RIGHT, WRONG, step_and_name};
+use super::names::Hint;
 use crate::{
     study::swap::Found,
     viewer::{
@@ -45,13 +46,16 @@ pub(super) fn show(
     ui.scope_builder(inside, |ui| {
         let back = RichText::new("back (Esc)").size(15.0).strong();
         let hint = "pick by Sightline's own method again, the default";
-        if ui.button(back).on_hover_text(hint).clicked() {
+        if ui.button(back).hint(hint).clicked() {
             commands.push(Command::Act(Action::PickBy(None)));
         }
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             let text = |text: String, size| RichText::new(text).size(size).color(Color32::BLACK);
-            ui.label(text("Not the default: another method picks".to_owned(), 17.0).strong());
-            ui.add(Label::new(text(step_and_name(&method), 14.0)).truncate());
+            let warning = "Not the default: another method picks".to_owned();
+            let hint = "clicks are answered by a method that is known to fail on this scene";
+            ui.label(text(warning, 17.0).strong()).hint(hint);
+            let name = Label::new(text(step_and_name(&method), 14.0)).truncate();
+            ui.add(name).hint(method.info().source);
         });
     });
 }

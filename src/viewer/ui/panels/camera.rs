@@ -3,7 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
-    names::named,
+    names::{Hint, named},
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, Projection, UpAxis},
@@ -16,17 +16,6 @@ use crate::{
 use egui::{Grid, Slider, Ui};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
-        ui.heading("Camera");
-        let copy = ui.small_button("copy");
-        named(&copy, "copy camera");
-        if copy
-            .on_hover_text("as a scene file writes it (Shift+C); Ctrl+V takes over a copied one")
-            .clicked()
-        {
-            commands.push(Command::CopyCamera);
-        }
-    });
     let controls = state.controls();
     let (mut next, mut gesture) = (controls, Gesture::default());
     Grid::new("lens").num_columns(3).show(ui, |ui| {
@@ -40,11 +29,16 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     pose(ui, state, commands);
     ui.add_space(4.0);
     ui.horizontal(|ui| {
-        ui.label("up axis");
+        ui.label("up axis")
+            .hint("which axis of the world points up: turns the view, never the data");
         for (axis, name) in [(UpAxis::Y, "y"), (UpAxis::Z, "z")] {
             let label = ui.selectable_label(state.up_axis() == axis, name);
             named(&label, &format!("{name} points up"));
-            if label.clicked() {
+            let hint = match axis {
+                UpAxis::Y => "as most models have it",
+                UpAxis::Z => "as buildings, maps and CAD have it",
+            };
+            if label.hint(hint).clicked() {
                 commands.push(Command::Act(Action::UpAxis(axis)));
             }
         }
@@ -52,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let mut culls = state.view().sides == Sides::Front;
         if ui
             .checkbox(&mut culls, "cull back faces")
-            .on_hover_text("what is not drawn is not picked")
+            .hint("leave out surfaces seen from behind: what is not drawn is not picked (B)")
             .changed()
         {
             commands.push(Command::Act(Action::ToggleSides));
@@ -60,19 +54,32 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
+/// What copies the camera.
+pub(super) fn copy(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let copy = ui.small_button("copy");
+    named(&copy, "copy camera");
+    let hint = "as a scene file writes it (Shift+C); Ctrl+V takes over a copied one";
+    if copy.hint(hint).clicked() {
+        commands.push(Command::CopyCamera);
+    }
+}
+
 fn projection(ui: &mut Ui, next: &mut LensControls) {
-    ui.label("projection");
+    ui.label("projection")
+        .hint("how the view is flattened into a picture");
     ui.horizontal(|ui| {
-        ui.selectable_value(&mut next.orthographic, false, "perspective");
+        ui.selectable_value(&mut next.orthographic, false, "perspective")
+            .hint("what is farther away looks smaller, as the eye sees it (5)");
         ui.selectable_value(&mut next.orthographic, true, "ortho")
-            .on_hover_text("orthographic");
+            .hint("orthographic: equal lengths look equal at any distance (5)");
     });
     ui.end_row();
 }
 
+const FOV: &str = "field of view: the angle that the picture spans from bottom to top, in degrees";
+
 fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
-    ui.label("fov")
-        .on_hover_text("vertical field of view, in degrees");
+    ui.label("fov").hint(FOV);
     let typed = |fov_deg| {
         let lens = LensControls {
             fov_deg,
@@ -88,12 +95,14 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             let mut slid = next.fov_deg;
             let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
             named(&slider, "fov, slid");
+            let slider = slider.hint(FOV);
             gesture.note(&slider);
             if slider.changed() {
                 next.fov_deg = slid;
             }
             let field = Field {
                 name: "fov",
+                hint: FOV,
                 of: state.scene_revision(),
                 value: next.fov_deg,
                 width: WIDTH,
@@ -104,7 +113,9 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             }
         });
     });
-    let default = ui.small_button("45").on_hover_text("the default");
+    let default = ui
+        .small_button("45")
+        .hint("back to 45 degrees, the default");
     named(&default, "fov of 45 degrees");
     if default.clicked() {
         next.fov_deg = CameraChoice::FOV;
@@ -122,16 +133,21 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
     } else {
         bounds.radius().max(f64::MIN_POSITIVE)
     };
-    for (name, value, which) in [
+    for (name, hint, value, which) in [
         (
             "near",
+            "what is nearer to the eye than this plane is cut away: its distance along the direction of view, in world units",
             lens.near,
             (|controls| &mut controls.near) as fn(&mut LensControls) -> &mut Option<f64>,
         ),
-        ("far", lens.far, |controls| &mut controls.far),
+        (
+            "far",
+            "what is beyond this plane is cut away: its distance along the direction of view, in world units",
+            lens.far,
+            |controls| &mut controls.far,
+        ),
     ] {
-        ui.label(name)
-            .on_hover_text("view depth of the plane, in world units");
+        ui.label(name).hint(hint);
         let typed = |number| {
             let mut lens = state.controls();
             *which(&mut lens) = Some(number);
@@ -146,12 +162,14 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 .show_value(false);
             let slider = ui.add(slider);
             named(&slider, &format!("{name}, slid"));
+            let slider = slider.hint(hint);
             gesture.note(&slider);
             if slider.changed() && typed(slid).is_ok() {
                 *which(next) = Some(slid);
             }
             let field = Field {
                 name,
+                hint,
                 of: state.scene_revision(),
                 value,
                 width: WIDTH,
@@ -164,7 +182,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         let mut fitted = which(next).is_none();
         let fit = ui
             .checkbox(&mut fitted, "fit")
-            .on_hover_text("follow the scene");
+            .hint("let the plane follow the scene, as close to it as can be");
         named(&fit, &format!("fit {name}"));
         if fit.changed() {
             *which(next) = if fitted { None } else { Some(value) };
@@ -174,16 +192,21 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
 }
 
 fn depth(ui: &mut Ui, next: &mut LensControls) {
-    ui.label("depth")
-        .on_hover_text("what the depth buffer stores");
+    ui.label("depth").hint("what the depth buffer stores");
     ui.horizontal(|ui| {
         ui.selectable_value(&mut next.depth, DepthMapping::Reversed, "reversed")
-            .on_hover_text("near 1, far 0: precision follows the distance");
+            .hint("near 1, far 0: precision follows the distance");
         ui.selectable_value(&mut next.depth, DepthMapping::Standard, "standard")
-            .on_hover_text("near 0, far 1: as courses teach it");
+            .hint("near 0, far 1: as courses teach it");
     });
     ui.end_row();
 }
+
+const POSE: [(&str, &str); 3] = [
+    ("eye", "where the camera stands, in the world"),
+    ("target", "the point that the camera looks at"),
+    ("up", "the direction that is up in the picture"),
+];
 
 fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let camera = &state.view().camera;
@@ -191,11 +214,11 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     Grid::new("pose").num_columns(4).show(ui, |ui| {
         ui.label("");
         for axis in AXES {
-            ui.weak(axis);
+            ui.weak(axis).hint(format!("along the world's {axis} axis"));
         }
         ui.end_row();
-        for (row, name) in ["eye", "target", "up"].into_iter().enumerate() {
-            ui.label(name);
+        for (row, (name, hint)) in POSE.into_iter().enumerate() {
+            ui.label(name).hint(hint);
             for axis in 0..3 {
                 let with = |number| {
                     let mut next = pose;
@@ -209,6 +232,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 };
                 let field = Field {
                     name: &format!("{name} {}", AXES[axis]),
+                    hint,
                     of: state.scene_revision(),
                     value: pose[row][axis],
                     width: WIDTH,
@@ -226,6 +250,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
     });
     if let Projection::Orthographic { height } = camera.lens().projection {
-        ui.label(format!("height {} units", short(height)));
+        ui.label(format!("height {} units", short(height)))
+            .hint("how much of the world the picture spans from bottom to top");
     }
 }

@@ -2,12 +2,15 @@
 
 use super::{
     banner,
-    names::named,
+    names::{Hint, named},
     shown::{Shown, Underway},
 };
 use crate::viewer::{
     model::{Action, State},
-    ui::{command::Command, notice::Notices},
+    ui::{
+        command::Command,
+        notice::{Kind, Notices},
+    },
 };
 use egui::{Align2, Area, Frame, Id, ProgressBar, Rect, RichText, Ui, vec2};
 
@@ -32,7 +35,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
                         let bar = ProgressBar::new(fraction.unwrap_or(1.0));
                         let bar = bar.animate(fraction.is_none());
                         ui.add(bar.desired_width(220.0).text(*what));
-                        if ui.button("cancel").on_hover_text("(Esc)").clicked() {
+                        if ui.button("cancel").hint("(Esc)").clicked() {
                             commands.push(Command::Escape);
                         }
                     });
@@ -45,8 +48,9 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
             .show(&ctx, |ui| {
                 Frame::popup(ui.style()).show(ui, |ui| {
                     ui.vertical_centered(|ui| {
-                        ui.label(text);
-                        if ui.button(button).clicked() {
+                        ui.label(text).hint("why the picture is empty");
+                        let button = ui.button(button).hint("a way that helps");
+                        if button.clicked() {
                             commands.push(command);
                         }
                     });
@@ -55,7 +59,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
     }
 }
 
-/// The newest messages, each until it is dismissed.
+/// The newest messages: what is done for a while, what is wrong until it is dismissed.
 fn notices(ui: &mut Ui, notices: &mut Notices) {
     const SHOWN: usize = 5;
     let earlier = notices.len().saturating_sub(SHOWN);
@@ -69,17 +73,23 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
     for (index, notice) in notices.iter().enumerate().skip(earlier) {
         Frame::popup(ui.style()).show(ui, |ui| {
             ui.horizontal(|ui| {
-                let colour = if notice.is_error {
-                    ui.visuals().error_fg_color
-                } else {
-                    ui.visuals().warn_fg_color
+                let colour = match notice.kind {
+                    Kind::Done { .. } => ui.visuals().text_color(),
+                    Kind::Warning => ui.visuals().warn_fg_color,
+                    Kind::Error => ui.visuals().error_fg_color,
                 };
-                let dismiss = ui.button("\u{d7}").on_hover_text("dismiss");
+                let dismiss = ui.button("\u{d7}").hint("dismiss");
                 named(&dismiss, "dismiss");
                 if dismiss.clicked() {
                     dismissed = Some(index);
                 }
-                ui.add(egui::Label::new(RichText::new(&notice.text).color(colour)).wrap());
+                let text = RichText::new(&notice.text).color(colour);
+                let hint = match notice.kind {
+                    Kind::Done { .. } => "it is done: this goes away by itself",
+                    Kind::Warning => "something to know: the cross dismisses it",
+                    Kind::Error => "something failed: the cross dismisses it",
+                };
+                ui.add(egui::Label::new(text).wrap()).hint(hint);
             });
         });
     }

@@ -1,5 +1,6 @@
 //! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
 
+use super::names::Hint;
 use crate::{
     verify::{COLOURS, IN_ONE_PLACE, Verdict},
     viewer::{
@@ -43,15 +44,16 @@ pub(super) fn show(
 
 fn table(ui: &mut Ui, check: &Check, found: &Checked) {
     let report = &found.report;
-    ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong());
+    ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong())
+        .hint("each pixel of the picture, compared with what a click on it picks; marked where they differ");
     Grid::new("classes").num_columns(3).show(ui, |ui| {
         swatch(ui, Color32::TRANSPARENT);
-        ui.label("same");
+        ui.label("same").hint("pixels that show what a click there picks");
         ui.monospace(report.same().to_string());
         ui.end_row();
-        for (class, colour, _) in COLOURS {
+        for (class, colour, hint) in COLOURS {
             swatch(ui, color32(colour));
-            ui.label(class.name());
+            ui.label(class.name()).hint(hint);
             ui.monospace(report.count(class).to_string());
             ui.end_row();
         }
@@ -59,7 +61,7 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         let pixels = found.in_one_place.len();
         if pixels > 0 {
             swatch(ui, color32(IN_ONE_PLACE.0));
-            ui.label("two in one place").on_hover_text(
+            ui.label("two in one place").hint(
                 "Surfaces closer together than drawing can tell, whether it differs there or not. Click for their names.",
             );
             ui.monospace(pixels.to_string());
@@ -72,12 +74,13 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
             pixels => format!(", {pixels} elsewhere"),
         };
         let [differ, all] = [report.outline_differ, report.outline];
-        ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"));
+        ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"))
+            .hint("how many of the pixels beside another object's differ: at outlines a rasteriser rounds");
         if let Some(advice) = advice(report.verdict()) {
-            ui.label(advice);
+            ui.label(advice).hint("what can be trusted here");
         }
     }
-    ui.weak("V closes this");
+    ui.weak("V closes this").hint("or Esc");
 }
 
 fn swatch(ui: &mut Ui, colour: Color32) {

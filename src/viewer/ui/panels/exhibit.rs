@@ -2,6 +2,7 @@
 
 use super::{
     field::{short, value_text},
+    names::Hint,
     plot,
 };
 use crate::{
@@ -19,7 +20,7 @@ use crate::{
         ui::{command::Command, theme::color32},
     },
 };
-use egui::{Button, Color32, ComboBox, Context, Grid, RichText, Ui};
+use egui::{Button, Color32, ComboBox, Grid, RichText, Ui};
 use glam::DVec3;
 
 /// What is not the default, and what is wrong: [`look::WRONG`].
@@ -30,35 +31,20 @@ pub(super) const RIGHT: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
 /// The gallery's scenes, for the toolbar.
 pub(super) fn menu(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let now = state.showing().map(|showing| showing.exhibit.name);
-    let button = ui.menu_button("Gallery", |ui| {
-        for exhibit in &GALLERY {
-            let label = ui.selectable_label(now == Some(exhibit.name), exhibit.title());
-            if label.on_hover_text(exhibit.about()).clicked() {
-                commands.push(Command::Open(vec![exhibit.path()]));
-                ui.close();
-            }
-        }
-        ui.separator();
-        let leave = ui.add_enabled(now.is_some(), Button::new("leave the gallery"));
-        let hint = "open again what was open before";
-        if leave.on_hover_text(hint).clicked() {
-            commands.push(Command::LeaveGallery);
+    for exhibit in &GALLERY {
+        let label = ui.selectable_label(now == Some(exhibit.name), exhibit.title());
+        if label.hint(exhibit.about()).clicked() {
+            commands.push(Command::Open(vec![exhibit.path()]));
             ui.close();
         }
-    });
-    let hint = "scenes on which known methods break (E the next, Shift+E the one before)";
-    button.response.on_hover_text(hint);
-}
-
-/// The panel's width in points, beside a panel of `other` points: such that the picture is an odd number of pixels wide.
-/// Then its middle column looks straight ahead, which one of the scenes is about.
-pub(super) fn width(ctx: &Context, other: f32) -> f32 {
-    const WIDTH: f32 = 400.0;
-    let scale = ctx.pixels_per_point();
-    let px = |points: f32| (points * scale).round();
-    let picture = px(ctx.content_rect().width() - other) - px(WIDTH);
-    let is_odd = picture.rem_euclid(2.0) > 0.5;
-    (px(WIDTH) + if is_odd { 0.0 } else { 1.0 }) / scale
+    }
+    ui.separator();
+    let leave = ui.add_enabled(now.is_some(), Button::new("leave the gallery"));
+    let hint = "open again what was open before";
+    if leave.hint(hint).clicked() {
+        commands.push(Command::LeaveGallery);
+        ui.close();
+    }
 }
 
 /// In place of the list of objects.
@@ -69,7 +55,6 @@ pub(super) fn show(
     drawn: Option<&Chart>,
     commands: &mut Vec<Command>,
 ) {
-    ui.heading(showing.exhibit.title());
     ui.label(showing.exhibit.about());
     ui.weak(match (showing.method, state.has_outside()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
@@ -109,11 +94,11 @@ fn name(info: &MethodInfo) -> String {
 
 fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
     ui.strong("Pick by")
-        .on_hover_text("M the next method, Shift+M the one before");
+        .hint("M the next method, Shift+M the one before");
     let mut asked = None;
     if ui
         .radio(showing.method.is_none(), "Sightline's own, the default")
-        .on_hover_text("back to it: Esc")
+        .hint("back to it: Esc")
         .clicked()
     {
         asked = Some(None);
@@ -125,7 +110,7 @@ fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
         let text = RichText::new(step_and_name(swap)).color(WRONG);
         let radio = ui.radio(showing.method == Some(*swap), text);
         let hint = format!("breaks here\n{}", info.source);
-        if radio.on_hover_text(hint).clicked() {
+        if radio.hint(hint).clicked() {
             asked = Some(Some(*swap));
         }
     }
@@ -140,13 +125,13 @@ fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
             for swap in others {
                 let info = swap.info();
                 let label = ui.selectable_label(showing.method == Some(*swap), step_and_name(swap));
-                if label.on_hover_text(info.source).clicked() {
+                if label.hint(info.source).clicked() {
                     asked = Some(Some(*swap));
                 }
             }
         });
     let hint = "the registry's other methods for what breaks here";
-    list.response.on_hover_text(hint);
+    list.response.hint(hint);
     if let Some(method) = asked {
         commands.push(Command::Act(Action::PickBy(method)));
     }
@@ -163,7 +148,9 @@ fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
     };
     let (text, colour) = verdict(state, compared);
     ui.label(RichText::new(text).strong().color(colour));
-    ui.collapsing("in numbers", |ui| numbers(ui, state, compared));
+    let header = ui.collapsing("in numbers", |ui| numbers(ui, state, compared));
+    let hint = "object, triangle, point and normal by either method";
+    header.header_response.hint(hint);
 }
 
 /// What a column says of a hit.
@@ -175,25 +162,35 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
         .striped(true)
         .show(ui, |ui| {
             ui.label("");
-            ui.colored_label(WRONG, "this method");
-            ui.colored_label(RIGHT, "Sightline");
+            ui.colored_label(WRONG, "this method")
+                .hint("what the method that is chosen says of the clicked pixel");
+            ui.colored_label(RIGHT, "Sightline")
+                .hint("what exact arithmetic says of it");
             ui.end_row();
-            let rows: [(&str, Column); 4] = [
-                ("object", |state, found| object(state, found)),
-                ("triangle", |_, found| {
+            let rows: [(&str, &str, Column); 4] = [
+                ("object", "what was hit", |state, found| {
+                    object(state, found)
+                }),
+                ("triangle", "which of its triangles", |_, found| {
                     let at = found.hit.hit.on_triangle;
                     at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())
                 }),
-                ("point", |_, found| vector(found.point_world)),
-                ("normal", |_, found| vector(found.normal_world)),
+                ("point", "where, in the world", |_, found| {
+                    vector(found.point_world)
+                }),
+                (
+                    "normal",
+                    "the surface's outward direction there",
+                    |_, found| vector(found.normal_world),
+                ),
             ];
-            for (what, column) in rows {
-                ui.weak(what);
+            for (what, hint, column) in rows {
+                ui.weak(what).hint(hint);
                 for found in [&compared.theirs, &compared.ours] {
                     let text = found
                         .as_ref()
                         .map_or("nothing".to_owned(), |found| column(state, found));
-                    ui.label(value_text(text));
+                    ui.label(value_text(text)).hint(hint);
                 }
                 ui.end_row();
             }

@@ -1,9 +1,9 @@
 //! A number that can be typed: red with the reason while it cannot be, and then the last good value stays.
 
-use super::names::{described, named};
+use super::names::{Hint, described, named};
 use egui::{
-    Align, Color32, Context, Id, Key, Label, Layout, Modifiers, Response, RichText, TextEdit, Ui,
-    util::IdTypeMap, vec2,
+    Align, Align2, Context, FontId, Id, Key, Label, Layout, Modifiers, Response, RichText,
+    TextEdit, Ui, util::IdTypeMap, vec2,
 };
 
 /// What is typed but not, or not yet, in force. It is forgotten when its field shows something else, or does not show.
@@ -48,6 +48,8 @@ pub(super) struct Field<'a> {
     pub name: &'a str,
     /// What it is of: what is typed for one is not another's.
     pub of: u64,
+    /// What the number is, in a few words.
+    pub hint: &'a str,
     /// What is in force.
     pub value: f64,
     /// In points.
@@ -128,7 +130,11 @@ impl Field<'_> {
 
     fn edit(&self, ui: &mut Ui, id: Id, text: &mut String, wrong: Option<&str>) -> Response {
         let red = ui.visuals().error_fg_color;
-        let mut edit = TextEdit::singleline(text).id(id).clip_text(false);
+        let mut edit = TextEdit::singleline(text)
+            .id(id)
+            .font(FontId::monospace(11.0))
+            .align(Align2::LEFT_CENTER)
+            .margin(vec2(3.0, 2.0));
         if wrong.is_some() {
             edit = edit.text_color(red);
         }
@@ -136,10 +142,10 @@ impl Field<'_> {
         let response = ui.add_sized([self.width, height], edit);
         named(&response, self.name);
         let Some(wrong) = wrong else {
-            return response.on_hover_text(self.value.to_string());
+            return response.hint(format!("{}; exactly {}", self.hint, self.value));
         };
         described(&response, wrong);
-        let text = RichText::new(wrong).color(Color32::LIGHT_RED);
+        let text = RichText::new(wrong).color(red);
         if response.has_focus() {
             response.show_tooltip_text(text);
             return response;
@@ -169,15 +175,26 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
 }
 
 /// Width of a field in points that shows as many digits as [`short`] gives.
-pub(super) const WIDTH: f32 = 74.0;
+pub(super) const WIDTH: f32 = 72.0;
 
 /// A value as panels show it: digits one under the other, a point with all of them in a line.
 pub(super) fn value_text(text: impl Into<String>) -> RichText {
     RichText::new(text).monospace().size(11.0)
 }
 
-/// Six significant digits: enough to read; the field holds on to all of them.
+/// The most characters of a number as [`short`] writes it.
+const DIGITS: usize = 9;
+
+/// Six significant digits, or as many as fit into so little: enough to read, and never wider while the number changes; the
+/// field holds on to all of them.
 pub(super) fn short(value: f64) -> String {
+    let tries = (1..=6).rev().map(|digits| rounded(value, digits));
+    let mut tries = tries.skip_while(|text| text.len() > DIGITS);
+    tries.next().unwrap_or_else(|| rounded(value, 1))
+}
+
+/// To so many significant digits.
+fn rounded(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -185,17 +202,18 @@ pub(super) fn short(value: f64) -> String {
         return value.to_string();
     }
     let exponent = value.abs().log10().floor();
-    if !(-4.0..9.0).contains(&exponent) {
-        let text = format!("{value:.5e}");
+    if !(-4.0..8.0).contains(&exponent) {
+        let text = format!("{value:.*e}", digits - 1);
         let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trimmed(mantissa));
     }
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
         reason = "clamped"
     )]
-    let decimals = (5.0 - exponent).clamp(0.0, 10.0) as usize;
+    let decimals = (digits as f64 - 1.0 - exponent).clamp(0.0, 10.0) as usize;
     trimmed(&format!("{value:.decimals$}")).to_owned()
 }
 

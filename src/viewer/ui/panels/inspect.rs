@@ -2,8 +2,9 @@
 
 use super::{
     field::{short, value_text},
-    record::{PLACES, fixed, rows, vector},
-    toolbar,
+    names::Hint,
+    record::{Digits, PLACES, rows},
+    tools,
 };
 use crate::{
     pick::Pick,
@@ -18,12 +19,12 @@ pub(super) fn show(
     ui: &mut Ui,
     state: &State,
     hit: &Pick,
-    places: usize,
+    digits: Digits,
     commands: &mut Vec<Command>,
 ) {
-    hits(ui, state, places, commands);
-    corners(ui, state, hit, places, commands);
-    distance(ui, state, places, commands);
+    hits(ui, state, digits, commands);
+    corners(ui, state, hit, digits, commands);
+    distance(ui, state, digits, commands);
     if let Some(steps) = state.depth_steps() {
         depth(ui, &steps);
     }
@@ -32,10 +33,10 @@ pub(super) fn show(
 /// A heading whose contents are found again under whatever it says.
 fn section(ui: &mut Ui, salt: &str, title: String, hint: &str, inside: impl FnOnce(&mut Ui)) {
     let header = CollapsingHeader::new(title).id_salt(salt).show(ui, inside);
-    header.header_response.on_hover_text(hint);
+    header.header_response.hint(hint);
 }
 
-fn hits(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Command>) {
+fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>) {
     let Some(hits) = state.hits() else { return };
     let title = format!("Hits on the ray: {} of {}", hits.at + 1, hits.picks.len());
     let hint =
@@ -44,22 +45,22 @@ fn hits(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Command>) 
         for (at, pick) in hits.picks.iter().enumerate() {
             let side = if pick.front { "front" } else { "back" };
             let text = format!(
-                "{:>3}  {:.places$}  {side:5}  {}",
+                "{:>3}  {}  {side:5}  {}",
                 at + 1,
-                pick.distance,
+                digits.length(pick.distance),
                 pick.object
             );
             let text = value_text(text);
             let label = ui.selectable_label(at == hits.at, text);
             let hint = "distance from the eye in world units, side, object: click to pick it";
-            if label.on_hover_text(hint).clicked() {
+            if label.hint(hint).clicked() {
                 commands.push(Command::Act(Action::StepTo(at)));
             }
         }
     });
 }
 
-fn corners(ui: &mut Ui, state: &State, hit: &Pick, places: usize, commands: &mut Vec<Command>) {
+fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mut Vec<Command>) {
     let (Some(corners), Some(weights)) = (triangle(state.scene(), hit), hit.barycentric) else {
         return;
     };
@@ -70,34 +71,48 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, places: usize, commands: &mut
             .zip(corners.into_iter().zip(weights))
         {
             let lines = [
-                (name, vector(corner, places)),
-                ("  weight", format!("{weight:.PLACES$}")),
+                (
+                    name,
+                    digits.vector(corner),
+                    "a corner of the triangle in the world",
+                ),
+                (
+                    "  weight",
+                    format!("{weight:.PLACES$}"),
+                    "how much of this corner makes the point: 1 at the corner, 0 on the side across; the three add up to 1",
+                ),
             ];
             rows(ui, name, &lines);
         }
-        toolbar::overlay(ui, state, Overlay::Triangle, commands);
+        tools::overlay(ui, state, Overlay::Triangle, commands);
     });
 }
 
-fn distance(ui: &mut Ui, state: &State, places: usize, commands: &mut Vec<Command>) {
+fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>) {
     let hint = "from the pick before to this one, in world units; surfaces on one ray count too";
     section(ui, "distance", "Distance".to_owned(), hint, |ui| {
         let [from, to] = state.landmarks() else {
-            ui.weak("Pick a second point: how far it is from this one.");
+            ui.weak("Pick a second point: how far it is from this one.")
+                .hint(hint);
             return;
         };
         let by = to.point_world - from.point_world;
-        let length = |value: f64| fixed(value, places);
+        let length = |value: f64| digits.length(value);
+        let along = "how much of the way runs along this axis of the world";
         let lines = [
-            ("from", from.object.clone()),
-            ("to", to.object.clone()),
-            ("distance", length(by.length())),
-            ("along x", length(by.x)),
-            ("along y", length(by.y)),
-            ("along z", length(by.z)),
+            ("from", from.object.clone(), "the object of the pick before"),
+            ("to", to.object.clone(), "the object of this pick"),
+            (
+                "distance",
+                length(by.length()),
+                "of the straight way between the two points, in world units",
+            ),
+            ("along x", length(by.x), along),
+            ("along y", length(by.y), along),
+            ("along z", length(by.z), along),
         ];
         rows(ui, "between", &lines);
-        toolbar::overlay(ui, state, Overlay::Distance, commands);
+        tools::overlay(ui, state, Overlay::Distance, commands);
     });
 }
 
@@ -110,38 +125,43 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
             .striped(true)
             .show(ui, |ui| {
                 for (mapping, step) in steps.steps {
-                    ui.weak(format!("{mapping} step"));
+                    ui.weak(format!("{mapping} step")).hint(hint);
                     let text = if step.is_finite() {
                         format!("{} units", short(step))
                     } else {
                         "none before far".to_owned()
                     };
-                    ui.label(value_text(text));
-                    ui.weak(if mapping == steps.in_use {
+                    ui.label(value_text(text)).hint(hint);
+                    let in_use = if mapping == steps.in_use {
                         "in use"
                     } else {
                         ""
-                    });
+                    };
+                    ui.weak(in_use)
+                        .hint("which of the two the picture is drawn with");
                     ui.end_row();
                 }
                 if let Some(next) = steps.next_surface {
-                    ui.weak("next surface");
+                    let hint = "how far behind this one the ray meets the next surface";
+                    ui.weak("next surface").hint(hint);
                     let text = match next {
                         0.0 => "in the same place".to_owned(),
                         next => format!("{} units deeper", short(next)),
                     };
-                    ui.label(value_text(text));
+                    ui.label(value_text(text)).hint(hint);
                     ui.end_row();
                 }
             });
         for (mapping, _) in steps.steps {
             if steps.confuses(mapping) && mapping != steps.in_use {
-                ui.weak(format!("With {mapping} depth these surfaces would be one."));
+                ui.weak(format!("With {mapping} depth these surfaces would be one."))
+                    .hint("its step is larger than the way between them");
             }
         }
     });
     if confused {
         let text = "Two surfaces lie closer here than the depth buffer tells apart: which one shows is left to rounding.";
-        ui.colored_label(ui.visuals().warn_fg_color, text);
+        ui.colored_label(ui.visuals().warn_fg_color, text)
+            .hint(hint);
     }
 }

@@ -1,8 +1,12 @@
-//! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves.
+//! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves but how
+//! they stand.
 
 use super::{
-    axis_cross, banner, camera, corners, differences, exhibit, help, marks, objects, pick,
-    pipeline, question, shown::Shown, status, toolbar,
+    axis_cross, banner, corners, differences,
+    docks::{Section, Side, room},
+    help, marks, menu, question,
+    shown::Shown,
+    status, toolbar, wings,
 };
 use crate::viewer::{
     screen::SceneRect,
@@ -12,10 +16,7 @@ use crate::viewer::{
         mouse::{self, Drag},
     },
 };
-use egui::{CentralPanel, Panel, Ui};
-
-/// Width of the panel with camera and pick, in points.
-const VIEW_WIDTH: f32 = 330.0;
+use egui::{CentralPanel, Panel, Rect, Ui};
 
 /// Lays out the window; returns the scene's rectangle and all that the user asks for.
 pub(in crate::viewer) fn show(
@@ -24,25 +25,30 @@ pub(in crate::viewer) fn show(
     drag: &mut Option<Drag>,
 ) -> (Option<SceneRect>, Vec<Command>) {
     let mut commands = Vec::new();
-    Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown.state, &mut commands));
+    let window = ui.max_rect().size();
+    let wanted = sections(shown);
+    Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
     Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
-    left(ui, shown, &mut commands);
-    Panel::right("view")
-        .exact_size(VIEW_WIDTH)
-        .resizable(false)
-        .show(ui, |ui| {
-            egui::ScrollArea::vertical()
-                .auto_shrink(false)
-                .show(ui, |ui| {
-                    camera::show(ui, shown.state, &mut commands);
-                    ui.separator();
-                    pick::show(ui, shown.state, &mut commands);
-                });
-        });
+    let widths = shown
+        .docks
+        .widths(&wanted, room(window, ui.available_size()));
+    shown.docks.showing = widths.map(|width| width.is_some());
+    let edges = Side::BOTH.map(|side| {
+        wings::show(
+            ui,
+            side,
+            widths[side as usize],
+            &wanted,
+            shown,
+            &mut commands,
+        )
+    });
     let place = CentralPanel::no_frame().show(ui, |ui| {
-        let rect = ui.max_rect();
+        let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
-        let actions = mouse::scene(ui, rect, place, drag);
+        let (response, actions) = mouse::scene(ui, rect, place, drag);
+        let px = response.interact_pointer_pos().map(|at| place.to_px(at));
+        menu::of_picture(&response, shown.state, px, &mut commands);
         commands.extend(actions.into_iter().map(Command::Act));
         differences::show(ui, rect, place, shown.checking, shown.marks);
         marks::show(ui, rect, place, shown.state);
@@ -51,8 +57,10 @@ pub(in crate::viewer) fn show(
         corners::messages(ui, rect, shown, &mut commands);
         Some(place)
     });
-    if shown.floating.pipeline {
-        pipeline::show(ui.ctx(), shown.state, &mut commands);
+    for (side, edge) in Side::BOTH.into_iter().zip(edges) {
+        if let Some(rect) = edge {
+            wings::edge(ui, side, rect, shown);
+        }
     }
     if shown.floating.help {
         help::show(ui.ctx(), &mut commands);
@@ -64,29 +72,27 @@ pub(in crate::viewer) fn show(
     (place.inner, commands)
 }
 
-/// The list of objects, or in the gallery what the scene is about.
-fn left(ui: &mut Ui, shown: &mut Shown, commands: &mut Vec<Command>) {
-    if let Some(showing) = shown.state.showing() {
-        let width = exhibit::width(ui.ctx(), VIEW_WIDTH);
-        let panel = Panel::left("gallery").exact_size(width).resizable(false);
-        panel.show(ui, |ui| {
-            let area = egui::ScrollArea::vertical().auto_shrink(false);
-            area.show(ui, |ui| {
-                exhibit::show(ui, shown.state, showing, shown.chart, commands);
-            });
-        });
-        return;
+/// The panels that there are: in the gallery its scene's in place of the list.
+fn sections(shown: &Shown) -> Vec<Section> {
+    let in_gallery = shown.state.showing().is_some();
+    let is_there = |section: &Section| match section {
+        Section::Gallery => in_gallery,
+        Section::Objects => !in_gallery,
+        Section::Pipeline => shown.floating.pipeline,
+        Section::Camera | Section::Pick => true,
+    };
+    Section::ALL.into_iter().filter(is_there).collect()
+}
+
+/// Where the picture goes. In the gallery it is an odd number of pixels wide: then its middle column looks straight ahead,
+/// which one of the scenes is about.
+fn picture_rect(ui: &Ui, shown: &Shown) -> Rect {
+    let mut rect = ui.max_rect();
+    let scale = ui.ctx().pixels_per_point();
+    let px = |points: f32| (points * scale).round();
+    let is_odd = (px(rect.right()) - px(rect.left())).rem_euclid(2.0) > 0.5;
+    if shown.state.showing().is_some() && !is_odd {
+        rect.max.x -= 1.0 / scale;
     }
-    Panel::left("objects")
-        .default_size(210.0)
-        .size_range(120.0..=420.0)
-        .show(ui, |ui| {
-            objects::show(
-                ui,
-                shown.state,
-                shown.filter,
-                shown.reveal_selection,
-                commands,
-            );
-        });
+    rect
 }

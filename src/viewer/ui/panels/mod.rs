@@ -5,6 +5,7 @@ mod banner;
 mod camera;
 mod corners;
 mod differences;
+mod docks;
 mod exhibit;
 mod field;
 mod gesture;
@@ -12,6 +13,7 @@ mod help;
 mod inspect;
 mod layout;
 mod marks;
+mod menu;
 mod model_matrix;
 mod names;
 mod objects;
@@ -25,7 +27,10 @@ mod status;
 #[cfg(test)]
 mod tests;
 mod toolbar;
+mod tools;
+mod wings;
 
+pub(in crate::viewer) use docks::Docks;
 pub(super) use field::give_up_refused;
 pub(in crate::viewer) use layout::show;
 pub(in crate::viewer) use objects::Filter;

@@ -3,6 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
+    names::Hint,
 };
 use crate::{
     geometry::Trs,
@@ -64,7 +65,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec
         edit(ui, state, object, model, commands);
     });
     let hint = "where the selected object stands: typed, or dragged at the letters";
-    header.header_response.on_hover_text(hint);
+    header.header_response.hint(hint);
 }
 
 fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
@@ -95,7 +96,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
             if part != Part::Translation && trs.is_none() {
                 continue;
             }
-            ui.label(name).on_hover_text(hint);
+            ui.label(name).hint(hint);
             for (axis, letter) in AXES.into_iter().enumerate() {
                 let value = part.value(&parts)[axis];
                 ui.horizontal_top(|ui| {
@@ -117,6 +118,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                     };
                     let field = Field {
                         name: &format!("{name} {letter}"),
+                        hint,
                         of: state.scene_revision() ^ (object as u64).rotate_left(32),
                         value,
                         width: WIDTH - 12.0,
@@ -131,17 +133,23 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         }
     });
     if trs.is_none() {
-        ui.weak("It shears: rotation and scale alone do not make it.");
+        ui.weak("It shears: rotation and scale alone do not make it.")
+            .hint(
+                "right angles become others: no position, rotation and scale are the same matrix",
+            );
     }
     let determinant = model.matrix3.determinant();
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
-    ui.weak(format!(
+    let text = format!(
         "determinant {}: volumes times {}{mirrors}",
         short(determinant),
         short(determinant.abs())
-    ));
+    );
+    ui.weak(text)
+        .hint("its size is how many times as large volumes become, its sign whether the object is mirrored");
     if state.edited() {
-        ui.weak("Edited. Ctrl+S saves it; R reads the files again.");
+        ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
+            .hint("the scene is another than its file has");
     }
     gesture.push(asked, commands);
 }
@@ -150,5 +158,5 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
 fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
     let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
     let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);
-    label.on_hover_text(format!("{hint}; drag sideways"))
+    label.hint(format!("{hint}; drag sideways"))
 }

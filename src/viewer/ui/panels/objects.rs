@@ -1,11 +1,17 @@
 //! The list of objects: visibility and selection.
 
-use super::names::named;
+use super::{
+    menu,
+    names::{Hint, named},
+};
 use crate::viewer::{
     model::{Action, State},
     ui::command::Command,
 };
-use egui::{ScrollArea, TextStyle, Ui};
+use egui::{
+    Align, Align2, Button, Color32, FontId, Layout, Role, ScrollArea, Sense, StrokeKind, TextStyle,
+    Ui, UiBuilder, WidgetInfo, pos2, vec2,
+};
 
 /// What is typed to narrow the list, and the rows that are left.
 #[derive(Default)]
@@ -41,6 +47,23 @@ impl Filter {
             None => Some(object),
         }
     }
+
+    /// The object whose row is below another's, or above it; the first, or the last, where that one has no row.
+    pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
+        self.apply(state);
+        let count = self
+            .rows
+            .as_ref()
+            .map_or(state.scene().objects().len(), Vec::len);
+        let last = count.checked_sub(1)?;
+        let row = match (from.and_then(|object| self.row(object)), down) {
+            (None, true) => 0,
+            (None, false) => last,
+            (Some(row), true) => (row + 1).min(last),
+            (Some(row), false) => row.saturating_sub(1),
+        };
+        Some(self.object(row))
+    }
 }
 
 pub(super) fn show(
@@ -50,16 +73,44 @@ pub(super) fn show(
     reveal_selection: bool,
     commands: &mut Vec<Command>,
 ) {
+    above(ui, state, commands);
+    let search = egui::TextEdit::singleline(&mut filter.text)
+        .hint_text("search")
+        .desired_width(f32::INFINITY);
+    let search = ui.add(search);
+    named(&search, "search");
+    search.hint("only objects whose name holds this are listed");
+    filter.apply(state);
+    ui.separator();
     let objects = state.scene().objects();
-    ui.heading("Objects");
-    let hidden = state.scene().hidden_count();
-    ui.horizontal(|ui| {
-        ui.weak(format!(
-            "{}, {} triangles",
-            count(objects.len(), "object"),
-            state.scene().triangle_count()
-        ));
+    let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
+    let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
+    let selected = state.selection().map(|selection| selection.object);
+    let revealed = selected.filter(|_| reveal_selection);
+    if let Some(row) = revealed.and_then(|object| filter.row(object)) {
+        #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
+        let row = row as f32;
+        let step = height + ui.spacing().item_spacing.y;
+        area = area.vertical_scroll_offset((row * step - 0.4 * ui.available_height()).max(0.0));
+    }
+    let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
+    if count == 0 && !objects.is_empty() {
+        let text = format!("No name holds \u{201c}{}\u{201d}.", filter.text);
+        ui.weak(text).hint("clear the search to see all objects");
+    }
+    area.show_rows(ui, height, count, |ui, rows| {
+        for index in rows.map(|row| filter.object(row)) {
+            row(ui, state, index, commands);
+        }
     });
+}
+
+/// How many there are, and what is done with the selected one.
+fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let scene = state.scene();
+    let objects = count(scene.objects().len(), "object");
+    ui.weak(format!("{objects}, {} triangles", scene.triangle_count()))
+        .hint("of all objects, hidden ones too; spheres have no triangles");
     ui.horizontal(|ui| {
         let selected = state.selection().is_some();
         for (enabled, name, hint, action) in [
@@ -75,69 +126,108 @@ pub(super) fn show(
                 "hide all but the selection (I)",
                 Action::Isolate,
             ),
-            (hidden > 0, "show all", "(U)", Action::ShowAll),
+            (
+                scene.hidden_count() > 0,
+                "show all",
+                "show what is hidden (U)",
+                Action::ShowAll,
+            ),
         ] {
-            if ui
-                .add_enabled(enabled, egui::Button::new(name).small())
-                .on_hover_text(hint)
-                .clicked()
-            {
+            let button = ui.add_enabled(enabled, Button::new(name).small());
+            if button.hint(hint).clicked() {
                 commands.push(Command::Act(action));
             }
         }
     });
-    let search = egui::TextEdit::singleline(&mut filter.text)
-        .hint_text("search")
-        .desired_width(f32::INFINITY);
-    let search = ui.add(search);
-    named(&search, "search");
-    filter.apply(state);
-    ui.separator();
-    let row_height = ui
-        .text_style_height(&TextStyle::Body)
-        .max(ui.spacing().interact_size.y);
-    let mut area = ScrollArea::vertical().auto_shrink(false);
-    let selected = state.selection().map(|selection| selection.object);
-    let revealed = selected.filter(|_| reveal_selection);
-    if let Some(row) = revealed.and_then(|object| filter.row(object)) {
-        #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
-        let row = row as f32;
-        let step = row_height + ui.spacing().item_spacing.y;
-        area = area.vertical_scroll_offset((row * step - 0.4 * ui.available_height()).max(0.0));
+}
+
+/// A row of the list: all of it selects the object, and lights it while the cursor rests there.
+fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
+    let object = &state.scene().objects()[index];
+    let is_selected = (state.selection()).is_some_and(|selection| selection.object == index);
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let is_lit = ui.rect_contains_pointer(rect);
+    let visuals = ui.visuals();
+    let (selection, hovered) = (visuals.selection, visuals.widgets.hovered);
+    let back = Some(selection.bg_fill).filter(|_| is_selected);
+    if let Some(back) = back.or(is_lit.then_some(hovered.weak_bg_fill)) {
+        ui.painter().rect_filled(rect, 3.0, back);
     }
-    let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
-    area.show_rows(ui, row_height, count, |ui, rows| {
-        for index in rows.map(|row| filter.object(row)) {
-            let object = &objects[index];
-            ui.horizontal(|ui| {
-                let mut visible = object.visible;
-                let tick = ui.checkbox(&mut visible, "");
-                let tick = tick.on_hover_text("visible; hidden is not picked");
-                named(&tick, &format!("show {}", object.name));
-                if tick.changed() {
-                    commands.push(Command::Act(Action::SetVisible(index, visible)));
-                }
-                let is_selected = selected == Some(index);
-                let label = egui::Button::selectable(is_selected, object.name.as_str()).truncate();
-                let triangles = object
-                    .shape
-                    .triangles()
-                    .map(|range| format!(", {} triangles", range.len()));
-                let hint = format!(
-                    "{} {}: {}{}",
-                    index + 1,
-                    object.name,
-                    object.shape.kind(),
-                    triangles.unwrap_or_default()
-                );
-                if ui.add(label).on_hover_text(hint).clicked() {
-                    commands.push(Command::Act(Action::Select(
-                        (!is_selected).then_some(index),
-                    )));
-                }
-            });
+    let inside = UiBuilder::new()
+        .max_rect(rect)
+        .layout(Layout::left_to_right(Align::Center));
+    let tick = ui.scope_builder(inside, |ui| {
+        let mut visible = object.visible;
+        let tick = ui.checkbox(&mut visible, "");
+        named(&tick, &format!("show {}", object.name));
+        if tick.changed() {
+            commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
+        tick.hint("visible; hidden is not picked").rect
     });
+    let rest = rect.with_min_x(tick.inner.right());
+    let name = ui.interact(rest, ui.scope_id().with(("row", index)), Sense::click());
+    name.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &object.name));
+    let colour = match (is_selected, object.visible) {
+        (true, _) => selection.stroke.color,
+        (false, true) => ui.visuals().text_color(),
+        (false, false) => ui.visuals().weak_text_color(),
+    };
+    let font = TextStyle::Body.resolve(ui.style());
+    let left = rest.left() + ui.spacing().item_spacing.x;
+    let text = elided(ui, &object.name, &font, rest.right() - left - 4.0);
+    let at = pos2(left, rect.center().y);
+    ui.painter()
+        .text(at, Align2::LEFT_CENTER, text, font, colour);
+    if name.has_focus() {
+        let line = selection.stroke;
+        ui.painter()
+            .rect_stroke(rest, 3.0, line, StrokeKind::Inside);
+    }
+    if is_lit {
+        commands.push(Command::Act(Action::Light(Some(index))));
+    }
+    let triangles = object
+        .shape
+        .triangles()
+        .map(|range| format!(", {} triangles", range.len()));
+    let hint = format!(
+        "{} {}: {}{}",
+        index + 1,
+        object.name,
+        object.shape.kind(),
+        triangles.unwrap_or_default()
+    );
+    let name = name.hint(hint);
+    menu::of_object(&name, state, index, None, commands);
+    if name.clicked() {
+        commands.push(Command::Act(Action::Select(
+            (!is_selected).then_some(index),
+        )));
+    }
+}
+
+/// A name with its middle left out where it is too wide: it is mostly the ends that tell names apart.
+fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
+    let width = |text: String| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text, font.clone(), Color32::WHITE);
+        galley.size().x
+    };
+    let letters: Vec<char> = name.chars().collect();
+    let mut kept = letters.len();
+    let mut text = name.to_owned();
+    while kept > 2 && width(text.clone()) > room {
+        kept -= 1 + kept / 16;
+        let (head, tail) = (
+            &letters[..kept.div_ceil(2)],
+            &letters[letters.len() - kept / 2..],
+        );
+        text = head.iter().chain(&['\u{2026}']).chain(tail).collect();
+    }
+    text
 }
 
 fn count(number: usize, what: &str) -> String {

@@ -2,7 +2,8 @@
 
 use super::{
     inspect, model_matrix,
-    record::{PLACES, fixed, rows, vector},
+    names::Hint,
+    record::{Digits, rows},
 };
 use crate::{
     pick::Pick,
@@ -11,23 +12,35 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::Ui;
+use egui::{Align, Label, Layout, RichText, Ui};
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.heading("Pick");
     if state.method().is_some() {
-        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.");
+        ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.")
+            .hint("Esc: pick by Sightline's own method again");
         return;
     }
     let Some(selection) = state.selection() else {
-        ui.weak("Click a surface.");
+        ui.weak("Click a surface.")
+            .hint("a ray from the eye through the clicked pixel finds what that pixel shows");
         return;
     };
     let object = &state.scene().objects()[selection.object];
-    ui.strong(format!("{} {}", selection.object + 1, object.name));
+    ui.horizontal(|ui| {
+        // What the name leaves is the number's.
+        ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
+            let id = ui.weak(format!("object {}", selection.object + 1));
+            id.hint("its number in the list, and in what is copied");
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
+                let name = RichText::new(&object.name).size(18.0).strong();
+                let name = ui.add(Label::new(name).truncate());
+                name.hint("the selected object, as its file calls it");
+            });
+        });
+    });
     // First, so that it stays where it is while what it does changes the rest.
     model_matrix::show(ui, state, selection.object, commands);
-    let places = state.scene().bounds().decimal_places();
+    let digits = Digits::of(&state.scene().bounds());
     let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
@@ -35,16 +48,31 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 ui,
                 "bounds",
                 &[
-                    ("from", vector(bounds.min, places)),
-                    ("to", vector(bounds.max, places)),
+                    (
+                        "from",
+                        digits.vector(bounds.min),
+                        "the least x, y and z of the object in the world",
+                    ),
+                    (
+                        "to",
+                        digits.vector(bounds.max),
+                        "the greatest x, y and z of the object in the world",
+                    ),
                 ],
             );
         }
-        ui.weak(if state.stage() == Stage::World {
-            "No point of it is picked: click its surface."
+        let (text, hint) = if state.stage() == Stage::World {
+            (
+                "No point of it is picked: click its surface.",
+                "it was chosen in the list, and no ray has hit it",
+            )
         } else {
-            "At this stage a click only selects. Show the scene with M to pick points."
-        });
+            (
+                "At this stage a click only selects. Show the scene with M to pick points.",
+                "points of a scene in another space are not those of the scene",
+            )
+        };
+        ui.weak(text).hint(hint);
         return;
     };
     let of_earlier = match state.pick_view() {
@@ -55,74 +83,117 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         Some(PickView::Own) | None => "",
     };
     if !of_earlier.is_empty() {
-        ui.colored_label(ui.visuals().warn_fg_color, of_earlier);
+        ui.colored_label(ui.visuals().warn_fg_color, of_earlier)
+            .hint("the camera, the lens or the window's size has changed since");
     }
-    rows(ui, "record", &record(hit, places));
+    rows(ui, "record", &record(hit, digits));
     let in_one_place = selection
         .pick
         .as_ref()
         .and_then(|line| line.in_one_place.as_ref());
     if let Some(all) = in_one_place.filter(|all| all.may_hold(hit)) {
-        ui.label(all.to_string()).on_hover_text(
+        ui.label(all.to_string()).hint(
             "They lie closer together than drawing can tell. The picture may show any of them; the pick's order is exact.",
         );
     }
     ui.horizontal(|ui| {
         if ui
             .button("copy JSON")
-            .on_hover_text("the pick's full record (J)")
+            .hint("the pick's full record (J)")
             .clicked()
         {
             commands.push(Command::CopyPick);
         }
         if ui
             .button("copy command")
-            .on_hover_text(
-                "a command line that makes this very pick, in the view it was made in (C)",
-            )
+            .hint("a command line that makes this very pick, in the view it was made in (C)")
             .clicked()
         {
             commands.push(Command::CopyCommandLine);
         }
     });
-    ui.collapsing("In object space and NDC", |ui| {
-        rows(ui, "spaces", &spaces(hit, places));
+    let header = ui.collapsing("In object space and NDC", |ui| {
+        rows(ui, "spaces", &spaces(hit, digits));
     });
-    inspect::show(ui, state, hit, places, commands);
+    let hint = "the picked point where the object's own file has it, and where the picture has it";
+    header.header_response.hint(hint);
+    inspect::show(ui, state, hit, digits, commands);
 }
 
-fn record(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
-    let length = |value: f64| format!("{value:.places$}");
+/// A row of the record: name, value and what it means.
+type Row = (&'static str, String, &'static str);
+
+fn record(hit: &Pick, digits: Digits) -> Vec<Row> {
     let mut rows = Vec::new();
     if let Some(triangle) = hit.triangle {
-        rows.push(("triangle", triangle.to_string()));
+        let hint = "which of the object's triangles the ray hit, counted from 0";
+        rows.push(("triangle", triangle.to_string(), hint));
     }
-    rows.push(("side", if hit.front { "front" } else { "back" }.into()));
-    rows.push(("world", vector(hit.point_world, places)));
-    rows.push(("  normal", vector(hit.normal_world, PLACES)));
-    rows.push(("distance", length(hit.distance)));
-    rows.push(("depth", length(hit.depth)));
-    rows.extend(certainty(hit, places));
+    let side = if hit.front { "front" } else { "back" };
+    rows.extend([
+        (
+            "side",
+            side.into(),
+            "front: the ray came from where the surface's normal points; back: from behind",
+        ),
+        (
+            "world",
+            digits.vector(hit.point_world),
+            "the point that was hit: x, y and z in the scene's own coordinates",
+        ),
+        (
+            "  normal",
+            Digits::UNIT.vector(hit.normal_world),
+            "the direction at a right angle to the surface, outward, of length 1",
+        ),
+        (
+            "distance",
+            digits.length(hit.distance),
+            "from the eye to the point, in world units",
+        ),
+        (
+            "depth",
+            digits.length(hit.depth),
+            "how far in front of the eye the point is, measured along the direction of view",
+        ),
+    ]);
+    rows.extend(certainty(hit, digits));
     rows
 }
 
 /// What is of use to those who compute.
-fn spaces(hit: &Pick, places: usize) -> Vec<(&'static str, String)> {
-    vec![
-        ("object", vector(hit.point_object, places)),
-        ("  normal", vector(hit.normal_object, PLACES)),
-        ("ndc", vector(hit.ndc, PLACES)),
-        ("t", format!("{:.places$}", hit.t)),
+fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
+    [
+        (
+            "object",
+            digits.vector(hit.point_object),
+            "the same point before the model matrix moved the object: the world's is M times it",
+        ),
+        (
+            "  normal",
+            Digits::UNIT.vector(hit.normal_object),
+            "the surface's outward direction before the model matrix moved the object",
+        ),
+        (
+            "ndc",
+            Digits::UNIT.vector(hit.ndc),
+            "normalised device coordinates, after P and the division by w: x and y run from -1 to 1 over the picture, z is what the depth buffer keeps",
+        ),
+        (
+            "t",
+            digits.length(hit.t),
+            "how often the ray's direction fits between the eye and the point: point = eye + t times direction",
+        ),
     ]
 }
 
 /// How sure the pick is.
-fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
+fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     let edge = hit.edge_px.map(|px| format!("{px:.3} px away"));
     let differs = hit.differs_px.map(|px| format!("{px:.1} px away"));
     let gap = hit.gap.map(|gap| match gap {
         0.0 => "in the same place".to_owned(),
-        gap => format!("{} deeper", fixed(gap, places)),
+        gap => format!("{} deeper", digits.length(gap)),
     });
     let decided = if hit.exact {
         "exact arithmetic"
@@ -133,12 +204,22 @@ fn certainty(hit: &Pick, places: usize) -> [(&'static str, String); 4] {
         (
             "nearest edge",
             edge.unwrap_or_else(|| "none in view".into()),
+            "how far the clicked position is from the outline of the surface that was hit, in pixels of the picture",
         ),
         (
             "other answer",
             differs.unwrap_or_else(|| "none within 8 px".into()),
+            "the nearest pixel where a click would pick something else",
         ),
-        ("next surface", gap.unwrap_or_else(|| "none".into())),
-        ("decided by", decided.into()),
+        (
+            "next surface",
+            gap.unwrap_or_else(|| "none".into()),
+            "how far behind this one the ray meets the next surface, in world units",
+        ),
+        (
+            "decided by",
+            decided.into(),
+            "whether 64-bit floating-point numbers were enough to be certain, or whether exact arithmetic, which rounds nothing, had to decide",
+        ),
     ]
 }

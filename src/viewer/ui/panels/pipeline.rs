@@ -2,7 +2,7 @@
 
 use super::{
     field::{short, value_text},
-    names::named,
+    names::{Hint, named},
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
@@ -11,87 +11,99 @@ use crate::{
         ui::command::Command,
     },
 };
-use egui::{Context, Grid, Ui, Window};
+use egui::{Button, Ui};
 use glam::{DMat4, DVec2, DVec3};
 
-pub(super) fn show(ctx: &Context, state: &State, commands: &mut Vec<Command>) {
-    let mut open = true;
-    Window::new("Pipeline")
-        .open(&mut open)
-        .collapsible(true)
-        .resizable(false)
-        .default_pos([225.0, 60.0])
-        .show(ctx, |ui| {
-            let (scene, view) = state.world();
-            stages(ui, state, commands);
-            let point = followed_point(state);
-            let selected = state.selection().map(|selection| selection.object);
-            let object = point.map(|(object, _)| object).or(selected);
-            let object = object.map(|object| &scene.objects()[object]);
-            let matrices = Matrices::of(view, object);
-            ui.horizontal_top(|ui| {
-                matrix(ui, "P", "projection: view to clip", &matrices.projection);
-                matrix(ui, "V", "view: world to view", &matrices.view);
-            });
-            ui.horizontal_top(|ui| {
-                let hint = object.map_or("model: no object, so the identity".into(), |object| {
-                    format!("model: object to world, of {}", object.name)
-                });
-                matrix(ui, "M", &hint, &matrices.model);
-                matrix(
-                    ui,
-                    "P V M",
-                    "all of it: object to clip",
-                    &matrices.product(),
-                );
-            });
-            ui.weak(mapping(state));
-            ui.separator();
-            let (title, values) = match (object, point, cursor(state)) {
-                (Some(object), Some((_, point)), _) => {
-                    let title = if is_picked(state) {
-                        "The pick"
-                    } else {
-                        "Under the cursor"
-                    };
-                    match Steps::follow(state.view(), object, point) {
-                        Some(steps) => (title, followed(&steps)),
-                        None => (
-                            "The picked point lies behind the eye now",
-                            Values::default(),
-                        ),
-                    }
-                }
-                (_, _, Some(px)) => ("Under the cursor", background(view, px)),
-                _ if in_world(state) => (
-                    "Point at a surface, or click it: its point is followed",
-                    Values::default(),
-                ),
-                _ => (
-                    "Points are followed where the scene is shown with M",
-                    Values::default(),
-                ),
-            };
-            ui.strong(title);
-            table(ui, &values);
-        });
-    if !open {
+/// What closes the panel.
+pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let cross = ui.add(Button::new("\u{d7}").small().frame_when_inactive(false));
+    named(&cross, "close the matrices");
+    if cross.hint("(P)").clicked() {
         commands.push(Command::TogglePipeline);
     }
+}
+
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ui.spacing_mut().interact_size.y = 14.0;
+    let (scene, view) = state.world();
+    stages(ui, state, commands);
+    let point = followed_point(state);
+    let selected = state.selection().map(|selection| selection.object);
+    let object = point.map(|(object, _)| object).or(selected);
+    let object = object.map(|object| &scene.objects()[object]);
+    let matrices = Matrices::of(view, object);
+    matrix(ui, "P", "projection: view to clip", &matrices.projection);
+    ui.weak(mapping(state))
+        .hint("what the third row of P makes of a depth z in front of the eye");
+    matrix(ui, "V", "view: world to view", &matrices.view);
+    let hint = object.map_or("model: no object, so the identity".into(), |object| {
+        format!("model: object to world, of {}", object.name)
+    });
+    matrix(ui, "M", &hint, &matrices.model);
+    matrix(
+        ui,
+        "P V M",
+        "all of it: object to clip",
+        &matrices.product(),
+    );
+    ui.separator();
+    let (title, values) = match (object, point, cursor(state)) {
+        (Some(object), Some((_, point)), _) => {
+            let title = if is_picked(state) {
+                "The pick"
+            } else {
+                "Under the cursor"
+            };
+            match Steps::follow(state.view(), object, point) {
+                Some(steps) => (title, followed(&steps)),
+                None => (
+                    "The picked point lies behind the eye now",
+                    Values::default(),
+                ),
+            }
+        }
+        (_, _, Some(px)) => ("Under the cursor", background(view, px)),
+        _ if in_world(state) => (
+            "Point at a surface, or click it: its point is followed",
+            Values::default(),
+        ),
+        _ => (
+            "Points are followed where the scene is shown with M",
+            Values::default(),
+        ),
+    };
+    ui.strong(title)
+        .hint("a point on its way through the matrices, step by step, and back as a ray");
+    table(ui, &values);
 }
 
 /// The scene with no matrix, with M, with V M, with P V M.
 fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
-        ui.label("show the scene with");
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().button_padding.x = 6.0;
+        ui.label("show with")
+            .hint("how many of the matrices move the scene that you see");
         for (stage, name) in Stage::ALL {
             let label = ui.selectable_label(state.stage() == stage, name);
             named(&label, &format!("show with {name}"));
-            if label.clicked() {
+            if label.hint(about(stage)).clicked() {
                 commands.push(Command::Act(Action::Stage(stage)));
             }
         }
     });
+}
+
+fn about(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Object => "each object where its own file has it: no matrix moves it",
+        Stage::World => "each object in its place in the world: the usual view",
+        Stage::View => {
+            "the world as seen from the camera: the eye at the origin, x right, y up, z forward"
+        }
+        Stage::Ndc => "after P and the division by w: what the camera sees fills a box",
+    }
 }
 
 /// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
@@ -135,47 +147,73 @@ fn mapping(state: &State) -> String {
 }
 
 fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
-    ui.vertical(|ui| {
-        ui.strong(name).on_hover_text(hint);
-        // What only rounding left beside the largest entry reads better as 0.
-        let largest = matrix
-            .to_cols_array()
-            .into_iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
-        let entry = |value: f64| {
-            if value.abs() > 4.0 * f64::EPSILON * largest {
-                value
-            } else {
-                0.0
-            }
-        };
-        Grid::new(name).num_columns(4).striped(true).show(ui, |ui| {
-            for row in 0..4 {
-                numbers(ui, &matrix.row(row).to_array().map(entry));
-                ui.end_row();
-            }
-        });
-    });
+    ui.strong(name).hint(hint);
+    // What only rounding left beside the largest entry reads better as 0.
+    let largest = matrix
+        .to_cols_array()
+        .into_iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let entry = |value: f64| {
+        if value.abs() > 4.0 * f64::EPSILON * largest {
+            value
+        } else {
+            0.0
+        }
+    };
+    for row in 0..4 {
+        numbers(ui, &matrix.row(row).to_array().map(entry));
+    }
 }
 
 /// A row of numbers in columns of one width, each with all its digits under the cursor.
 fn numbers(ui: &mut Ui, values: &[f64]) {
-    for value in values {
-        let text = format!("{:>10}", short(*value));
-        ui.label(value_text(text)).on_hover_text(value.to_string());
-    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        for value in values {
+            let text = format!("{:>9}", short(*value));
+            ui.label(value_text(text)).hint(value.to_string());
+        }
+    });
 }
 
-/// What is followed on its way: name, and how it comes from the row before.
-const ROWS: [(&str, &str); 8] = [
-    ("object", "where the shape has it"),
-    ("world", "M * object"),
-    ("view", "V * world"),
-    ("clip", "P * view"),
-    ("NDC", "clip / w"),
-    ("pixel", "from the top left corner"),
-    ("ray from", "back again"),
-    ("ray along", "a unit vector"),
+/// What is followed on its way: name, how it comes from the row before, and what it is.
+const ROWS: [(&str, &str, &str); 8] = [
+    (
+        "object",
+        "where the shape has it",
+        "the point before anything moved the object",
+    ),
+    (
+        "world",
+        "M * object",
+        "where the model matrix puts it among the others",
+    ),
+    (
+        "view",
+        "V * world",
+        "as seen from the eye: right, up, forward",
+    ),
+    (
+        "clip",
+        "P * view",
+        "four numbers, of which the last, w, is what the others will be divided by",
+    ),
+    (
+        "NDC",
+        "clip / w",
+        "normalised device coordinates: from -1 to 1 over the picture; z for the depth buffer",
+    ),
+    (
+        "pixel",
+        "from the top left corner",
+        "where it is in the picture",
+    ),
+    ("ray from", "back again", "where the pixel's ray starts"),
+    (
+        "ray along",
+        "a unit vector",
+        "which way the pixel's ray goes: it leads back to the point",
+    ),
 ];
 
 /// The numbers of [`ROWS`]; none where there is nothing to follow.
@@ -211,20 +249,17 @@ fn background(view: &View, px: DVec2) -> Values {
     ]
 }
 
-/// As large with numbers as without: else the window would come and go under the cursor that it follows.
+/// As large with numbers as without: else the panel would come and go under the cursor that it follows.
 fn table(ui: &mut Ui, values: &Values) {
-    Grid::new("steps")
-        .num_columns(6)
-        .striped(true)
-        .show(ui, |ui| {
-            for ((name, how), values) in ROWS.into_iter().zip(values) {
-                ui.label(name);
-                ui.weak(how);
-                numbers(ui, values);
-                for _ in values.len()..4 {
-                    ui.label(value_text(format!("{:>10}", "")));
-                }
-                ui.end_row();
-            }
+    for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
+        ui.horizontal(|ui| {
+            ui.label(name).hint(hint);
+            ui.weak(how).hint(hint);
         });
+        if values.is_empty() {
+            ui.label(value_text(" "));
+        } else {
+            numbers(ui, values);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The one question before edits are dropped.
 
+use super::names::Hint;
 use crate::viewer::{
     model::State,
     ui::command::{Command, Intent, Reply},
@@ -23,7 +24,7 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             let mut answer = |ui: &mut egui::Ui, text: &str, hint: &str, reply| {
-                if ui.button(text).on_hover_text(hint).clicked() {
+                if ui.button(text).hint(hint).clicked() {
                     commands.push(Command::Reply(reply));
                 }
             };

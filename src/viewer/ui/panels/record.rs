@@ -1,36 +1,70 @@
 //! Names and numbers, a row each.
 
-use super::field::value_text;
-use egui::{Grid, Ui};
+use super::{field::value_text, names::Hint};
+use crate::geometry::Aabb;
+use egui::{Grid, Label, Ui};
 use glam::DVec3;
 
 /// Decimal places of what has no unit, and of pixels.
 pub(super) const PLACES: usize = 6;
 
-/// Components to so many decimal places.
-pub(super) fn vector(v: DVec3, places: usize) -> String {
-    v.to_array()
-        .map(|component| format!("{component:.places$}"))
-        .join("  ")
+/// Characters of three numbers that fit beside their name.
+const LINE: usize = 29;
+
+/// How numbers of a kind are written: all as wide, so that none moves another.
+#[derive(Clone, Copy)]
+pub(super) struct Digits {
+    places: usize,
+    width: usize,
 }
 
-/// A length to so many decimal places; one that would have no two digits left there by its power of ten.
-pub(super) fn fixed(length: f64, places: usize) -> String {
-    let text = format!("{length:.places$}");
-    let left = text.trim_start_matches(['-', '0', '.']);
-    if length != 0.0 && length.abs() < 1.0 && left.len() < 2 {
-        format!("{length:.1e}")
-    } else {
-        text
+impl Digits {
+    /// Of what lies in [-1, 1].
+    pub const UNIT: Self = Self {
+        places: PLACES,
+        width: PLACES + 3,
+    };
+
+    /// Of lengths in a scene: as many places as its coordinates have, in a width that all of them fit.
+    pub fn of(bounds: &Aabb) -> Self {
+        let places = bounds.decimal_places();
+        let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        let whole = if largest.is_finite() { largest } else { 0.0 };
+        Self {
+            places,
+            width: format!("-{whole:.places$}").len(),
+        }
+    }
+
+    /// One that would have no two digits left there stands by its power of ten.
+    pub fn length(self, value: f64) -> String {
+        let places = self.places;
+        let text = format!("{value:.places$}");
+        let left = text.trim_start_matches(['-', '0', '.']);
+        if value != 0.0 && value.abs() < 1.0 && left.len() < 2 {
+            format!("{value:.1e}")
+        } else {
+            text
+        }
+    }
+
+    /// Components one beside the other, or where those of no vector fit, one below the other.
+    pub fn vector(self, v: DVec3) -> String {
+        let Self { places, width } = self;
+        let components = v
+            .to_array()
+            .map(|component| format!("{component:>width$.places$}"));
+        let fits = 3 * width + 2 <= LINE;
+        components.join(if fits { " " } else { "\n" })
     }
 }
 
-/// A table of names and values.
-pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String)]) {
+/// A table of names, values and what they mean.
+pub(super) fn rows(ui: &mut Ui, salt: &str, rows: &[(&str, String, &str)]) {
     Grid::new(salt).num_columns(2).striped(true).show(ui, |ui| {
-        for (name, value) in rows {
-            ui.weak(*name);
-            ui.add(egui::Label::new(value_text(value)).wrap());
+        for (name, value, hint) in rows {
+            ui.weak(*name).hint(hint);
+            ui.add(Label::new(value_text(value)).wrap()).hint(hint);
             ui.end_row();
         }
     });

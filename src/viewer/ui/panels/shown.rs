@@ -1,12 +1,13 @@
 //! What the panels are given to show.
 
-use super::{objects::Filter, status::Statistics};
+use super::{docks::Docks, objects::Filter, status::Statistics};
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
-    ui::{command::Intent, notice::Notices},
+    ui::{command::Intent, notice::Notices, theme::Look},
 };
 use egui::TextureId;
+use std::path::PathBuf;
 
 /// Windows over the scene that are there when asked for.
 #[derive(Clone, Copy, Default)]
@@ -46,6 +47,12 @@ pub(in crate::viewer) struct Shown<'a> {
     pub marks: Option<TextureId>,
     /// Frame time, adapter and the like.
     pub statistics: &'a Statistics,
+    /// Where the panels stand.
+    pub docks: &'a mut Docks,
+    /// Which look the panels are asked to have.
+    pub look: Look,
+    /// The files of scenes that were opened before, the last first.
+    pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.
     pub filter: &'a mut Filter,
     /// Whether to bring the selected object's row into view.

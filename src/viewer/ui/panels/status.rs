@@ -1,5 +1,6 @@
 //! The line at the bottom: how fast, on what, and what is under the cursor.
 
+use super::names::Hint;
 use crate::{
     camera::{Projection, View},
     viewer::model::{Stage, State},
@@ -22,37 +23,38 @@ pub(in crate::viewer) struct Statistics {
 
 pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
     ui.horizontal(|ui| {
-        ui.weak(format!(
-            "frame {:.1} ms",
-            1e3 * statistics.frame.as_secs_f64()
-        ));
+        let frame_ms = 1e3 * statistics.frame.as_secs_f64();
+        ui.weak(format!("frame {frame_ms:6.1} ms"))
+            .hint("how long the last picture of the scene took, in thousandths of a second");
         if let Some(pick) = statistics.pick {
-            ui.weak(format!("pick {:.0} \u{b5}s", 1e6 * pick.as_secs_f64()));
+            let pick_us = 1e6 * pick.as_secs_f64();
+            ui.weak(format!("pick {pick_us:6.0} \u{b5}s"))
+                .hint("how long the last click's ray took, in millionths of a second");
         }
         ui.separator();
-        ui.weak(statistics.adapter.as_str());
+        ui.weak(statistics.adapter.as_str())
+            .hint("what draws: the graphics card, or the processor in its place");
         if statistics.software {
             ui.label(RichText::new("software").color(ui.visuals().warn_fg_color))
-                .on_hover_text("no graphics card is used: the processor draws");
+                .hint("no graphics card is used: the processor draws");
         }
         ui.separator();
         let lens = state.view().camera.lens();
-        ui.weak(format!(
-            "{}, {} depth",
-            projection_name(state.view()),
-            lens.depth
-        ));
+        let projection = projection_name(state.view());
+        ui.weak(format!("{projection}, {} depth", lens.depth))
+            .hint("how the view is flattened, and how the depth buffer counts; the Camera panel changes both");
         let stage = Stage::ALL
             .into_iter()
             .find(|(stage, _)| *stage == state.stage());
         if let Some((_, name)) = stage.filter(|(stage, _)| *stage != Stage::World) {
             ui.separator();
             ui.label(RichText::new(format!("shown with {name}")).color(ui.visuals().warn_fg_color))
-                .on_hover_text("not the world: the way back is in the pipeline (P)");
+                .hint("not the world: the way back is in the pipeline (P)");
         }
         if let Some(object) = state.hover() {
             ui.separator();
-            ui.label(&state.scene().objects()[object].name);
+            ui.label(&state.scene().objects()[object].name)
+                .hint("what is under the cursor");
         }
     });
 }

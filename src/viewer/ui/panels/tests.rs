@@ -1,6 +1,7 @@
 //! The panels without a window: what they say, and what keys ask for.
 
 use super::{
+    docks::Docks,
     field::short,
     layout::show,
     objects::Filter,
@@ -15,7 +16,7 @@ use crate::{
     viewer::{
         jobs::Checking,
         model::{Action, State},
-        ui::{command::Command, keys::BINDINGS, notice::Notices},
+        ui::{command::Command, keys::BINDINGS, notice::Notices, theme::Look},
     },
 };
 use egui::{Event, Key, Modifiers, RawInput, Rect, Shape, pos2, vec2};
@@ -50,6 +51,9 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 checking: &Checking::Off,
                 marks: None,
                 statistics: &Statistics::default(),
+                docks: &mut Docks::default(),
+                recent: &[],
+                look: Look::default(),
                 filter: &mut Filter::default(),
                 reveal_selection: false,
             };

@@ -1,132 +1,161 @@
-//! The row of buttons at the top.
+//! The row of buttons at the top, in groups. Where it gets narrow names go first, then groups into a menu at its end.
 
-use super::{exhibit, names::named};
-use crate::viewer::{
-    model::{Action, Overlay, Stage, State},
-    ui::command::Command,
+use super::{
+    docks::{Section, Side},
+    names::{Hint, named},
+    shown::Shown,
+    tools::{Does, Tool, groups, open},
 };
-use egui::{Checkbox, Ui};
-use glam::DVec3;
+use crate::viewer::ui::command::Command;
+use egui::{Align, Atoms, Button, Color32, FontId, Layout, Response, RichText, TextStyle, Ui};
 
-pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+/// How much of a group shows.
+#[derive(Clone, Copy, PartialEq)]
+enum Shows {
+    Names,
+    Icons,
+    InMenu,
+}
+
+/// Width of an icon in points.
+const ICON: f32 = 18.0;
+/// Width in points of what stands at the end: the menu and the buttons that fold sides.
+const END: f32 = 100.0;
+
+pub(super) fn show(
+    ui: &mut Ui,
+    shown: &mut Shown,
+    sections: &[Section],
+    commands: &mut Vec<Command>,
+) {
+    let groups = groups(shown);
+    let shows = fit(ui, &groups, ui.available_width() - END);
     ui.horizontal(|ui| {
-        let mut button = |ui: &mut Ui, name: &str, hint: &str, command: Command| {
-            if ui.button(name).on_hover_text(hint).clicked() {
-                commands.push(command);
+        let in_row = groups.iter().zip(&shows);
+        for (at, (group, shows)) in in_row.filter(|(_, how)| **how != Shows::InMenu).enumerate() {
+            if at > 0 {
+                ui.separator();
             }
-        };
-        button(
-            ui,
-            "Open\u{2026}",
-            "OBJ and scene files (Ctrl+O); or drop them on the window",
-            Command::OpenDialog,
-        );
-        button(
-            ui,
-            "Save\u{2026}",
-            "as a scene file (Ctrl+S)",
-            Command::SaveDialog,
-        );
-        button(ui, "Reload", "read the files again (R)", Command::Reload);
-        ui.separator();
-        for (name, back, key) in [("Undo", true, "Ctrl+Z"), ("Redo", false, "Ctrl+Shift+Z, Ctrl+Y")] {
-            let step = state.next_step(back);
-            let hint = format!("{} ({key})", step.unwrap_or("nothing"));
-            ui.add_enabled_ui(step.is_some(), |ui| {
-                let action = if back { Action::Undo } else { Action::Redo };
-                button(ui, name, &hint, Command::Act(action));
+            for tool in group {
+                add(ui, shown, tool, *shows == Shows::Names, commands);
+            }
+        }
+        if shows.contains(&Shows::InMenu) {
+            let more = ui.menu_button(icon("\u{22ef}"), |ui| {
+                for (group, _) in
+                    (groups.iter().zip(&shows)).filter(|(_, how)| **how == Shows::InMenu)
+                {
+                    for tool in group {
+                        add(ui, shown, tool, true, commands);
+                    }
+                    ui.separator();
+                }
             });
+            named(&more.response, "more");
+            more.response.hint("what has no room here");
         }
-        ui.separator();
-        button(ui, "Frame all", "(A)", Command::Act(Action::FrameAll));
-        button(
-            ui,
-            "Frame selection",
-            "(F)",
-            Command::Act(Action::FrameSelection),
-        );
-        ui.separator();
-        for (name, key, to_eye) in [
-            ("Front", "1", DVec3::Z),
-            ("Right", "3", DVec3::X),
-            ("Top", "7", DVec3::Y),
-            ("Corner", "9", DVec3::ONE),
-        ] {
-            let hint = format!("({key}; Ctrl: from the other side)");
-            button(ui, name, &hint, Command::Act(Action::LookFrom(to_eye)));
-        }
-        button(
-            ui,
-            "Reset",
-            "the view that the scene opened with (Enter)",
-            Command::Act(Action::ResetView),
-        );
-        ui.separator();
-        let mut grid = state.grid();
-        if ui
-            .checkbox(&mut grid, "Grid")
-            .on_hover_text("with axes: x red, y green, z blue (G)")
-            .changed()
-        {
-            commands.push(Command::Act(Action::ToggleGrid));
-        }
-        let mut frozen = state.frozen().is_some();
-        let in_world = state.stage() == Stage::World;
-        if ui
-            .add_enabled(in_world, Checkbox::new(&mut frozen, "Freeze"))
-            .on_hover_text("leave this camera standing, with the pick's ray, and look at it from elsewhere (T)")
-            .changed()
-        {
-            commands.push(Command::Act(Action::ToggleFreeze));
-        }
-        if ui
-            .button("Pipeline")
-            .on_hover_text("P, V, M and the pick on its way through them (P)")
-            .clicked()
-        {
-            commands.push(Command::TogglePipeline);
-        }
-        let menu = ui.menu_button("Overlays", |ui| {
-            for which in Overlay::ALL {
-                overlay(ui, state, which, commands);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            for (side, picture, name) in [
+                (Side::Right, "\u{25e8}", "right side"),
+                (Side::Left, "\u{25e7}", "left side"),
+            ] {
+                let has_any = !shown.docks.at(side, sections).is_empty();
+                let on = shown.docks.showing[side as usize];
+                let fold = Button::selectable(on, icon(picture));
+                let fold = ui.add_enabled(has_any, fold);
+                named(&fold, name);
+                let hint =
+                    "show or fold the panels at this side; the picture keeps half of the window";
+                if fold.hint(hint).clicked() {
+                    shown.docks.toggle(side);
+                }
             }
-            tree_level(ui, state, commands);
         });
-        menu.response.on_hover_text("lines over the scene");
-        exhibit::menu(ui, state, commands);
-        if ui
-            .button("Help")
-            .on_hover_text("keys and mouse (H)")
-            .clicked()
-        {
-            commands.push(Command::ToggleHelp);
-        }
     });
 }
 
-/// Which level of the trees over meshes shows.
-fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
-        let level = state.overlays().tree_level;
-        let shown = level.map_or("off".to_owned(), |level| level.to_string());
-        let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
-        ui.label(format!("tree level: {shown}")).on_hover_text(hint);
-        for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
-            let button = ui.small_button(name).on_hover_text(hint);
-            named(&button, if deeper { "a level deeper" } else { "a level less deep" });
-            if button.clicked() {
-                commands.push(Command::Act(Action::TreeLevel { deeper }));
-            }
+/// How much of each group shows in so many points. What says least by its icon keeps its name longest.
+fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
+    let mut shows = vec![Shows::Names; groups.len()];
+    let spacing = ui.spacing();
+    let (gap, padding) = (spacing.item_spacing.x, 2.0 * spacing.button_padding.x);
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |group: &[Tool], named: bool| -> f32 {
+        let tool = |tool: &Tool| {
+            let name = || {
+                let text = tool.name.to_owned();
+                let galley = ui
+                    .painter()
+                    .layout_no_wrap(text, font.clone(), Color32::WHITE);
+                galley.size().x + spacing.icon_spacing
+            };
+            padding + gap + ICON + if named { name() } else { 0.0 }
+        };
+        group.iter().map(tool).sum::<f32>() + 6.0 + gap
+    };
+    let named: Vec<_> = groups.iter().map(|group| width(group, true)).collect();
+    let bare: Vec<_> = groups.iter().map(|group| width(group, false)).collect();
+    let all = 0..groups.len();
+    let names = all.clone().map(|at| (at, Shows::Icons));
+    let groups = all.rev().map(|at| (at, Shows::InMenu));
+    let mut total: f32 = named.iter().sum();
+    for (at, how) in names.chain(groups) {
+        if total <= room {
+            break;
         }
-    });
-}
-
-/// A box that shows an overlay.
-pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
-    let [name, key, hint] = which.about();
-    let mut shows = state.overlays().shows(which);
-    let hint = format!("{hint} ({key})");
-    if ui.checkbox(&mut shows, name).on_hover_text(hint).changed() {
-        commands.push(Command::Act(Action::Toggle(which)));
+        total -= match how {
+            Shows::InMenu => bare[at],
+            _ => named[at] - bare[at],
+        };
+        shows[at] = how;
     }
+    // Where one name would not fit another may.
+    for at in 0..shows.len() {
+        let more = named[at] - bare[at];
+        if shows[at] == Shows::Icons && total + more <= room {
+            total += more;
+            shows[at] = Shows::Names;
+        }
+    }
+    shows
+}
+
+/// An icon, as large beside a name as alone.
+fn icon(picture: &str) -> RichText {
+    RichText::new(picture).font(FontId::monospace(14.0))
+}
+
+/// A tool in the row, or in the menu.
+fn add(ui: &mut Ui, shown: &Shown, tool: &Tool, with_name: bool, commands: &mut Vec<Command>) {
+    let atoms = |name: bool| {
+        let mut atoms = Atoms::new(icon(tool.icon));
+        if name {
+            atoms.push_right(tool.name);
+        }
+        atoms
+    };
+    let response: Response = match &tool.does {
+        Does::Open(menu) => {
+            let button = ui.menu_button(atoms(with_name), |ui| open(ui, shown, *menu, commands));
+            button.response
+        }
+        Does::Ask(command) => {
+            let button = match tool.is_on {
+                Some(on) => Button::selectable(on, atoms(with_name)),
+                None => Button::new(atoms(with_name)),
+            };
+            let response = ui.add_enabled(tool.enabled, button);
+            if response.clicked() {
+                commands.push(command.clone());
+            }
+            response
+        }
+    };
+    named(&response, tool.name);
+    let hint = if with_name {
+        tool.hint.clone()
+    } else {
+        format!("{}: {}", tool.name, tool.hint)
+    };
+    response.hint(hint);
 }

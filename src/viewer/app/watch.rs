@@ -1,0 +1,48 @@
+//! Files that somebody else changes are read again, unless that would drop edits.
+
+use super::{
+    program::{App, Purpose},
+    wake::Wake,
+};
+use crate::{scene::gallery::Exhibit, viewer::jobs::Watching};
+use std::path::PathBuf;
+
+impl App {
+    /// Watches the files of what is shown, where those are others than before.
+    pub(super) fn watch(&mut self) {
+        let source = self.state.source();
+        let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
+        let meshes = source.meshes.iter().map(|(path, _)| path);
+        let mut files: Vec<_> = source
+            .paths
+            .iter()
+            .chain(meshes)
+            .filter(is_file)
+            .cloned()
+            .collect();
+        files.sort();
+        files.dedup();
+        self.watching = None;
+        if !files.is_empty() {
+            let wake = self.wake.clone();
+            self.watching = Watching::start(files, move || wake(Wake::Look));
+        }
+    }
+
+    /// Reads again what has changed.
+    pub(super) fn take_changed(&mut self) {
+        if !self.watching.as_ref().is_some_and(Watching::poll) {
+            return;
+        }
+        let name = self.state.name();
+        if self.loading.is_some() {
+            // What is on its way is newer, or another scene.
+        } else if self.state.edited() {
+            self.remind(format!(
+                "{name} has changed on the disk. Your edits are kept: R reads it again"
+            ));
+        } else {
+            self.load(self.state.source().paths.clone(), Purpose::Follow);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Where panels stand beside the picture, and how much of the window they leave to it.
+
+use serde::{Deserialize, Serialize};
+use std::ops::{Index, IndexMut};
+
+/// A side of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::viewer) enum Side {
+    Left,
+    Right,
+}
+
+impl Side {
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    pub fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+/// A panel. At each side they stand in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum Section {
+    Gallery,
+    Camera,
+    Pipeline,
+    Pick,
+    /// Last: it takes the height that is left.
+    Objects,
+}
+
+impl Section {
+    pub const ALL: [Self; 5] = [
+        Self::Gallery,
+        Self::Camera,
+        Self::Pipeline,
+        Self::Pick,
+        Self::Objects,
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gallery => "Gallery scene",
+            Self::Camera => "Camera",
+            Self::Pipeline => "Matrices",
+            Self::Pick => "Pick",
+            Self::Objects => "Objects",
+        }
+    }
+
+    /// The least width in points that shows all of it.
+    fn least_width(self) -> f32 {
+        match self {
+            Self::Objects => 140.0,
+            Self::Gallery | Self::Camera | Self::Pipeline | Self::Pick => FIELDS,
+        }
+    }
+}
+
+/// The least width in points for three numbers in a row beside their name.
+pub(super) const FIELDS: f32 = 272.0;
+/// Narrower than this, in points, a side is folded.
+const NARROWEST: f32 = 100.0;
+
+/// Where a panel stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(in crate::viewer) struct Place {
+    pub side: Side,
+    /// Only its heading shows.
+    pub folded: bool,
+}
+
+/// A side's panels together.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(in crate::viewer) struct Wing {
+    pub open: bool,
+    /// As wide as somebody wants it, in points.
+    pub width: f32,
+}
+
+/// Where all of them stand.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(in crate::viewer) struct Docks {
+    places: [Place; Section::ALL.len()],
+    wings: [Wing; 2],
+    /// Where there is no room for both sides, this one shows: the one that was opened last.
+    first: Side,
+    /// Which sides there was room for when they were last shown.
+    #[serde(skip)]
+    pub showing: [bool; 2],
+}
+
+impl Default for Docks {
+    fn default() -> Self {
+        let place = |section| Place {
+            side: match section {
+                Section::Camera | Section::Pick => Side::Right,
+                Section::Gallery | Section::Pipeline | Section::Objects => Side::Left,
+            },
+            folded: false,
+        };
+        let wing = |width| Wing { open: true, width };
+        Self {
+            places: Section::ALL.map(place),
+            wings: [wing(210.0), wing(310.0)],
+            first: Side::Right,
+            showing: [true; 2],
+        }
+    }
+}
+
+impl Index<Section> for Docks {
+    type Output = Place;
+    fn index(&self, section: Section) -> &Place {
+        &self.places[section as usize]
+    }
+}
+
+impl IndexMut<Section> for Docks {
+    fn index_mut(&mut self, section: Section) -> &mut Place {
+        &mut self.places[section as usize]
+    }
+}
+
+impl Index<Side> for Docks {
+    type Output = Wing;
+    fn index(&self, side: Side) -> &Wing {
+        &self.wings[side as usize]
+    }
+}
+
+impl IndexMut<Side> for Docks {
+    fn index_mut(&mut self, side: Side) -> &mut Wing {
+        &mut self.wings[side as usize]
+    }
+}
+
+impl Docks {
+    /// Opens a side, before the other where there is no room for both.
+    pub fn open(&mut self, side: Side) {
+        self[side].open = true;
+        self.first = side;
+    }
+
+    /// Folds a side that shows, opens one that does not.
+    pub fn toggle(&mut self, side: Side) {
+        if self.showing[side as usize] {
+            self[side].open = false;
+        } else {
+            self.open(side);
+        }
+    }
+
+    /// Those of `sections` that stand at a side.
+    pub fn at(&self, side: Side, sections: &[Section]) -> Vec<Section> {
+        let here = sections.iter().copied();
+        here.filter(|section| self[*section].side == side).collect()
+    }
+
+    /// How wide each side is, in points, where both together may be as wide as `room`; `None` for one that is folded or
+    /// has no panel. Both show where each has room for all of its panels, else the one that was opened last.
+    pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
+        let least = Side::BOTH.map(|side| {
+            let widths = self.at(side, sections).into_iter();
+            let open = widths.filter(|section| !self[*section].folded);
+            open.map(Section::least_width).fold(NARROWEST, f32::max)
+        });
+        let shows = |side: Side| self[side].open && !self.at(side, sections).is_empty();
+        // A width that is no number, as a file may have it, is the least.
+        let wanted = |side: Side| self[side].width.max(least[side as usize]);
+        let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);
+        match [shows(Side::Left), shows(Side::Right)] {
+            [false, false] => [None, None],
+            [true, false] => [alone(Side::Left), None],
+            [false, true] => [None, alone(Side::Right)],
+            [true, true] if least[0] + least[1] <= room => {
+                let right = wanted(Side::Right).min(room - least[0]);
+                [Some(wanted(Side::Left).min(room - right)), Some(right)]
+            }
+            [true, true] => match self.first {
+                Side::Left => [alone(Side::Left), None],
+                Side::Right => [None, alone(Side::Right)],
+            },
+        }
+    }
+
+    /// The edge of a side was dragged: it is `width` points wide now, or folded, where that is hardly anything.
+    pub fn drag(&mut self, side: Side, width: f32) {
+        self[side].width = width.max(NARROWEST);
+        self[side].open = width >= 0.5 * NARROWEST;
+    }
+}
+
+/// How wide panels may be together, in points, where the picture is to have half of a window: `left` is what other panels
+/// leave of it above and below.
+pub(super) fn room(window: egui::Vec2, left: egui::Vec2) -> f32 {
+    if left.y <= 0.0 {
+        return 0.0;
+    }
+    // A point less: in the gallery the picture may be a pixel narrower than its place.
+    (left.x - 0.5 * window.x * window.y / left.y - 1.0)
+        .floor()
+        .max(0.0)
+}

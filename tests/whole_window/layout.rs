@@ -1,0 +1,218 @@
+//! How panels stand: they fold, are dragged and change sides, and the picture keeps half of the window.
+
+use super::*;
+use egui::vec2;
+
+/// The part of the window that the picture has.
+fn share(window: &Offscreen, size: [u32; 2]) -> f64 {
+    let picture = window.state().view().viewport;
+    f64::from(picture.width()) * f64::from(picture.height())
+        / (f64::from(size[0]) * f64::from(size[1]))
+}
+
+fn shows(window: &Offscreen) -> [bool; 2] {
+    ["left side", "right side"].map(|side| control(window, side).is_on)
+}
+
+#[test]
+fn the_picture_keeps_half_of_the_window() {
+    let mut both = 0;
+    for (points, scale) in [
+        ([640, 400], 1.0),
+        ([800, 600], 1.0),
+        ([1280, 720], 1.0),
+        ([1280, 720], 2.0),
+        ([1920, 1080], 1.5),
+        ([700, 2000], 1.0),
+    ] {
+        for path in ["", "gallery:needles"] {
+            let paths = Some(path).filter(|path| !path.is_empty());
+            let options = Options {
+                paths: paths.into_iter().map(PathBuf::from).collect(),
+                ..Options::default()
+            };
+            let size = px(points, scale);
+            let mut window = Offscreen::open(options, size, scale);
+            let size = [size.width(), size.height()];
+            for _ in 0..2 {
+                for side in ["left side", "right side"] {
+                    if !control(&window, side).is_on {
+                        click_on(&mut window, side);
+                    }
+                    assert!(control(&window, side).is_on, "{side} opens at {points:?}");
+                    let share = share(&window, size);
+                    assert!(
+                        share >= 0.5,
+                        "{share} at {points:?} times {scale}, {path:?}"
+                    );
+                    both += usize::from(shows(&window) == [true; 2]);
+                }
+                press_key(&mut window, Modifiers::NONE, Key::P);
+            }
+        }
+    }
+    assert!(both > 12, "{both}");
+}
+
+#[test]
+fn a_side_is_dragged_folded_and_opened() {
+    let (mut window, _folder) = row(1.0);
+    let width = |window: &Offscreen| window.state().view().viewport.width();
+    let before = width(&window);
+    for (edge, outwards, side) in [
+        ("edge of the left side", 1.0, "left side"),
+        ("edge of the right side", -1.0, "right side"),
+    ] {
+        let at = control(&window, edge).rect.center();
+        let to = at + vec2(30.0 * outwards, 0.0);
+        drag(&mut window, PointerButton::Primary, at, to);
+        assert_eq!(width(&window), before - 30, "{edge}");
+        let now = control(&window, edge).rect.center();
+        assert!((now.x - to.x).abs() < 1.0, "{now} {to}");
+        drag(&mut window, PointerButton::Primary, now, at);
+        assert_eq!(width(&window), before, "{edge}");
+        // All the way: it is folded, and comes back as wide as it was.
+        let far = at - vec2(outwards * at.x.min(1280.0 - at.x), 0.0);
+        drag(&mut window, PointerButton::Primary, at, far);
+        assert!(!control(&window, side).is_on && width(&window) > before + 100);
+        click_on(&mut window, side);
+        assert!(control(&window, side).is_on);
+        let home = before_edge(&window, edge, before);
+        let now = control(&window, edge).rect.center();
+        drag(&mut window, PointerButton::Primary, now, pos2(home, now.y));
+        assert_eq!(width(&window), before);
+    }
+}
+
+/// Where an edge stands when the picture is so wide and the other edge stands as it does.
+fn before_edge(window: &Offscreen, edge: &str, width: u32) -> f32 {
+    #[expect(clippy::cast_precision_loss, reason = "a window's width")]
+    let width = width as f32;
+    if edge.contains("left") {
+        control(window, "edge of the right side").rect.center().x - width
+    } else {
+        control(window, "edge of the left side").rect.center().x + width
+    }
+}
+
+#[test]
+fn a_panel_folds_and_changes_sides() {
+    let (mut window, _folder) = row(1.0);
+    assert!(has_control(&window, "fov"));
+    click_on(&mut window, "Camera");
+    assert!(!has_control(&window, "fov"), "folded");
+    click_on(&mut window, "Camera");
+    assert!(control(&window, "fov").rect.left() > MIDDLE.x);
+    click_on(&mut window, "move Camera to the left");
+    assert!(control(&window, "fov").rect.right() < MIDDLE.x);
+    // The list stays below it, and works.
+    click_on(&mut window, "back");
+    assert_eq!(selected(&window), Some("back"));
+    click_on(&mut window, "move Objects to the right");
+    assert!(control(&window, "search").rect.left() > MIDDLE.x);
+    click_on(&mut window, "move Pick to the left");
+    click_on(&mut window, "move Objects to the left");
+    assert!(
+        !control(&window, "right side").is_enabled,
+        "nothing stands there"
+    );
+}
+
+/// In the row or in the menu at its end.
+#[test]
+fn all_of_the_toolbar_can_be_reached_at_any_width() {
+    let tools = [
+        "Open\u{2026}",
+        "Save\u{2026}",
+        "Reload",
+        "Undo",
+        "Redo",
+        "Frame all",
+        "Frame selection",
+        "Views",
+        "Reset",
+        "Grid",
+        "Freeze",
+        "Overlays",
+        "Pipeline",
+        "Compare",
+        "Gallery",
+        "Look",
+        "Help",
+    ];
+    let mut in_menu = 0;
+    for width in [480, 640, 800, 1280, 2560] {
+        let (mut window, _folder) = row(1.0);
+        window.resize(px([width, 400], 1.0));
+        if has_control(&window, "more") {
+            click_on(&mut window, "more");
+            in_menu += 1;
+        }
+        for tool in tools {
+            let at = control(&window, tool).rect;
+            #[expect(clippy::cast_precision_loss, reason = "a window's width")]
+            let inside = at.left() >= 0.0 && at.right() <= width as f32;
+            assert!(inside, "{tool} at {width}: {at}");
+        }
+        let ends = control(&window, "right side").rect;
+        let last = control(&window, "Help").rect;
+        assert!(in_menu > 0 && width < 700 || last.right() < ends.left());
+    }
+    assert!((1..5).contains(&in_menu), "{in_menu}");
+    // What is in the menu works.
+    let (mut window, _folder) = row(1.0);
+    window.resize(px([640, 400], 1.0));
+    click_on(&mut window, "more");
+    let before = window.state().grid();
+    click_on(&mut window, "Grid");
+    assert_ne!(window.state().grid(), before);
+}
+
+/// Wherever one looks from, no control of the panels moves.
+#[test]
+fn numbers_move_nothing() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    let places = |window: &Offscreen| -> Vec<_> {
+        let controls = window.controls().iter();
+        let of_use = controls.filter(|control| control.role != Role::Label);
+        of_use
+            .map(|control| (control.name.clone(), control.rect))
+            .collect()
+    };
+    let before = places(&window);
+    assert!(before.len() > 60, "{}", before.len());
+    for (x, y) in [(70.0, -31.0), (-333.0, 200.0), (211.0, -640.0)] {
+        let to = MIDDLE + vec2(x, y) * 0.4;
+        drag(&mut window, PointerButton::Primary, MIDDLE, to);
+        window.send([Event::PointerGone]);
+        for (now, before) in places(&window).iter().zip(&before) {
+            assert_eq!(now, before);
+        }
+        assert_eq!(places(&window).len(), before.len());
+    }
+}
+
+#[test]
+fn panels_are_dark_or_light_as_the_desktop_is() {
+    let (mut window, _folder) = row(1.0);
+    let panel = |window: &mut Offscreen| {
+        let picture = window.picture().expect("a picture");
+        picture.at(1270, 690).map(u32::from).iter().sum::<u32>()
+    };
+    let unknown = panel(&mut window);
+    window.set_theme(egui::Theme::Light);
+    let light = panel(&mut window);
+    window.set_theme(egui::Theme::Dark);
+    assert!(light > 600 && unknown < 150, "{light} {unknown}");
+    assert_eq!(panel(&mut window), unknown);
+    // Or as somebody wants them, whatever the desktop is.
+    click_on(&mut window, "Look");
+    assert_eq!(panel(&mut window), light);
+    click_on(&mut window, "Look");
+    window.set_theme(egui::Theme::Light);
+    assert_eq!(panel(&mut window), unknown);
+    click_on(&mut window, "Look");
+    assert_eq!(panel(&mut window), light);
+}

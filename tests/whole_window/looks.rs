@@ -1,0 +1,166 @@
+//! What panels say: every word is explained, rows behave as rows, what is done is told.
+
+use super::*;
+
+#[test]
+fn a_row_is_one_from_end_to_end() {
+    let (mut window, _folder) = row(1.0);
+    let edge = control(&window, "edge of the left side").rect.left();
+    let rect = control(&window, "middle").rect;
+    assert!(rect.left() < 40.0 && rect.right() > edge - 12.0, "{rect}");
+    let end = pos2(edge - 14.0, rect.center().y);
+    window.send([Event::PointerMoved(end)]);
+    assert_eq!(window.state().hover(), Some(1), "its object is lit");
+    click(&mut window, end);
+    assert_eq!(selected(&window), Some("middle"));
+    assert!(control(&window, "middle").is_on);
+    // The box at its beginning lights it too, and does not select.
+    let tick = control(&window, "show back").rect.center();
+    window.send([Event::PointerMoved(tick)]);
+    assert_eq!(window.state().hover(), Some(2));
+    click(&mut window, tick);
+    assert_eq!(selected(&window), Some("middle"));
+    assert!(!window.state().scene().objects()[2].visible);
+    window.send([Event::PointerGone]);
+    assert_eq!(window.state().hover(), None);
+}
+
+#[test]
+fn the_arrows_walk_through_the_list() {
+    let (mut window, _folder) = row(1.0);
+    let mut seen = Vec::new();
+    for key in [Key::ArrowDown; 4].into_iter().chain([Key::ArrowUp; 2]) {
+        press_key(&mut window, Modifiers::NONE, key);
+        seen.push(selected(&window).expect("a row").to_owned());
+    }
+    assert_eq!(seen, ["front", "middle", "back", "back", "middle", "front"]);
+    // Only through what the search leaves.
+    type_into(&mut window, "search", "A");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert_eq!(selected(&window), Some("back"));
+    type_into(&mut window, "search", "xyz");
+    assert!(has_control(&window, "No name holds \u{201c}xyz\u{201d}."));
+}
+
+/// A name that is too long keeps both its ends, and its object's name leads the pick.
+#[test]
+fn the_name_leads_the_pick() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    let all = window.controls();
+    let heading = control(&window, "Pick").rect;
+    let below = |control: &&Control| {
+        control.rect.top() >= heading.bottom() && control.rect.left() > MIDDLE.x
+    };
+    let first = all.iter().filter(below).min_by(|a, b| {
+        let at = |control: &Control| (control.rect.center().y, control.rect.left());
+        at(a).partial_cmp(&at(b)).expect("numbers")
+    });
+    assert_eq!(first.expect("a text").name, "front");
+}
+
+/// Whether a text is a number, or several, or a sentence, which explains by itself.
+fn is_value(text: &str) -> bool {
+    if text.ends_with(['.', ':', '\u{2026}']) && text.contains(' ') {
+        return true;
+    }
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    !text.trim().is_empty() && text.split_whitespace().all(is_number)
+}
+
+#[test]
+fn every_word_is_explained() {
+    let (mut window, _folder) = row(1.0);
+    let (mut count, mut silent) = (0, Vec::new());
+    let mut check = |window: &Offscreen| {
+        for control in window.controls() {
+            let is_ours = !matches!(control.role, Role::ScrollBar | Role::Unknown | Role::Window);
+            if is_ours && !is_value(&control.name) && !control.name.trim().is_empty() {
+                count += 1;
+                if control.description.is_empty() && !silent.contains(&control.name) {
+                    silent.push(control.name.clone());
+                }
+            }
+        }
+    };
+    check(&window);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    for heading in [
+        "Model matrix",
+        "In object space and NDC",
+        "Hits on the ray: 1 of 5",
+        "Distance",
+        "Depth buffer",
+    ] {
+        click_on(&mut window, heading);
+        check(&window);
+    }
+    press_key(&mut window, Modifiers::NONE, Key::V);
+    check(&window);
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    check(&window);
+    press_key(&mut window, Modifiers::NONE, Key::M);
+    click(&mut window, MIDDLE);
+    check(&window);
+    assert!(silent.is_empty(), "{silent:#?}");
+    assert!(count > 400, "{count}");
+}
+
+#[test]
+fn what_is_copied_or_saved_is_said_for_a_while() {
+    let (mut window, folder) = row(1.0);
+    click(&mut window, MIDDLE);
+    for (modifiers, key, word) in [
+        (Modifiers::NONE, Key::C, "command"),
+        (Modifiers::NONE, Key::J, "JSON"),
+        (Modifiers::SHIFT, Key::C, "camera"),
+    ] {
+        press_key(&mut window, modifiers, key);
+        assert!(window.messages().any(|text| text.contains(word)), "{word}");
+        window.wait_s(5.0);
+        assert_eq!(window.messages().count(), 0, "{word} has gone");
+    }
+    window.save_as(folder.path().join("kept.toml"));
+    assert!(window.messages().any(|text| text.contains("kept.toml")));
+    window.wait_s(5.0);
+    assert_eq!(window.messages().count(), 0);
+    // Nothing to copy is said too.
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    press_key(&mut window, Modifiers::NONE, Key::J);
+    assert!(window.messages().any(|text| text.contains("no point")));
+}
+
+#[test]
+fn the_picture_alone_is_saved() {
+    let (mut window, folder) = row(1.0);
+    window.save_screenshots_in(folder.path().to_owned());
+    press_key(&mut window, Modifiers::SHIFT, Key::F12);
+    let whole = window.picture().expect("a picture");
+    let alone = images::read(&folder.path().join("sightline-1.png"));
+    let viewport = window.state().view().viewport;
+    assert_eq!(alone.size(), viewport);
+    let left = control(&window, "edge of the left side").rect.center().x;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a place in the window"
+    )]
+    let (left, top) = (left.round() as u32, 720 - viewport.height() - 25);
+    // Nothing lies over its middle.
+    let mut same = 0;
+    for (x, y) in (300..460).flat_map(|x| (200..400).map(move |y| (x, y))) {
+        same += usize::from(alone.at(x, y) == whole.at(left + x, top + y));
+    }
+    assert_eq!(same, 160 * 200);
+}
+
+#[test]
+fn f11_fills_the_screen_and_comes_back() {
+    let (mut window, _folder) = row(1.0);
+    for full in [true, false] {
+        press_key(&mut window, Modifiers::NONE, Key::F11);
+        assert_eq!(window.is_full_screen(), full);
+    }
+}

@@ -1,0 +1,143 @@
+//! From run to run, and from change to change of a file: what was opened, how panels stand, what a file holds now. And
+//! names in any script.
+
+use super::*;
+use std::{fs, thread, time::Duration};
+
+fn remembering(memory: &Path, paths: Vec<PathBuf>) -> Offscreen {
+    let options = Options {
+        paths,
+        memory: Some(memory.to_owned()),
+        ..Options::default()
+    };
+    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+}
+
+#[test]
+fn what_was_opened_and_how_panels_stood_is_remembered() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let memory = folder.path().join("not there yet/window.toml");
+    let [row, other] = ["row.toml", "other.toml"].map(|name| folder.path().join(name));
+    for path in [&row, &other] {
+        fs::write(path, ROW).expect("writable");
+    }
+    let mut window = remembering(&memory, vec![row.clone()]);
+    window.drop_file(other.clone());
+    click_on(&mut window, "Camera");
+    click_on(&mut window, "left side");
+    window.close();
+    assert!(window.has_quit());
+
+    let mut window = remembering(&memory, Vec::new());
+    assert!(!has_control(&window, "fov") && !control(&window, "left side").is_on);
+    click_on(&mut window, "Recent");
+    let above = control(&window, "other.toml").rect.top();
+    assert!(
+        above < control(&window, "row.toml").rect.top(),
+        "the last first"
+    );
+    click_on(&mut window, "row.toml");
+    assert_eq!(window.state().name(), "row.toml");
+    // What is gone is said, and offered no more.
+    fs::remove_file(&other).expect("it was there");
+    click_on(&mut window, "Recent");
+    click_on(&mut window, "other.toml");
+    assert!(window.messages().any(|text| text.contains("other.toml")));
+    click_on(&mut window, "Recent");
+    assert!(!has_control(&window, "other.toml"));
+}
+
+#[test]
+fn a_broken_memory_is_no_obstacle() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let memory = folder.path().join("window.toml");
+    for broken in ["recent = 5", "[panels", "[panels]\nplaces = []", "\u{0}"] {
+        fs::write(&memory, broken).expect("writable");
+        let mut window = remembering(&memory, Vec::new());
+        assert!(has_control(&window, "fov"), "{broken}");
+        assert_eq!(window.messages().count(), 0);
+        window.close();
+        assert!(fs::read_to_string(&memory).is_ok_and(|text| text.contains("recent = []")));
+    }
+}
+
+/// Lets a window look at its files until something is so.
+#[track_caller]
+fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
+    for _ in 0..200 {
+        window.send([]);
+        if is_so(window) {
+            return;
+        }
+        thread::sleep(Duration::from_millis(50));
+    }
+    panic!("it never was, in 10 s");
+}
+
+#[test]
+fn a_file_that_changes_is_read_again() {
+    let (mut window, folder) = row(1.0);
+    let path = folder.path().join("row.toml");
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    let view = *window.state().view();
+    let more = format!("{ROW}\n[[object]]\nname = \"new\"\nshape = \"sphere\"\n");
+    fs::write(&path, &more).expect("writable");
+    wait_until(&mut window, |window| {
+        window.state().scene().objects().len() == 4
+    });
+    assert_eq!(*window.state().view(), view, "the view stays");
+    assert!(
+        window
+            .messages()
+            .any(|text| text.contains("was read again"))
+    );
+    // What is written beside and renamed, too.
+    let beside = folder.path().join("beside");
+    fs::write(&beside, ROW).expect("writable");
+    fs::rename(&beside, &path).expect("writable");
+    wait_until(&mut window, |window| {
+        window.state().scene().objects().len() == 3
+    });
+
+    // Edits are kept.
+    click(&mut window, MIDDLE);
+    click_on(&mut window, "Model matrix");
+    type_into(&mut window, "position x", "0.25");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let edited = window.state().scene().objects()[1].placement;
+    fs::write(&path, &more).expect("writable");
+    wait_until(&mut window, |window| {
+        window
+            .messages()
+            .any(|text| text.contains("has changed on the disk"))
+    });
+    assert_eq!(window.state().scene().objects().len(), 3);
+    assert_eq!(window.state().scene().objects()[1].placement, edited);
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    click_on(&mut window, "Reload, drop the edits");
+    assert_eq!(window.state().scene().objects().len(), 4);
+
+    // What this program writes itself is no change.
+    window.save_as(path);
+    window.wait_s(5.0);
+    thread::sleep(Duration::from_millis(800));
+    window.send([]);
+    assert_eq!(window.messages().count(), 0);
+}
+
+/// Debian's and Ubuntu's `fonts-dejavu-core` has both scripts, egui's own typefaces have neither.
+#[test]
+fn names_are_readable_in_scripts_that_only_the_system_has() {
+    let name = "\u{540}\u{561}\u{575} \u{5e9}\u{5dc}\u{5d5}\u{5dd}";
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("row.toml");
+    fs::write(&path, ROW.replace("back", name)).expect("writable");
+    let plain = open(Vec::new(), 1.0);
+    assert!(
+        plain.can_write("plain") && !plain.can_write(name),
+        "not needed, not loaded"
+    );
+    let window = open(vec![path], 1.0);
+    assert!(has_control(&window, name));
+    assert!(window.can_write(name));
+}
