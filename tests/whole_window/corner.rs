@@ -113,7 +113,7 @@ fn the_grid_says_its_step() {
     let mut window = open(Vec::new(), 1.0);
     assert!(has_control(&window, "grid step 1"));
     // The largest of it hidden does not change it.
-    click(&mut window, pos2(400.0, 540.0));
+    click_on(&mut window, "Ground");
     assert_eq!(selected(&window), Some("Ground"));
     press_key(&mut window, Modifiers::SHIFT, Key::H);
     assert!(has_control(&window, "grid step 1"));

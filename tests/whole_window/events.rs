@@ -132,7 +132,7 @@ fn a_click_outside_the_picture_never_picks() {
         ] {
             #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
             let to_edge = (half.x as f32 * along.x.abs() + half.y as f32 * along.y.abs()) / scale;
-            for i in -8..=24_i8 {
+            for i in -16..=24_i8 {
                 press_key(&mut window, Modifiers::NONE, Key::Escape);
                 window.wait_s(1.0);
                 let at = MIDDLE + along * (to_edge + f32::from(i) * step);

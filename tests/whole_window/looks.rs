@@ -129,7 +129,7 @@ fn what_is_copied_or_saved_is_said_for_a_while() {
     // Nothing to copy is said too.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     press_key(&mut window, Modifiers::NONE, Key::J);
-    assert!(window.messages().any(|text| text.contains("no point")));
+    assert!(window.messages().any(|text| text.contains("no pick")));
 }
 
 #[test]

@@ -53,7 +53,7 @@ fn edges_get_smooth_at_rest_at_one_blow() {
     let size = state.view().viewport;
     let at_rest = pictures.last().expect("one");
     // The picture's middle is that of the window's room for it.
-    let [left, top] = [580 - size.width() / 2, 360 - size.height() / 2];
+    let [left, top] = [590 - size.width() / 2, 360 - size.height() / 2];
     for (x, y) in (100..400).flat_map(|y| (100..400).map(move |x| (x, y))) {
         assert_eq!(headless.at(x, y), at_rest.at(left + x, top + y), "{x}, {y}");
     }
