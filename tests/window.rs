@@ -78,6 +78,8 @@ impl Viewer {
             .args(arguments)
             .current_dir(folder)
             .env("DISPLAY", &screen.display)
+            // What it remembers is not the user's.
+            .env("XDG_STATE_HOME", folder)
             .env("WINIT_X11_SCALE_FACTOR", scale)
             .env_remove("WAYLAND_DISPLAY")
             .env_remove("WAYLAND_SOCKET")
