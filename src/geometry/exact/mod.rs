@@ -3,7 +3,7 @@
 //! Every finite `f64` is an integer times a power of two, and so is every sum and product of such: integers neither round
 //! nor overflow. Triangles are decided in the world, by what their corners weigh where the ray meets their plane; spheres,
 //! cubes and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
-//! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`root`]).
+//! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`mod@root`]).
 //!
 //! What a record says of a hit, parameters, points and distances in the picture, is tried in pairs of `f64` with bounds first
 //! ([`enclosure`]). They are believed where they round to what integers would.

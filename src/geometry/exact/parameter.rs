@@ -108,7 +108,7 @@ impl<'a> Parameter<'a> {
     }
 }
 
-/// The parameter as [`super::root`] has it.
+/// The parameter as [`mod@super::root`] has it.
 fn enclosed(ray: &WorldRay, surface: &Surface) -> Result<Quotient, InDoubt> {
     let local = |placement| LocalLine::<Enclosure>::new(&Exactly::placed(ray, placement));
     let (numerator, denominator) = match *surface {

@@ -75,17 +75,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.weak(text).hint(hint);
         return;
     };
-    let of_earlier = match state.pick_view() {
-        Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
-        Some(PickView::LeftOut) => {
-            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far or culling."
-        }
-        Some(PickView::Own) | None => "",
-    };
-    if !of_earlier.is_empty() {
-        ui.colored_label(ui.visuals().warn_fg_color, of_earlier)
-            .hint("the camera, the lens or the window's size has changed since");
-    }
+    whose_view(ui, state);
     rows(ui, "record", &record(hit, digits));
     let in_one_place = selection
         .pick
@@ -222,4 +212,17 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
             "whether 64-bit floating-point numbers were enough to be certain, or whether exact arithmetic, which rounds nothing, had to decide",
         ),
     ]
+}
+
+/// Says so where the pick is not of the view on screen.
+fn whose_view(ui: &mut Ui, state: &State) {
+    let text = match state.pick_view() {
+        Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
+        Some(PickView::LeftOut) => {
+            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far or culling."
+        }
+        Some(PickView::Own) | None => return,
+    };
+    ui.colored_label(ui.visuals().warn_fg_color, text)
+        .hint("the camera, the lens or the window's size has changed since");
 }
