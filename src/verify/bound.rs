@@ -173,9 +173,16 @@ impl Stored {
             (self, other)
         };
         let allowed = (near.nearness - near.farthest) + (far.nearest - far.nearness);
+        let strain = strain(near.nearness - far.nearness, allowed)?;
+        // Closer together than the ceiling, either may show, whatever the bounds.
+        let class = if near.capped().farthest <= far.capped().nearest {
+            Class::Depth
+        } else {
+            self.class_with(other)
+        };
         Some(Reason {
-            class: self.class_with(other),
-            strain: strain(near.nearness - far.nearness, allowed)?,
+            class,
+            strain,
             outline: Outline::NONE,
         })
     }
