@@ -19,8 +19,8 @@
 //!
 //! A surface has no outline where it goes on beyond an edge: there its neighbours may show, and nothing behind.
 //!
-//! A bound that is infinite or NaN is none, and explains nothing. A picture that is empty where picks are not, or the reverse, fails whatever
-//! explains its pixels one by one, but for a speck smaller than a pixel ([`Report::verdict`]).
+//! A bound that is infinite or NaN is none, and explains nothing. A picture that is empty where picks are not, or the
+//! reverse, fails whatever explains its pixels one by one, but for a speck smaller than a pixel ([`Report::verdict`]).
 //!
 //! Whether drawing and pick differ there or not: where the bounds leave the order of two surfaces open, they lie *in one
 //! place* ([`Places`]).

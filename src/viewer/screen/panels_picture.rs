@@ -134,9 +134,8 @@ impl PanelsPicture {
         let changed = kept.as_ref().map_or(Rect::EVERYTHING, |kept| {
             damage(&kept.primitives, primitives)
         });
-        let kept = kept.unwrap_or_else(|| self.kept(gpu, screen));
-        let changed_px = pixels(changed, screen);
-        if let Some([min, max]) = changed_px {
+        let mut kept = kept.unwrap_or_else(|| self.kept(gpu, screen));
+        if let Some([min, max]) = pixels(changed, screen) {
             let corner = |px: [u32; 2]| {
                 #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
                 let [x, y] = px.map(|px| px as f32 / pixels_per_point);
@@ -155,11 +154,10 @@ impl PanelsPicture {
             pass.set_pipeline(&self.empty);
             pass.draw(0..3, 0..1);
             self.renderer.render(&mut pass, &painted, screen);
+            // Where nothing differs, what was painted says the same already.
+            kept.primitives = primitives.to_vec();
         }
-        self.kept = Some(Kept {
-            primitives: primitives.to_vec(),
-            ..kept
-        });
+        self.kept = Some(kept);
     }
 
     /// An empty picture.
