@@ -1,14 +1,14 @@
 // The selection's outline, and the picture with its marks on any target.
 
 struct Composite {
-    origin_px: vec2<i32>,
+    origin_px: vec2<f32>,
     selection: u32,
     hover: u32,
     selection_colour: vec3<f32>,
     tint: f32,
     lit: vec2<f32>,
     outline_px: f32,
-    padding: f32,
+    coarseness: f32,
 }
 
 @group(0) @binding(0) var<uniform> composite: Composite;
@@ -16,13 +16,6 @@ struct Composite {
 @group(0) @binding(2) var ids: texture_2d<u32>;
 // The selected object, seen through everything, when the selection is drawn; then how much of each pixel is outline.
 @group(0) @binding(3) var marks: texture_2d<f32>;
-
-@vertex
-fn vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
-    let x = select(-1.0, 3.0, corner == 1u);
-    let y = select(-1.0, 3.0, corner == 2u);
-    return vec4<f32>(x, y, 0.5, 1.0);
-}
 
 fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
     // Past the picture's border its last pixel goes on, so that no outline runs along the border.
@@ -47,10 +40,12 @@ fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     return smoothstep(0.0, 0.35, min(share, 1.0 - share));
 }
 
+// The picture's pixel that is shown at a position of the destination.
 fn pixel(position: vec4<f32>) -> vec2<i32> {
-    return vec2<i32>(position.xy) - composite.origin_px;
+    return vec2<i32>((position.xy - composite.origin_px) / composite.coarseness);
 }
 
+// Values as they are: neither side converts sRGB.
 @fragment
 fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(picture, pixel(position), 0);

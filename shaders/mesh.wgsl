@@ -29,10 +29,9 @@ struct Corner {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) normal_view: vec3<f32>,
     @location(1) albedo: vec3<f32>,
-    @location(2) @interpolate(flat) object: u32,
-    // Added to the primitive index it gives the triangle's id.
-    @location(3) @interpolate(flat) triangle_base: u32,
-    @location(4) @interpolate(flat) flags: u32,
+    // Object, what added to the primitive index gives the triangle's id, and flags. In one: rasterisers in software
+    // pay for each vector that a triangle carries.
+    @location(2) @interpolate(flat) own: vec3<u32>,
 }
 
 @vertex
@@ -50,19 +49,18 @@ fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
     }
     out.normal_view = (*batch).normal * in.normal;
     out.albedo = select(in.colour.rgb, state.colour, state.has_colour == 1u);
-    out.object = object;
-    out.triangle_base = (*batch).first_triangle - state.first_triangle + 1u;
-    out.flags = (*batch).flags;
+    let triangle_base = (*batch).first_triangle - state.first_triangle + 1u;
+    out.own = vec3<u32>(object, triangle_base, (*batch).flags);
     return out;
 }
 
 fn lit(in: Corner, winding_front: bool) -> vec4<f32> {
-    let front = winding_front != ((in.flags & MIRRORS) != 0u);
+    let front = winding_front != ((in.own.z & MIRRORS) != 0u);
     return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
 fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
-    return vec2<u32>(in.object + 1u, select(0u, primitive + in.triangle_base, (in.flags & NUMBERS_TRIANGLES) != 0u));
+    return vec2<u32>(in.own.x + 1u, select(0u, primitive + in.own.y, (in.own.z & NUMBERS_TRIANGLES) != 0u));
 }
 
 @fragment

@@ -20,14 +20,6 @@ fn line_colour(in: Point) -> @location(0) vec4<f32> {
     return vec4<f32>(in.colour, 1.0);
 }
 
-// One triangle that covers the picture.
-@vertex
-fn background_vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
-    let x = select(-1.0, 3.0, corner == 1u);
-    let y = select(-1.0, 3.0, corner == 2u);
-    return vec4<f32>(x, y, 0.5, 1.0);
-}
-
 // look::background.
 @fragment
 fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {

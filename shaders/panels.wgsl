@@ -2,13 +2,6 @@
 
 @group(0) @binding(0) var panels: texture_2d<f32>;
 
-@vertex
-fn vertex(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4<f32> {
-    let x = select(-1.0, 3.0, corner == 1u);
-    let y = select(-1.0, 3.0, corner == 2u);
-    return vec4<f32>(x, y, 0.5, 1.0);
-}
-
 @fragment
 fn over(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(panels, vec2<i32>(position.xy), 0);

@@ -54,7 +54,8 @@
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
 //! * **at rest**: of the window's picture, that nothing has moved in it for a moment: its edges are made smooth. *Rough*:
-//!   that they are not yet. Ids are the same in both.
+//!   that they are not yet. Ids are the same in both. *Coarse*: that its pixels are larger than the window's, as those of
+//!   a picture that moves are in software.
 //! * **stage**: how far along M, V, P the window shows the scene ([`viewer::model::Stage`]).
 //! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).

@@ -123,7 +123,8 @@ fn structs_have_one_layout_on_both_sides() {
             selection_colour,
             tint,
             lit,
-            outline_px
+            outline_px,
+            coarseness
         }
     );
 }

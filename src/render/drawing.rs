@@ -106,7 +106,10 @@ impl Drawing {
     /// All that it comes to.
     #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
-        let each = whole(self.draws(scene));
+        let each = match &self.selection {
+            Some((_, alone)) => whole(alone.as_slice()),
+            None => scene.whole(),
+        };
         Piece {
             work: each
                 .work
@@ -166,9 +169,7 @@ impl Renderer {
         };
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder();
         {
             let depth = view.camera.lens().depth;
             let has_colours = matches!(pass, Pass::ColourAndIds | Pass::Colour);

@@ -248,6 +248,12 @@ impl Gpu {
         Ok(buffer)
     }
 
+    /// For commands that are submitted together.
+    pub(crate) fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+    }
+
     /// Runs what allocates; running out is the user's to know, not a reason to panic.
     pub(super) fn within_memory<T>(&self, allocate: impl FnOnce() -> T) -> Result<T, GpuError> {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);

@@ -167,7 +167,7 @@ pub struct Sphere {
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Composite {
     /// Where the picture's top left pixel goes in the destination.
-    pub origin_px: [i32; 2],
+    pub origin_px: [f32; 2],
     /// Id of the selected object; `u32::MAX` for none.
     pub selection: u32,
     /// Id of the object under the cursor; `u32::MAX` for none.
@@ -180,6 +180,6 @@ pub struct Composite {
     pub lit: [f32; 2],
     /// Half the outline's width in pixels.
     pub outline_px: f32,
-    /// Nothing.
-    pub padding: f32,
+    /// Pixels of the destination, along each side, that a pixel of the picture covers.
+    pub coarseness: f32,
 }

@@ -26,14 +26,33 @@ pub struct Marks {
 /// Where a finished picture goes: a window's surface, or a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Destination<'a> {
-    /// Cleared to black before the picture goes in. Its format must be an sRGB one, since tints mix light.
-    pub view: &'a wgpu::TextureView,
-    /// Its format.
-    pub format: wgpu::TextureFormat,
-    /// Its width and height in pixels.
-    pub size_px: [u32; 2],
+    /// It keeps what it shows beside the picture. Its format must be an sRGB one or the twin of one, and allow views as
+    /// both: colours are copied as values, and tints mix light.
+    pub texture: &'a wgpu::Texture,
     /// Where in it the picture's top left corner goes, in pixels.
     pub origin_px: [u32; 2],
+    /// How wide and high the picture may be there: nothing of it goes further, nor past the texture.
+    pub room_px: [u32; 2],
+    /// Its pixels, along each side, that a pixel of the picture covers: 1, or more for one of lower resolution.
+    pub coarseness: u32,
+}
+
+impl Destination<'_> {
+    /// Where a rectangle of the picture goes, both as left, top, width and height; `None` where nothing of it is seen, as
+    /// in a window that has shrunk since the picture was drawn.
+    fn within(&self, rect: [u32; 4]) -> Option<[u32; 4]> {
+        let [left, top, width, height] = rect.map(|px| px * self.coarseness);
+        let extent = |axis: usize, first: u32, count: u32, texture: u32| {
+            let room = self.room_px[axis].min(texture.saturating_sub(self.origin_px[axis]));
+            (
+                self.origin_px[axis] + first,
+                count.min(room.saturating_sub(first)),
+            )
+        };
+        let (x, width) = extent(0, left, width, self.texture.width());
+        let (y, height) = extent(1, top, height, self.texture.height());
+        (width > 0 && height > 0).then_some([x, y, width, height])
+    }
 }
 
 /// Pipelines of the passes after the scene.
@@ -80,13 +99,12 @@ impl Renderer {
         let outline_px = self.outline_px();
         let uniform = layout::Composite {
             outline_px,
-            ..uniform(&Marks::default(), [0, 0])
+            ..uniform(&Marks::default(), [0, 0], 1)
         };
-        let marks = self.post.bind(gpu, targets, &targets.mask_view, &uniform);
+        self.post.write(gpu, &uniform);
+        let marks = (self.post).bind(gpu, targets, &targets.values_view, &targets.mask_view);
         let pipeline = self.post.pipeline(gpu, "outline", MARKS);
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder();
         let place = scene.places.get(selection).filter(|place| place.visible);
         {
             let mut pass = begin(&mut encoder, &targets.outline_view, true);
@@ -111,11 +129,13 @@ impl Renderer {
         marks: &Marks,
         destination: &Destination<'_>,
     ) {
-        let [x0, y0] = destination.origin_px;
-        let uniform = uniform(marks, destination.origin_px);
-        let bind_group = self
-            .post
-            .bind(gpu, targets, &targets.outline_view, &uniform);
+        let Destination {
+            texture,
+            origin_px,
+            coarseness,
+            ..
+        } = *destination;
+        (self.post).write(gpu, &uniform(marks, origin_px, coarseness));
         let viewport = targets.viewport();
         let outline_px = self.outline_px();
         let whole = [0, 0, viewport.width(), viewport.height()];
@@ -123,29 +143,35 @@ impl Renderer {
             let place = scene.places.get(object?).filter(|place| place.visible)?;
             screen_rect(place, view, outline_px)
         };
-        let passes = [
-            ("copy", Some(whole)),
+        let marked = [
             ("hover", box_of(marks.hover)),
             ("selection", box_of(marks.selection)),
         ];
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let mut pass = begin(&mut encoder, destination.view, true);
+        let marked = marked.map(|(entry, rect)| (entry, rect.unwrap_or_default()));
+        let srgb = texture.format().add_srgb_suffix();
+        let passes: [(_, _, &[_]); 2] = [
+            (
+                srgb.remove_srgb_suffix(),
+                &targets.values_view,
+                &[("copy", whole)],
+            ),
+            (srgb, &targets.colour_view, &marked),
+        ];
+        let mut encoder = gpu.encoder();
+        for (format, picture, rects) in passes {
+            let view = texture.create_view(&wgpu::TextureViewDescriptor {
+                format: Some(format),
+                ..Default::default()
+            });
+            let bind_group = (self.post).bind(gpu, targets, picture, &targets.outline_view);
+            let mut pass = begin(&mut encoder, &view, false);
             pass.set_bind_group(0, &bind_group, &[]);
-            for (entry, rect) in passes {
-                let Some([x, y, width, height]) = rect else {
+            for &(entry, rect) in rects {
+                let Some([x, y, width, height]) = destination.within(rect) else {
                     continue;
                 };
-                // A window may have shrunk since the picture was drawn.
-                let right = (x0 + x + width).min(destination.size_px[0]);
-                let bottom = (y0 + y + height).min(destination.size_px[1]);
-                if right <= x0 + x || bottom <= y0 + y {
-                    continue;
-                }
-                pass.set_scissor_rect(x0 + x, y0 + y, right - x0 - x, bottom - y0 - y);
-                pass.set_pipeline(&self.post.pipeline(gpu, entry, destination.format));
+                pass.set_scissor_rect(x, y, width, height);
+                pass.set_pipeline(&self.post.pipeline(gpu, entry, format));
                 pass.draw(0..3, 0..1);
             }
         }
@@ -207,18 +233,21 @@ impl PostPasses {
         }
     }
 
+    fn write(&self, gpu: &Gpu, uniform: &layout::Composite) {
+        gpu.queue
+            .write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
+    }
+
     fn bind(
         &self,
         gpu: &Gpu,
         targets: &Targets,
+        picture: &wgpu::TextureView,
         marks: &wgpu::TextureView,
-        uniform: &layout::Composite,
     ) -> wgpu::BindGroup {
-        gpu.queue
-            .write_buffer(&self.uniform, 0, bytemuck::bytes_of(uniform));
         let resources = [
             self.uniform.as_entire_binding(),
-            wgpu::BindingResource::TextureView(&targets.colour_view),
+            wgpu::BindingResource::TextureView(picture),
             wgpu::BindingResource::TextureView(&targets.ids_view),
             wgpu::BindingResource::TextureView(marks),
         ];
@@ -247,7 +276,7 @@ impl PostPasses {
                     layout: Some(layout),
                     vertex: wgpu::VertexState {
                         module: shader,
-                        entry_point: Some("vertex"),
+                        entry_point: Some("cover"),
                         compilation_options: wgpu::PipelineCompilationOptions::default(),
                         buffers: &[],
                     },
@@ -275,19 +304,20 @@ impl PostPasses {
     }
 }
 
-fn uniform(marks: &Marks, [x, y]: [u32; 2]) -> layout::Composite {
+#[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
+fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> layout::Composite {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
     // The background's id is 0: that of nothing is another.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
     layout::Composite {
-        origin_px: [x.cast_signed(), y.cast_signed()],
+        origin_px: origin_px.map(|px| px as f32),
         selection: id(marks.selection),
         hover: id(marks.hover),
         selection_colour: look::SELECTION.to_linear(),
         tint: look::TINT,
         lit: look::LIT,
         outline_px: 0.0,
-        padding: 0.0,
+        coarseness: coarseness as f32,
     }
 }
 

@@ -30,11 +30,24 @@ pub const SHADERS: [(&str, &str); 5] = [
         "overlay",
         concat!(
             include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/cover.wgsl"),
             include_str!("../../shaders/overlay.wgsl")
         ),
     ),
-    ("composite", include_str!("../../shaders/composite.wgsl")),
-    ("panels", include_str!("../../shaders/panels.wgsl")),
+    (
+        "composite",
+        concat!(
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/composite.wgsl")
+        ),
+    ),
+    (
+        "panels",
+        concat!(
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/panels.wgsl")
+        ),
+    ),
 ];
 
 /// What a pass writes.
@@ -185,7 +198,7 @@ impl Pipelines {
             Drawn::Edges => (&self.mesh, "vertex", "edge"),
             Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
             Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
-            Drawn::Background => (&self.overlay, "background_vertex", "background_colour"),
+            Drawn::Background => (&self.overlay, "cover", "background_colour"),
         };
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
             Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX)],

@@ -3,7 +3,7 @@
 use super::{
     Destination, Marks, Renderer, SceneBuffers,
     gpu::{Gpu, GpuError},
-    targets::{COLOUR, Targets, extent},
+    targets::{COLOUR, COLOUR_VALUES, Targets, extent},
 };
 use crate::{
     camera::{View, Viewport},
@@ -82,14 +82,14 @@ impl Renderer {
                 dimension: wgpu::TextureDimension::D2,
                 format: COLOUR,
                 usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[],
+                view_formats: &[COLOUR_VALUES],
             })
         })?;
         let destination = Destination {
-            view: &texture.create_view(&wgpu::TextureViewDescriptor::default()),
-            format: COLOUR,
-            size_px: [window.width(), window.height()],
+            texture: &texture,
             origin_px,
+            room_px: [window.width(), window.height()],
+            coarseness: 1,
         };
         self.composite(gpu, scene, targets, view, marks, &destination);
         read_rgb(gpu, &texture, window)
@@ -171,8 +171,7 @@ fn copy_rows(
     buffer: &wgpu::Buffer,
     padded: u64,
 ) {
-    let mut encoder =
-        (gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder();
     encoder.copy_texture_to_buffer(
         wgpu::TexelCopyTextureInfo {
             origin: wgpu::Origin3d {

@@ -6,7 +6,7 @@ use super::{
     mesh_buffers::MeshBuffers,
     mesh_store::MeshStore,
     rows::{Rows, SphereBatch, TriangleBatch},
-    slices::Slice,
+    slices::{Piece, Slice, whole},
     transform::vertex_space,
 };
 use crate::{
@@ -23,6 +23,7 @@ use wgpu::BufferUsages;
 pub struct SceneBuffers {
     /// What is drawn, in order.
     pub(super) draws: Vec<Draw>,
+    whole: Piece,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
@@ -215,6 +216,7 @@ impl SceneBuffers {
             objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
             triangle_rows: Rows::new(gpu, "model matrices", triangle_batches)?,
             sphere_rows: Rows::new(gpu, "spheres", sphere_batches)?,
+            whole: whole(&draws),
             draws,
             places,
             states,
@@ -223,6 +225,12 @@ impl SceneBuffers {
             cube,
             square,
         })
+    }
+
+    /// What drawing it once comes to.
+    #[must_use]
+    pub fn whole(&self) -> Piece {
+        self.whole
     }
 
     /// Sees to the rows of the tables that slices of draws need.

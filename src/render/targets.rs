@@ -6,6 +6,8 @@ use wgpu::{TextureFormat, TextureUsages};
 
 /// Colours: sRGB in memory, linear in shaders.
 pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+/// The same values, which nobody converts.
+pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
 /// Object and triangle, each plus 1.
 pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
 /// Floating point, without which reversed depth is worth nothing.
@@ -21,6 +23,8 @@ pub struct Targets {
     pub(super) colour: wgpu::Texture,
     pub(super) ids: wgpu::Texture,
     pub(super) colour_view: wgpu::TextureView,
+    /// As values.
+    pub(super) values_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
     pub(super) mask_view: wgpu::TextureView,
@@ -45,7 +49,11 @@ impl Targets {
                 dimension: wgpu::TextureDimension::D2,
                 format,
                 usage: usage | TextureUsages::RENDER_ATTACHMENT,
-                view_formats: &[],
+                view_formats: if format == COLOUR && sample_count == 1 {
+                    &[COLOUR_VALUES]
+                } else {
+                    &[]
+                },
             })
         };
         let view =
@@ -63,6 +71,10 @@ impl Targets {
                 viewport,
                 samples,
                 colour_view: view(&colour),
+                values_view: colour.create_view(&wgpu::TextureViewDescriptor {
+                    format: Some(COLOUR_VALUES),
+                    ..Default::default()
+                }),
                 ids_view: view(&ids),
                 depth_view: view(&texture("depth", DEPTH, 1, none)),
                 mask_view: view(&texture("mask", MARKS, 1, read)),

@@ -10,7 +10,7 @@ use sightline::{
 /// The pixel of a picture so far from the middle of the scene's rectangle.
 fn beside(picture: &Image<Rgb>, [x, y]: [i32; 2]) -> Rgb {
     let [column, row] =
-        [(580, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
+        [(590, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
     picture.at(column, row)
 }
 
@@ -33,7 +33,7 @@ fn is_mark(pixel: Rgb) -> bool {
 #[test]
 fn a_hit_has_a_mark_and_a_back_face_another() {
     let (mut window, _folder) = row(1.0);
-    let at = pos2(580.5, 360.5);
+    let at = pos2(590.5, 360.5);
     let bare = window.picture().expect("a picture");
     click(&mut window, at);
     window.send([Event::PointerGone]);

@@ -15,6 +15,7 @@ mod keys;
 mod layout;
 mod looks;
 mod menus;
+mod motion;
 mod one_place;
 mod overlays;
 mod panels_kept;

@@ -10,11 +10,14 @@ use crate::{
     render::GpuError,
     viewer::{
         model::{Action, Overlay},
-        screen::{Canvas, Laid, Progress, SceneRect, Screen, write_screenshot},
+        screen::{Canvas, Laid, Motion, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
 };
-use std::time::{Duration, Instant};
+use std::{
+    mem,
+    time::{Duration, Instant},
+};
 
 /// What came of a frame.
 pub(in crate::viewer) struct Frame {
@@ -31,26 +34,53 @@ struct Pass {
     /// Where the scene goes; `None` where there is no room for it.
     place: Option<SceneRect>,
     platform: egui::PlatformOutput,
+    /// The panels showed the state before what they asked for.
+    is_outdated: bool,
+    /// When egui wants another.
+    next_in: Duration,
 }
 
 impl App {
-    /// A frame: a pass, drawn and shown.
+    /// A frame: a pass, and another where that changed something, so that panels and scene show one state; drawn and
+    /// shown.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
-        let pass = self.run_pass(input);
+        self.take_finished();
+        let again = egui::RawInput {
+            events: Vec::new(),
+            dropped_files: Vec::new(),
+            ..input.clone()
+        };
+        let mut pass = self.run_pass(input);
+        if pass.is_outdated {
+            let told = pass.platform;
+            pass = self.run_pass(again);
+            let last = mem::replace(&mut pass.platform, told);
+            pass.platform.append(last);
+        }
+        if pass.is_outdated {
+            self.context.request_repaint();
+        }
         let (place, pixels_per_point) = (pass.place, pass.pixels_per_point);
         let primitives = self.context.tessellate(pass.shapes, pixels_per_point);
-        let now_s = self.context.input(|input| input.time);
+        let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
         let laid = Laid {
             place,
             primitives,
             pixels_per_point,
-            at_rest: self.rest.is_reached(self.state.to_show(), now_s),
+            motion: (self.rest).motion(self.state.to_show(), now_s, is_held),
         };
         let drawn = self.draw(&laid, screen);
-        self.rest.is_settled = !self.context.has_requested_repaint() && !self.is_busy();
+        self.rest.is_settled = pass.next_in > Duration::ZERO
+            && !pass.is_outdated
+            && self.picture.behind.is_none()
+            && !self.is_busy();
         if self.picture.rough {
-            let wait_s = if laid.at_rest { 0.0 } else { REST_S };
+            let wait_s = if laid.motion == Motion::Rests {
+                0.0
+            } else {
+                REST_S
+            };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
         match &drawn {
@@ -67,7 +97,12 @@ impl App {
     /// A pass that is not drawn. A press, the moves after it and the release are each seen in a pass of their own, however
     /// slow frames are: of what happens within one pass egui sees only the end.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
-        self.run_pass(input).platform
+        self.take_finished();
+        let pass = self.run_pass(input);
+        if pass.is_outdated {
+            self.context.request_repaint();
+        }
+        pass.platform
     }
 
     /// Takes what jobs have done by now.
@@ -85,7 +120,6 @@ impl App {
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.
     fn run_pass(&mut self, mut input: egui::RawInput) -> Pass {
-        self.take_finished();
         self.forget_said(input.time.unwrap_or_default());
         input.max_texture_side = self.max_texture_side;
         let dropped = input.dropped_files.iter();
@@ -136,11 +170,10 @@ impl App {
         for command in commands {
             self.run_command(command);
         }
-        // The panels showed the state before that: they show what came of it in the next pass.
         let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
-        if acted || follows_cursor || hover != self.state.hover() || docks != self.docks {
-            context.request_repaint();
-        } else if self.underway().is_some() {
+        let is_outdated =
+            acted || follows_cursor || hover != self.state.hover() || docks != self.docks;
+        if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
         }
         let copied = self.copied.take().map(egui::OutputCommand::CopyText);
@@ -150,6 +183,11 @@ impl App {
             pixels_per_point: output.pixels_per_point,
             place,
             platform: output.platform_output,
+            is_outdated,
+            next_in: (output.viewport_output.values())
+                .map(|viewport| viewport.repaint_delay)
+                .min()
+                .unwrap_or(Duration::MAX),
         }
     }
 
@@ -190,12 +228,12 @@ impl App {
         }
         if let Some(canvas) = screen.canvas() {
             self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
-            let seen = canvas.on_screen().filter(|_| self.picture.behind);
+            let seen = canvas.on_screen().filter(|_| self.picture.behind.is_some());
             self.state.see(seen);
             self.follow_up(canvas, laid);
         }
-        if self.picture.behind {
-            self.context.request_repaint();
+        if let Some(wait) = self.picture.behind {
+            self.context.request_repaint_after(wait);
         }
         drawn.map(|progress| progress.anew)
     }

@@ -1,6 +1,6 @@
-//! When the picture rests: its edges are smooth then.
+//! When the picture moves, and when it rests: its edges are smooth then.
 
-use crate::viewer::model::OnScreen;
+use crate::viewer::{model::OnScreen, screen::Motion};
 
 /// A picture in which nothing has moved for so many seconds is at rest.
 pub(in crate::viewer) const REST_S: f64 = 0.15;
@@ -10,16 +10,30 @@ pub(in crate::viewer) const REST_S: f64 = 0.15;
 pub(in crate::viewer) struct Rest {
     /// What is to be shown, and since when, by egui's clock in seconds.
     since_s: Option<(OnScreen, f64)>,
+    /// It did not only leap there.
+    moves: bool,
     /// The last frame left nothing to be done but smooth edges.
     pub is_settled: bool,
 }
 
 impl Rest {
-    /// Whether what is to be shown has been the same for a while.
-    pub fn is_reached(&mut self, to_show: OnScreen, now_s: f64) -> bool {
-        let same = self.since_s.filter(|(shown, _)| *shown == to_show);
-        let since_s = same.map_or(now_s, |(_, since_s)| since_s);
-        self.since_s = Some((to_show, since_s));
-        now_s - since_s >= REST_S
+    /// How what is to be shown moves. What changes while a button `is_held` moves, and so does what has changed a moment
+    /// before.
+    pub fn motion(&mut self, to_show: OnScreen, now_s: f64, is_held: bool) -> Motion {
+        let before_s = self
+            .since_s
+            .map_or(f64::NEG_INFINITY, |(_, since_s)| since_s);
+        if self.since_s.is_none_or(|(shown, _)| shown != to_show) {
+            self.since_s = Some((to_show, now_s));
+            self.moves = is_held || now_s - before_s < REST_S;
+        } else if now_s - before_s >= REST_S {
+            self.moves = false;
+            return Motion::Rests;
+        }
+        if self.moves {
+            Motion::Goes
+        } else {
+            Motion::Leapt
+        }
     }
 }

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Image, Rgb},
-    render::{GpuError, read_rgb},
+    render::GpuError,
     viewer::{
         app::{App, Extent, Frame, Host, REST_S, Wake},
         jobs::Answer,
@@ -72,8 +72,9 @@ impl Offscreen {
             app: App::start(options, wake, Host::Picture),
             wakes,
             page: Page {
-                drawing: None,
+                canvas: None,
                 size,
+                is_another: false,
             },
             pixels_per_point,
             time_s: 0.0,
@@ -160,7 +161,19 @@ impl Offscreen {
     /// Whether it stopped moving after what came last: nothing blinks, nothing is under way but smooth edges.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
-        self.at_rest && !self.app.picture.behind
+        self.at_rest && self.app.picture.behind.is_none()
+    }
+
+    /// Whether the last frame shows the scene as it is to be, in whatever resolution.
+    #[must_use]
+    pub fn shows_scene(&self) -> bool {
+        self.app.picture.behind.is_none()
+    }
+
+    /// Whether the last frame looks different from the one before: a window shows no other.
+    #[must_use]
+    pub fn looks_different(&self) -> bool {
+        self.page.is_another
     }
 
     /// Whether it fills the screen.
@@ -206,8 +219,8 @@ impl Offscreen {
     /// What the adapter calls itself, once something was drawn.
     #[must_use]
     pub fn adapter_name(&self) -> &str {
-        let drawing = self.page.drawing.as_ref();
-        drawing.map_or("", |(canvas, _)| canvas.gpu.adapter_name())
+        let canvas = self.page.canvas.as_ref();
+        canvas.map_or("", |canvas| canvas.gpu.adapter_name())
     }
 
     /// Draws a frame, the scene only where it changed, as a window does. Returns whether it was drawn anew.
@@ -243,13 +256,12 @@ impl Offscreen {
     /// # Errors
     /// When nothing was drawn yet, or the adapter fails.
     pub fn drawn(&self) -> Result<Image<Rgb>, GpuError> {
-        let (canvas, texture) = self.page.drawing.as_ref().ok_or(GpuError::NoAdapter)?;
-        read_rgb(&canvas.gpu, texture, self.page.size)
+        self.page.canvas.as_ref().ok_or(GpuError::NoAdapter)?.read()
     }
 
     fn draw_whole(&mut self) -> Result<(), GpuError> {
         self.draw()?;
-        while self.app.picture.behind {
+        while self.app.picture.behind.is_some() {
             self.draw()?;
         }
         if self.app.picture.rough {
@@ -263,7 +275,7 @@ impl Offscreen {
 
     /// Takes the device away, as a driver that restarts does.
     pub fn lose_device(&mut self) {
-        if let Some((canvas, _)) = &self.page.drawing {
+        if let Some(canvas) = &self.page.canvas {
             canvas.gpu.device.destroy();
             // What is lost is known from the next poll on.
             let _ = canvas.gpu.wait();

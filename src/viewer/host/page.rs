@@ -8,39 +8,39 @@ use crate::{
         screen::{Canvas, Laid, Progress, Screen},
     },
 };
+use std::mem;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// A picture in memory that frames are drawn onto.
 pub(super) struct Page {
-    /// The device once there was something to draw, and the picture.
-    pub drawing: Option<(Canvas, wgpu::Texture)>,
+    /// The device, once there was something to draw.
+    pub canvas: Option<Canvas>,
     pub size: Viewport,
+    /// The last frame looks different from the one before.
+    pub is_another: bool,
 }
 
 impl Screen for Page {
     fn restore(&mut self) -> Result<bool, GpuError> {
-        let works = |(canvas, _): &(Canvas, wgpu::Texture)| !canvas.gpu.is_lost();
-        if self.drawing.as_ref().is_some_and(works) {
+        let works = |canvas: &Canvas| !canvas.gpu.is_lost();
+        if self.canvas.as_ref().is_some_and(works) {
             return Ok(false);
         }
-        let canvas = Canvas::new(Gpu::headless()?, FORMAT);
-        let texture = canvas.texture(self.size);
-        self.drawing = Some((canvas, texture));
+        self.canvas = Some(Canvas::new(Gpu::headless()?, FORMAT));
         Ok(true)
     }
 
     fn canvas(&mut self) -> Option<&mut Canvas> {
-        self.drawing.as_mut().map(|(canvas, _)| canvas)
+        self.canvas.as_mut()
     }
 
     fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
-        let Some((canvas, texture)) = &mut self.drawing else {
+        let Some(canvas) = &mut self.canvas else {
             return Ok(Progress::default());
         };
-        if [texture.width(), texture.height()] != [self.size.width(), self.size.height()] {
-            *texture = canvas.texture(self.size);
-        }
-        canvas.draw(texture, state, laid, laid.at_rest)
+        let progress = canvas.draw(self.size, state, laid);
+        self.is_another = mem::take(&mut canvas.unshown);
+        progress
     }
 }

@@ -7,6 +7,7 @@ use crate::viewer::{
     ui::Command,
 };
 use std::{
+    mem,
     sync::Arc,
     time::{Duration, Instant},
 };
@@ -38,6 +39,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     let mut host = Program {
         app,
         shell: None,
+        asked: false,
         failed: None,
     };
     event_loop
@@ -51,6 +53,8 @@ struct Program {
     app: App,
     /// The window, once the event loop runs.
     shell: Option<Shell>,
+    /// It was asked to draw by itself.
+    asked: bool,
     /// Why it could not be opened, for the caller of [`run`].
     failed: Option<ViewerError>,
 }
@@ -83,8 +87,9 @@ impl Program {
         }
     }
 
-    fn request_redraw(&self) {
+    fn request_redraw(&mut self) {
         if let Some(shell) = &self.shell {
+            self.asked = true;
             shell.window.request_redraw();
         }
     }
@@ -146,7 +151,14 @@ impl ApplicationHandler<Wake> for Program {
                 self.leave_if_done(event_loop);
                 return self.request_redraw();
             }
-            WindowEvent::RedrawRequested => return self.redraw(event_loop),
+            WindowEvent::RedrawRequested => {
+                // What nobody here asked for, the system does: the window was covered.
+                if !mem::take(&mut self.asked) {
+                    shell.surface.expose();
+                }
+                return self.redraw(event_loop);
+            }
+            WindowEvent::Occluded(false) => shell.surface.expose(),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
                 self.app.memory.window = shell.stands(self.app.memory.window);

@@ -3,12 +3,13 @@
 use super::{
     panels_picture::PanelsPicture,
     place::SceneRect,
-    scene_picture::{Progress, ScenePicture},
+    scene_picture::{Look, Progress, ScenePicture},
+    wanted::Motion,
 };
 use crate::{
     camera::Viewport,
     image::{Id, Image, Rgb},
-    render::{Destination, Gpu, GpuError, MeshStore, read_rgb},
+    render::{Gpu, GpuError, MeshStore, read_rgb},
     viewer::{
         jobs::Uploaded,
         model::{OnScreen, State},
@@ -24,8 +25,13 @@ pub(in crate::viewer) struct Canvas {
     pub format: TextureFormat,
     scene: ScenePicture,
     panels: PanelsPicture,
-    /// Of the texture that was drawn onto last.
+    /// The frame, which stays: only what changes in it is drawn again.
+    page: wgpu::Texture,
     size: Viewport,
+    /// It is another than the one that was shown last.
+    pub unshown: bool,
+    /// What the page shows of the scene, and where.
+    shown: Option<(SceneRect, Look)>,
 }
 
 /// One frame, laid out.
@@ -36,8 +42,8 @@ pub(in crate::viewer) struct Laid {
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
     pub pixels_per_point: f32,
-    /// Nobody moves the picture: it may get smooth edges.
-    pub at_rest: bool,
+    /// How the scene moves.
+    pub motion: Motion,
 }
 
 /// Where frames go: the surface of a window, or a picture in memory.
@@ -64,9 +70,12 @@ impl Canvas {
         Self {
             panels: PanelsPicture::new(&gpu, format),
             scene: ScenePicture::new(&gpu),
+            page: page(&gpu, Viewport::DEFAULT, format),
+            size: Viewport::DEFAULT,
+            unshown: true,
+            shown: None,
             gpu,
             format,
-            size: Viewport::DEFAULT,
         }
     }
 
@@ -82,12 +91,12 @@ impl Canvas {
 
     /// Takes a scene that is in graphics memory, and is to be shown next.
     pub fn take_uploaded(&mut self, uploaded: Uploaded) {
-        self.scene.take_uploaded(uploaded);
+        self.scene.scenes.take_uploaded(uploaded);
     }
 
     /// The meshes in graphics memory.
     pub fn meshes(&self) -> MeshStore {
-        self.scene.meshes().clone()
+        self.scene.scenes.meshes.clone()
     }
 
     /// What is on screen of the scene.
@@ -100,57 +109,45 @@ impl Canvas {
         self.panels.take_textures(&self.gpu, textures);
     }
 
-    /// Draws a frame onto all of a texture, with smooth edges in time if the picture is `at_rest`. Returns how far the
-    /// scene's picture has come.
+    /// Brings the page up to date. Returns how far the scene's picture has come.
     ///
     /// # Errors
     /// When scene or picture are too large, or the device fails.
     pub fn draw(
         &mut self,
-        texture: &wgpu::Texture,
+        size: Viewport,
         state: &State,
         laid: &Laid,
-        at_rest: bool,
     ) -> Result<Progress, GpuError> {
-        let view_as = |format: TextureFormat| {
-            texture.create_view(&wgpu::TextureViewDescriptor {
-                format: Some(format),
-                ..Default::default()
-            })
-        };
-        let format = self.format;
-        let size_px = [texture.width(), texture.height()];
-        self.size = Viewport::new(size_px[0], size_px[1]).unwrap_or(self.size);
-        let (mut scene, mut has_scene) = (Ok(Progress::default()), false);
+        let is_new = self.size != size;
+        if is_new {
+            (self.page, self.size) = (page(&self.gpu, size, self.format), size);
+        }
+        let mut scene = Ok(Progress::default());
         if let Some(place) = laid.place {
-            self.scene.renderer.scale_factor = laid.pixels_per_point;
-            scene = self
-                .scene
-                .advance(&self.gpu, state, place.viewport, at_rest);
+            self.scene.scale_factor = laid.pixels_per_point;
+            scene = (self.scene).advance(&self.gpu, state, place.viewport, laid.motion);
         }
-        if let (Some(place), Ok(_)) = (laid.place, &scene) {
-            let destination = Destination {
-                view: &view_as(format.add_srgb_suffix()),
-                format: format.add_srgb_suffix(),
-                size_px,
-                origin_px: place.origin_px,
-            };
-            has_scene = self.scene.composite(&self.gpu, state, &destination);
-        }
-        self.gpu.check()?;
-        // egui blends in sRGB values, so it draws through a view that does not convert them.
-        // Where the scene could not be drawn, they say so.
+        let look = laid.place.zip(self.scene.look(state));
         let screen = ScreenDescriptor {
-            size_in_pixels: size_px,
+            size_in_pixels: [size.width(), size.height()],
             pixels_per_point: laid.pixels_per_point,
         };
-        let load = if has_scene {
-            wgpu::LoadOp::Load
-        } else {
-            wgpu::LoadOp::Clear(wgpu::Color::BLACK)
-        };
-        self.panels
-            .draw(&self.gpu, &view_as(format), &laid.primitives, &screen, load);
+        let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
+        if is_new || look.map(|(place, _)| place) != self.shown.map(|(place, _)| place) {
+            painted = vec![[[0, 0], screen.size_in_pixels]];
+        }
+        if !painted.is_empty() {
+            self.panels.copy(&self.gpu, &self.page, &painted);
+        }
+        let is_over = |place: SceneRect| painted.iter().any(|rect| place.touches(*rect));
+        let is_drawn = look != self.shown || look.is_some_and(|(place, _)| is_over(place));
+        if let Some((place, look)) = look.filter(|_| is_drawn) {
+            (self.scene).composite(&self.gpu, &look, &self.page, place);
+            self.panels.draw_over(&self.gpu, &self.page, place);
+        }
+        self.shown = look;
+        self.unshown |= is_drawn || !painted.is_empty();
         if self.gpu.is_software() {
             // The frame time that is shown is the frame's, then, and not that of handing it over.
             self.gpu.wait()?;
@@ -159,25 +156,37 @@ impl Canvas {
         scene
     }
 
-    /// The frame that was drawn last, as a picture, with smooth edges.
+    /// Shows the page on a texture of its format.
+    pub fn show(&mut self, onto: &wgpu::Texture) {
+        self.unshown = false;
+        if onto.usage().contains(wgpu::TextureUsages::COPY_DST) {
+            let mut encoder = self.gpu.encoder();
+            encoder.copy_texture_to_texture(
+                self.page.as_image_copy(),
+                onto.as_image_copy(),
+                wgpu::Extent3d {
+                    width: self.page.width().min(onto.width()),
+                    height: self.page.height().min(onto.height()),
+                    depth_or_array_layers: 1,
+                },
+            );
+            self.gpu.queue.submit([encoder.finish()]);
+        } else {
+            self.panels.draw_page(&self.gpu, &self.page, onto);
+        }
+    }
+
+    /// The frame that was drawn last, with smooth edges.
     ///
     /// # Errors
     /// When memory runs out, or the device fails.
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
-        let texture = self.texture(self.size);
-        loop {
-            let progress = self.draw(&texture, state, laid, true)?;
-            if !progress.behind && !progress.rough {
-                break;
-            }
-            self.gpu.wait()?;
-        }
-        let picture = read_rgb(&self.gpu, &texture, self.size)?;
-        if !matches!(self.format, TextureFormat::Bgra8Unorm) {
-            return Ok(picture);
-        }
-        let pixels = picture.pixels().iter().map(|[b, g, r]| [*r, *g, *b]);
-        Ok(Image::new(self.size, pixels.collect()))
+        let rested = Laid {
+            motion: Motion::Rests,
+            primitives: laid.primitives.clone(),
+            ..*laid
+        };
+        self.smooth_picture(self.size, state, &rested)
     }
 
     /// The scene's picture that was drawn last, without panels.
@@ -189,7 +198,6 @@ impl Canvas {
         state: &State,
         place: SceneRect,
     ) -> Result<Image<Rgb>, GpuError> {
-        let size = self.size;
         let bare = Laid {
             place: Some(SceneRect {
                 origin_px: [0, 0],
@@ -197,29 +205,59 @@ impl Canvas {
             }),
             primitives: Vec::new(),
             pixels_per_point: place.pixels_per_point,
-            at_rest: true,
+            motion: Motion::Rests,
         };
-        self.size = place.viewport;
-        let picture = self.picture(state, &bare);
-        self.size = size;
-        picture
+        self.smooth_picture(place.viewport, state, &bare)
     }
 
-    /// A texture of this size that it can draw onto and that can be read.
-    pub fn texture(&self, size: Viewport) -> wgpu::Texture {
-        self.gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("window"),
-            size: wgpu::Extent3d {
-                width: size.width(),
-                height: size.height(),
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: self.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[self.format.add_srgb_suffix()],
-        })
+    fn smooth_picture(
+        &mut self,
+        size: Viewport,
+        state: &State,
+        laid: &Laid,
+    ) -> Result<Image<Rgb>, GpuError> {
+        loop {
+            let progress = self.draw(size, state, laid)?;
+            if progress.behind.is_none() && !progress.rough {
+                break;
+            }
+            self.gpu.wait()?;
+        }
+        self.read()
     }
+
+    /// The page.
+    ///
+    /// # Errors
+    /// When memory runs out, or the device fails.
+    pub fn read(&self) -> Result<Image<Rgb>, GpuError> {
+        let picture = read_rgb(&self.gpu, &self.page, self.size)?;
+        if !matches!(self.format, TextureFormat::Bgra8Unorm) {
+            return Ok(picture);
+        }
+        let pixels = picture.pixels().iter().map(|[b, g, r]| [*r, *g, *b]);
+        Ok(Image::new(self.size, pixels.collect()))
+    }
+}
+
+/// A texture of this size that can be drawn onto, copied and read.
+fn page(gpu: &Gpu, size: Viewport, format: TextureFormat) -> wgpu::Texture {
+    use wgpu::TextureUsages as Usages;
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("page"),
+        size: wgpu::Extent3d {
+            width: size.width(),
+            height: size.height(),
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: Usages::RENDER_ATTACHMENT
+            | Usages::TEXTURE_BINDING
+            | Usages::COPY_SRC
+            | Usages::COPY_DST,
+        view_formats: &[format.add_srgb_suffix()],
+    })
 }

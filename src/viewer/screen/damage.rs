@@ -1,23 +1,44 @@
 //! Where one frame's panels look different from the last one's.
 
+use super::place::PixelRect;
 use egui::{
     ClippedPrimitive, Rect,
     epaint::{Mesh, Primitive, Vertex},
 };
 
-/// A rectangle in points outside of which both frames' primitives paint the same. Empty ([`Rect::NOTHING`]) where nothing
-/// differs; everything where that is not worth finding out.
+/// Rectangles in points outside of which both frames' primitives paint the same, none where nothing differs; everything
+/// where that is not worth finding out. They may overlap.
 ///
 /// A primitive's triangles are compared in order, one by one where there are as many as before. Where there are not, those
 /// that both begin and end with are the same, so that text of another length differs by its own extent.
-pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> Rect {
+pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> Vec<Rect> {
     if before.len() != now.len() {
-        return Rect::EVERYTHING;
+        return vec![Rect::EVERYTHING];
     }
     let pairs = before.iter().zip(now);
-    pairs.fold(Rect::NOTHING, |all, (before, now)| {
-        all.union(of_primitive(before, now))
-    })
+    let each = pairs.map(|(before, now)| of_primitive(before, now));
+    each.filter(|rect| !rect.is_negative()).collect()
+}
+
+/// Rectangles of pixels, each as its first and the one past its last, that cover others and do not overlap.
+pub(super) fn disjoint(rects: impl IntoIterator<Item = PixelRect>) -> Vec<PixelRect> {
+    let mut all: Vec<PixelRect> = Vec::new();
+    for mut rect in rects {
+        // What it grows by may overlap what it did not before.
+        while let Some(at) = all.iter().position(|other| overlap(other, &rect)) {
+            let other = all.swap_remove(at);
+            for axis in 0..2 {
+                rect[0][axis] = rect[0][axis].min(other[0][axis]);
+                rect[1][axis] = rect[1][axis].max(other[1][axis]);
+            }
+        }
+        all.push(rect);
+    }
+    all
+}
+
+fn overlap([a_min, a_max]: &PixelRect, [b_min, b_max]: &PixelRect) -> bool {
+    (0..2).all(|axis| a_min[axis] < b_max[axis] && b_min[axis] < a_max[axis])
 }
 
 fn of_primitive(before: &ClippedPrimitive, now: &ClippedPrimitive) -> Rect {
@@ -65,7 +86,7 @@ fn bounds(triangles: impl Iterator<Item = [Vertex; 3]>) -> Rect {
 
 #[cfg(test)]
 mod tests {
-    use super::damage;
+    use super::{damage, disjoint};
     use egui::{ClippedPrimitive, Color32, Mesh, Rect, epaint::Primitive, pos2, vec2};
 
     const CLIP: Rect = Rect {
@@ -89,7 +110,8 @@ mod tests {
     }
 
     fn of(before: &[(Rect, Color32)], now: &[(Rect, Color32)]) -> Rect {
-        damage(&[primitive(before)], &[primitive(now)])
+        let all = damage(&[primitive(before)], &[primitive(now)]);
+        all.into_iter().fold(Rect::NOTHING, Rect::union)
     }
 
     const RED: Color32 = Color32::RED;
@@ -136,11 +158,32 @@ mod tests {
         let mut other = primitive(&all);
         other.clip_rect.max.x = 22.0;
         let both = Rect::from_min_max(pos2(0.0, 10.0), pos2(25.0, 15.0));
-        assert_eq!(damage(&[primitive(&all)], &[other]), both);
+        assert_eq!(damage(&[primitive(&all)], &[other]), [both]);
     }
 
     #[test]
     fn another_count_damages_everything() {
-        assert_eq!(damage(&[], &[primitive(&[])]), Rect::EVERYTHING);
+        assert_eq!(damage(&[], &[primitive(&[])]), [Rect::EVERYTHING]);
+    }
+    #[test]
+    fn what_is_far_apart_stays_so() {
+        let [before, now] = [Color32::RED, Color32::BLUE].map(|colour| {
+            let far = primitive(&[(at(80.0), colour)]);
+            vec![primitive(&[(at(0.0), colour)]), primitive(&[]), far]
+        });
+        assert_eq!(damage(&before, &now), [at(0.0), at(80.0)]);
+    }
+
+    #[test]
+    fn what_overlaps_becomes_one() {
+        let [a, b] = [[[0, 0], [2, 2]], [[4, 0], [6, 2]]];
+        assert_eq!(disjoint([a, b]), [a, b]);
+        // Side by side is apart.
+        assert_eq!(disjoint([a, [[2, 0], [4, 2]]]).len(), 2);
+        assert_eq!(disjoint([a, b, [[1, 1], [5, 3]]]), [[[0, 0], [6, 3]]]);
+        assert_eq!(
+            disjoint([a, [[3, 3], [4, 4]], [[1, 1], [4, 4]]]),
+            [[[0, 0], [4, 4]]]
+        );
     }
 }

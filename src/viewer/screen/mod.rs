@@ -3,16 +3,19 @@
 mod box_edges;
 mod canvas;
 mod damage;
+mod finish;
 mod frozen;
 mod overlay_lines;
 mod pace;
 mod panels_picture;
 mod place;
 mod scene_picture;
+mod scenes_on_gpu;
 mod screenshot;
 mod surface;
 mod surroundings;
 mod textures;
+mod tiles;
 mod wanted;
 
 pub(super) use canvas::{Canvas, Laid, Screen};
@@ -22,3 +25,4 @@ pub(super) use screenshot::write_screenshot;
 pub(super) use surface::Surface;
 pub(super) use surroundings::grid_step;
 pub(super) use textures::Textures;
+pub(super) use wanted::Motion;

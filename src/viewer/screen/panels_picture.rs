@@ -1,12 +1,19 @@
 //! The panels' picture, kept from frame to frame: only what looks different is painted again. Software adapters take
 //! forty milliseconds for all panels of a window, and next to nothing for a few digits.
 
-use super::damage::damage;
+use super::{
+    damage::{damage, disjoint},
+    place::{PixelRect, SceneRect},
+    tiles::Tiles,
+};
 use crate::render::{Gpu, SHADERS};
 use egui::{ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta, epaint::Primitive};
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
 use std::mem;
-use wgpu::{BlendState, CommandEncoder, LoadOp, RenderPass, RenderPipeline, TextureFormat};
+use wgpu::{
+    BlendState, CommandEncoder, LoadOp, RenderPass, RenderPipeline, TextureFormat,
+    TextureViewDescriptor,
+};
 
 /// egui's renderer and what it has painted.
 pub(super) struct PanelsPicture {
@@ -21,11 +28,14 @@ pub(super) struct PanelsPicture {
 
 /// A picture, premultiplied with its alpha, and what was painted there.
 struct Kept {
+    texture: wgpu::Texture,
     view: wgpu::TextureView,
     bindings: wgpu::BindGroup,
     size_px: [u32; 2],
     pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
+    /// Where there is any of it.
+    tiles: Tiles,
 }
 
 impl PanelsPicture {
@@ -46,7 +56,7 @@ impl PanelsPicture {
                     layout: None,
                     vertex: wgpu::VertexState {
                         module: &shader,
-                        entry_point: Some("vertex"),
+                        entry_point: Some("cover"),
                         compilation_options: wgpu::PipelineCompilationOptions::default(),
                         buffers: &[],
                     },
@@ -93,36 +103,14 @@ impl PanelsPicture {
         self.stale.extend(mem::take(&mut textures.free));
     }
 
-    /// Draws the panels over what `onto` shows, or over black.
-    pub fn draw(
+    /// Brings the picture up to date. Returns the rectangles of it that changed, each as its first pixel and the one past
+    /// its last.
+    pub fn update(
         &mut self,
         gpu: &Gpu,
-        onto: &wgpu::TextureView,
         primitives: &[ClippedPrimitive],
         screen: &ScreenDescriptor,
-        load: LoadOp<wgpu::Color>,
-    ) {
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.update(gpu, &mut encoder, primitives, screen);
-        if let Some(kept) = &self.kept {
-            let mut pass = pass(&mut encoder, onto, load);
-            pass.set_pipeline(&self.over);
-            pass.set_bind_group(0, &kept.bindings, &[]);
-            pass.draw(0..3, 0..1);
-        }
-        gpu.queue.submit([encoder.finish()]);
-    }
-
-    /// Brings the picture up to date.
-    fn update(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut CommandEncoder,
-        primitives: &[ClippedPrimitive],
-        screen: &ScreenDescriptor,
-    ) {
+    ) -> Vec<PixelRect> {
         let ScreenDescriptor {
             size_in_pixels: size_px,
             pixels_per_point,
@@ -131,37 +119,107 @@ impl PanelsPicture {
         let fits =
             |kept: &Kept| kept.size_px == size_px && kept.pixels_per_point == pixels_per_point;
         let kept = self.kept.take().filter(fits);
-        let changed = kept.as_ref().map_or(Rect::EVERYTHING, |kept| {
-            damage(&kept.primitives, primitives)
+        let changed = match &kept {
+            Some(kept) => damage(&kept.primitives, primitives),
+            None => vec![Rect::EVERYTHING],
+        };
+        let kept = self.kept.insert(match kept {
+            Some(kept) => kept,
+            None => Kept::new(gpu, &self.over, self.format, screen),
         });
-        let mut kept = kept.unwrap_or_else(|| self.kept(gpu, screen));
-        if let Some([min, max]) = pixels(changed, screen) {
-            let corner = |px: [u32; 2]| {
-                #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
-                let [x, y] = px.map(|px| px as f32 / pixels_per_point);
-                Pos2::new(x, y)
-            };
-            let clip = Rect::from_min_max(corner(min), corner(max));
-            let painted: Vec<ClippedPrimitive> = primitives
-                .iter()
-                .filter_map(|primitive| within(primitive, clip))
-                .collect();
-            let Gpu { device, queue, .. } = gpu;
-            self.renderer
-                .update_buffers(device, queue, encoder, &painted, screen);
-            let mut pass = pass(encoder, &kept.view, LoadOp::Load).forget_lifetime();
-            pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
-            pass.set_pipeline(&self.empty);
-            pass.draw(0..3, 0..1);
-            self.renderer.render(&mut pass, &painted, screen);
-            // Where nothing differs, what was painted says the same already.
-            kept.primitives = primitives.to_vec();
+        let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
+        if rects.is_empty() {
+            // What was painted says the same already.
+            return rects;
         }
-        self.kept = Some(kept);
+        let corner = |px: [u32; 2]| {
+            #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
+            let [x, y] = px.map(|px| px as f32 / pixels_per_point);
+            Pos2::new(x, y)
+        };
+        let mut painted = Vec::new();
+        for &[min, max] in &rects {
+            let clip = Rect::from_min_max(corner(min), corner(max));
+            let within = |primitive| within(primitive, clip);
+            painted.extend(primitives.iter().filter_map(within));
+        }
+        let mut encoder = gpu.encoder();
+        self.renderer
+            .update_buffers(&gpu.device, &gpu.queue, &mut encoder, &painted, screen);
+        {
+            let mut pass = pass(&mut encoder, &kept.view, LoadOp::Load).forget_lifetime();
+            pass.set_pipeline(&self.empty);
+            for &[min, max] in &rects {
+                pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
+                pass.draw(0..3, 0..1);
+            }
+            self.renderer.render(&mut pass, &painted, screen);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        kept.primitives = primitives.to_vec();
+        kept.tiles = Tiles::under(primitives, screen);
+        rects
     }
 
+    /// Copies pixels of the picture as they are, over whatever is there.
+    pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture, rects: &[PixelRect]) {
+        let Some(kept) = &self.kept else { return };
+        let mut encoder = gpu.encoder();
+        for &[[x, y], [right, bottom]] in rects {
+            let at = |texture| wgpu::TexelCopyTextureInfo {
+                origin: wgpu::Origin3d { x, y, z: 0 },
+                ..wgpu::Texture::as_image_copy(texture)
+            };
+            let size = wgpu::Extent3d {
+                width: right - x,
+                height: bottom - y,
+                depth_or_array_layers: 1,
+            };
+            encoder.copy_texture_to_texture(at(&kept.texture), at(onto), size);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Draws the picture over what a place shows, where there is something in it.
+    pub fn draw_over(&self, gpu: &Gpu, onto: &wgpu::Texture, place: SceneRect) {
+        let Some(kept) = &self.kept else { return };
+        let mut encoder = gpu.encoder();
+        {
+            let view = onto.create_view(&TextureViewDescriptor::default());
+            let mut pass = pass(&mut encoder, &view, LoadOp::Load);
+            pass.set_pipeline(&self.over);
+            pass.set_bind_group(0, &kept.bindings, &[]);
+            for [x, y, width, height] in kept.tiles.runs(place) {
+                pass.set_scissor_rect(x, y, width, height);
+                pass.draw(0..3, 0..1);
+            }
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Draws a whole frame, onto what cannot be copied to.
+    pub fn draw_page(&self, gpu: &Gpu, page: &wgpu::Texture, onto: &wgpu::Texture) {
+        let mut encoder = gpu.encoder();
+        {
+            let [page, onto] =
+                [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
+            let mut pass = pass(&mut encoder, &onto, LoadOp::Clear(wgpu::Color::BLACK));
+            pass.set_pipeline(&self.over);
+            pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
+            pass.draw(0..3, 0..1);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+}
+
+impl Kept {
     /// An empty picture.
-    fn kept(&self, gpu: &Gpu, screen: &ScreenDescriptor) -> Kept {
+    fn new(
+        gpu: &Gpu,
+        over: &RenderPipeline,
+        format: TextureFormat,
+        screen: &ScreenDescriptor,
+    ) -> Self {
         let [width, height] = screen.size_in_pixels;
         let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("panels"),
@@ -173,27 +231,34 @@ impl PanelsPicture {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: self.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
             view_formats: &[],
         });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("panels"),
-            layout: &self.over.get_bind_group_layout(0),
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: wgpu::BindingResource::TextureView(&view),
-            }],
-        });
-        Kept {
+        let view = texture.create_view(&TextureViewDescriptor::default());
+        Self {
+            bindings: bindings(gpu, over, &view),
             view,
-            bindings,
+            texture,
             size_px: screen.size_in_pixels,
             pixels_per_point: screen.pixels_per_point,
             primitives: Vec::new(),
+            tiles: Tiles::default(),
         }
     }
+}
+
+fn bindings(gpu: &Gpu, over: &RenderPipeline, picture: &wgpu::TextureView) -> wgpu::BindGroup {
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("panels"),
+        layout: &over.get_bind_group_layout(0),
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource: wgpu::BindingResource::TextureView(picture),
+        }],
+    })
 }
 
 fn pass<'a>(
@@ -230,7 +295,7 @@ fn within(primitive: &ClippedPrimitive, clip: Rect) -> Option<ClippedPrimitive> 
 }
 
 /// The pixels that a rectangle in points touches, as their least and their end; `None` of none.
-fn pixels(rect: Rect, screen: &ScreenDescriptor) -> Option<[[u32; 2]; 2]> {
+fn pixels(rect: Rect, screen: &ScreenDescriptor) -> Option<PixelRect> {
     if rect.is_negative() {
         return None;
     }

@@ -1,21 +1,20 @@
 //! The picture of the scene: what is on screen of it, what is being drawn in pieces to come after that, and when.
 
 use super::{
+    finish::Finish,
     pace::Pace,
-    wanted::{Drawn, lines},
+    place::SceneRect,
+    scenes_on_gpu::ScenesOnGpu,
+    wanted::{Drawn, Motion, lines},
 };
 use crate::{
     camera::Viewport,
     image::{Id, Image},
     render::{
-        Destination, Drawing, Gpu, GpuError, Marks, MeshStore, Piece, Renderer, SMOOTH_SAMPLES,
-        SceneBuffers, Targets, Wireframe,
+        Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, SMOOTH_SAMPLES, Targets,
+        Wireframe,
     },
-    scene::{Scene, SceneKey},
-    viewer::{
-        jobs::Uploaded,
-        model::{OnScreen, Overlay, State},
-    },
+    viewer::model::{OnScreen, Overlay, State},
 };
 use std::{
     mem,
@@ -24,39 +23,37 @@ use std::{
 
 /// No further piece is begun in a pass that has worked for as long as this.
 const WORKED: Duration = Duration::from_millis(4);
+/// For so long nothing is asked of an adapter that draws: to ask at once would only keep a processor busy.
+const WAIT: Duration = Duration::from_millis(4);
 
 /// The scene on the GPU, and pictures of it.
 pub(super) struct ScenePicture {
     pub renderer: Renderer,
-    scene: Option<OnGpu>,
-    /// What came ahead of its scene.
-    ready: Option<Uploaded>,
-    /// The scene before this one, as long as it may come back.
-    before: Option<OnGpu>,
-    meshes: MeshStore,
-    /// The scene that does not fit, and why: it is not tried again.
-    unfit: Option<(u64, GpuError)>,
+    pub scenes: ScenesOnGpu,
     shown: Option<Picture>,
     next: Option<UnderWay>,
-    /// Of the picture before, for the one after the next.
-    spare: Option<Targets>,
-    pace: Pace,
-}
-
-/// A scene on the GPU and which one it is.
-struct OnGpu {
-    buffers: SceneBuffers,
-    key: SceneKey,
-    revision: u64,
-    visibility: u64,
+    /// Of pictures before, for those that come.
+    spare: Vec<Targets>,
+    /// Of coarse pictures, and of others.
+    paces: [Pace; 2],
+    /// Pixels of the window for one of its points.
+    pub scale_factor: f32,
+    /// Counts what is shown.
+    changes: u64,
 }
 
 /// A picture that is whole.
 struct Picture {
     targets: Targets,
     of: Drawn,
-    /// Whether its edges are.
-    is_smooth: bool,
+    finish: Finish,
+}
+
+/// What is seen of a scene's picture: that of the same looks the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look {
+    change: u64,
+    marks: Marks,
 }
 
 /// A picture that is not.
@@ -67,8 +64,9 @@ struct UnderWay {
     targets: Option<Targets>,
     /// Little enough for one pass.
     at_once: bool,
-    /// It is the picture that is shown, with smooth edges.
-    smooths: bool,
+    finish: Finish,
+    /// It is the picture that is shown, but better: nobody waits for it.
+    refines: bool,
 }
 
 /// How far the picture has come in a pass.
@@ -76,8 +74,8 @@ struct UnderWay {
 pub(in crate::viewer) struct Progress {
     /// Whether another picture of the scene is shown than before.
     pub anew: bool,
-    /// Whether it is not yet the one that is wanted: another pass is needed.
-    pub behind: bool,
+    /// How soon another pass is needed, while it is not yet the one that is wanted.
+    pub behind: Option<Duration>,
     /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
     pub rough: bool,
 }
@@ -86,27 +84,14 @@ impl ScenePicture {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             renderer: Renderer::new(gpu, SMOOTH_SAMPLES),
-            scene: None,
-            ready: None,
-            before: None,
-            meshes: MeshStore::default(),
-            unfit: None,
+            scenes: ScenesOnGpu::default(),
             shown: None,
             next: None,
-            spare: None,
-            pace: Pace::new(gpu),
+            spare: Vec::new(),
+            paces: [Pace::new(gpu), Pace::new(gpu)],
+            scale_factor: 1.0,
+            changes: 0,
         }
-    }
-
-    /// Takes a scene that is to be shown next.
-    pub fn take_uploaded(&mut self, mut uploaded: Uploaded) {
-        self.meshes = mem::take(&mut uploaded.meshes);
-        self.ready = Some(uploaded);
-    }
-
-    /// The meshes on the GPU.
-    pub fn meshes(&self) -> &MeshStore {
-        &self.meshes
     }
 
     /// What is on screen.
@@ -117,68 +102,78 @@ impl ScenePicture {
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, gpu: &Gpu, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
         let shown = self.shown.as_ref();
-        let shown = shown.filter(|shown| shown.of.on_screen() == *wanted);
+        let is_exact =
+            |shown: &&Picture| shown.finish.is_exact() && shown.of.on_screen() == *wanted;
+        let shown = shown.filter(is_exact);
         shown.map(|shown| shown.targets.read_ids(gpu)).transpose()
     }
 
     /// Brings the picture nearer to what the state wants: all the way where that is little, else by a piece. What is begun
-    /// is finished first, unless the scene is another by now. A picture `at_rest` gets smooth edges, which nothing waits
-    /// for.
+    /// is finished first, unless the scene is another by now. While it goes, it may be coarse; where it rests it gets
+    /// exact and then smooth edges, which nothing waits for.
     pub fn advance(
         &mut self,
         gpu: &Gpu,
         state: &State,
         viewport: Viewport,
-        at_rest: bool,
+        motion: Motion,
     ) -> Result<Progress, GpuError> {
         let revision = state.scene_revision();
-        if self
-            .before
-            .take_if(|before| !before.key.is_in_use())
-            .is_some()
-        {
-            self.meshes.forget_dropped();
-        }
+        self.scenes.forget_unused();
         let wanted = Drawn::wanted(state, viewport);
-        self.next.take_if(|next| {
+        let unwanted = self.next.take_if(|next| {
             let is_of_another = next.of.revision != revision;
-            is_of_another || (next.smooths && (next.of != wanted || !at_rest))
+            is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
         });
+        self.spare.extend(unwanted.and_then(|next| next.targets));
         if self.next.is_none() {
-            self.upload(gpu, state)?;
-            self.begin(gpu, state, &wanted)?;
+            self.scenes.upload(gpu, state)?;
+            self.begin(gpu, state, &wanted, motion)?;
         }
-        if self.next.is_none() && at_rest {
+        if self.next.is_none() && motion == Motion::Rests {
             self.begin_to_smooth(state, &wanted);
         }
-        let anew = self.proceed(gpu)?;
+        let [anew, waits] = self.proceed(gpu)?;
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
-        let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.smooths);
+        let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         Ok(Progress {
             anew,
-            behind: !is_whole,
-            rough: is_whole && shown.is_some_and(|shown| !shown.is_smooth),
+            behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
+            rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
         })
     }
 
     /// Begins what the picture on screen lacks, if anything.
-    fn begin(&mut self, gpu: &Gpu, state: &State, wanted: &Drawn) -> Result<(), GpuError> {
-        let Some(scene) = &self.scene else {
+    fn begin(
+        &mut self,
+        gpu: &Gpu,
+        state: &State,
+        wanted: &Drawn,
+        motion: Motion,
+    ) -> Result<(), GpuError> {
+        let Some(scene) = &self.scenes.now else {
             return Ok(());
         };
-        let most = self.pace.most();
-        let shown = self.shown.as_mut();
-        if let Some(shown) = shown.filter(|shown| shown.of.unmarked() == wanted.unmarked()) {
+        let is_of_wanted = |shown: &&mut Picture| shown.of.unmarked() == wanted.unmarked();
+        let shown = self.shown.as_mut().filter(is_of_wanted);
+        let refines = shown.is_some();
+        let is_good = |shown: &&mut Picture| {
+            shown.finish.is_exact() || motion != Motion::Rests || shown.of != *wanted
+        };
+        if let Some(shown) = shown.filter(is_good) {
             let other = wanted.selection.filter(|_| shown.of != *wanted);
             shown.of.selection = wanted.selection.and(shown.of.selection);
+            let most = self.paces[usize::from(shown.finish.is_exact())].most();
             self.next = other.map(|object| {
-                let drawing = Drawing::of_selection(&scene.buffers, &wanted.view, object);
+                let view = shown.finish.drawn(&wanted.view);
+                let drawing = Drawing::of_selection(&scene.buffers, &view, object);
                 UnderWay {
                     at_once: most.holds(&drawing.whole(&scene.buffers)),
                     drawing,
                     of: *wanted,
                     targets: None,
-                    smooths: false,
+                    finish: shown.finish,
+                    refines: false,
                 }
             });
             return Ok(());
@@ -188,64 +183,90 @@ impl ScenePicture {
             .shows(Overlay::Wireframe)
             .then(|| wanted.selection.map_or(Wireframe::OfAll, Wireframe::Of));
         let samples = gpu.samples_in_motion();
-        let viewport = wanted.view.viewport;
-        let drawing = Drawing::of_scene(samples, &wanted.view, lines(state, wanted));
+        let finish = match samples {
+            SMOOTH_SAMPLES => Finish::Smooth,
+            _ if motion == Motion::Goes => Finish::coarse(scene.buffers.whole()),
+            _ => Finish::Rough,
+        };
+        let view = finish.drawn(&wanted.view);
+        let drawing = Drawing::of_scene(samples, &view, lines(state, wanted));
+        let most = self.paces[usize::from(finish.is_exact())].most();
         let at_once = most.holds(&drawing.whole(&scene.buffers));
-        let fits = |targets: &mut Targets| targets.viewport() == viewport;
-        let mut old = self.spare.take();
         if at_once {
             // Nothing is shown between the beginning and the end.
-            old = self.shown.take().map(|shown| shown.targets);
+            self.spare
+                .extend(self.shown.take().map(|shown| shown.targets));
         }
-        let targets = match old.take_if(fits) {
-            Some(targets) => targets,
-            None => Targets::new(gpu, viewport, SMOOTH_SAMPLES)?,
-        };
         self.next = Some(UnderWay {
             drawing,
             of: *wanted,
-            targets: Some(targets),
+            targets: Some(self.targets(gpu, wanted.view.viewport, view.viewport)?),
             at_once,
-            smooths: false,
+            finish,
+            refines,
         });
         Ok(())
     }
 
+    /// Targets of a size, of those that are spare where there are such. Of others only those stay that fit a window.
+    fn targets(
+        &mut self,
+        gpu: &Gpu,
+        window: Viewport,
+        size: Viewport,
+    ) -> Result<Targets, GpuError> {
+        let at = self
+            .spare
+            .iter()
+            .position(|targets| targets.viewport() == size);
+        let found = at.map(|at| self.spare.swap_remove(at));
+        self.spare
+            .retain(|targets| targets.viewport() == window || found.is_some());
+        self.spare.truncate(2);
+        found.map_or_else(|| Targets::new(gpu, size, SMOOTH_SAMPLES), Ok)
+    }
+
     /// Begins to draw the picture on screen with smooth edges, where it has none.
     fn begin_to_smooth(&mut self, state: &State, wanted: &Drawn) {
-        let shown = (self.shown.as_ref()).filter(|shown| shown.of == *wanted && !shown.is_smooth);
-        let (Some(_), Some(scene)) = (shown, &self.scene) else {
+        let shown = (self.shown.as_ref())
+            .filter(|shown| shown.of == *wanted && shown.finish == Finish::Rough);
+        let (Some(_), Some(scene)) = (shown, &self.scenes.now) else {
             return;
         };
         let lines = lines(state, wanted);
         let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
         let mut each = bare.whole(&scene.buffers);
         each.work += lines.len() as u64;
-        let bands = self.pace.bands(wanted.view.viewport, each);
+        let bands = self.paces[1].bands(wanted.view.viewport, each);
         self.next = Some(UnderWay {
             drawing: Drawing::of_smooth_colours(&wanted.view, lines, bands),
             of: *wanted,
             targets: None,
             at_once: false,
-            smooths: true,
+            finish: Finish::Smooth,
+            refines: true,
         });
     }
 
-    /// Draws on. Returns whether another picture of the scene is shown than before.
-    fn proceed(&mut self, gpu: &Gpu) -> Result<bool, GpuError> {
+    /// Draws on. Returns whether another picture of the scene is shown than before, and whether nothing could be drawn,
+    /// since the adapter has not done yet what it is to.
+    fn proceed(&mut self, gpu: &Gpu) -> Result<[bool; 2], GpuError> {
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
-        let most = self.pace.most();
-        let is_free = self.pace.is_free(gpu);
+        let is_free = self.paces.iter_mut().all(|pace| pace.is_free(gpu));
+        let finish = self.next.as_ref().map(|next| next.finish);
+        let of = usize::from(finish >= Some(Finish::Rough));
+        let (most, most_smooth) = (self.paces[of].most(), self.paces[of].most_smooth());
         let mut smooths = false;
-        while let (Some(next), Some(scene)) = (&mut self.next, &self.scene) {
+        while let (Some(next), Some(scene)) = (&mut self.next, &self.scenes.now) {
+            let is_smooth = next.refines && next.finish == Finish::Smooth;
             let piece = if next.at_once {
                 Piece::WHOLE
-            } else if next.smooths {
+            } else if is_smooth {
                 // One a pass: nobody waits for it, and it makes everybody wait.
                 if mem::replace(&mut smooths, true) || !is_free {
                     break;
                 }
-                self.pace.most_smooth()
+                most_smooth
             } else if is_free && done < most.work && start.elapsed() < WORKED {
                 Piece {
                     work: most.work - done,
@@ -262,113 +283,91 @@ impl ScenePicture {
             let before = next.drawing.done();
             let drawing = &mut next.drawing;
             let buffers = &scene.buffers;
+            #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
+            let coarseness = next.finish.coarseness() as f32;
+            self.renderer.scale_factor = self.scale_factor / coarseness;
             let advanced = self.renderer.advance(gpu, buffers, targets, drawing, piece);
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
             done += self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
             if is_whole {
-                anew |= self.finish(gpu);
+                anew |= self.finish();
             }
         }
         // What smooth pieces take says nothing of others.
         if done > 0 && !smooths {
-            self.pace.began(gpu, done);
+            self.paces[of].began(gpu, done);
         }
-        Ok(anew)
+        Ok([anew, !is_free && self.next.is_some()])
     }
 
     /// What was under way is drawn: it is shown, or the selection comes next. Returns whether the scene is shown anew.
-    fn finish(&mut self, gpu: &Gpu) -> bool {
-        let (Some(mut next), Some(scene)) = (self.next.take(), &self.scene) else {
+    fn finish(&mut self) -> bool {
+        let (Some(mut next), Some(scene)) = (self.next.take(), &self.scenes.now) else {
             return false;
         };
         if let Some(object) = next.of.selection
             && !next.drawing.is_of_selection()
-            && !next.smooths
+            && next.targets.is_some()
         {
-            next.drawing = Drawing::of_selection(&scene.buffers, &next.of.view, object);
+            let view = next.finish.drawn(&next.of.view);
+            next.drawing = Drawing::of_selection(&scene.buffers, &view, object);
             self.next = Some(next);
             return false;
         }
+        self.changes += 1;
         match (next.targets, &mut self.shown) {
             (Some(targets), shown) => {
                 let before = shown.replace(Picture {
-                    is_smooth: gpu.samples_in_motion() == SMOOTH_SAMPLES,
                     targets,
                     of: next.of,
+                    finish: next.finish,
                 });
-                self.spare = before.map(|before| before.targets);
+                self.spare.extend(before.map(|before| before.targets));
                 true
             }
             (None, Some(shown)) => {
                 shown.of = next.of;
-                shown.is_smooth |= next.smooths;
+                shown.finish = next.finish;
                 false
             }
             (None, None) => false,
         }
     }
 
-    /// Puts the picture on screen with its marks into a destination. Returns whether there is one.
-    pub fn composite(&mut self, gpu: &Gpu, state: &State, destination: &Destination<'_>) -> bool {
-        let (Some(scene), Some(shown)) = (&self.scene, &self.shown) else {
-            return false;
-        };
+    /// What is to be seen of the picture; `None` where there is none.
+    pub fn look(&self, state: &State) -> Option<Look> {
+        let (scene, shown) = (self.scenes.now.as_ref()?, self.shown.as_ref()?);
         // Objects of one scene are none of another's.
         let is_of_scene = |of: &u64| *of == scene.revision;
         let hover = Some(state.scene_revision()).filter(is_of_scene);
         let selection = Some(shown.of.revision).filter(is_of_scene);
+        Some(Look {
+            change: self.changes,
+            marks: Marks {
+                selection: selection.and(shown.of.selection),
+                hover: hover.and(selection).and(state.hover()),
+            },
+        })
+    }
+
+    /// Puts the picture into its place on a page.
+    pub fn composite(&mut self, gpu: &Gpu, look: &Look, page: &wgpu::Texture, place: SceneRect) {
+        let (Some(scene), Some(shown)) = (&self.scenes.now, &self.shown) else {
+            return;
+        };
+        let coarseness = shown.finish.coarseness();
         self.renderer.composite(
             gpu,
             &scene.buffers,
             &shown.targets,
-            &shown.of.view,
-            &Marks {
-                selection: selection.and(shown.of.selection),
-                hover: hover.and(selection).and(state.hover()),
+            &shown.finish.drawn(&shown.of.view),
+            &look.marks,
+            &Destination {
+                texture: page,
+                origin_px: place.origin_px,
+                room_px: [place.viewport.width(), place.viewport.height()],
+                coarseness,
             },
-            destination,
         );
-        true
-    }
-
-    fn upload(&mut self, gpu: &Gpu, state: &State) -> Result<(), GpuError> {
-        let (revision, visibility) = (state.scene_revision(), state.visibility_revision());
-        match &mut self.scene {
-            Some(scene) if scene.revision == revision => {
-                if scene.visibility != visibility {
-                    scene.buffers.update(gpu, state.scene())?;
-                    scene.visibility = visibility;
-                    scene.key = state.scene().key();
-                }
-            }
-            _ => {
-                if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
-                    return Err(error.clone());
-                }
-                let buffers = match self.known(state.scene()) {
-                    Some(buffers) => Ok(buffers),
-                    None => SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes),
-                };
-                let buffers = buffers.inspect_err(|error| {
-                    self.unfit = Some((revision, error.clone()));
-                })?;
-                self.before = self.scene.replace(OnGpu {
-                    buffers,
-                    key: state.scene().key(),
-                    revision,
-                    visibility,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// The buffers of a scene that came ahead of it, or stayed from before.
-    fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
-        let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
-        let before = self.before.take_if(|before| before.key.is_of(scene));
-        ready
-            .map(|ready| ready.buffers)
-            .or(before.map(|before| before.buffers))
     }
 }

@@ -5,11 +5,14 @@ use super::{
     scene_picture::Progress,
 };
 use crate::{
+    camera::Viewport,
     render::{Gpu, GpuError},
     viewer::model::State,
 };
 use std::sync::Arc;
-use wgpu::{CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureFormat};
+use wgpu::{
+    CurrentSurfaceTexture, SurfaceConfiguration, SurfaceTexture, TextureFormat, TextureUsages,
+};
 use winit::{event_loop::OwnedDisplayHandle, window::Window};
 
 /// A window's surface and the canvas that draws onto it.
@@ -42,10 +45,16 @@ impl Surface {
         Ok(surface)
     }
 
+    /// What the window shows may be gone.
+    pub fn expose(&mut self) {
+        self.canvas.unshown = true;
+    }
+
     /// The window has another size; 0 while it is minimised.
     pub fn resize(&mut self, width: u32, height: u32) {
         (self.config.width, self.config.height) = (width, height);
         self.configure();
+        self.expose();
     }
 
     /// The next texture to draw on; `None` when there is none to be had now, as while minimised.
@@ -100,15 +109,18 @@ impl Screen for Surface {
     }
 
     fn draw(&mut self, state: &State, laid: &Laid) -> Result<Progress, GpuError> {
-        let Some(frame) = self.acquire()? else {
+        let Ok(size) = Viewport::new(self.config.width, self.config.height) else {
             return Ok(Progress::default());
         };
-        let progress = self
-            .canvas
-            .draw(&frame.texture, state, laid, laid.at_rest)?;
-        self.window.pre_present_notify();
-        self.canvas.gpu.queue.present(frame);
-        Ok(progress)
+        let progress = self.canvas.draw(size, state, laid);
+        if self.canvas.unshown
+            && let Some(frame) = self.acquire()?
+        {
+            self.canvas.show(&frame.texture);
+            self.window.pre_present_notify();
+            self.canvas.gpu.queue.present(frame);
+        }
+        progress
     }
 }
 
@@ -120,25 +132,24 @@ fn create(
     surface.map_err(|_| GpuError::NoAdapter)
 }
 
-/// How the surface shows frames: sRGB values as they are, viewed as light where the scene is put in; in step with the
-/// screen.
+/// How the surface shows frames: sRGB values as they are, in step with the screen.
 fn configuration(
     gpu: &Gpu,
     surface: &wgpu::Surface,
     window: &Window,
 ) -> Result<SurfaceConfiguration, GpuError> {
-    let formats = surface.get_capabilities(&gpu.adapter).formats;
+    let can = surface.get_capabilities(&gpu.adapter);
     let plain = [TextureFormat::Bgra8Unorm, TextureFormat::Rgba8Unorm];
     let format = plain
         .into_iter()
-        .find(|format| formats.contains(format))
+        .find(|format| can.formats.contains(format))
         .ok_or_else(|| GpuError::Device {
             adapter: gpu.adapter_name().to_owned(),
             reason: "the screen takes no 8-bit colours".into(),
         })?;
     let size = window.inner_size();
     Ok(SurfaceConfiguration {
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+        usage: can.usages & (TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_DST),
         format,
         color_space: wgpu::SurfaceColorSpace::Auto,
         width: size.width,
@@ -146,6 +157,6 @@ fn configuration(
         present_mode: wgpu::PresentMode::AutoVsync,
         desired_maximum_frame_latency: 1,
         alpha_mode: wgpu::CompositeAlphaMode::Auto,
-        view_formats: vec![format.add_srgb_suffix()],
+        view_formats: Vec::new(),
     })
 }

@@ -7,6 +7,17 @@ use crate::{
     viewer::model::{Frozen, OnScreen, Overlays, State},
 };
 
+/// How what is to be shown of the scene moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum Motion {
+    /// Nobody moves it: it may get smooth edges.
+    Rests,
+    /// It has another place at one blow, or had a moment ago.
+    Leapt,
+    /// It is on its way: a coarse picture will do.
+    Goes,
+}
+
 /// All that colours and ids depend on, and then the selection, on which its outline depends.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {

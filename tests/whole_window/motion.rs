@@ -1,0 +1,115 @@
+//! While something moves, its picture may be coarse in software; at rest it is exact, and picks always are.
+
+use super::*;
+use egui::vec2;
+use sightline::render;
+
+/// The left top corner of the scene's rectangle, of which the middle is that of the window's room for it.
+fn corner(window: &Offscreen) -> [u32; 2] {
+    let size = window.state().view().viewport;
+    [590 - size.width() / 2, 360 - size.height() / 2]
+}
+
+/// Pixels of the middle of the frame on the screen that are not those of the squares of two by two which they are in.
+fn finer_than_squares(window: &Offscreen) -> usize {
+    let (picture, [left, top]) = (window.drawn().expect("a picture"), corner(window));
+    let inner = (100..400).flat_map(|y| (100..400).map(move |x| (x, y)));
+    let at = |x: u32, y: u32| picture.at(left + x, top + y);
+    inner
+        .filter(|&(x, y)| at(x, y) != at(x / 2 * 2, y / 2 * 2))
+        .count()
+}
+
+#[test]
+fn what_moves_is_coarse_and_what_rests_is_exact() {
+    let (mut window, _folder) = row(1.0);
+    window.picture().expect("a picture");
+    let is_software = window.adapter_name().contains("llvmpipe");
+    assert!(finer_than_squares(&window) > 500);
+    window.send([
+        Event::PointerMoved(MIDDLE),
+        button(MIDDLE, PointerButton::Primary, true),
+    ]);
+    for x in [10.0, 20.0, 30.0] {
+        let at = MIDDLE + vec2(x, 0.0);
+        let anew = window.frame(Event::PointerMoved(at)).expect("a frame");
+        assert!(anew && window.shows_scene());
+        assert_eq!(finer_than_squares(&window) == 0, is_software, "{x}");
+    }
+    let last = MIDDLE + vec2(30.0, 0.0);
+    window
+        .frame(button(last, PointerButton::Primary, false))
+        .expect("a frame");
+    assert_eq!(
+        finer_than_squares(&window) == 0,
+        is_software,
+        "a moment ago"
+    );
+    // A click into the coarse picture is as right as ever, and is marked there.
+    let bare = window.drawn().expect("a picture");
+    click(&mut window, MIDDLE);
+    window.draw().expect("a frame");
+    let clicked = window.drawn().expect("a picture");
+    let marked = (bare.pixels().iter().zip(clicked.pixels())).filter(|(a, b)| a != b);
+    assert!(marked.count() > 100);
+    let picked = window.state().selection().map(|selection| selection.object);
+    assert!(picked.is_some());
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    window.send([Event::PointerGone]);
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let at_rest = window.picture().expect("a picture");
+    let (state, [left, top]) = (window.state(), corner(&window));
+    let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
+    let (ids, colours) =
+        render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
+    for (x, y) in (100..400).flat_map(|y| (100..400).map(move |x| (x, y))) {
+        assert_eq!(colours.at(x, y), at_rest.at(left + x, top + y), "{x}, {y}");
+    }
+    let [x, y] = [590 - left, 361 - top];
+    let drawn = ids.at(x, y).object;
+    let picked = picked.and_then(|object| u32::try_from(object + 1).ok());
+    assert_eq!(picked, Some(drawn));
+}
+
+#[test]
+fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
+    let (mut window, _folder) = row(1.0);
+    window.picture().expect("a picture");
+    let is_software = window.adapter_name().contains("llvmpipe");
+    let press = |key| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    window.wait_s(1.0);
+    window.frame(press(Key::Num9)).expect("a frame");
+    assert!(finer_than_squares(&window) > 500);
+    window.frame(press(Key::Num3)).expect("a frame");
+    assert_eq!(finer_than_squares(&window) == 0, is_software);
+}
+
+#[test]
+fn a_frame_that_looks_as_before_is_not_shown_again() {
+    let (mut window, _folder) = row(1.0);
+    window.picture().expect("a picture");
+    for _ in 0..3 {
+        window.draw().expect("a frame");
+        assert!(!window.looks_different());
+    }
+    window.frame(Event::PointerMoved(MIDDLE)).expect("a frame");
+    assert!(window.state().hover().is_some() && window.looks_different());
+    window.frame(Event::PointerMoved(MIDDLE)).expect("a frame");
+    assert!(!window.looks_different());
+    // The panels tell of a click in the frame that shows it.
+    let before = window.drawn().expect("a picture");
+    window.send([button(MIDDLE, PointerButton::Primary, true)]);
+    window
+        .frame(button(MIDDLE, PointerButton::Primary, false))
+        .expect("a frame");
+    let clicked = window.drawn().expect("a picture");
+    let panel = (100..600).flat_map(|y| (980..1270).map(move |x| (x, y)));
+    let differ = panel.filter(|&(x, y)| before.at(x, y) != clicked.at(x, y));
+    assert!(differ.count() > 500);
+}
