@@ -119,3 +119,27 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     let fresh = open(vec![path], 1.0).picture().expect("a picture");
     assert_eq!(dropped.pixels(), fresh.pixels());
 }
+
+#[test]
+fn a_step_back_onto_a_stage_is_made_beside_the_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![many(folder.path())], 1.0);
+    window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    for name in ["show with V M", "show with M"] {
+        let at = control(&window, name).rect.center();
+        click(&mut window, at);
+    }
+    assert_eq!(window.state().stage(), Stage::World);
+    let undo = Event::Key {
+        key: Key::Z,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::COMMAND | Modifiers::CTRL,
+    };
+    window.frame(undo).expect("a frame");
+    assert_eq!(window.state().stage(), Stage::World, "not yet");
+    window.send([]);
+    assert_eq!(window.state().stage(), Stage::View);
+}

@@ -13,8 +13,8 @@ use std::{io::Write, time::Instant};
 impl App {
     /// Does something to scene or view.
     pub fn act(&mut self, action: Action) {
-        if let Action::Stage(stage) = action
-            && self.begin_stage(stage)
+        if let Some(stage) = self.state.stage_after(action)
+            && self.begin_stage(stage, action)
         {
             return;
         }

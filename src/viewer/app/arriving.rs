@@ -8,8 +8,8 @@ use crate::{
     render::GpuError,
     scene::Scene,
     viewer::{
-        jobs::{Staging, Upload},
-        model::{Action, Stage},
+        jobs::{Making, Staging, Upload},
+        model::{Action, Made, Stage},
         ui::Underway,
     },
 };
@@ -18,45 +18,48 @@ use crate::{
 const LITTLE: usize = 20_000;
 
 impl App {
-    /// Begins to make a stage that takes long; it is shown when it is ready. Returns whether that is so.
-    pub(super) fn begin_stage(&mut self, stage: Stage) -> bool {
+    /// Begins to make a stage that takes long; the action that shows it is done when it is ready. Returns whether that is
+    /// so.
+    pub(super) fn begin_stage(&mut self, stage: Stage, then: Action) -> bool {
         self.staging = None;
         self.arriving
-            .take_if(|(_, what)| matches!(what, Arrival::Stage(_)));
+            .take_if(|(_, what)| matches!(what, Arrival::Stage(..)));
         let (scene, through) = self.state.stage_source();
         let is_there = stage == Stage::World || stage == self.state.stage();
-        if is_there || is_little(scene) || self.state.is_prepared(stage) {
+        if is_there || size(scene) < LITTLE || self.state.is_prepared(stage) {
             return false;
         }
         let wake = self.wake.clone();
         let wake = move || wake(Wake::Look);
-        self.staging = Some(Staging::start(stage, scene.clone(), through, wake));
+        let staging = Staging::start(stage, scene.clone(), through, wake);
+        self.staging = Some((staging, then));
         true
     }
 
     /// Takes a stage that is made.
     pub(super) fn take_staged(&mut self) {
-        let Some(made) = self.staging.as_ref().and_then(Staging::poll) else {
+        let made = self.staging.as_ref();
+        let Some((made, then)) = made.and_then(|(job, then)| Some((job.poll()?, *then))) else {
             return;
         };
         self.staging = None;
         if let Ok(prepared) = made {
             let (stage, scene) = (prepared.stage, prepared.scene.clone());
             self.state.prepare(prepared);
-            self.arrive(&scene, Arrival::Stage(stage));
+            self.arrive(Making::Scene(scene), Arrival::Stage(stage, then));
         }
     }
 
     /// Shows what has come, when its scene is in graphics memory: at once, where that is little or nothing was drawn yet.
-    pub(super) fn arrive(&mut self, scene: &Scene, what: Arrival) {
+    pub(super) fn arrive(&mut self, making: Making, what: Arrival) {
         match &self.gpu {
-            Some((gpu, meshes)) if !is_little(scene) => {
+            Some((gpu, meshes)) if making.size() >= LITTLE => {
                 let wake = self.wake.clone();
                 let wake = move || wake(Wake::Look);
-                let upload = Upload::start(gpu.clone(), scene.clone(), meshes.clone(), wake);
+                let upload = Upload::start(gpu.clone(), making, meshes.clone(), wake);
                 self.arriving = Some((upload, what));
             }
-            _ => self.arrived(what),
+            _ => self.arrived(what, None),
         }
     }
 
@@ -69,22 +72,25 @@ impl App {
             return;
         };
         match result {
-            Ok(uploaded) => {
+            Ok(mut uploaded) => {
+                let made = uploaded.as_mut().and_then(|uploaded| uploaded.made.take());
                 self.uploaded = uploaded;
-                self.arrived(what);
+                self.arrived(what, made);
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => self.complain(error.to_string()),
             // What else there is to say of the device, the next picture says.
-            Err(_) => self.arrived(what),
+            Err(_) => self.arrived(what, None),
         }
         self.context.request_repaint();
     }
 
-    fn arrived(&mut self, what: Arrival) {
+    fn arrived(&mut self, what: Arrival, made: Option<Made>) {
         match what {
-            Arrival::Stage(stage) => self.act(Action::Stage(stage)),
+            // What would lead elsewhere by now is not what was asked for.
+            Arrival::Stage(stage, then) if self.state.stage_after(then) != Some(stage) => {}
+            Arrival::Stage(_, then) => self.act(then),
             Arrival::Loaded(loaded, paths, purpose) => {
-                match self.show_scene(*loaded, paths, purpose) {
+                match self.show_scene(*loaded, paths, purpose, made) {
                     Ok(()) => self.build_trees(),
                     Err(text) => self.complain(text),
                 }
@@ -115,6 +121,6 @@ impl App {
     }
 }
 
-fn is_little(scene: &Scene) -> bool {
-    scene.objects().len() + scene.triangle_count() < LITTLE
+fn size(scene: &Scene) -> usize {
+    scene.objects().len() + scene.triangle_count()
 }

@@ -7,8 +7,8 @@ use super::{
 use crate::{
     scene::{self, Loaded},
     viewer::{
-        jobs::{self, Loading, Saving},
-        model::Source,
+        jobs::{self, Loading, Making, Saving},
+        model::{Made, Source},
         options::Options,
         ui::Intent,
     },
@@ -53,8 +53,14 @@ impl App {
         };
         match result {
             Ok(loaded) => {
-                let scene = loaded.scene.clone();
-                self.arrive(&scene, Arrival::Loaded(Box::new(loaded), paths, purpose));
+                let (now, came) = (self.state.world().0.clone(), loaded.scene.clone());
+                let making = match purpose {
+                    Purpose::Open => Making::Scene(came),
+                    Purpose::Add => Making::With(now, came),
+                    Purpose::Reload | Purpose::Follow => Making::Again(now, came),
+                };
+                let what = Arrival::Loaded(Box::new(loaded), paths, purpose);
+                self.arrive(making, what);
             }
             Err(error) => {
                 self.forget_gone();
@@ -68,17 +74,18 @@ impl App {
         mut loaded: Loaded,
         paths: Vec<PathBuf>,
         purpose: Purpose,
+        made: Option<Made>,
     ) -> Result<(), String> {
         let warnings = std::mem::take(&mut loaded.warnings);
         let mut unused = Vec::new();
         match purpose {
             Purpose::Add => {
-                self.state.add(loaded, paths);
+                self.state.add(loaded, paths, made);
                 self.warn(&warnings);
                 self.watch();
                 return Ok(());
             }
-            Purpose::Reload | Purpose::Follow => self.state.reload(loaded),
+            Purpose::Reload | Purpose::Follow => self.state.reload_as(loaded, made),
             Purpose::Open => {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);

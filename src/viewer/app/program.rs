@@ -44,7 +44,7 @@ pub(super) enum Purpose {
 /// What is shown once it is in graphics memory.
 pub(super) enum Arrival {
     Loaded(Box<Loaded>, Vec<PathBuf>, Purpose),
-    Stage(Stage),
+    Stage(Stage, Action),
 }
 
 /// How much of the screen the window has.
@@ -91,8 +91,8 @@ pub(in crate::viewer) struct App {
     pub state: State,
     /// The device that pictures are drawn with, once one was, and the meshes that it has.
     pub(super) gpu: Option<(Gpu, MeshStore)>,
-    /// The stage that is being made.
-    pub(super) staging: Option<Staging>,
+    /// The stage that is being made, and what shows it.
+    pub(super) staging: Option<(Staging, Action)>,
     /// What is on its way into graphics memory, to be shown then.
     pub(super) arriving: Option<(Upload, Arrival)>,
     /// What is there, for the next picture.

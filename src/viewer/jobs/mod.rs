@@ -21,5 +21,5 @@ pub(super) use saving::Saving;
 pub(super) use study::Chart;
 pub(super) use trees::TreeBuild;
 pub(super) use typefaces::{Missing, Typeface, Typefaces};
-pub(super) use uploading::{Upload, Uploaded};
+pub(super) use uploading::{Making, Upload, Uploaded};
 pub(super) use watching::Watching;

@@ -3,11 +3,42 @@
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
+    viewer::model::Made,
 };
 use std::{
     sync::mpsc::{Receiver, TryRecvError, channel},
     thread,
 };
+
+/// What is made, and taken into graphics memory.
+pub(in crate::viewer) enum Making {
+    /// A scene that is there.
+    Scene(Scene),
+    /// A scene with the objects of another after its own.
+    With(Scene, Scene),
+    /// What a scene's files hold now.
+    Again(Scene, Scene),
+}
+
+impl Making {
+    /// The objects and triangles that there are.
+    pub fn size(&self) -> usize {
+        let size = |scene: &Scene| scene.objects().len() + scene.triangle_count();
+        match self {
+            Self::Scene(scene) => size(scene),
+            Self::With(scene, other) | Self::Again(scene, other) => size(scene) + size(other),
+        }
+    }
+
+    fn make(self) -> (Scene, Option<Made>) {
+        let made = match self {
+            Self::Scene(scene) => return (scene, None),
+            Self::With(scene, added) => Made::with(&scene, &added),
+            Self::Again(scene, now) => Made::again(&scene, now),
+        };
+        (made.scene.clone(), Some(made))
+    }
+}
 
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
@@ -15,6 +46,8 @@ pub(in crate::viewer) struct Uploaded {
     pub buffers: SceneBuffers,
     /// Its meshes, and those that were there before.
     pub meshes: MeshStore,
+    /// The scene, where it was made.
+    pub made: Option<Made>,
 }
 
 /// A scene on its way there.
@@ -27,18 +60,20 @@ impl Upload {
     /// Begins, with what a device has already; calls `wake` when done.
     pub fn start(
         gpu: Gpu,
-        scene: Scene,
+        making: Making,
         mut meshes: MeshStore,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
         let (sender, result) = channel();
         let device = gpu.clone();
         thread::spawn(move || {
+            let (scene, made) = making.make();
             let buffers = SceneBuffers::upload_beside(&device, &scene, &mut meshes);
             let uploaded = buffers.map(|buffers| Uploaded {
                 key: scene.key(),
                 buffers,
                 meshes,
+                made,
             });
             // The receiver is gone when nobody wants the scene any more.
             let _ = sender.send(uploaded);

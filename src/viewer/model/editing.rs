@@ -1,14 +1,12 @@
 //! Objects that are moved, hidden, shown and added.
 
 use super::{
+    made::Made,
     stages::Stage,
     state::{Chosen, Edits, State, Step},
     timeline::Gesture,
 };
-use crate::{
-    geometry::Placement,
-    scene::{Loaded, Scene},
-};
+use crate::{geometry::Placement, scene::Loaded};
 use glam::DAffine3;
 use std::{iter, mem, path::PathBuf};
 
@@ -84,7 +82,12 @@ impl State {
     }
 
     /// Adds the objects of other files to the scene. View and selection stay.
-    pub(in crate::viewer) fn add(&mut self, loaded: Loaded, paths: Vec<PathBuf>) {
+    pub(in crate::viewer) fn add(
+        &mut self,
+        loaded: Loaded,
+        paths: Vec<PathBuf>,
+        made: Option<Made>,
+    ) {
         let was = (self.stand(), self.stage);
         self.show_stage(Stage::World);
         self.record_stand(None, &was);
@@ -101,10 +104,10 @@ impl State {
         } else {
             source.paths.extend(paths);
         }
-        let objects = self.scene.objects().iter().chain(loaded.scene.objects());
-        let scene = Scene::new(objects.cloned().collect());
+        let made = made.filter(|made| made.is_of(&self.scene));
+        let made = made.unwrap_or_else(|| Made::with(&self.scene, &loaded.scene));
         let step = Step::Composed {
-            scene: mem::replace(&mut self.scene, scene),
+            scene: mem::replace(&mut self.scene, made.scene),
             source: mem::replace(&mut self.source, source),
             edits,
             chosen,

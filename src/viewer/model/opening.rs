@@ -2,6 +2,7 @@
 
 use super::{
     action::LensControls,
+    made::Made,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
@@ -14,7 +15,7 @@ use crate::{
     geometry::{Mesh, Sides},
     scene::{self, Loaded, Scene},
 };
-use std::{collections::HashMap, mem, path::PathBuf, sync::Arc};
+use std::{mem, path::PathBuf, sync::Arc};
 
 impl State {
     /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
@@ -157,34 +158,23 @@ impl State {
 
     /// Shows what the same files hold now: view, selection and visibility stay with the objects of the same name.
     pub fn reload(&mut self, loaded: Loaded) {
+        self.reload_as(loaded, None);
+    }
+
+    /// The same; the scene that comes of it may have been made before.
+    pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
         self.show_stage(Stage::World);
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
         }
-        let old = std::mem::replace(&mut self.scene, loaded.scene);
-        let old = old.objects();
-        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
-            .map(|(index, object)| (object.name.as_str(), index))
-            .collect();
-        let before = |index: usize, name: &str| {
-            let same_place = old.get(index).filter(|object| object.name == name);
-            same_place
-                .map(|_| index)
-                .or_else(|| by_name.get(name).copied())
-        };
-        let selected = self.selection.take().map(|selection| selection.object);
-        for index in 0..self.scene.objects().len() {
-            let Some(was) = before(index, &self.scene.objects()[index].name) else {
-                continue;
-            };
-            self.scene.set_visible(index, old[was].visible);
-            if selected == Some(was) && self.selection.is_none() {
-                self.selection = Some(Selection {
-                    object: index,
-                    pick: None,
-                });
-            }
-        }
+        let made = made.filter(|made| made.is_of(&self.scene));
+        let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene));
+        let selected = self.selection.take();
+        self.selection = selected.and_then(|selected| {
+            let object = made.became(selected.object)?;
+            Some(Selection { object, pick: None })
+        });
+        self.scene = made.scene;
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);

@@ -1,8 +1,9 @@
 //! The scene at a stage of the pipeline, a camera that is left standing, and the way back.
 
 use super::{
+    action::Action,
     stages::{Prepared, Stage, staged},
-    state::{Frozen, Selection, State, World},
+    state::{Frozen, Selection, State, Step, World},
 };
 use crate::{
     camera::{Orbit, UpAxis, View},
@@ -18,6 +19,20 @@ impl State {
         match &self.world {
             Some(world) => (&world.scene, world.through),
             None => (&self.scene, through()),
+        }
+    }
+
+    /// The stage that an action leads to; `None` where it shows none.
+    pub(in crate::viewer) fn stage_after(&self, action: Action) -> Option<Stage> {
+        let step = |back| match self.timeline.last(back)? {
+            Step::Stood(_, stage) => Some(*stage),
+            _ => None,
+        };
+        match action {
+            Action::Stage(stage) => Some(stage),
+            Action::Undo => step(true),
+            Action::Redo => step(false),
+            _ => None,
         }
     }
 

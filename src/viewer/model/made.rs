@@ -1,0 +1,100 @@
+//! Scenes that are made of the one that is shown and of what was loaded: beside the window, where that takes long.
+
+use crate::scene::{Object, Scene, SceneKey};
+use std::collections::HashMap;
+
+/// A scene that is made of another.
+pub(in crate::viewer) struct Made {
+    of: SceneKey,
+    /// The scene itself.
+    pub scene: Scene,
+    /// What each of its objects was in the other; empty where none was anything.
+    was: Vec<Option<usize>>,
+}
+
+impl Made {
+    /// The objects of a scene, and after them those that were added.
+    pub fn with(scene: &Scene, added: &Scene) -> Self {
+        let objects = scene.objects().iter().chain(added.objects());
+        Self {
+            of: scene.key(),
+            scene: Scene::new(objects.cloned().collect()),
+            was: Vec::new(),
+        }
+    }
+
+    /// What the files of a scene hold now. What was hidden stays so: an object is the one before that has its name, at the
+    /// same place in the order, else the first.
+    pub fn again(scene: &Scene, mut now: Scene) -> Self {
+        let old = scene.objects();
+        let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
+            .map(|(index, object)| (object.name.as_str(), index))
+            .collect();
+        let before = |(index, object): (usize, &Object)| {
+            let same_place = old.get(index).filter(|old| old.name == object.name);
+            let elsewhere = || by_name.get(object.name.as_str()).copied();
+            same_place.map(|_| index).or_else(elsewhere)
+        };
+        let was: Vec<_> = now.objects().iter().enumerate().map(before).collect();
+        for (index, was) in was.iter().enumerate() {
+            let visible = was.map(|was| old[was].visible);
+            if let Some(visible) =
+                visible.filter(|visible| *visible != now.objects()[index].visible)
+            {
+                now.set_visible(index, visible);
+            }
+        }
+        Self {
+            of: scene.key(),
+            scene: now,
+            was,
+        }
+    }
+
+    /// Whether it is of this scene, as it is now.
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        self.of.is_of(scene)
+    }
+
+    /// What an object of the other scene is in this one.
+    pub fn became(&self, object: usize) -> Option<usize> {
+        self.was.iter().position(|was| *was == Some(object))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{geometry::Placement, scene::Shape};
+
+    fn scene(objects: &[(&str, bool)]) -> Scene {
+        let object = |&(name, visible): &(&str, bool)| Object {
+            visible,
+            ..Object::new(name, Shape::Sphere, Placement::IDENTITY)
+        };
+        Scene::new(objects.iter().map(object).collect())
+    }
+
+    #[test]
+    fn what_was_hidden_stays_so_by_its_name() {
+        let old = scene(&[("a", true), ("b", false), ("b", true)]);
+        let now = scene(&[("b", true), ("b", true), ("c", false), ("a", false)]);
+        let made = Made::again(&old, now);
+        let visible = made.scene.objects().iter().map(|object| object.visible);
+        assert_eq!(visible.collect::<Vec<_>>(), [false, false, false, true]);
+        let became = [0, 1, 2].map(|object| made.became(object));
+        assert_eq!(became, [Some(3), Some(0), None]);
+        assert!(made.is_of(&old) && !made.is_of(&made.scene));
+    }
+
+    #[test]
+    fn what_is_added_comes_after_what_there_is() {
+        let made = Made::with(&scene(&[("a", false)]), &scene(&[("a", true), ("b", true)]));
+        let objects = made.scene.objects().iter();
+        let all: Vec<_> = objects
+            .map(|object| (&*object.name, object.visible))
+            .collect();
+        assert_eq!(all, [("a", false), ("a", true), ("b", true)]);
+        assert_eq!(made.became(0), None);
+    }
+}
