@@ -2,14 +2,14 @@
 //!
 //! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
 //! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
-//! What may come before it is gathered once, by the pyramid about all of them. Triangles of its own plane that come later
-//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where nothing is
-//! left and what shows fills the square of all these pixels, no ray is asked.
+//! What may come before it is gathered once, by the pyramid about all of them. Triangles and squares of its own plane that
+//! come later in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where
+//! nothing is left and what shows fills the square of all these pixels, no ray is asked.
 
 use super::{
     SceneHit,
     nearest::{closest, hits_of, shows_part},
-    order::{comes_later_alike, comes_later_in_plane, order},
+    order::{comes_later, order},
 };
 use crate::{
     camera::{View, pixel_centre},
@@ -182,7 +182,7 @@ fn rivals(
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && !comes_later_alike(scene, here, batch.start);
+            let is_rival = first.visible && !comes_later(scene, here, batch.start, None);
             rivals.extend(is_rival.then_some(Rival {
                 object: batch.start,
                 triangle: None,
@@ -197,7 +197,7 @@ fn rivals(
             let part_hit = mesh.part_of(triangle);
             if shows_part(scene, batch, *part, part_hit) {
                 let object = batch.start + part_hit - part;
-                if !comes_later_in_plane(scene, here, object, triangle, corners) {
+                if !comes_later(scene, here, object, Some((triangle, corners))) {
                     rivals.push(Rival {
                         object,
                         triangle: Some(triangle),

@@ -87,6 +87,29 @@ fn identical_triangles_are_as_many_surfaces() {
     }
 }
 
+/// A ray that touches a sphere on its rim, where it meets a board.
+#[test]
+fn a_touched_rim_and_a_board_are_two() {
+    let scaled = |scale| DAffine3::from_scale(DVec3::splat(scale));
+    let scene = Scene::new(vec![
+        object("ball", Shape::Sphere, scaled(2.0)),
+        object("board", Shape::Square, scaled(4.0)),
+    ]);
+    let view = view(
+        [0.0, 0.0, 5.0],
+        [0.0; 3],
+        orthographic(4.0625, 0.1, 10.0),
+        [65, 65],
+    );
+    for px in [[48.5, 32.5], [16.5, 32.5], [32.5, 48.5], [32.5, 16.5]] {
+        let hits = pick::all(&scene, view.ray(px.into()), view.sides);
+        let places: Vec<_> = hits.iter().map(|at| (at.object, at.hit.t)).collect();
+        assert_eq!(places, [(0, 5.0), (1, 5.0)], "{px:?}");
+        let said = in_one_place(&scene, &view, px.into()).expect("two");
+        assert_eq!(said.to_string(), "two in one place: ball and board");
+    }
+}
+
 /// A solid's front and back come together at its rim. Those of a mesh that is thin all over are two.
 #[test]
 fn a_rim_is_one_surface_and_a_thin_sheet_two() {
