@@ -8,7 +8,7 @@
 
 use super::{
     SceneHit,
-    nearest::{closest, hits_of, shows_part},
+    nearest::{closest, first_on, shows_part},
     order::{comes_later, order},
 };
 use crate::{
@@ -154,10 +154,9 @@ fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
         .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)))
 }
 
-/// The first shown hit on an object, or on a triangle of it.
+/// The first shown hit on it.
 fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
-    let mut hits = hits_of(scene, ray, what.object, what.triangle);
-    hits.find(|hit| view.sides.shows(&hit.hit))
+    first_on(scene, ray, view.sides, what.object, what.triangle)
 }
 
 /// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than

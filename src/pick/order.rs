@@ -42,9 +42,15 @@ pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit)
 }
 
 fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    if !a.overlaps(b) {
-        return a.hit.t.total_cmp(&b.hit.t);
+    if a.overlaps(b) {
+        by_exact_t(scene, ray, a, b)
+    } else {
+        a.hit.t.total_cmp(&b.hit.t)
     }
+}
+
+#[cold]
+fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
     if is_same_place(scene, a, b) {
         return Ordering::Equal;
     }
