@@ -185,7 +185,10 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 /// Puts a difference down to geometry.
 fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
     let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
-    let sides = [drawn, picked].map(|id| surface::shown(surfaces.of_id(px, id)));
+    let sides = [
+        surface::may_be_drawn(surfaces.of_id(px, drawn)),
+        surface::may_be_picked(surfaces.of_id(px, picked)),
+    ];
     // From the same the GPU makes the same: which of the two shows is settled by their order.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);
     let pairs = sides[0]
