@@ -8,23 +8,20 @@
 
 use super::{
     SceneHit,
+    around::{REACH, corners, pyramid},
     nearest::{closest, first_on, shows_part},
     order::{comes_later, order},
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{Cuboid, LocalRay, Placement, Pyramid, Sphere, WorldRay, binary::power_of_two},
+    geometry::{Cuboid, Placement, Sphere, WorldRay, binary::power_of_two},
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
 use std::ops::ControlFlow;
 
-/// How far, in pixels, to look for a pixel with another answer.
-const REACH: f64 = 8.0;
 /// So far each ray asks the whole scene, before anything is gathered: mostly one of these finds something else.
 const NEARBY: f64 = 2.0;
-/// From a position to the sides of a square that holds all centres within reach, and a pixel of room.
-const ASIDE: f64 = REACH + 1.0;
 /// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
 const MOST: usize = 6;
 /// The same where many surfaces are in one place, each of which a tree would ask about.
@@ -148,12 +145,6 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
     lies_between && corners.all(|ray| first_of(scene, view, &ray, shown).is_some())
 }
 
-/// The rays through the corners of a square about a position that holds all centres within reach.
-fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
-    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)))
-}
-
 /// The first shown hit on it.
 fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
     first_on(scene, ray, view.sides, what.object, what.triangle)
@@ -169,10 +160,7 @@ fn rivals(
     most: usize,
 ) -> Option<Vec<Rival>> {
     let corners = corners(view, px);
-    let pyramid_in = |placement: &Placement| {
-        let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-        Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
-    };
+    let pyramid_in = |placement: &Placement| pyramid(&corners, placement);
     let mut rivals = Vec::new();
     let mut is_complete = true;
     scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {

@@ -69,6 +69,7 @@ pub use report::{Disagreement, Report, Verdict};
 use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
+    pick,
     scene::Scene,
 };
 use bound::{Outline, Reason};
@@ -221,7 +222,13 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         });
         (reason, depths)
     };
-    let (reason, depth) = best.unwrap_or_else(unexplained);
+    let (reason, mut depth) = best.unwrap_or_else(unexplained);
+    if !depth[1].is_finite() && picked != Id::default() {
+        // A face that is seen edge-on has no depth of its own; the hit on its rim has.
+        let (scene, view) = (surfaces.scene, surfaces.space.view());
+        let hit = pick::closest(scene, view.ray(px), view.sides);
+        depth[1] = hit.map_or(f64::NAN, |hit| hit.hit.t);
+    }
     Disagreement {
         pixel,
         drawn,
