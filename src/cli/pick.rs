@@ -11,8 +11,8 @@ use glam::DVec2;
 use std::io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write};
 
 /// Positions at which every triangle is looked at before trees are built: so many take as long as building does (measured with
-/// a million triangles: 20 ns each for a look, 270 ns for a tree).
-const BREAK_EVEN: usize = 12;
+/// a million triangles: 13 ns each for a look, 270 ns for a tree).
+const BREAK_EVEN: usize = 20;
 
 /// Arguments of `sightline pick`.
 #[derive(Debug, clap::Args)]
