@@ -12,7 +12,7 @@ use std::{
 /// What drawing may take of a pass, in seconds, with room for what comes after it.
 const LONGEST_S: f64 = 0.08;
 /// Work that is within that on slow adapters of the two kinds, at first.
-const SOFTWARE_WORK: u64 = 100_000;
+const SOFTWARE_WORK: u64 = 120_000;
 const HARDWARE_WORK: u64 = 4_000_000;
 /// The least that pieces come down to.
 const LEAST_WORK: u64 = 10_000;
