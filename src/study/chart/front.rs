@@ -217,15 +217,17 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
             continue;
         }
         named.push(point.row.method);
-        let mut words = if point.row.ours {
+        let name = if point.row.ours {
             "Sightline"
         } else {
             point.row.method
-        }
-        .to_owned();
-        if at[0] >= panel.to[0] {
-            words = format!("{words}, {} ns", whole(point.ns));
-        }
+        };
+        let is_off = |ns: f64| panel.x.at(ns) >= panel.to[0];
+        let words = match (is_off(point.ns), is_off(point.slowest)) {
+            (true, _) => format!("{name}, {}", time(point.ns)),
+            (false, true) => format!("{name}, up to {}", time(point.slowest)),
+            (false, false) => name.to_owned(),
+        };
         if at[1] > band {
             in_band(picture, panel, point, *at, &words);
         } else {
@@ -234,13 +236,20 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     }
 }
 
-fn whole(ns: f64) -> String {
-    format!("{:.0}", ns.round())
+/// With two digits, in what it is a few of.
+fn time(ns: f64) -> String {
+    let (value, unit) = match ns {
+        ..1e3 => (ns, "ns"),
+        ..1e6 => (ns / 1e3, "us"),
+        _ => (ns / 1e6, "ms"),
+    };
+    let places = usize::from(value < 10.0);
+    format!("{value:.places$} {unit}")
 }
 
 /// Right of a point and its bar where there is room, else left.
 fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2], words: &str) {
-    let end = panel.x.at(point.slowest).max(at[0]) + 15.0;
+    let end = panel.x.at(point.slowest).max(at[0]) + 12.0;
     let (x, anchor) = if end + text_width(words, 17.0) < panel.to[0] {
         (end, Anchor::Left)
     } else {
@@ -249,8 +258,7 @@ fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2]
     picture.text([x, at[1]], anchor, 17.0, INK, words);
 }
 
-/// From the middle workload to the worst, dashed where only ties are; and to the slowest, with its time where that is not on
-/// the axis.
+/// From the middle workload to the worst, dashed where only ties are; and to the slowest, an arrow where that is not on the axis.
 fn bars(
     picture: &mut Picture,
     panel: &Panel,
@@ -281,8 +289,6 @@ fn bars(
                 2,
                 false,
             );
-            let words = format!("{} ns", whole(point.slowest));
-            picture.text([x - 12.0, y - 9.0], Anchor::Right, 14.0, QUIET, words);
         }
         places.take_line([*at, slowest]);
     }

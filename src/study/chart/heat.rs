@@ -76,7 +76,7 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
     )]
     let height = ends[0].max(ends[1]) as u32;
     let title = "Where each method fails";
-    let line = "Colour: how far off at worst. Number: wrong answers in per cent, of rays the error in px. Left f32, right f64 or \
+    let line = "Colour: how far off at worst. Number: wrong answers in per cent; of rays, the power of ten of the error in px. Left f32, right f64 or \
                 exact; blank: never wrong.";
     let mut picture = page(height, title, &[line]);
     legend(&mut picture);
@@ -199,12 +199,11 @@ fn cell<'a>(picture: &mut Picture, [x, y]: [f64; 2], rows: impl Iterator<Item = 
         (true, 0.0) => String::new(),
         (true, ..1.0) => "<1".to_owned(),
         (true, _) => format!("{wrong:.0}"),
-        (false, _) if px.is_infinite() => "fails".to_owned(),
-        (false, _) => format!("{px:.0e}"),
+        (false, _) if px.is_infinite() => "inf".to_owned(),
+        (false, _) => format!("{:.0}", px.log10().floor()),
     };
     let middle = [x + 0.5 * HALF - 0.5, y + 0.5 * ROW - 0.5];
-    let size = if decides { 17.0 } else { 12.5 };
-    picture.text(middle, Anchor::Middle, size, ink(colour), words);
+    picture.text(middle, Anchor::Middle, 17.0, ink(colour), words);
 }
 
 /// In lines of about so many letters.

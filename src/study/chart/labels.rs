@@ -90,7 +90,8 @@ impl Places {
         let is_off_lines = |area: &&[f64; 4]| {
             is_free(area) && !self.lines.iter().any(|line| meet(area, line, 1.0))
         };
-        let free = all.iter().find(is_off_lines);
+        // Near by; further off a line is the lesser evil.
+        let free = all.iter().take(7 * turns.len()).find(is_off_lines);
         let free = free.or_else(|| all.iter().find(is_free));
         // A frame that is full.
         let area = *free.unwrap_or(&all[0]);

@@ -4,11 +4,11 @@ use super::{
     axis::{Axis, Labels, Panel},
     measure::Measure,
     page::{PLOT_HEIGHT, page, places},
-    picture::Picture,
+    picture::{Anchor, INK, Picture},
     style::{Style, legend, styles},
 };
 use crate::study::{
-    run::{Report, Row},
+    run::{Report, Row, SCENE},
     step::Precision,
 };
 
@@ -37,7 +37,7 @@ pub fn chart(report: &Report) -> Picture {
         let Some(first) = rows.first() else { continue };
         // Neighbours of one step share a legend.
         let measure = Measure::of(first.step);
-        let styles = panel(&mut picture, measure, &rows, at, None);
+        let styles = panel(&mut picture, measure, &rows, at, None, None);
         if last != key {
             legend(&mut picture, styles.iter(), under(at), 16.0);
         }
@@ -57,7 +57,7 @@ pub fn hit_rates(report: &Report) -> Picture {
         let mut rows = rows_of(report, key, "hit rate");
         rows.retain(|row| row.time.is_some());
         if !rows.is_empty() {
-            let styles = panel(&mut picture, Measure::Time, &rows, at, None);
+            let styles = panel(&mut picture, Measure::Time, &rows, at, None, None);
             legend(&mut picture, styles.iter(), under(at), 16.0);
         }
     }
@@ -75,10 +75,10 @@ fn under([left, top]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
-/// family's; empty without any.
+/// family's, and a scene's own ([`SCENE`]), which are marked at `here`; empty without any.
 #[must_use]
-pub fn family(rows: &[Row], wide: Option<(&str, Precision)>) -> Picture {
-    let rows: Vec<&Row> = rows.iter().collect();
+pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
+    let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
     let mut names: Vec<&str> = rows.iter().map(|row| row.method).collect();
     names.sort_unstable();
     names.dedup();
@@ -91,7 +91,15 @@ pub fn family(rows: &[Row], wide: Option<(&str, Precision)>) -> Picture {
     let mut picture = Picture::new(400, height + 6);
     if let Some(first) = rows.first() {
         let at = [0.0, 6.0];
-        let styles = panel(&mut picture, Measure::of(first.step), &rows, at, wide);
+        let scene = Some((own.as_slice(), here));
+        let styles = panel(
+            &mut picture,
+            Measure::of(first.step),
+            &rows,
+            at,
+            wide,
+            scene,
+        );
         legend(&mut picture, styles.iter(), under(at), 16.0);
     }
     picture
@@ -104,10 +112,13 @@ fn panel(
     rows: &[&Row],
     [left, top]: [f64; 2],
     wide: Option<(&str, Precision)>,
+    scene: Option<(&[&Row], f64)>,
 ) -> Vec<Style> {
     let step = rows[0].step;
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
-    let ys: Vec<f64> = rows.iter().map(|row| measure.at(row)).collect();
+    let own = scene.map_or(&[][..], |(own, _)| own);
+    let all = rows.iter().chain(own);
+    let ys: Vec<f64> = all.map(|row| measure.at(row)).collect();
     let from = [left + 82.0, top + 28.0];
     let to = [left + 384.0, top + 28.0 + PLOT_HEIGHT];
     // Harmless is on the left, whichever way the parameter grows.
@@ -129,6 +140,16 @@ fn panel(
             none: measure.none(),
         },
     );
+    if let Some((_, here)) = scene {
+        let x = panel.x.at(here);
+        picture.line(vec![[x, from[1]], [x, to[1]]], INK, 1, true);
+        let (anchor, away) = if x > 0.5 * (from[0] + to[0]) {
+            (Anchor::Right, -6.0)
+        } else {
+            (Anchor::Left, 6.0)
+        };
+        picture.text([x + away, from[1] + 8.0], anchor, 15.0, INK, SCENE);
+    }
     let first_value = rows[0].value.to_bits();
     let methods = rows
         .iter()
@@ -140,10 +161,10 @@ fn panel(
     let mut ordered: Vec<&Style> = styles.iter().collect();
     ordered.sort_by_key(|style| (is_wide(style), style.ours));
     for style in ordered {
-        let own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
+        let is_own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
         let points = rows
             .iter()
-            .filter(own)
+            .filter(is_own)
             .map(|row| panel.at(row.value, measure.at(row)));
         let width = match (is_wide(style), style.ours) {
             (true, _) => 5,
@@ -151,6 +172,17 @@ fn panel(
             (false, false) => 2,
         };
         line(picture, style, width, points.collect());
+        let here = scene.map(|(_, here)| here);
+        for (row, here) in own.iter().filter(is_own).zip(here) {
+            let filled = style.precision != Precision::F32 || style.ours;
+            picture.point(
+                panel.at(here, measure.at(row)),
+                style.shape,
+                7.0,
+                style.colour,
+                filled,
+            );
+        }
     }
     styles
 }

@@ -2,7 +2,7 @@
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
 use super::{
-    page::page,
+    page::{WIDTH, page},
     picture::{Anchor, Colour, INK, Mark, Picture, QUIET},
 };
 use crate::study::{
@@ -16,18 +16,17 @@ use std::thread;
 
 /// Neighbours in a row, and in a column.
 const SIDE: u32 = 256;
-/// Formulas in a row, from where, and how far apart; the tiles' own side; above each for its name, below for its figure.
-const COLUMNS: usize = 8;
+/// At most so many formulas in a row, and from where; above each tile for its name, below for its figure.
+const COLUMNS: usize = 9;
 const LEFT: f64 = 56.0;
-const PITCH: f64 = 192.0;
-const TILE: f64 = 184.0;
 const NAME: f64 = 26.0;
 const TOP: f64 = 92.0;
 
-const HIT: Colour = [0x6a, 0xa5, 0xd6];
-const MISS: Colour = [0xee, 0xee, 0xee];
-const LOST: Colour = [0x8b, 0x12, 0x12];
-const FALSE: Colour = [0xf2, 0x9d, 0x38];
+// Light to dark in this order in grey, too: miss, hit, false, lost.
+const HIT: Colour = [0xa9, 0xcb, 0xea];
+const MISS: Colour = [0xf4, 0xf4, 0xf4];
+const LOST: Colour = [0x7a, 0x0c, 0x0c];
+const FALSE: Colour = [0xd9, 0x77, 0x06];
 
 /// What is so, or what one method says of it.
 struct Tile {
@@ -46,32 +45,34 @@ pub fn chart() -> Picture {
             names.push(tile.name);
         }
     }
-    let block = NAME + 2.0 * (TILE + NAME);
-    let blocks = u32::try_from(names.len().div_ceil(COLUMNS)).unwrap_or(1);
+    let blocks = names.len().div_ceil(COLUMNS);
+    let columns = names.len().div_ceil(blocks);
+    let [blocks, per_row] = [blocks, columns].map(|n| u32::try_from(n).map_or(1.0, f64::from));
+    let pitch = (WIDTH - LEFT - 8.0) / per_row;
+    let side = pitch - 8.0;
+    let block = 2.0 * (side + NAME) + NAME + 12.0;
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a page"
     )]
-    let height = (TOP + f64::from(blocks) * (block + 12.0)) as u32;
+    let height = (TOP + blocks * block) as u32;
     let title = "An edge, and the smallest steps across it";
     let line = "256 x 256 rays, each from its neighbour by the smallest step that its numbers can make; one triangle, below the edge.";
     let mut picture = page(height, title, &[line]);
     legend(&mut picture);
-    for (names, top) in names
-        .chunks(COLUMNS)
-        .zip((0..).map(|i| TOP + f64::from(i) * (block + 12.0)))
-    {
-        for (is_narrow, y, words) in [(true, 0.0, "f32 steps"), (false, TILE + NAME, "f64 steps")] {
+    for (names, row) in names.chunks(columns).zip((0..).map(f64::from)) {
+        let top = TOP + row * block;
+        for (is_narrow, y, words) in [(true, 0.0, "f32 steps"), (false, side + NAME, "f64 steps")] {
             picture.marks.push(Mark::Text {
-                at: [34.0, top + NAME + y + 0.5 * TILE],
+                at: [34.0, top + NAME + y + 0.5 * side],
                 anchor: Anchor::Middle,
                 size: 17.0,
                 colour: QUIET,
                 upwards: true,
                 text: words.to_owned(),
             });
-            for (name, x) in names.iter().zip((0..).map(|i| LEFT + PITCH * f64::from(i))) {
+            for (name, x) in names.iter().zip((0..).map(|i| LEFT + pitch * f64::from(i))) {
                 if is_narrow {
                     picture.text([x, top + 10.0], Anchor::Left, 15.0, INK, *name);
                 }
@@ -79,7 +80,7 @@ pub fn chart() -> Picture {
                     tile.name == *name && (tile.precision == Precision::F32) == is_narrow
                 };
                 if let Some(tile) = tiles.iter().find(is_own) {
-                    draw(&mut picture, tile, [x, top + NAME + y]);
+                    draw(&mut picture, tile, [x, top + NAME + y], side);
                 }
             }
         }
@@ -87,8 +88,8 @@ pub fn chart() -> Picture {
     picture
 }
 
-fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2]) {
-    picture.map(&tile.colours, SIDE as usize, [x, y], TILE / f64::from(SIDE));
+fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2], side: f64) {
+    picture.map(&tile.colours, SIDE as usize, [x, y], side / f64::from(SIDE));
     let wrong = tile
         .colours
         .iter()
@@ -101,7 +102,7 @@ fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2]) {
         (0, _) => "none wrong".to_owned(),
         _ => format!("{percent:.1} % wrong"),
     };
-    picture.text([x, y + TILE + 11.0], Anchor::Left, 15.0, QUIET, words);
+    picture.text([x, y + side + 11.0], Anchor::Left, 15.0, QUIET, words);
 }
 
 /// The tiles of what is so.
@@ -133,7 +134,7 @@ fn tiles() -> Vec<Tile> {
         precision: method.precision,
         colours: of(method.precision)
             .iter()
-            .map(|(case, truth)| colour(case, truth, method))
+            .map(|(case, truth)| colour(case, *truth, method))
             .collect(),
     };
     let mut tiles = vec![truth(Precision::F32), truth(Precision::F64)];
@@ -184,8 +185,8 @@ fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     (0..SIDE * SIDE).map(case).collect()
 }
 
-fn colour(case: &TriangleCase, truth: &Option<f64>, method: &Method<TriangleCase>) -> Colour {
-    match (case.judge(truth, &(method.run)(case)), truth) {
+fn colour(case: &TriangleCase, truth: Option<f64>, method: &Method<TriangleCase>) -> Colour {
+    match (case.judge(&truth, &(method.run)(case)), truth) {
         (Verdict::Missed(_), _) => LOST,
         (Verdict::Phantom(_) | Verdict::Other, _) => FALSE,
         (_, Some(_)) => HIT,
