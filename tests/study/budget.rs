@@ -42,14 +42,14 @@ fn long_lenses(folder: &tempfile::TempDir) -> Vec<PathBuf> {
     let needles = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/gallery/needles.obj");
     std::fs::copy(needles, folder.path().join("needles.obj")).expect("a mesh");
     let scenes = [
-        ("sphere", "", "[0.5, 0, 0]"),
-        ("cube", "", "[0.5, 0.1, 0.5]"),
+        ("sphere", "", "[0.28767, -0.40897, 0]"),
+        ("cube", "", "[0.5, -0.5, 0.1]"),
         ("square", "", "[0.5, 0.1, 0]"),
-        ("mesh", "file = \"needles.obj\"", "[0.9, 0.00027, 0.009]"),
+        ("mesh", "file = \"needles.obj\"", "[0.9, 0, 0]"),
     ];
     let scene = |(shape, file, target): (&str, &str, &str)| {
         let text = format!(
-            "[camera]\neye = [0.9, 30.7, 1000.3]\ntarget = {target}\nfov = 1e-5\n[[object]]\nshape = \"{shape}\"\n{file}\n"
+            "[camera]\neye = [612.3, 430.7, 730.1]\ntarget = {target}\nfov = 1e-5\n[[object]]\nshape = \"{shape}\"\n{file}\n"
         );
         let path = folder.path().join(shape).with_extension("toml");
         std::fs::write(&path, text).expect("a file");
