@@ -3,7 +3,10 @@
 use super::gallery::view_of;
 use sightline::{
     camera::View,
-    scene::{self, Loaded, Progress, gallery::GALLERY},
+    scene::{
+        self, Loaded, Progress,
+        gallery::{Exhibit, GALLERY},
+    },
     study::{
         self, Effort, Report, SceneRays,
         step::Precision::{F32, F64},
@@ -73,7 +76,7 @@ fn studied(path: PathBuf) -> (SceneRays, View, Report) {
 #[test]
 fn no_estimate_is_beaten_by_what_was_measured() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut scenes: Vec<PathBuf> = GALLERY.iter().map(|exhibit| exhibit.path()).collect();
+    let mut scenes: Vec<PathBuf> = GALLERY.iter().map(Exhibit::path).collect();
     scenes.push(town(&folder, "fov = 60"));
     let parallel = tempfile::tempdir().expect("a folder");
     scenes.push(town(&parallel, "ortho = 150"));

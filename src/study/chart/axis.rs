@@ -119,11 +119,7 @@ impl Axis {
             let steps = RangedCoordf64::from(low..high).key_points(most);
             return steps.into_iter().map(|v| (v, word(v))).collect();
         }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "exponents of f64"
-        )]
+        #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
         let (first, last) = ((low - 1e-9).ceil() as i32, (high + 1e-9).floor() as i32);
         let step = usize::try_from(last - first).unwrap_or(0) / most + 1;
         let decades = (first..=last).step_by(step).map(|e| 10_f64.powi(e));

@@ -99,6 +99,8 @@ impl Places {
         if (nearest[0] - at[0]).hypot(nearest[1] - at[1]) > 16.0 {
             picture.line(vec![at, nearest], line, 1, false);
         }
+        // Lines that could not be kept off go behind.
+        picture.rectangle([area[0], area[1]], [area[2], area[3]], [0xff; 3]);
         let from = [area[0], area[1] + half];
         picture.text(from, Anchor::Left, SIZE, INK, words);
         self.taken.push(area);

@@ -60,7 +60,7 @@ impl Check {
                     return None;
                 }
                 match method {
-                    Some(method) => right_place(Compared::at(&scene, &of.view, &method, px)),
+                    Some(method) => right_place(&Compared::at(&scene, &of.view, &method, px)),
                     None => pick::closest(&scene, of.view.ray(px), of.view.sides),
                 }
             });
@@ -111,7 +111,7 @@ impl Check {
 
 /// What a method picks; nothing where that is the right thing in a place, or with a normal, that anybody sees to be wrong: such
 /// pixels are marked as those are where it picks nothing.
-fn right_place(compared: Compared) -> Option<SceneHit> {
+fn right_place(compared: &Compared) -> Option<SceneHit> {
     let is_off = matches!(compared.fault(), Some(Fault::Off(by)) if by.shows());
     compared.theirs.filter(|_| !is_off).map(|found| found.hit)
 }
