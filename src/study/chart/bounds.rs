@@ -2,7 +2,7 @@
 
 use super::{
     axis::{Labels, Panel},
-    page::{page, places},
+    page::{ROWS_APART, page, places},
     picture::{COLOURS, INK, Picture, Shape},
 };
 use crate::study::run::{Report, Row};
@@ -28,7 +28,7 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
         let share = share.filter_map(|row| row.of_bound).fold(0.0, f64::max);
         (!pairs.is_empty() && !step.error_unit.is_empty()).then_some((step, pairs, share))
     });
-    for ((step, pairs, share), [left, top]) in steps.zip(places(4)) {
+    for ((step, pairs, share), [left, top]) in steps.zip(places(4, ROWS_APART)) {
         let bounds = pairs.iter().map(|(bound, _)| *bound);
         let found = pairs.iter().map(|(_, found)| *found);
         let both: Vec<f64> = bounds

@@ -19,14 +19,30 @@ use crate::study::{
 pub fn chart(report: &Report, title: &str, wanted: impl Fn(&Row) -> bool) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
                 rounds. The line is the front: for what lies above it, something is both faster and better. A thin line: moved aside.";
-    let mut picture = page(900, title, &[line]);
     let has_times = report.rows.iter().any(|row| row.time.is_some());
     let steps = report.steps().into_iter().filter_map(|step| {
         let all = report.summaries(step, &wanted);
         (has_times && !all.is_empty()).then_some((step, all))
     });
-    for ((step, all), at) in steps.zip(places(5)) {
-        panel(&mut picture, step, &all, at);
+    let steps: Vec<(About, Vec<Summary<'_>>)> = steps.collect();
+    // As far apart as the longest legend is long.
+    let formulas = |all: &[Summary<'_>]| {
+        let mut names: Vec<&str> = all.iter().map(|summary| summary.method.method).collect();
+        names.dedup();
+        names.len()
+    };
+    let formulas = steps.iter().map(|(_, all)| formulas(all)).max();
+    let count = |n: usize| u32::try_from(n).map_or(0.0, f64::from);
+    let apart = 310.0 + 16.5 * count(formulas.unwrap_or(0));
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a page"
+    )]
+    let height = (92.0 + apart * count(steps.len().div_ceil(5))) as u32;
+    let mut picture = page(height, title, &[line]);
+    for ((step, all), at) in steps.iter().zip(places(5, apart)) {
+        panel(&mut picture, *step, all, at);
     }
     picture
 }

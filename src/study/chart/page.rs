@@ -18,11 +18,14 @@ pub fn page(height: u32, title: &str, lines: &[&str]) -> Picture {
     picture
 }
 
-/// The top left corners of its small panels, so many in a row; there is room for two rows.
-pub fn places(columns: u32) -> impl Iterator<Item = [f64; 2]> {
+/// From one row of small panels to the next, where a legend has few lines.
+pub const ROWS_APART: f64 = 404.0;
+
+/// The top left corners of its small panels, so many in a row and rows so far apart.
+pub fn places(columns: u32, apart: f64) -> impl Iterator<Item = [f64; 2]> {
     let place = move |i: u32| {
         let [column, row] = [i % columns, i / columns].map(f64::from);
-        [column * WIDTH / f64::from(columns), 92.0 + row * 404.0]
+        [column * WIDTH / f64::from(columns), 92.0 + row * apart]
     };
     (0..).map(place)
 }

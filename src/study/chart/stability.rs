@@ -3,7 +3,7 @@
 use super::{
     axis::{Axis, Labels, Panel},
     measure::Measure,
-    page::{PLOT_HEIGHT, page, places},
+    page::{PLOT_HEIGHT, ROWS_APART, page, places},
     picture::{Anchor, INK, Picture},
     style::{Style, legend, styles},
 };
@@ -32,7 +32,7 @@ pub fn chart(report: &Report) -> Picture {
                 exact, black stars: Sightline's.";
     let mut picture = page(900, title, &[line]);
     let mut last = "";
-    for ((key, family), at) in SHOWN.into_iter().zip(places(4)) {
+    for ((key, family), at) in SHOWN.into_iter().zip(places(4, ROWS_APART)) {
         let rows = rows_of(report, key, family);
         let Some(first) = rows.first() else { continue };
         // Neighbours of one step share a legend.
@@ -53,7 +53,7 @@ pub fn hit_rates(report: &Report) -> Picture {
                 Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
     let mut picture = page(500, "What hits cost", &[line]);
     let steps = ["triangle", "sphere", "box", "square"];
-    for (key, at) in steps.into_iter().zip(places(4)) {
+    for (key, at) in steps.into_iter().zip(places(4, ROWS_APART)) {
         let mut rows = rows_of(report, key, "hit rate");
         rows.retain(|row| row.time.is_some());
         if !rows.is_empty() {
