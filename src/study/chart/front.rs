@@ -249,11 +249,11 @@ fn time(ns: f64) -> String {
 
 /// Right of a point and its bar where there is room, else left.
 fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2], words: &str) {
-    let end = panel.x.at(point.slowest).max(at[0]) + 12.0;
+    let end = panel.x.at(point.slowest).max(at[0] + 8.0) + 12.0;
     let (x, anchor) = if end + text_width(words, 17.0) < panel.to[0] {
         (end, Anchor::Left)
     } else {
-        (at[0] - 15.0, Anchor::Right)
+        (at[0] - 19.0, Anchor::Right)
     };
     picture.text([x, at[1]], anchor, 17.0, INK, words);
 }
