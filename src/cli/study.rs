@@ -114,7 +114,7 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
         ..Effort::SCENE_ONLY
     };
     let report = study::run(effort, Some(&rays), &|_, _| {});
-    let page = study::budget(&loaded.scene, &view, &rays.triangles(), &report, px);
+    let page = study::budget(&rays, &view, &report, px);
     std::io::stdout()
         .write_all(page.as_bytes())
         .map_err(CliError::stdout)

@@ -1,191 +1,183 @@
-//! No more than a scene needs: which precision each step needs to stay within so many pixels.
+//! No more than a scene needs: which precision each step needs for a pick to stay within so many pixels.
 
 use super::{
-    estimates::{Sizes, Term},
-    methods::triangles::TriangleCase,
+    estimates::{Estimate, estimates},
     run::{Report, Row, SCENE},
-    step::Precision,
+    step::Precision::{self, F32, F64},
     table::{number, short},
-    truth::UNIT_F32,
+    workloads::scene::SceneRays,
 };
-use crate::{camera::View, scene::Scene};
-use std::fmt::Write;
+use crate::camera::View;
 
-/// The page that `--budget` prints. `report` is of the scene's own rays: what each method does on them is measured.
+/// The five lines that `--budget` prints. `report` is of the scene's own rays, timed.
 #[must_use]
-pub fn budget(
-    scene: &Scene,
-    view: &View,
-    triangles: &[TriangleCase],
-    report: &Report,
-    budget_px: f64,
-) -> String {
-    let sizes = Sizes::new(scene, view, triangles);
-    let terms = sizes.terms();
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = writeln!(
-        text,
-        "Budget: {} px. Here a rounding is q = {} px in f32 and {} px in f64. Steps add up, so a step may use a \
-         quarter.\n",
-        short(budget_px),
-        number(sizes.q),
-        number(sizes.q * f64::EPSILON / f64::from(f32::EPSILON)),
-    );
-    let _ = writeln!(text, "{}\n", dominant(&terms));
-    for step in report.steps() {
-        let rows = report
-            .rows
-            .iter()
-            .filter(|row| row.step == step && row.family == SCENE);
-        let rows: Vec<&Row> = rows.collect();
-        let own: Vec<&Term> = terms.iter().filter(|term| term.step == step.key).collect();
-        let least = own.iter().min_by(|a, b| a.px.total_cmp(&b.px));
-        let verdict = match least {
-            Some(term) if term.px <= 0.25 * budget_px => {
-                format!("f32 would do, by {}", term.method)
-            }
-            Some(term) => format!(
-                "f64: the best in f32, {}, may be off by {}",
-                term.method,
-                limit(term.px)
-            ),
-            None => measured_need(&rows, &sizes, budget_px),
-        };
-        let _ = writeln!(text, "{}: {verdict}", step.name);
-        for term in own {
-            let over = if term.px > 0.25 * budget_px {
-                "too much"
-            } else {
-                "within"
-            };
-            let px = limit(term.px);
-            let _ = writeln!(
-                text,
-                "  estimate  f32  {:<28} {px:>11}  {over:<8}  {}",
-                term.method, term.formula
-            );
-        }
-        for row in rows.iter().filter(|row| row.ours) {
-            ours(&mut text, row);
-        }
-        lesser(&mut text, &rows);
-        text.push('\n');
-    }
-    text
+pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) -> String {
+    let [narrow, wide] = [F32, F64].map(|precision| estimates(rays, view, report, precision));
+    let chain = chain(&narrow, &wide, budget_px);
+    let lines = [
+        methods(&chain, budget_px),
+        largest(&chain, &narrow, &wide),
+        reach(&chain, view, budget_px),
+        savings(report, &narrow),
+        sample(report, narrow.iter().chain(&wide)),
+    ];
+    lines.join("\n") + "\n"
 }
 
-/// Each step's best method in `f32`, the worst step first.
-fn dominant(terms: &[Term]) -> String {
-    let mut best: Vec<&Term> = Vec::new();
-    for term in terms {
-        match best.iter_mut().find(|known| known.step == term.step) {
-            Some(known) if term.px < known.px => *known = term,
-            Some(_) => {}
-            None => best.push(term),
-        }
+/// The error of a pick: its ray, its way into an object, and the worst of the shapes that it may meet there.
+fn total(chain: &[Estimate], of: fn(&Estimate) -> f64) -> f64 {
+    let (shapes, steps): (Vec<&Estimate>, Vec<&Estimate>) =
+        chain.iter().partition(|step| step.is_of_shape());
+    let steps: f64 = steps.into_iter().map(of).sum();
+    steps + shapes.into_iter().map(of).fold(0.0, f64::max)
+}
+
+fn px(estimate: &Estimate) -> f64 {
+    estimate.px
+}
+
+/// All in `f32`, and what adds most in `f64` until the whole is within the budget.
+fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate> {
+    let mut chain = narrow.to_vec();
+    while total(&chain, px) > budget_px {
+        let steps = chain
+            .iter_mut()
+            .zip(wide)
+            .filter(|(step, _)| step.precision == F32);
+        let Some((step, wide)) = steps.max_by(|a, b| a.0.px.total_cmp(&b.0.px)) else {
+            break;
+        };
+        *step = *wide;
     }
-    best.sort_by(|a, b| b.px.total_cmp(&a.px));
-    let words = best
-        .iter()
-        .map(|term| format!("{} {}", term.step, limit(term.px)));
-    let words: Vec<String> = words.collect();
+    chain
+}
+
+/// A number of pixels, rounded up.
+fn pixels(px: f64) -> String {
+    if px.is_finite() {
+        format!("{} px", number(px * 1.05))
+    } else {
+        "without limit".to_owned()
+    }
+}
+
+fn methods(chain: &[Estimate], budget_px: f64) -> String {
+    let px = total(chain, px);
+    let words = |precision: Precision| {
+        let steps = chain.iter().filter(|step| step.precision == precision);
+        let steps: Vec<String> = steps
+            .map(|step| format!("{} by {}", step.step, step.method))
+            .collect();
+        (!steps.is_empty()).then(|| format!("in {precision} {}", steps.join(", ")))
+    };
+    let chain: Vec<String> = [F32, F64].into_iter().filter_map(words).collect();
+    let verdict = if px <= budget_px { "within" } else { "over" };
     format!(
-        "With the best methods in f32, the largest first: {}.",
-        words.join(", ")
+        "{}: at most {}, {verdict} the budget of {} px.",
+        chain.join("; "),
+        pixels(px),
+        short(budget_px)
     )
 }
 
-/// The derived bound of what this program does, beside what was measured.
-fn ours(text: &mut String, row: &Row) {
-    let Some(bound) = row.bound else {
-        return;
-    };
-    let step = row.step;
-    let mut say = |bound: f64, found: f64, unit: &str, what: &str| {
-        let _ = writeln!(
-            text,
-            "  bound     {:<4} {:<28} {:>11}  {what}; measured {}",
-            row.precision.to_string(),
-            row.method,
-            format!("{} {unit}", number(bound)),
-            number(found)
-        );
-    };
-    if !step.error_unit.is_empty() {
-        say(
-            bound.error,
-            row.worst_error,
-            step.error_unit,
-            "largest error of a value",
-        );
-    }
-    if !step.wrong_unit.is_empty() {
-        say(
-            bound.wrong,
-            row.worst_wrong,
-            step.wrong_unit,
-            "largest distance of a wrong decision",
-        );
-    }
+fn largest(chain: &[Estimate], narrow: &[Estimate], wide: &[Estimate]) -> String {
+    let most = chain.iter().max_by(|a, b| a.px.total_cmp(&b.px));
+    let most = most.map_or_else(String::new, |step| {
+        format!(
+            "Most of it is {} in {}, {}. ",
+            step.step,
+            step.precision,
+            pixels(step.px)
+        )
+    });
+    let [narrow, wide] = [narrow, wide].map(|chain| pixels(total(chain, px)));
+    format!("{most}All in f32: {narrow}; all in f64: {wide}; Sightline decides exactly.")
 }
 
-/// What other methods got wrong on the scene's own rays, and what they would save.
-fn lesser(text: &mut String, rows: &[&Row]) {
-    let ns = |row: &Row| row.time.map(|time| time.ns);
-    let own = rows.iter().find(|row| row.ours).and_then(|row| ns(row));
-    for row in rows
+/// How far the whole scene can be moved until the chain is over the budget.
+fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
+    let now = view.camera.eye().length();
+    let px = total(chain, px);
+    let unmoved = total(chain, |step| step.px - step.px_by_origin[0]);
+    let per_unit = total(chain, |step| step.px_by_origin[1]);
+    let here = format!("it is {} from it now", number(now));
+    if px > budget_px {
+        return format!(
+            "It holds nowhere: the picture asks for more than f64 has, or its eye touches a surface; {here}."
+        );
+    }
+    if per_unit == 0.0 {
+        return format!("It holds however far the eye is from the world's origin; {here}.");
+    }
+    let most = (budget_px - unmoved) / per_unit;
+    format!(
+        "It holds until the eye is {} units from the world's origin, objects with it; {here}.",
+        number(0.95 * most)
+    )
+}
+
+fn of_scene<'a>(report: &'a Report, step: &str) -> impl Iterator<Item = &'a Row> {
+    let rows = report.rows.iter().filter(|row| row.family == SCENE);
+    rows.filter(move |row| row.step.key == step)
+}
+
+/// What is left of a pick's time.
+fn savings(report: &Report, steps: &[Estimate]) -> String {
+    /// A share that anybody would notice.
+    const WORTH: f64 = 0.05;
+    let ns = |step: &Estimate, precision: Precision| {
+        let mut rows = of_scene(report, step.step);
+        let row = rows.find(|row| (row.method, row.precision) == (step.method, precision))?;
+        Some(row.time?.ns)
+    };
+    let saved = steps
         .iter()
-        .filter(|row| !row.ours && row.precision == Precision::F32)
-    {
-        let saves = match own.zip(ns(row)) {
-            Some((own, ns)) if ns < own => format!("saves {} ns", number(own - ns)),
-            Some((own, ns)) => format!("costs {} ns more", number(ns - own)),
-            None => "not timed".to_owned(),
-        };
-        let wrong = row.wrong_percent();
-        let value = if row.step.error_unit.is_empty() {
-            String::new()
-        } else {
-            format!(
-                ", worst error {} {}",
-                number(row.worst_error),
-                row.step.error_unit
-            )
-        };
-        let _ = writeln!(
-            text,
-            "  measured  f32  {:<28} {wrong:>8.2} % wrong{value}; {saves}",
-            row.method
-        );
-    }
-}
-
-/// For steps without a formula: whether some method in `f32` did everything right, values within the budget.
-fn measured_need(rows: &[&Row], sizes: &Sizes, budget_px: f64) -> String {
-    /// A shading step of 1 / 256.
-    const DEGREES: f64 = 0.25;
-    let right = |row: &&&Row| {
-        // A value along the ray counts as much as if it were seen from the side.
-        let within = match row.step.error_unit {
-            "" => true,
-            "degrees" => row.worst_error <= DEGREES,
-            "px" => row.worst_error <= 0.25 * budget_px,
-            _ => row.worst_error / UNIT_F32 * sizes.q <= 0.25 * budget_px,
-        };
-        row.precision == Precision::F32 && row.wrong_percent() == 0.0 && within
+        .filter_map(|step| Some(ns(step, F64)? - ns(step, F32)?));
+    let saved: f64 = saved.sum();
+    let pick = of_scene(report, "pick")
+        .find(|row| row.ours)
+        .and_then(|row| row.time);
+    let Some(pick) = pick else {
+        return "Nothing is picked here, so nothing was timed.".to_owned();
     };
-    match rows.iter().find(right) {
-        Some(row) => format!("f32 did everything right here, by {}", row.method),
-        None => "f64: no method in f32 did everything right here".to_owned(),
-    }
+    let verdict = if saved > WORTH * pick.ns {
+        "worth having"
+    } else {
+        "not worth having"
+    };
+    let amount = if saved > 0.0 {
+        format!("saves {} ns", number(saved))
+    } else {
+        "saves nothing".to_owned()
+    };
+    format!(
+        "f32 in place of f64 {amount}, each step done once, of the {} ns that a pick takes here: {verdict}.",
+        number(pick.ns)
+    )
 }
 
-/// An error in pixels.
-fn limit(px: f64) -> String {
-    if px.is_finite() {
-        format!("{} px", number(px))
+/// How much was looked at, and how far the methods were off there.
+fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) -> String {
+    let cases = |step: &str| of_scene(report, step).next().map_or(0, |row| row.cases);
+    let share = estimates.filter_map(|step| Some(measured(report, step)? / step.px));
+    let share = share.fold(0.0, f64::max);
+    format!(
+        "Sample: {} pixels, of which {} hit, and {} whole picks. What these methods were off by is at most {} % of what is said above.",
+        cases("ray"),
+        cases("object-space"),
+        cases("pick"),
+        number(100.0 * share),
+    )
+}
+
+/// What a method was off by on the scene's own rays, in pixels.
+#[must_use]
+pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
+    let mut rows = of_scene(report, step.step);
+    let row = rows.find(|row| (row.method, row.precision) == (step.method, step.precision))?;
+    Some(if step.is_of_shape() {
+        row.worst_wrong
     } else {
-        "no limit".to_owned()
-    }
+        row.worst_error
+    })
 }

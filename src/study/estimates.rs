@@ -1,198 +1,216 @@
-//! What each way to do a step in `f32` adds to the error in pixels, from what a scene and its camera are: formulas whose
-//! factors are the largest that workloads showed. Derived bounds, of what this program does, are with `truth`.
+//! What a plain floating-point method of each step adds to a pick's error, in pixels: upper bounds over a scene's own rays.
 //!
-//! With u = 2^-24 a rounding in `f32` and `pix` the width of a pixel in radians, q = u / pix is a rounding in pixels.
+//! With u half an ulp of 1, in `f32` or `f64`. One method a step is sound: what it gets wrong is no further off than some
+//! roundings. The first two steps' bounds are those of what this program does ([`super::truth`]), which count roundings of
+//! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. Shapes decide
+//! as one would that is this far beside its ray:
+//!
+//! * sphere, Hearn & Baker: the way to the centre's foot 8u, what is left 2u, both of the distance; the radius 4u;
+//! * box: two slabs' crossings, 5u each of the distance and a side;
+//! * square: 12u of the way to its furthest corner, and in `f32` 2u of the world's coordinates;
+//! * triangle, Woop: a corner's sheared coordinates 8u, the edge function 6u, of the furthest corner; the ray's start 2u.
+//!
+//! Seen from the eye that is as large as the nearest edge is near.
 
-use super::{methods::triangles::TriangleCase, truth::UNIT_F32, workloads::px_angle};
-use crate::{
-    camera::View,
-    scene::{Scene, Shape},
+use super::{
+    run::{Report, Row, SCENE},
+    step::Precision::{self, F32},
+    truth::{UNIT, UNIT_F32},
+    workloads::{px_angle, scene::SceneRays},
 };
+use crate::{camera::View, scene::Shape};
+use glam::DVec3;
 
-/// What a way to do a step adds to the error.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Term {
+/// The sound method of each step: by the step's key.
+pub(super) const SOUND: [(&str, &str); 6] = [
+    ("ray", "eye basis"),
+    ("object-space", "inverse(A) (o - T)"),
+    ("triangle", "Woop watertight"),
+    ("sphere", "Hearn & Baker"),
+    ("box", "slabs with a branch"),
+    ("square", "N . (S - o)"),
+];
+
+/// What a method adds to the error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
     /// Key of the step.
     pub step: &'static str,
-    /// The method, in `f32`.
+    /// The method.
     pub method: &'static str,
-    /// The formula in words.
-    pub formula: &'static str,
-    /// Its value here, in pixels; infinite where the method fails.
+    /// In which precision.
+    pub precision: Precision,
+    /// In pixels, at most; infinite where it can be off by anything.
     pub px: f64,
+    /// The part of it that grows with the distance from the world's origin, and what that adds for each unit that eye and
+    /// objects are moved further away.
+    pub px_by_origin: [f64; 2],
 }
 
-/// What the formulas know of a scene and its camera.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sizes {
-    /// A rounding in pixels.
-    pub q: f64,
-    /// Whether rays are parallel.
-    parallel: bool,
-    /// From the world's origin to the eye, over what the eye is from its target.
-    eye_over_length: f64,
-    /// The same over the near plane.
-    eye_over_near: f64,
-    far_over_near: f64,
-    /// Largest distance of an object's own origin from the world's, over what the eye is from it.
-    translation: f64,
-    /// Largest ratio of an object's longest and shortest scale.
-    anisotropy: f64,
-    /// Largest distance of a sphere over its radius; none without spheres.
-    sphere: Option<f64>,
-    /// Whether there are triangles.
-    meshes: bool,
-    /// Least sine of the angle between a sampled ray and the triangle that it hits; 1 without triangles.
-    graze: f64,
-}
-
-fn term(step: &'static str, method: &'static str, formula: &'static str, px: f64) -> Term {
-    Term {
-        step,
-        method,
-        formula,
-        px,
+impl Estimate {
+    /// Whether a pick does this step on one of several kinds of shapes.
+    #[must_use]
+    pub fn is_of_shape(&self) -> bool {
+        !["ray", "object-space"].contains(&self.step)
     }
 }
 
-impl Sizes {
-    pub fn new(scene: &Scene, view: &View, triangles: &[TriangleCase]) -> Self {
-        let lens = view.camera.lens();
-        let eye = view.camera.eye();
-        let length = view.camera.target().distance(eye);
-        let mut sizes = Self {
-            q: UNIT_F32 / px_angle(view, length),
-            parallel: lens.is_orthographic(),
-            eye_over_length: eye.length() / length,
-            eye_over_near: eye.length() / lens.near.abs(),
-            far_over_near: lens.far / lens.near.abs(),
-            translation: 0.0,
-            anisotropy: 1.0,
-            sphere: None,
-            meshes: false,
-            graze: 1.0,
+/// The estimates for the steps that a scene's rays take. `report` is of these rays.
+#[must_use]
+pub fn estimates(
+    rays: &SceneRays,
+    view: &View,
+    report: &Report,
+    precision: Precision,
+) -> Vec<Estimate> {
+    let u = if precision == F32 { UNIT_F32 } else { UNIT };
+    let own = |row: &&Row| row.family == SCENE && row.cases > 0;
+    let has = |step: &str| {
+        report
+            .rows
+            .iter()
+            .filter(own)
+            .any(|row| row.step.key == step)
+    };
+    let bound = |step: &str| {
+        let ours = report
+            .rows
+            .iter()
+            .filter(own)
+            .filter(|row| row.ours && row.step.key == step);
+        let bounds = ours.filter_map(|row| Some(row.bound?.error));
+        bounds.fold(0.0, f64::max) * u / UNIT
+    };
+    let of = |(step, method): (&'static str, &'static str)| {
+        let by_origin = match (precision, step) {
+            (F32, "ray") => eye(view, u),
+            (F32, "object-space") => places(rays, u),
+            (F32, "square") => squares(rays, u),
+            _ => [0.0; 2],
         };
-        let visible = scene
-            .objects()
-            .iter()
-            .enumerate()
-            .filter(|(_, object)| object.visible);
-        for (index, object) in visible {
-            let bounds = scene.bounds_of(index);
-            let nearest = eye
-                .clamp(bounds.min, bounds.max)
-                .distance(eye)
-                .max(lens.near.abs());
-            let model = object.placement.model();
-            sizes.translation = sizes.translation.max(model.translation.length() / nearest);
-            let longest = |m: glam::DMat3| {
-                [m.x_axis, m.y_axis, m.z_axis]
-                    .map(glam::DVec3::length)
-                    .into_iter()
-                    .fold(0.0, f64::max)
-            };
-            let stretch = longest(model.matrix3) * longest(object.placement.inverse_linear());
-            sizes.anisotropy = sizes.anisotropy.max(stretch);
-            match object.shape {
-                Shape::Sphere => {
-                    let far = bounds.center().distance(eye) / (0.5 * longest(model.matrix3));
-                    sizes.sphere = Some(sizes.sphere.unwrap_or(0.0).max(far));
+        let own = match step {
+            "ray" => bound(step),
+            // The matrix is rounded, too.
+            "object-space" => 1.25 * bound(step),
+            "triangle" => triangles(rays, u),
+            _ => shapes(rays, step, u),
+        };
+        Estimate {
+            step,
+            method,
+            precision,
+            px: own + by_origin[0],
+            px_by_origin: by_origin,
+        }
+    };
+    SOUND
+        .into_iter()
+        .filter(|(step, _)| has(step))
+        .map(of)
+        .collect()
+}
+
+/// Parallel rays start at places in the world.
+fn eye(view: &View, u: f64) -> [f64; 2] {
+    let camera = &view.camera;
+    let distance = camera.eye().distance(camera.target());
+    let unit = u / distance / px_angle(view, distance);
+    if camera.lens().is_orthographic() {
+        [unit * camera.eye().length(), unit]
+    } else {
+        [0.0; 2]
+    }
+}
+
+/// Rays' and objects' own origins.
+fn places(rays: &SceneRays, u: f64) -> [f64; 2] {
+    let each = rays.objects().map(|(ray, object, hit)| {
+        let place = object.placement.model().translation;
+        let along = (place - ray.origin).dot(ray.direction).abs() / ray.direction.length();
+        let unit = u / along / rays.px(hit.hit.t);
+        [unit * (ray.origin.length() + place.length()), 2.0 * unit]
+    });
+    each.fold([0.0; 2], larger)
+}
+
+fn squares(rays: &SceneRays, u: f64) -> [f64; 2] {
+    let squares = rays.rays_at(|shape| matches!(shape, Shape::Square));
+    let each = squares.into_iter().map(|(placement, ray, px)| {
+        let place = placement.model().translation;
+        let unit = 2.0 * u / nearest(ray.origin, &rim(placement)) / px;
+        [unit * (ray.origin.length() + place.length()), 2.0 * unit]
+    });
+    each.fold([0.0; 2], larger)
+}
+
+fn larger(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].max(b[0]), a[1].max(b[1])]
+}
+
+fn rim(placement: &crate::geometry::Placement) -> [DVec3; 4] {
+    let model = placement.model();
+    [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
+        .map(|(x, y)| model.transform_point3(DVec3::new(x, y, 0.0)))
+}
+
+fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
+    let wanted: fn(&Shape) -> bool = match step {
+        "sphere" => |shape| matches!(shape, Shape::Sphere),
+        "box" => |shape| matches!(shape, Shape::Cube),
+        _ => |shape| matches!(shape, Shape::Square),
+    };
+    let each = rays
+        .rays_at(wanted)
+        .into_iter()
+        .map(|(placement, ray, px)| {
+            let from = placement.ray_to_object(&ray).origin;
+            let off = match step {
+                // The outline is as far as a tangent is long; from within there is none.
+                "sphere" if from.length() <= 0.5 => 0.0,
+                "sphere" => 14.0 * from.length() / (from.length_squared() - 0.25).sqrt(),
+                "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
+                _ => {
+                    let rim = rim(placement);
+                    let furthest = rim
+                        .map(|corner| corner.distance(ray.origin))
+                        .into_iter()
+                        .fold(0.0, f64::max);
+                    12.0 * furthest / nearest(ray.origin, &rim)
                 }
-                Shape::Mesh { .. } => sizes.meshes = true,
-                Shape::Cube | Shape::Square => {}
-            }
-        }
-        for case in triangles
-            .iter()
-            .filter(|case| super::step::Case::truth(*case).is_some())
-        {
-            let [a, b, c] = case.wide.corners;
-            let normal = (b - a).cross(c - a);
-            let sine = normal.dot(case.wide.direction).abs()
-                / (normal.length() * case.wide.direction.length());
-            sizes.graze = sizes.graze.min(sine);
-        }
-        sizes
-    }
+            };
+            u * off / px
+        });
+    each.fold(0.0, f64::max)
+}
 
-    /// Estimates for the ways from a pixel to a ray.
-    fn ray_terms(&self) -> [Term; 3] {
-        /// Where a clip-space w in f32 is 0 at the far plane.
-        const SINGULAR: f64 = 8_388_608.0;
-        let q = self.q;
-        let term = |method, formula, px| term("ray", method, formula, px);
-        let basis = term("eye basis", "5 q", 5.0 * q);
-        let placed = "5 q + 2 q |eye| / length";
-        let by_place = 5.0 * q + 2.0 * q * self.eye_over_length;
-        let course = term("target + sx H + sy V - eye", placed, by_place);
-        let unproject = "inverse(P V), far - near";
-        if self.parallel {
-            // Such a ray starts at a place in the world, whatever it is made by.
-            let [basis, unproject] =
-                ["eye basis", unproject].map(|method| term(method, placed, by_place));
-            return [basis, course, unproject];
-        }
-        let fails = self.far_over_near > SINGULAR;
-        let worst = 6.0 * q * self.eye_over_near.max(1.0);
-        let formula = "6 q |eye| / near, fails where far / near > 2^23";
-        [
-            basis,
-            course,
-            term(
-                unproject,
-                formula,
-                if fails { f64::INFINITY } else { worst },
-            ),
-        ]
-    }
+fn triangles(rays: &SceneRays, u: f64) -> f64 {
+    let each = rays.triangles().into_iter().map(|case| {
+        let from = DVec3::from(case.wide.origin);
+        let corners = case.wide.corners.map(DVec3::from);
+        let furthest = corners
+            .map(|corner| corner.distance(from))
+            .into_iter()
+            .fold(0.0, f64::max);
+        u * (14.0 * furthest + 2.0 * from.length()) / nearest(from, &corners) / case.px
+    });
+    each.fold(0.0, f64::max)
+}
 
-    /// Every estimate that this scene has a use for.
-    pub fn terms(&self) -> Vec<Term> {
-        let q = self.q;
-        let mut terms = self.ray_terms().to_vec();
-        terms.extend([
-            term(
-                "object-space",
-                "inverse(A) (o - T)",
-                "2 q anisotropy",
-                2.0 * q * self.anisotropy,
-            ),
-            term(
-                "object-space",
-                "inverse(M)",
-                "2 q anisotropy + 2 q |T| / t",
-                2.0 * q * (self.anisotropy + self.translation),
-            ),
-        ]);
-        if self.meshes {
-            let steep = self.graze > 3e-3;
-            terms.extend([
-                term("triangle", "Woop watertight", "q", q),
-                term(
-                    "triangle",
-                    "Moeller-Trumbore",
-                    "8 q, without limit where rays graze below 3e-3",
-                    if steep { 8.0 * q } else { f64::INFINITY },
-                ),
-                term(
-                    "triangle",
-                    "areas, sum == 1",
-                    "the whole triangle",
-                    f64::INFINITY,
-                ),
-            ]);
-        }
-        if let Some(distance) = self.sphere {
-            terms.extend([
-                term("sphere", "Hearn & Baker", "1.6 q", 1.6 * q),
-                term(
-                    "sphere",
-                    "plain quadratic",
-                    "1.6 q distance / radius",
-                    1.6 * q * distance,
-                ),
-            ]);
-        }
-        terms
-    }
+/// From a point to the nearest of a polygon's edges.
+fn nearest(from: DVec3, corners: &[DVec3]) -> f64 {
+    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    let edge = |(a, b): (&DVec3, &DVec3)| {
+        let along = *b - *a;
+        let share = ((from - *a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        (*a + share * along).distance(from)
+    };
+    ends.map(edge).fold(f64::INFINITY, f64::min)
+}
+
+/// From a point to the nearest edge of the unit cube.
+fn nearest_edge(from: DVec3) -> f64 {
+    let past = from.abs() - 0.5;
+    let [x, y, z] = past.to_array();
+    let edge = |a: f64, b: f64, along: f64| DVec3::new(a, b, along.max(0.0)).length();
+    edge(x, y, z).min(edge(y, z, x)).min(edge(z, x, y))
 }

@@ -6,9 +6,12 @@ use super::{
         object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
         triangles::TriangleCase,
     },
+    run::{Effort, Row, SCENE},
     step::Precision::{self, F32, F64},
     swap::{AnyStep, Step, Swap},
+    workloads::{PX, px_angle, scene::SceneRays},
 };
+use crate::{camera::View, scene::Scene};
 
 /// A method that breaks on a scene.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +26,8 @@ pub struct Break {
     pub precision: Precision,
     /// The step's family that makes worse what breaks it here.
     pub family: &'static str,
+    /// Its parameter's value on the scene.
+    pub value: f64,
     /// The least that goes wrong over the scene's own rays: in per cent of decisions, or where these are all right the worst
     /// error of a value in the step's unit.
     pub least: f64,
@@ -33,7 +38,7 @@ impl Break {
         exhibit: &'static str,
         method: &'static str,
         precision: Precision,
-        family: &'static str,
+        (family, value): (&'static str, f64),
         least: f64,
     ) -> Self {
         Self {
@@ -42,6 +47,7 @@ impl Break {
             method,
             precision,
             family,
+            value,
             least,
         }
     }
@@ -66,55 +72,103 @@ pub static BREAKS: [Break; 12] = [
         "far_from_the_origin",
         "target + sx H + sy V - eye",
         F32,
-        "eye far from the origin",
+        ("eye far from the origin", 4.7e5),
         1.0,
     ),
     Break::of::<PixelCase>(
         "far_from_the_origin",
         "inverse(P V), near - eye",
         F32,
-        "eye far from the origin",
+        ("eye far from the origin", 4.7e5),
         10.0,
     ),
     Break::of::<PlacedCase>(
         "far_from_the_origin",
         "inverse(M)",
         F32,
-        "far from the origin",
+        ("far from the origin", 4.7e5),
         1.0,
     ),
     Break::of::<PixelCase>(
         "far_over_near",
         "inverse(P V), far - near",
         F32,
-        "far plane",
+        ("far plane", 1e8),
         f64::INFINITY,
     ),
     Break::of::<DepthCase>(
         "far_over_near",
         "standard, 32-bit float",
         F32,
-        "far plane",
+        ("far plane", 1e8),
         1e-4,
     ),
-    Break::of::<SphereCase>("small_and_far", "plain quadratic", F32, "far away", 0.2),
-    Break::of::<NormalCase>("stretched", "M n", F64, "stretched", 60.0),
-    Break::of::<NormalCase>("mirrored", "cofactors", F64, "mirrored", 179.0),
-    Break::of::<ClipCase>("wide_lens", "by distance", F64, "field of view", 50.0),
+    Break::of::<SphereCase>(
+        "small_and_far",
+        "plain quadratic",
+        F32,
+        ("far away", 3e3),
+        0.2,
+    ),
+    Break::of::<NormalCase>("stretched", "M n", F64, ("stretched", 10.0), 60.0),
+    Break::of::<NormalCase>("mirrored", "cofactors", F64, ("mirrored", 4.0 / 3.0), 179.0),
+    Break::of::<ClipCase>(
+        "wide_lens",
+        "by distance",
+        F64,
+        ("field of view", 1.19),
+        50.0,
+    ),
     Break::of::<BoxCase>(
         "along_a_face",
         "slabs by min and max",
         F64,
-        "starts on a slab",
+        ("starts on a slab", 2.0),
         0.1,
     ),
-    Break::of::<SquareCase>("edge_on", "N . (S - o)", F32, "grazing", 1e-4),
-    Break::of::<TriangleCase>("needles", "areas, sum == 1", F32, "slivers", 5.0),
+    Break::of::<SquareCase>("edge_on", "N . (S - o)", F32, ("grazing", 1e-4), 1e-4),
+    Break::of::<TriangleCase>("needles", "areas, sum == 1", F32, ("slivers", 1e-2), 5.0),
 ];
 
 /// What breaks on a scene of the gallery.
 pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
     BREAKS.iter().filter(move |known| known.exhibit == exhibit)
+}
+
+/// What the methods of a break's step do in its family, seen as a view of the scene sees it, and on that view's own rays,
+/// which are the family [`SCENE`]. In per cent, degrees and parts of a depth nothing depends on the view.
+#[must_use]
+pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
+    // One column of a window's pixels is seen.
+    const RAYS: usize = 6000;
+    let camera = &view.camera;
+    let px = px_angle(&view, camera.eye().distance(camera.target()));
+    let mut rows = of.step.rows(of.family, Effort::QUICK);
+    for row in &mut rows {
+        if row.step.wrong_unit == "px" {
+            row.worst_wrong *= PX / px;
+        }
+        if row.step.error_unit == "px" {
+            row.worst_error *= PX / px;
+        }
+    }
+    rows.extend(
+        of.step
+            .of_scene(&SceneRays::new(scene, view, RAYS, Effort::QUICK.seed)),
+    );
+    rows
+}
+
+/// The methods of others of which nothing shows on the scene: every decision is right, and no value is off by half a pixel, a
+/// degree or a ten-thousandth.
+pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
+    let least = |row: &Row| match row.step.error_unit {
+        "px" => 0.5,
+        "degrees" => 1.0,
+        _ => 1e-4,
+    };
+    let own = rows.iter().filter(|row| row.family == SCENE && !row.ours);
+    own.filter(move |row| row.wrong() == 0 && row.worst_error < least(row))
 }
 
 /// Every method that a scene of the gallery can be picked by: those that break on it, then the others of their steps.

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! methods (the registry) + workloads -> run -> Report -> table, csv, chart
-//!                          truth (exact numbers) --^         scene + Report -> budget
+//!                          truth (exact numbers) --^         its rays + Report -> estimates -> budget
 //! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
@@ -62,8 +62,9 @@ mod timing;
 pub mod truth;
 pub mod workloads;
 
-pub use budget::budget;
+pub use budget::{budget, measured};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
+pub use estimates::{Estimate, estimates};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use summary::Summary;
 pub use table::table;

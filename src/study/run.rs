@@ -297,6 +297,13 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
         .collect()
 }
 
+/// What every method of a step does on a scene's own rays: the family [`SCENE`].
+#[must_use]
+pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
+    let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
+    own.map_or_else(Vec::new, |work| judge(&work, &(work.make)(usize::MAX)))
+}
+
 /// Every method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();

@@ -17,6 +17,7 @@ use super::{
     real::V3,
     run::{self, Effort, Row},
     step::{About, Case},
+    workloads::scene::SceneRays,
 };
 use crate::{
     camera::View,
@@ -52,6 +53,7 @@ pub struct AnyStep {
     methods: fn() -> Vec<MethodInfo>,
     pick: fn(usize, &Scene, &View, DVec2) -> Option<Found>,
     rows: fn(&str, Effort) -> Vec<Row>,
+    of_scene: fn(&SceneRays) -> Vec<Row>,
 }
 
 impl AnyStep {
@@ -63,6 +65,7 @@ impl AnyStep {
             methods: || C::METHODS.iter().map(MethodInfo::of).collect(),
             pick: |method, scene, view, px| C::pick(scene, view, px, C::METHODS[method].run),
             rows: run::family::<C>,
+            of_scene: run::of_scene::<C>,
         }
     }
 
@@ -76,6 +79,12 @@ impl AnyStep {
     #[must_use]
     pub fn rows(self, family: &str, effort: Effort) -> Vec<Row> {
         (self.rows)(family, effort)
+    }
+
+    /// What all of its methods do on a scene's own rays.
+    #[must_use]
+    pub fn of_scene(self, rays: &SceneRays) -> Vec<Row> {
+        (self.of_scene)(rays)
     }
 }
 

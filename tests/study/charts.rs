@@ -4,8 +4,9 @@ use sightline::study::{
     self, Effort, Report,
     chart::{
         self, charts,
-        picture::{Anchor, Mark, Picture},
+        picture::{Anchor, Mark, Picture, text_width},
     },
+    methods::registry,
 };
 use std::collections::HashSet;
 
@@ -27,7 +28,8 @@ fn timed() -> Report {
 fn are_written_and_say_something() {
     let folder = tempfile::tempdir().expect("a folder");
     let charts = charts(&timed());
-    assert_eq!(charts.len(), 4);
+    assert_eq!(charts.len(), 8);
+    every_formula_is_named(&charts[0].1);
     for (stem, picture) in charts {
         no_words_overlap(stem, &picture);
         chart::write(folder.path(), stem, &picture).expect("written");
@@ -39,13 +41,47 @@ fn are_written_and_say_something() {
         );
         let pixels = picture.pixels().expect("pixels");
         let colours: HashSet<_> = pixels.iter().collect();
-        assert!(colours.len() > 100, "{stem} has {} colours", colours.len());
+        assert!(colours.len() > 40, "{stem} has {} colours", colours.len());
         let png = std::fs::metadata(folder.path().join(stem).with_extension("png"));
         assert!(png.expect("a PNG file").len() > 10_000, "{stem}");
     }
 }
 
-/// Boxes about the words, by the typeface's mean width.
+/// Labels stand at the points of the large panels, one a formula.
+fn every_formula_is_named(front: &Picture) {
+    let words: Vec<&str> = texts(front).map(|(_, text)| text).collect();
+    let steps = ["triangle", "sphere", "pick"];
+    let methods = registry()
+        .into_iter()
+        .filter(|method| steps.contains(&method.step.key));
+    for method in methods.filter(|method| method.name != "the GPU's ids, read back") {
+        let name = if method.ours {
+            "Sightline"
+        } else {
+            method.name
+        };
+        let named = words.iter().filter(|words| {
+            let rest = words.strip_prefix(name);
+            rest.is_some_and(|rest| {
+                rest.is_empty()
+                    || rest.starts_with(", up to")
+                    || rest.ends_with('s') && rest.starts_with(", ") && rest.len() < 10
+            })
+        });
+        let count = if method.ours { 3 } else { 1 };
+        assert_eq!(named.count(), count, "{name}: {words:?}");
+    }
+}
+
+/// Every word with its place.
+fn texts(picture: &Picture) -> impl Iterator<Item = ([f64; 2], &str)> {
+    picture.marks.iter().filter_map(|mark| match mark {
+        Mark::Text { at, text, .. } => Some((*at, text.as_str())),
+        _ => None,
+    })
+}
+
+/// Boxes about the words.
 fn no_words_overlap(stem: &str, picture: &Picture) {
     let mut boxes: Vec<([f64; 4], &str)> = Vec::new();
     for mark in &picture.marks {
@@ -60,7 +96,7 @@ fn no_words_overlap(stem: &str, picture: &Picture) {
         else {
             continue;
         };
-        let length = 0.46 * size * f64::from(u32::try_from(text.chars().count()).expect("short"));
+        let length = text_width(text, *size);
         let start = match anchor {
             Anchor::Left => 0.0,
             Anchor::Middle => -0.5 * length,

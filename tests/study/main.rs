@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod breaks;
+mod budget;
 mod by_hand;
 mod charts;
 mod gallery;

@@ -63,6 +63,27 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
     assert!(share_of(&after, BANNER) < 1e-3);
 }
 
+/// Where the right thing is picked with a wrong normal or in a wrong place, the pixels are marked as well; with Sightline's own
+/// picks none is, and the panel says which of how many scenes this is.
+#[test]
+fn wrong_normals_and_places_are_marked() {
+    const WRONG: Rgb = [0xd5, 0x5e, 0x00];
+    for (name, place) in [
+        ("stretched", "5 of 9"),
+        ("mirrored", "6 of 9"),
+        ("edge_on", "9 of 9"),
+    ] {
+        let mut window = open(vec![format!("gallery:{name}").into()], 1.0);
+        control(&window, place);
+        press_key(&mut window, Modifiers::NONE, Key::V);
+        let ours = share_of(&window.picture().expect("a picture"), WRONG);
+        press_key(&mut window, Modifiers::NONE, Key::V);
+        press_key(&mut window, Modifiers::NONE, Key::M);
+        let theirs = share_of(&window.picture().expect("a picture"), WRONG);
+        assert!(ours < 1e-3 && theirs > 0.02, "{name}: {ours} {theirs}");
+    }
+}
+
 #[test]
 fn another_file_ends_the_gallery_and_its_method() {
     let (mut window, folder) = row(1.0);

@@ -6,7 +6,7 @@ use sightline::{
     study::gallery::{BREAKS, Break},
     viewer::model::{Compared, Fault, Showing},
 };
-use std::path::Path;
+use std::{collections::HashMap, path::Path};
 
 fn opened(name: &str) -> State {
     let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
@@ -37,21 +37,25 @@ fn compare(state: &mut State, broken: &Break, px: DVec2) -> Compared {
 
 #[test]
 fn each_break_is_seen_in_the_window() {
+    let mut most: HashMap<&str, usize> = HashMap::new();
     for broken in &BREAKS {
         let mut state = opened(broken.exhibit);
         let own = |state: &State, px| pick::pick(state.scene(), state.view(), px);
         let mut worst = None;
+        let mut wrong = 0;
         let grid = (0..40).flat_map(|y| (0..=40).map(move |x| (f64::from(x), f64::from(y))));
         for (x, y) in grid {
             let px = DVec2::new(20.0 * x + 0.5, 15.0 * y + 7.5);
             let compared = compare(&mut state, broken, px);
             let ours = compared.ours.map(|found| found.hit.object + 1);
             assert_eq!(ours, own(&state, px).map(|pick| pick.id), "{broken:?} {px}");
-            let fault = compared.fault();
-            if worst.is_none() && fault.is_some_and(|fault| fault.is_wrong()) {
-                worst = Some(px);
+            if compared.fault().is_some_and(|fault| fault.is_wrong()) {
+                worst = worst.or(Some(px));
+                wrong += 1;
             }
         }
+        let most = most.entry(broken.exhibit).or_default();
+        *most = wrong.max(*most);
         let px = worst.unwrap_or_else(|| panic!("nobody sees {broken:?}"));
         // The same click by the default is what the command line says.
         state.apply(Action::PickBy(None));
@@ -60,6 +64,9 @@ fn each_break_is_seen_in_the_window() {
             .expect("a pick");
         assert_eq!(line.hit, own(&state, px + DVec2::X));
     }
+    // One method on each scene fails on a part of the picture that nobody misses: so many of 1640 pixels.
+    assert_eq!(most.len(), GALLERY.len());
+    assert!(most.values().all(|wrong| *wrong >= 30), "{most:?}");
 }
 
 #[test]

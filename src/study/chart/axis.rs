@@ -1,57 +1,83 @@
-//! Logarithmic axes, with a place below for 0 and one above for what fails.
+//! Scales, with places beside them for none, for ties and for what fails; and the frame that two of them make.
 
-use super::picture::{Anchor, FAINT, INK, Mark, Picture, QUIET};
+use super::{
+    measure::Measure,
+    picture::{Anchor, FAINT, INK, Mark, Picture, QUIET},
+};
+use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
-/// A logarithmic scale from pixels to values.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A scale from values to pixels.
+#[derive(Clone, Copy, Debug)]
 pub struct Axis {
-    /// Powers of ten at both ends of the scale proper.
-    decades: [i32; 2],
+    /// Of a value: its logarithm, or itself.
+    scale: fn(f64) -> f64,
+    /// What that is at both ends of the scale proper.
+    range: [f64; 2],
     /// Pixels at both ends of the scale proper.
     ends: [f64; 2],
     /// Where 0 is drawn, beyond the first end.
-    zero: Option<f64>,
+    none: Option<f64>,
+    /// Where ties are, between 0 and the first end.
+    ties: Option<f64>,
     /// Where what fails is drawn, beyond the last end.
     fails: Option<f64>,
 }
 
-/// How far beyond the scale 0 and failures are drawn, in pixels.
+/// How far beyond the scale such places lie, in pixels.
 const BEYOND: f64 = 22.0;
 
 impl Axis {
-    /// A scale that holds all values, between two pixel positions. Places for 0 and for what is infinite are kept
-    /// where there are such values. `least` is the least power of ten that is told apart: what is less counts as that.
+    /// A logarithmic scale that holds all values, between two pixel positions, in whole powers of ten. Places for 0, for
+    /// [ties](Measure::TIE) and for what is infinite are kept where there are such values.
     #[must_use]
-    pub fn new(values: &[f64], ends: [f64; 2], least: i32) -> Self {
-        let finite = || values.iter().copied().filter(|v| v.is_finite() && *v > 0.0);
-        #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
-        let decade = |v: f64, to: fn(f64) -> f64| to(v.log10()) as i32;
-        let low = finite()
-            .map(|v| decade(v * 1.000_001, f64::floor))
-            .min()
-            .unwrap_or(0)
-            .max(least);
-        let high = finite()
-            .map(|v| decade(v * 0.999_999, f64::ceil))
-            .max()
-            .unwrap_or(1)
-            .max(low + 1);
+    pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
+        let finite = || {
+            let scaled = |v: &&f64| v.is_finite() && **v > Measure::TIE;
+            values.iter().filter(scaled).map(|v| v.log10())
+        };
+        let low = finite().map(|e| (e + 1e-6).floor()).reduce(f64::min);
+        let low = low.unwrap_or(0.0);
+        let high = finite().map(|e| (e - 1e-6).ceil()).reduce(f64::max);
+        let high = high.unwrap_or(low + 1.0).max(low + 1.0);
         let direction = (ends[1] - ends[0]).signum();
         let [mut from, mut to] = ends;
-        let zero = values.contains(&0.0).then(|| {
+        let none = values.contains(&0.0).then(|| {
             from += direction * 1.6 * BEYOND;
             from - direction * BEYOND
+        });
+        let ties = values.contains(&Measure::TIE).then(|| {
+            from += direction * BEYOND;
+            from - direction * 0.8 * BEYOND
         });
         let fails = values.iter().any(|v| v.is_infinite()).then(|| {
             to -= direction * 1.6 * BEYOND;
             to + direction * BEYOND
         });
         Self {
-            decades: [low, high],
-            ends: [from, to],
-            zero,
+            none,
+            ties,
             fails,
+            ..Self::between(f64::log10, [low, high], [from, to])
         }
+    }
+
+    /// A scale of its own: `range` is what `scale` makes of the values at both ends.
+    #[must_use]
+    pub fn between(scale: fn(f64) -> f64, range: [f64; 2], ends: [f64; 2]) -> Self {
+        Self {
+            scale,
+            range,
+            ends,
+            none: None,
+            ties: None,
+            fails: None,
+        }
+    }
+
+    /// From 0 to a value in equal steps.
+    #[must_use]
+    pub fn linear(most: f64, ends: [f64; 2]) -> Self {
+        Self::between(|value| value, [0.0, most], ends)
     }
 
     /// The same scale from the other end.
@@ -64,55 +90,55 @@ impl Axis {
         }
     }
 
-    /// The power of ten at its lower end.
-    fn least(&self) -> f64 {
-        10_f64.powi(self.decades[0])
+    /// The pixel positions between which the scale proper lies.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
     }
 
     /// The pixel position of a value.
     #[must_use]
     pub fn at(&self, value: f64) -> f64 {
-        if value == 0.0 {
-            return self.zero.unwrap_or(self.ends[0]);
-        }
-        if value.is_infinite() {
-            return self.fails.unwrap_or(self.ends[1]);
-        }
-        let [low, high] = self.decades.map(f64::from);
-        let share = ((value.log10() - low) / (high - low)).clamp(0.0, 1.0);
-        self.ends[0] + share * (self.ends[1] - self.ends[0])
+        let [low, high] = self.range;
+        let share = ((self.scale)(value) - low) / (high - low);
+        let on_scale = self.ends[0] + share.clamp(0.0, 1.0) * (self.ends[1] - self.ends[0]);
+        let beside = match value {
+            0.0 => self.none,
+            Measure::TIE => self.ties,
+            f64::INFINITY => self.fails,
+            _ => None,
+        };
+        beside.unwrap_or(on_scale)
     }
 
-    /// Values and words at which the axis is marked: powers of ten, at most about so many; where there are few
-    /// decades, twos and fives too.
-    fn ticks(&self, most: i32) -> Vec<(f64, String)> {
-        let [low, high] = self.decades;
-        let step = ((high - low + most - 1) / most).max(1);
-        let power = |exponent: i32| 10_f64.powi(exponent);
-        let decades = (low..=high).filter(|exponent| (exponent - low) % step == 0);
-        let mut ticks: Vec<f64> = decades.map(power).collect();
-        if high - low <= 2 {
-            ticks.extend((low..high).flat_map(|e| [2.0 * power(e), 5.0 * power(e)]));
+    /// Values and words at which the axis is marked, at most about so many: powers of ten; where there are few of them, twos
+    /// and fives too.
+    fn ticks(&self, most: usize) -> Vec<(f64, String)> {
+        let [low, high] = self.range;
+        if (self.scale)(1.0) != 0.0 {
+            let steps = RangedCoordf64::from(low..high).key_points(most);
+            return steps.into_iter().map(|v| (v, word(v))).collect();
         }
-        let word = |value: f64| {
-            let plain = (-2..=3).contains(&exponent_of(value));
-            if plain {
-                format!("{}", (value * 1e3).round() / 1e3)
-            } else {
-                format!("{value:.0e}")
-            }
-        };
-        ticks
-            .into_iter()
-            .map(|value| (value, word(value)))
-            .collect()
+        #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
+        let (first, last) = ((low - 1e-9).ceil() as i32, (high + 1e-9).floor() as i32);
+        let step = usize::try_from(last - first).unwrap_or(0) / most + 1;
+        let decades = (first..=last).step_by(step).map(|e| 10_f64.powi(e));
+        let mut ticks: Vec<f64> = decades.collect();
+        if high - low <= 2.0 {
+            let between = (first - 1..=last).flat_map(|e| [2.0, 5.0].map(|f| f * 10_f64.powi(e)));
+            ticks.extend(between.filter(|v| (low..=high).contains(&v.log10())));
+        }
+        ticks.into_iter().map(|v| (v, word(v))).collect()
     }
 }
 
-fn exponent_of(value: f64) -> i32 {
-    #[expect(clippy::cast_possible_truncation, reason = "exponents of f64")]
-    let exponent = (value * 1.000_001).log10().floor() as i32;
-    exponent
+/// A tick's.
+fn word(value: f64) -> String {
+    if value == 0.0 || (0.000_999..20_000.0).contains(&value) {
+        format!("{}", (value * 1e6).round() / 1e6)
+    } else {
+        format!("{value:.0e}")
+    }
 }
 
 /// A frame with two axes.
@@ -128,21 +154,17 @@ pub struct Panel {
     pub to: [f64; 2],
 }
 
-/// What is written about a panel.
+/// What is written about a panel. An axis without words has no numbers either.
 #[derive(Clone, Copy, Debug)]
 pub struct Labels<'a> {
     /// Above it.
     pub title: &'a str,
     /// Under the horizontal axis, with its unit.
     pub x: &'a str,
-    /// Whether that is marked with numbers.
-    pub has_x_ticks: bool,
     /// Beside the vertical axis, with its unit.
     pub y: &'a str,
     /// At the place of 0.
-    pub zero: &'a str,
-    /// At the least value that is told apart, where that stands for something else.
-    pub least: Option<&'a str>,
+    pub none: &'a str,
 }
 
 /// Size of tick labels.
@@ -151,9 +173,9 @@ const TICK: f64 = 14.0;
 impl Panel {
     /// A panel in a frame that holds all values.
     #[must_use]
-    pub fn new(from: [f64; 2], to: [f64; 2], xs: &[f64], ys: &[f64], least_y: i32) -> Self {
-        let x = Axis::new(xs, [from[0] + 10.0, to[0] - 10.0], -30);
-        let y = Axis::new(ys, [to[1] - 6.0, from[1] + 8.0], least_y);
+    pub fn new(from: [f64; 2], to: [f64; 2], xs: &[f64], ys: &[f64]) -> Self {
+        let x = Axis::new(xs, [from[0] + 10.0, to[0] - 10.0]);
+        let y = Axis::new(ys, [to[1] - 6.0, from[1] + 8.0]);
         Self { x, y, from, to }
     }
 
@@ -167,29 +189,37 @@ impl Panel {
     pub fn draw(&self, picture: &mut Picture, labels: &Labels<'_>) {
         let [left, top] = self.from;
         let [right, bottom] = self.to;
-        for (value, word) in self.y.ticks(5) {
-            let y = self.y.at(value);
-            picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
-            let least = labels.least.filter(|_| value <= 1.000_001 * self.y.least());
-            let word = least.map_or(word, str::to_owned);
-            picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
-        }
-        if let Some(y) = self.y.zero {
+        if let Some(y) = self.y.none {
             picture.rectangle(
                 [left, y - 0.5 * BEYOND],
                 [right, bottom],
                 [0xe8, 0xf5, 0xee],
             );
-            picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, labels.zero);
         }
         if let Some(y) = self.y.fails {
             picture.rectangle([left, top], [right, y + 0.5 * BEYOND], [0xfb, 0xeb, 0xe2]);
-            picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, "fails");
         }
-        let ticks = if labels.has_x_ticks {
-            self.x.ticks(6)
-        } else {
+        for (value, _) in self.y.ticks(5) {
+            let y = self.y.at(value);
+            picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
+        }
+        if !labels.y.is_empty() {
+            let beside = [
+                (self.y.none, labels.none),
+                (self.y.ties, "ties"),
+                (self.y.fails, "fails"),
+            ];
+            let beside = beside.map(|(y, word)| y.map(|y| (y, word.to_owned())));
+            let ticks = self.y.ticks(5).into_iter();
+            let ticks = ticks.map(|(value, word)| (self.y.at(value), word));
+            for (y, word) in ticks.chain(beside.into_iter().flatten()) {
+                picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
+            }
+        }
+        let ticks = if labels.x.is_empty() {
             Vec::new()
+        } else {
+            self.x.ticks(6)
         };
         for (value, word) in ticks {
             let x = self.x.at(value);
@@ -199,13 +229,8 @@ impl Panel {
         let frame = vec![[left, top], [left, bottom], [right, bottom]];
         picture.line(frame, INK, 1, false);
         let middle = 0.5 * (left + right);
-        picture.text(
-            [left - 40.0, top - 20.0],
-            Anchor::Left,
-            18.0,
-            INK,
-            labels.title,
-        );
+        let title = [left - 40.0, top - 20.0];
+        picture.text(title, Anchor::Left, 18.0, INK, labels.title);
         picture.text([middle, bottom + 31.0], Anchor::Middle, 15.0, INK, labels.x);
         picture.marks.push(Mark::Text {
             at: [left - 58.0, 0.5 * (top + bottom)],

@@ -11,6 +11,8 @@ pub enum Measure {
     Wrong,
     /// How many decisions were wrong.
     Percent,
+    /// Nanoseconds.
+    Time,
 }
 
 impl Measure {
@@ -24,20 +26,22 @@ impl Measure {
         }
     }
 
-    /// What it says about a row. A wrong decision at no distance at all, which only a tie can be, counts as
-    /// [`TIE`](Self::TIE) so that it is not taken for none.
+    /// What it says about a row. Wrong decisions at no distance at all, which only ties can be, are [`TIE`](Self::TIE), and
+    /// so neither none nor taken for a distance.
     #[must_use]
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
             Self::Percent => row.wrong_percent(),
-            Self::Wrong if row.wrong_percent() > 0.0 => row.worst_wrong.max(Self::TIE),
-            Self::Wrong => 0.0,
+            Self::Wrong if row.wrong() == 0 => 0.0,
+            Self::Wrong if row.worst_wrong < LEAST_PX => Self::TIE,
+            Self::Wrong => row.worst_wrong,
+            Self::Time => row.time.map_or(0.0, |time| time.ns),
         }
     }
 
-    /// The distance that ties are drawn at, and the least that is told apart.
-    pub const TIE: f64 = 1e-9;
+    /// Stands for ties: less than every distance, and not 0.
+    pub const TIE: f64 = f64::MIN_POSITIVE;
 
     /// For the axis.
     #[must_use]
@@ -46,23 +50,17 @@ impl Measure {
             Self::Error => format!("worst error ({})", step.error_unit),
             Self::Wrong => format!("worst wrong decision ({})", step.wrong_unit),
             Self::Percent => "wrong picks (%)".to_owned(),
+            Self::Time => "time (ns)".to_owned(),
         }
     }
 
     /// The word for 0.
     #[must_use]
-    pub fn zero(self) -> &'static str {
+    pub fn none(self) -> &'static str {
         match self {
-            Self::Error => "0",
+            Self::Error | Self::Time => "0",
             Self::Wrong | Self::Percent => "none",
         }
-    }
-
-    /// The word for the least value, where some of these are ties.
-    #[must_use]
-    pub fn least(self, values: &[f64]) -> Option<&'static str> {
-        let ties = values.iter().any(|v| v.total_cmp(&Self::TIE).is_eq());
-        (self == Self::Wrong && ties).then_some("ties")
     }
 
     /// A method at its worst over all rows of a summary.
@@ -74,3 +72,6 @@ impl Measure {
             .fold(0.0, f64::max)
     }
 }
+
+/// Below this a wrong decision is at no distance: what truth itself rounds.
+const LEAST_PX: f64 = 1e-30;

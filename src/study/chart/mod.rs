@@ -1,20 +1,24 @@
 //! The study's charts, each as SVG and PNG.
 
 mod axis;
+mod bounds;
+mod depth;
+mod front;
+mod heat;
+mod labels;
 mod measure;
 mod outlines;
+mod overview;
 mod page;
-mod pareto;
 pub mod picture;
-mod resolution;
 mod stability;
 mod style;
-mod wrong_picks;
+mod tiles;
 
-pub use outlines::{dashes, outlines};
+pub use outlines::outlines;
 pub use stability::family;
 
-use super::run::{Report, SCENE};
+use super::run::{Report, Row, SCENE};
 use crate::{
     camera::{CameraError, Viewport},
     image::{Image, ImageError},
@@ -44,31 +48,25 @@ pub enum ChartError {
     Size(#[from] CameraError),
 }
 
-/// Every chart of a report with its file's stem.
+/// Each chart of a report with its file's stem.
 #[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
+    let general = |row: &Row| row.family != SCENE;
     let all = "Speed against the worst error over every workload";
     let mut charts = vec![
-        (
-            "pareto",
-            pareto::chart(report, all, |row| row.family != SCENE),
-        ),
-        (
-            "stability",
-            stability::chart(report, "Where each method breaks"),
-        ),
-        (
-            "depth",
-            resolution::chart("What the depth buffer tells apart"),
-        ),
-        ("wrong_picks", wrong_picks::chart("A map of wrong picks")),
+        ("front", front::chart(report, general)),
+        ("heat", heat::chart(report, general)),
+        ("smallest_steps", tiles::chart()),
+        ("bounds", bounds::chart(report, general)),
+        ("depth", depth::chart()),
+        ("stability", stability::chart(report)),
+        ("hit_rates", stability::hit_rates(report)),
+        ("overview", overview::chart(report, all, general)),
     ];
     if report.has_scene {
         let own = "Speed against the worst error on this scene's own rays";
-        charts.push((
-            "pareto_scene",
-            pareto::chart(report, own, |row| row.family == SCENE),
-        ));
+        let chart = overview::chart(report, own, |row| row.family == SCENE);
+        charts.push(("overview_scene", chart));
     }
     charts
 }

@@ -1,33 +1,6 @@
-//! The lines that points and broken lines are made of.
+//! The lines that points are made of.
 
 use super::picture::Shape;
-
-/// A line in pieces of 7 pixels with 5 between them.
-#[must_use]
-pub fn dashes(points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
-    const ON: f64 = 7.0;
-    const PERIOD: f64 = 12.0;
-    let mut pieces = Vec::new();
-    let mut along = 0.0;
-    for pair in points.windows(2) {
-        let [a, b] = [pair[0], pair[1]];
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let at = |s: f64| {
-            let share = if length > 0.0 { s / length } else { 0.0 };
-            [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]
-        };
-        let mut s = -(along % PERIOD);
-        while s < length {
-            let (from, to) = (s.max(0.0), (s + ON).min(length));
-            if from < to {
-                pieces.push(vec![at(from), at(to)]);
-            }
-            s += PERIOD;
-        }
-        along += length;
-    }
-    pieces
-}
 
 /// The closed outlines of a point.
 #[must_use]

@@ -2,23 +2,30 @@
 
 use super::picture::{Anchor, INK, Picture, QUIET};
 
-/// How high a panel's plot is.
+/// How wide every page is.
+pub const WIDTH: f64 = 1600.0;
+/// How high a small panel's plot is.
 pub const PLOT_HEIGHT: f64 = 186.0;
 
-/// A page with a title and a line below it.
+/// A page with a title and lines below it.
 #[must_use]
-pub fn page(title: &str, line: &str) -> Picture {
-    let mut picture = Picture::new(1600, 900);
-    picture.text([24.0, 28.0], Anchor::Left, 27.0, INK, title);
-    picture.text([24.0, 57.0], Anchor::Left, 16.0, QUIET, line);
+pub fn page(height: u32, title: &str, lines: &[&str]) -> Picture {
+    let mut picture = Picture::new(1600, height);
+    picture.text([24.0, 30.0], Anchor::Left, 30.0, INK, title);
+    for (y, line) in (0..).map(f64::from).zip(lines) {
+        picture.text([24.0, 62.0 + 24.0 * y], Anchor::Left, 18.0, QUIET, *line);
+    }
     picture
 }
 
-/// The top left corners of its panels, so many in a row; there is room for two rows.
-pub fn places(columns: u32) -> impl Iterator<Item = [f64; 2]> {
+/// From one row of small panels to the next, where a legend has few lines.
+pub const ROWS_APART: f64 = 404.0;
+
+/// The top left corners of its small panels, so many in a row and rows so far apart.
+pub fn places(columns: u32, apart: f64) -> impl Iterator<Item = [f64; 2]> {
     let place = move |i: u32| {
         let [column, row] = [i % columns, i / columns].map(f64::from);
-        [column * 1600.0 / f64::from(columns), 92.0 + row * 404.0]
+        [column * WIDTH / f64::from(columns), 92.0 + row * apart]
     };
     (0..).map(place)
 }

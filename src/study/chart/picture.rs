@@ -1,8 +1,9 @@
 //! What a chart is made of, and its way into SVG and PNG through `plotters`.
 
-use super::outlines::{dashes, outlines};
+use super::outlines::outlines;
 use plotters::{
     coord::Shift,
+    element::DashedPathElement,
     prelude::*,
     style::{
         FontStyle, FontTransform, register_font,
@@ -30,6 +31,9 @@ pub const COLOURS: [Colour; 7] = [
     [0xe6, 0x9f, 0x00],
     [0x88, 0x88, 0x88],
 ];
+
+/// A broken line: so many pixels drawn, so many not.
+pub const DASH: [u32; 2] = [6, 5];
 
 /// The shape of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,6 +139,20 @@ pub struct Picture {
     pub marks: Vec<Mark>,
 }
 
+/// How wide a line of text is, in pixels.
+#[must_use]
+pub fn text_width(text: &str, size: f64) -> f64 {
+    let known = register_typeface().ok();
+    let measured = known.and_then(|()| (FONT, size).into_font().box_size(text).ok());
+    measured.map_or(0.0, |(width, _)| f64::from(width))
+}
+
+/// The same bytes each time: registering again changes nothing.
+fn register_typeface() -> Result<(), DrawError> {
+    register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
+        .map_err(|_| DrawError("the typeface is not one".to_owned()))
+}
+
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot draw the chart: {0}")]
@@ -194,6 +212,20 @@ impl Picture {
         });
     }
 
+    /// Adds rows of so many equal squares, from a top left corner: a rectangle for each run of one colour.
+    pub fn map(&mut self, colours: &[Colour], columns: usize, [left, top]: [f64; 2], side: f64) {
+        for (y, row) in (0..).map(f64::from).zip(colours.chunks(columns)) {
+            let mut x = 0.0;
+            for run in row.chunk_by(PartialEq::eq) {
+                #[expect(clippy::cast_precision_loss, reason = "a row")]
+                let end = x + run.len() as f64;
+                let corner = |x: f64, y: f64| [left + side * x, top + side * y];
+                self.rectangle(corner(x, y), corner(end, y + 1.0), run[0]);
+                x = end;
+            }
+        }
+    }
+
     /// Adds a rectangle.
     pub fn rectangle(&mut self, from: [f64; 2], to: [f64; 2], colour: Colour) {
         self.marks.push(Mark::Rectangle { from, to, colour });
@@ -247,9 +279,7 @@ impl Picture {
         area: &DrawingArea<B, Shift>,
         scale: f64,
     ) -> Result<(), DrawError> {
-        // The same bytes each time: registering again changes nothing.
-        register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
-            .map_err(|_| DrawError("the typeface is not one".to_owned()))?;
+        register_typeface()?;
         let failed = |error: DrawingAreaErrorKind<B::ErrorType>| DrawError(error.to_string());
         area.fill(&WHITE).map_err(failed)?;
         for mark in &self.marks {
@@ -284,18 +314,13 @@ fn draw_mark<B: DrawingBackend>(
             dashed,
         } => {
             let style = rgb(*colour).stroke_width(wide(*width));
-            let parts = if *dashed {
-                dashes(points)
+            let points: Vec<_> = points.iter().copied().map(px).collect();
+            if *dashed {
+                let [on, off] = DASH.map(wide);
+                area.draw(&DashedPathElement::new(points, on, off, style))
             } else {
-                vec![points.clone()]
-            };
-            for part in parts {
-                area.draw(&PathElement::new(
-                    part.into_iter().map(px).collect::<Vec<_>>(),
-                    style,
-                ))?;
+                area.draw(&PathElement::new(points, style))
             }
-            Ok(())
         }
         Mark::Rectangle { from, to, colour } => {
             area.draw(&Rectangle::new([px(*from), px(*to)], rgb(*colour).filled()))

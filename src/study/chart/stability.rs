@@ -1,15 +1,15 @@
-//! Where each method breaks: the worst error against what stresses it, a line a method.
+//! A line a method: the worst error against what stresses it, and the time against how many rays hit.
 
 use super::{
-    axis::{Labels, Panel},
+    axis::{Axis, Labels, Panel},
     measure::Measure,
-    page::{PLOT_HEIGHT, page, places},
-    picture::Picture,
+    page::{PLOT_HEIGHT, ROWS_APART, page, places},
+    picture::{Anchor, INK, Picture},
     style::{Style, legend, styles},
 };
 use crate::study::{
-    run::{Report, Row},
-    step::{About, Precision},
+    run::{Report, Row, SCENE},
+    step::Precision,
 };
 
 /// The families that are shown, by step and name.
@@ -26,27 +26,59 @@ const SHOWN: [(&str, &str); 8] = [
 
 /// The chart.
 #[must_use]
-pub fn chart(report: &Report, title: &str) -> Picture {
+pub fn chart(report: &Report) -> Picture {
+    let title = "Where each method breaks";
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
-    let mut picture = page(title, line);
-    for ((key, family), at) in SHOWN.into_iter().zip(places(4)) {
-        let rows = report
-            .rows
-            .iter()
-            .filter(|row| row.step.key == key && row.family == family);
-        let rows: Vec<&Row> = rows.collect();
+    let mut picture = page(900, title, &[line]);
+    let mut last = "";
+    for ((key, family), at) in SHOWN.into_iter().zip(places(4, ROWS_APART)) {
+        let rows = rows_of(report, key, family);
         let Some(first) = rows.first() else { continue };
-        panel(&mut picture, first.step, &rows, at, None);
+        // Neighbours of one step share a legend.
+        let measure = Measure::of(first.step);
+        let styles = panel(&mut picture, measure, &rows, at, None, None);
+        if last != key {
+            legend(&mut picture, styles.iter(), under(at), 16.0);
+        }
+        last = key;
     }
     picture
 }
 
-/// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
-/// family's; empty without any.
+/// How long each method takes, over the share of rays that hit.
 #[must_use]
-pub fn family(rows: &[Row], wide: Option<(&str, Precision)>) -> Picture {
-    let rows: Vec<&Row> = rows.iter().collect();
+pub fn hit_rates(report: &Report) -> Picture {
+    let line = "Medians of rounds in new orders. Rays that hit take longer, and branches that half of the rays take are foreseen worst. \
+                Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
+    let mut picture = page(500, "What hits cost", &[line]);
+    let steps = ["triangle", "sphere", "box", "square"];
+    for (key, at) in steps.into_iter().zip(places(4, ROWS_APART)) {
+        let mut rows = rows_of(report, key, "hit rate");
+        rows.retain(|row| row.time.is_some());
+        if !rows.is_empty() {
+            let styles = panel(&mut picture, Measure::Time, &rows, at, None, None);
+            legend(&mut picture, styles.iter(), under(at), 16.0);
+        }
+    }
+    picture
+}
+
+fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
+    let is_wanted = |row: &&Row| row.step.key == step && row.family == family;
+    report.rows.iter().filter(is_wanted).collect()
+}
+
+/// Where a panel's legend begins.
+fn under([left, top]: [f64; 2]) -> [f64; 2] {
+    [left + 34.0, top + 28.0 + PLOT_HEIGHT + 52.0]
+}
+
+/// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
+/// family's, and a scene's own ([`SCENE`]), which are marked at `here`; empty without any.
+#[must_use]
+pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
+    let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
     let mut names: Vec<&str> = rows.iter().map(|row| row.method).collect();
     names.sort_unstable();
     names.dedup();
@@ -58,27 +90,43 @@ pub fn family(rows: &[Row], wide: Option<(&str, Precision)>) -> Picture {
     let height = (28.0 + PLOT_HEIGHT + 62.0) as u32 + 16 * u32::try_from(names.len()).unwrap_or(0);
     let mut picture = Picture::new(400, height + 6);
     if let Some(first) = rows.first() {
-        panel(&mut picture, first.step, &rows, [0.0, 6.0], wide);
+        let at = [0.0, 6.0];
+        let scene = Some((own.as_slice(), here));
+        let styles = panel(
+            &mut picture,
+            Measure::of(first.step),
+            &rows,
+            at,
+            wide,
+            scene,
+        );
+        legend(&mut picture, styles.iter(), under(at), 16.0);
     }
     picture
 }
 
+/// One family, and how its methods look there; not empty.
 fn panel(
     picture: &mut Picture,
-    step: About,
+    measure: Measure,
     rows: &[&Row],
     [left, top]: [f64; 2],
     wide: Option<(&str, Precision)>,
-) {
-    let measure = Measure::of(step);
+    scene: Option<(&[&Row], f64)>,
+) -> Vec<Style> {
+    let step = rows[0].step;
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
-    let ys: Vec<f64> = rows.iter().map(|row| measure.at(row)).collect();
+    let own = scene.map_or(&[][..], |(own, _)| own);
+    let all = rows.iter().chain(own);
+    let ys: Vec<f64> = all.map(|row| measure.at(row)).collect();
     let from = [left + 82.0, top + 28.0];
     let to = [left + 384.0, top + 28.0 + PLOT_HEIGHT];
     // Harmless is on the left, whichever way the parameter grows.
     let falls = xs.first() > xs.last();
-    let mut panel = Panel::new(from, to, &xs, &ys, -16);
-    if falls {
+    let mut panel = Panel::new(from, to, &xs, &ys);
+    if xs.contains(&0.0) {
+        panel.x = Axis::linear(1.0, panel.x.ends());
+    } else if falls {
         panel.x = panel.x.reversed();
     }
     let title = format!("{}: {}", step.name, rows[0].family);
@@ -88,12 +136,20 @@ fn panel(
         &Labels {
             title: &title,
             x: rows[0].parameter,
-            has_x_ticks: true,
             y: &y,
-            zero: measure.zero(),
-            least: measure.least(&ys),
+            none: measure.none(),
         },
     );
+    if let Some((_, here)) = scene {
+        let x = panel.x.at(here);
+        picture.line(vec![[x, from[1]], [x, to[1]]], INK, 1, true);
+        let (anchor, away) = if x > 0.5 * (from[0] + to[0]) {
+            (Anchor::Right, -6.0)
+        } else {
+            (Anchor::Left, 6.0)
+        };
+        picture.text([x + away, from[1] + 8.0], anchor, 15.0, INK, SCENE);
+    }
     let first_value = rows[0].value.to_bits();
     let methods = rows
         .iter()
@@ -105,10 +161,10 @@ fn panel(
     let mut ordered: Vec<&Style> = styles.iter().collect();
     ordered.sort_by_key(|style| (is_wide(style), style.ours));
     for style in ordered {
-        let own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
+        let is_own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
         let points = rows
             .iter()
-            .filter(own)
+            .filter(is_own)
             .map(|row| panel.at(row.value, measure.at(row)));
         let width = match (is_wide(style), style.ours) {
             (true, _) => 5,
@@ -116,8 +172,19 @@ fn panel(
             (false, false) => 2,
         };
         line(picture, style, width, points.collect());
+        let here = scene.map(|(_, here)| here);
+        for (row, here) in own.iter().filter(is_own).zip(here) {
+            let filled = style.precision != Precision::F32 || style.ours;
+            picture.point(
+                panel.at(here, measure.at(row)),
+                style.shape,
+                7.0,
+                style.colour,
+                filled,
+            );
+        }
     }
-    legend(picture, styles.iter(), [left + 34.0, to[1] + 52.0], 16.0);
+    styles
 }
 
 fn line(picture: &mut Picture, style: &Style, width: u32, points: Vec<[f64; 2]>) {

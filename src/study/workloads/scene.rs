@@ -63,12 +63,12 @@ impl SceneRays {
     }
 
     /// Width of a pixel in radians, seen from the eye at a distance.
-    fn px(&self, distance: f64) -> f64 {
+    pub(in crate::study) fn px(&self, distance: f64) -> f64 {
         super::px_angle(&self.world.view, distance)
     }
 
     /// Every ray with the object that it hits.
-    fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
+    pub(in crate::study) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
         let objects = self.world.scene.objects();
         self.hits
             .iter()
@@ -76,7 +76,10 @@ impl SceneRays {
     }
 
     /// Rays in the world with an object of a kind each, hit or not, and the width of a pixel there.
-    fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
+    pub(in crate::study) fn rays_at(
+        &self,
+        wanted: fn(&Shape) -> bool,
+    ) -> Vec<(&Placement, Ray, f64)> {
         let objects = self.world.scene.objects().iter();
         let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
         let mut random = Random::named(self.seed, &["objects"]);

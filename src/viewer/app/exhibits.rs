@@ -32,7 +32,8 @@ impl App {
             _ => {
                 let wake = self.wake.clone();
                 let wake = move || wake(Wake::Look);
-                self.chart = Some(Chart::start(subject, wake));
+                let (scene, view) = (self.state.scene().clone(), *self.state.view());
+                self.chart = Some(Chart::start(subject, scene, view, wake));
             }
         }
     }

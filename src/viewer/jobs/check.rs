@@ -2,10 +2,10 @@
 
 use crate::{
     image::{Id, Image},
-    pick,
+    pick::{self, SceneHit},
     study::swap::Swap,
     verify::{self, Places, Report},
-    viewer::model::{OnScreen, State},
+    viewer::model::{Compared, Fault, OnScreen, State},
 };
 use std::{
     sync::{
@@ -60,7 +60,7 @@ impl Check {
                     return None;
                 }
                 match method {
-                    Some(method) => Some(method.pick(&scene, &of.view, px)?.hit),
+                    Some(method) => right_place(&Compared::at(&scene, &of.view, &method, px)),
                     None => pick::closest(&scene, of.view.ray(px), of.view.sides),
                 }
             });
@@ -107,6 +107,13 @@ impl Check {
         let name = |method: Swap| format!(" by\n{}", method.info().name);
         self.method.map_or_else(String::new, name)
     }
+}
+
+/// What a method picks; nothing where that is the right thing in a place, or with a normal, that anybody sees to be wrong: such
+/// pixels are marked as those are where it picks nothing.
+fn right_place(compared: &Compared) -> Option<SceneHit> {
+    let is_off = matches!(compared.fault(), Some(Fault::Off(by)) if by.shows());
+    compared.theirs.filter(|_| !is_off).map(|found| found.hit)
 }
 
 impl Drop for Check {

@@ -1,6 +1,13 @@
 //! The study's chart of what breaks, beside the window.
 
-use crate::study::{Effort, Row, gallery::Break};
+use crate::{
+    camera::View,
+    scene::Scene,
+    study::{
+        Row,
+        gallery::{self, Break},
+    },
+};
 use std::{
     sync::mpsc::{Receiver, channel},
     thread,
@@ -15,12 +22,17 @@ pub(in crate::viewer) struct Chart {
 }
 
 impl Chart {
-    /// Runs the study's family of a break; calls `wake` when done.
-    pub fn start(of: &'static Break, wake: impl FnOnce() + Send + 'static) -> Self {
+    /// Runs the study's family of a break, and the scene's own rays as `view` has them; calls `wake` when done.
+    pub fn start(
+        of: &'static Break,
+        scene: Scene,
+        view: View,
+        wake: impl FnOnce() + Send + 'static,
+    ) -> Self {
         let (sender, result) = channel();
         thread::spawn(move || {
             // The receiver is gone when another chart is wanted by now.
-            let _ = sender.send(of.step.rows(of.family, Effort::QUICK));
+            let _ = sender.send(gallery::rows(of, &scene, view));
             wake();
         });
         Self {
@@ -37,8 +49,9 @@ impl Chart {
         }
     }
 
-    /// Whether it shows what breaks of this step in this family.
+    /// Whether it shows what breaks of this step on this scene in this family.
     pub fn is_of(&self, subject: &Break) -> bool {
-        (self.of.step, self.of.family) == (subject.step, subject.family)
+        let key = |of: &Break| (of.exhibit, of.step, of.family);
+        key(self.of) == key(subject)
     }
 }

@@ -9,8 +9,9 @@ use crate::{
     look,
     scene::gallery::GALLERY,
     study::{
+        Row,
         chart::family,
-        gallery::{breaks_on, swaps},
+        gallery::{as_good, breaks_on, swaps},
         methods::MethodInfo,
         swap::{Found, Swap},
     },
@@ -55,6 +56,10 @@ pub(super) fn show(
     drawn: Option<&Chart>,
     commands: &mut Vec<Command>,
 ) {
+    let place = GALLERY.iter().position(|known| known == showing.exhibit);
+    let place = place.map_or(0, |place| place + 1);
+    ui.weak(format!("{place} of {}", GALLERY.len()))
+        .hint("E the next scene of the gallery, Shift+E the one before");
     ui.label(showing.exhibit.about());
     ui.weak(match (showing.method, state.has_outside()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
@@ -72,10 +77,9 @@ pub(super) fn show(
                 ui.label("The study, on ever harder cases of what breaks here:");
                 let now = showing.method.map(|method| method.info());
                 let now = now.map(|info| (info.name, info.precision));
-                plot::show(ui, &family(rows, now));
-                ui.weak(
-                    "Dashed: f32. Solid: f64 or exact. Black: Sightline's. Wide: what picks now.",
-                );
+                plot::show(ui, &family(rows, subject.value, now));
+                ui.weak("In this view's pixels. Dashed: f32. Solid: f64 or exact. Black: Sightline's. Wide: what picks now.");
+                ui.label(others(rows));
             }
             None => {
                 ui.horizontal(|ui| {
@@ -85,6 +89,17 @@ pub(super) fn show(
             }
         }
     }
+}
+
+/// Which other methods would do here.
+fn others(rows: &[Row]) -> String {
+    let names: Vec<String> = as_good(rows)
+        .map(|row| format!("{} {}", row.method, row.precision))
+        .collect();
+    if names.is_empty() {
+        return "No other method of this step is right here.".to_owned();
+    }
+    format!("Nothing wrong shows here with: {}.", names.join("; "))
 }
 
 /// A method's name with its precision.

@@ -1,8 +1,8 @@
 //! A chart of the study, drawn by egui: sharp at any scale.
 
 use crate::study::chart::{
-    dashes, outlines,
-    picture::{Anchor, Colour, Mark, Picture},
+    outlines,
+    picture::{Anchor, Colour, DASH, Mark, Picture},
 };
 use egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, epaint::TextShape,
@@ -60,10 +60,13 @@ impl Page<'_> {
                 dashed,
             } => {
                 let stroke = Stroke::new(*width as f32 * self.scale, colour(*line));
-                let whole = || vec![points.clone()];
-                let parts = if *dashed { dashes(points) } else { whole() };
-                for part in parts {
-                    self.painter.line(self.path(&part), stroke);
+                let path = self.path(points);
+                if *dashed {
+                    let [on, off] = DASH.map(|px| px as f32 * self.scale);
+                    let parts = Shape::dashed_line(&path, stroke, on, off);
+                    self.painter.extend(parts);
+                } else {
+                    self.painter.line(path, stroke);
                 }
             }
             Mark::Rectangle {

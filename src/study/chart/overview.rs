@@ -1,7 +1,8 @@
-//! Speed against the worst error: a panel a step.
+//! Speed against the worst error: a small panel a step.
 
 use super::{
     axis::{Labels, Panel},
+    labels::Places,
     measure::Measure,
     page::{PLOT_HEIGHT, page, places},
     picture::{Anchor, INK, Picture},
@@ -17,15 +18,31 @@ use crate::study::{
 #[must_use]
 pub fn chart(report: &Report, title: &str, wanted: impl Fn(&Row) -> bool) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
-                rounds. The line is the front: for what lies above it, something is both faster and better.";
-    let mut picture = page(title, line);
+                rounds. The line is the front: for what lies above it, something is both faster and better. A thin line: moved aside.";
     let has_times = report.rows.iter().any(|row| row.time.is_some());
     let steps = report.steps().into_iter().filter_map(|step| {
         let all = report.summaries(step, &wanted);
         (has_times && !all.is_empty()).then_some((step, all))
     });
-    for ((step, all), at) in steps.zip(places(5)) {
-        panel(&mut picture, step, &all, at);
+    let steps: Vec<(About, Vec<Summary<'_>>)> = steps.collect();
+    // As far apart as the longest legend is long.
+    let formulas = |all: &[Summary<'_>]| {
+        let mut names: Vec<&str> = all.iter().map(|summary| summary.method.method).collect();
+        names.dedup();
+        names.len()
+    };
+    let formulas = steps.iter().map(|(_, all)| formulas(all)).max();
+    let count = |n: usize| u32::try_from(n).map_or(0.0, f64::from);
+    let apart = 310.0 + 16.5 * count(formulas.unwrap_or(0));
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a page"
+    )]
+    let height = (92.0 + apart * count(steps.len().div_ceil(5))) as u32;
+    let mut picture = page(height, title, &[line]);
+    for ((step, all), at) in steps.iter().zip(places(5, apart)) {
+        panel(&mut picture, *step, all, at);
     }
     picture
 }
@@ -59,7 +76,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [
             style,
         })
     };
-    let points: Vec<Point> = points.filter_map(point).collect();
+    let mut points: Vec<Point> = points.filter_map(point).collect();
     let mut xs: Vec<f64> = points.iter().flat_map(|point| point.quartiles).collect();
     if !is_timed {
         xs.extend([1.0, 10.0]);
@@ -67,17 +84,15 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [
     let ys: Vec<f64> = points.iter().map(|point| point.y).collect();
     let from = [left + 76.0, top + 28.0];
     let to = [left + 308.0, top + 28.0 + PLOT_HEIGHT];
-    let panel = Panel::new(from, to, &xs, &ys, -16);
+    let panel = Panel::new(from, to, &xs, &ys);
     let y = measure.label(step);
     panel.draw(
         picture,
         &Labels {
             title: step.name,
-            x: if is_timed { "time (ns)" } else { NO_TIME },
-            has_x_ticks: is_timed,
+            x: if is_timed { "time (ns)" } else { "" },
             y: &y,
-            zero: measure.zero(),
-            least: measure.least(&ys),
+            none: measure.none(),
         },
     );
     if is_timed {
@@ -91,16 +106,22 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [
         }
         picture.line(steps, [0xaa, 0xaa, 0xaa], 2, false);
     }
+    // This program's first: it stays where it is, and what lies under it moves aside.
+    points.sort_by_key(|point| !point.style.ours);
+    let mut places = Places::new(from, to);
     for Point {
         x,
         quartiles,
         y,
         style,
-    } in points.iter().rev()
+    } in &points
     {
         let bar = quartiles.map(|x| panel.at(x, *y));
         picture.line(bar.to_vec(), style.colour, 1, false);
-        style.point(picture, panel.at(*x, *y));
+        let at = panel.at(*x, *y);
+        let spot = places.spot(at, 6.0);
+        picture.line(vec![at, spot], style.colour, 1, false);
+        style.point(picture, spot);
     }
     let mut at = [left + 22.0, to[1] + 50.0];
     let off = all
@@ -116,11 +137,9 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [
         );
         at[1] += 20.0;
     }
+    points.sort_by_key(|point| point.style.ours);
     legend(picture, points.iter().map(|point| &point.style), at, 16.5);
 }
-
-/// Under a panel that has no axis of time.
-const NO_TIME: &str = "acted out: no time";
 
 /// The points that no other is both faster and better than, fastest first.
 fn front(points: &[Point]) -> Vec<(f64, f64)> {

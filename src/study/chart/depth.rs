@@ -1,0 +1,216 @@
+//! What a depth buffer tells apart: the marks that a small format puts on 1 / z, after Reed, Depth Precision Visualized,
+//! 2015; and the steps of real formats against distance.
+
+use super::{
+    axis::{Axis, Labels, Panel},
+    page::page,
+    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET},
+};
+use crate::study::methods::depth::{DepthCase, Mapping};
+
+/// A mapping with its name, colour and line width: those below are wider than those that cover them.
+const MAPPINGS: [(&str, Mapping, Colour, u32); 5] = [
+    ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1], 9),
+    (
+        "standard, 24-bit integer",
+        Mapping::STANDARD_24,
+        COLOURS[5],
+        6,
+    ),
+    (
+        "reversed, 24-bit integer",
+        Mapping::REVERSED_24,
+        COLOURS[0],
+        2,
+    ),
+    (
+        "reversed, infinite far plane, float",
+        Mapping::INFINITE,
+        COLOURS[2],
+        7,
+    ),
+    (
+        "reversed, 32-bit float: Sightline's",
+        Mapping::REVERSED,
+        [0, 0, 0],
+        3,
+    ),
+];
+
+/// The planes of the marks, and of the steps.
+const MARKS: [f64; 2] = [1.0, 10.0];
+const STEPS: [f64; 2] = [0.1, 1e6];
+
+/// The chart.
+#[must_use]
+pub fn chart() -> Picture {
+    let title = "What the depth buffer tells apart";
+    let line = "Above: every number of a float of 5 bits, and the view depth that it means. Below: the least step of real formats, near \
+                0.1, far 1e6; lower is finer.";
+    let mut picture = page(900, title, &[line]);
+    marks(
+        &mut picture,
+        "Standard: near is 0",
+        Mapping::STANDARD,
+        110.0,
+    );
+    marks(
+        &mut picture,
+        "Reversed: near is 1",
+        Mapping::REVERSED,
+        890.0,
+    );
+    steps(&mut picture);
+    picture
+}
+
+/// Every number in \[0, 1\] of a float of two bits of exponent and three of fraction.
+fn small_floats() -> impl Iterator<Item = f32> {
+    let of = |exponent: u16| {
+        let (lowest, step) = if exponent == 0 {
+            (0.0, 0.125)
+        } else {
+            (1.0, 0.125)
+        };
+        let scale = 0.5_f32.powi(3 - i32::from(exponent.max(1)) + 1);
+        (0..8_u16).map(move |fraction| scale * (lowest + step * f32::from(fraction)))
+    };
+    (0..4)
+        .flat_map(of)
+        .chain([1.0])
+        .filter(|number| *number <= 1.0)
+}
+
+fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
+    let [near, far] = MARKS;
+    let [from, to] = [[left, 136.0], [left + 660.0, 420.0]];
+    let panel = Panel {
+        x: Axis::linear(far, [from[0], to[0]]),
+        y: Axis::linear(1.0, [to[1], from[1]]),
+        from,
+        to,
+    };
+    let labels = Labels {
+        title,
+        x: "view depth (near 1, far 10)",
+        y: "stored",
+        none: "",
+    };
+    panel.draw(picture, &labels);
+    let case = |depth: f64| DepthCase {
+        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
+        depth: depth as f32,
+        near,
+        far,
+        parallel: false,
+    };
+    let mut depths = Vec::new();
+    for number in small_floats() {
+        let depth = mapping.read(number, &case(near));
+        let at = panel.at(depth, f64::from(number));
+        depths.push(depth);
+        picture.line(
+            vec![[from[0], at[1]], at, [at[0], to[1]]],
+            [0xb8, 0xc6, 0xd6],
+            1,
+            false,
+        );
+        picture.line(
+            vec![[at[0], to[1] - 12.0], [at[0], to[1]]],
+            COLOURS[1],
+            3,
+            false,
+        );
+    }
+    let curve = (0..=180_u16).map(|i| near + (far - near) * f64::from(i) / 180.0);
+    let curve = curve.map(|depth| panel.at(depth, f64::from(mapping.stored(&case(depth)))));
+    picture.line(curve.collect(), INK, 3, false);
+    depths.sort_by(f64::total_cmp);
+    let gap = depths
+        .windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .fold(0.0, f64::max);
+    let words = format!("widest gap {gap:.1}");
+    picture.text(
+        [to[0] - 8.0, 0.5 * (from[1] + to[1])],
+        Anchor::Right,
+        20.0,
+        INK,
+        words,
+    );
+}
+
+fn steps(picture: &mut Picture) {
+    const PER_DECADE: i32 = 8;
+    let [near, far] = STEPS;
+    let decades = -PER_DECADE + 1..6 * PER_DECADE;
+    let depths: Vec<f64> = decades
+        .map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)))
+        .collect();
+    let curves = MAPPINGS.map(|(name, mapping, colour, width)| {
+        let steps: Vec<f64> = depths
+            .iter()
+            .map(|z| resolution(mapping, *z, near, far))
+            .collect();
+        (name, colour, width, steps)
+    });
+    let ys = curves
+        .iter()
+        .flat_map(|(_, _, _, steps)| steps)
+        .copied()
+        .filter(|y| y.is_finite());
+    let panel = Panel::new(
+        [110.0, 500.0],
+        [1180.0, 840.0],
+        &[depths[0], far],
+        &ys.collect::<Vec<_>>(),
+    );
+    let labels = Labels {
+        title: "",
+        x: "view depth",
+        y: "least step (same unit)",
+        none: "0",
+    };
+    panel.draw(picture, &labels);
+    let mut ends: Vec<(f64, f64, &str, Colour)> = Vec::new();
+    for (name, colour, width, steps) in &curves {
+        let points = depths
+            .iter()
+            .zip(steps)
+            .filter(|(_, step)| step.is_finite());
+        let points: Vec<[f64; 2]> = points.map(|(z, step)| panel.at(*z, *step)).collect();
+        if let Some(&[x, y]) = points.last() {
+            ends.push((y, x, name, *colour));
+        }
+        picture.line(points, *colour, *width, false);
+    }
+    // Labels beside the lines' ends, from the top, moved apart where lines end together.
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut lowest = f64::NEG_INFINITY;
+    for (y, x, name, colour) in ends {
+        lowest = y.max(lowest + 28.0);
+        picture.line(vec![[x + 2.0, y], [1204.0, lowest]], colour, 1, false);
+        picture.rectangle([1206.0, lowest - 6.0], [1222.0, lowest + 6.0], colour);
+        picture.text([1230.0, lowest], Anchor::Left, 19.0, QUIET, name);
+    }
+}
+
+/// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye.
+fn resolution(mapping: Mapping, depth: f64, near: f64, far: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
+    let case = DepthCase {
+        depth: depth as f32,
+        near,
+        far,
+        parallel: false,
+    };
+    let stored = mapping.stored(&case);
+    let next = mapping.next(stored);
+    let step = mapping.read(next, &case) - mapping.read(stored, &case);
+    // Beyond the last number there is nothing left to tell apart.
+    if step > 0.0 && (0.0..=1.0).contains(&next) {
+        step
+    } else {
+        f64::INFINITY
+    }
+}

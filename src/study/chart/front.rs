@@ -1,0 +1,295 @@
+//! Speed against wrong answers for a triangle, a sphere and a whole pick: three large panels.
+
+use super::{
+    axis::{Axis, Labels, Panel},
+    labels::Places,
+    page::{WIDTH, page},
+    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
+};
+use crate::study::{
+    run::{Report, Row},
+    step::Precision,
+    summary::Summary,
+};
+
+/// The steps that are shown, and whether the axis of time is that of the first.
+const STEPS: [(&str, bool); 3] = [("triangle", true), ("sphere", true), ("pick", false)];
+/// The frames: above, below, where the first begins, and between two.
+const TOP: f64 = 148.0;
+const BOTTOM: f64 = 836.0;
+const LEFT: f64 = 100.0;
+const GAP: f64 = 40.0;
+/// How high a line of the band of those that are never wrong is.
+const ROW: f64 = 30.0;
+
+/// One formula in one precision.
+struct Point<'a> {
+    row: &'a Row,
+    /// On the ordinary workload, in nanoseconds.
+    ns: f64,
+    /// On the workload that takes longest.
+    slowest: f64,
+    /// Wrong answers in per cent over all workloads, on the middle one, on the worst one where some are no ties, on the worst.
+    wrong: [f64; 4],
+}
+
+impl<'a> Point<'a> {
+    fn new(report: &'a Report, of: &Summary<'a>, wanted: &impl Fn(&Row) -> bool) -> Option<Self> {
+        let row = of.method;
+        let key = |row: &Row| (row.step.key, row.method, row.precision);
+        let own = || {
+            let own = report.rows.iter().filter(|other| key(other) == key(row));
+            own.filter(|row| wanted(row))
+        };
+        let mut percents: Vec<f64> = own().map(Row::wrong_percent).collect();
+        percents.sort_by(f64::total_cmp);
+        // Another triangle or none is at no distance, and no tie.
+        let apart = own().filter(|row| row.worst_wrong > 0.0 || row.step.wrong_unit.is_empty());
+        let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
+        let all = 100.0 * of.wrong_rate();
+        Some(Self {
+            row,
+            ns: of.ns()?,
+            slowest: of.slowest?.1.ns,
+            wrong: [all, percents[percents.len() / 2], apart, *percents.last()?],
+        })
+    }
+}
+
+/// The chart; `wanted` says which rows count.
+#[must_use]
+pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
+    let lines = [
+        "Lower: more accurate; left: faster. Point: all workloads together, time on the ordinary one. Bars: from the middle workload to the \
+         worst, and to the slowest.",
+        "Dashed: ties only, rays exactly through an edge or an outline. Ring: f32, disc: f64 or exact, joined where the formula is one; \
+         star: Sightline.",
+    ];
+    let title = "How often each method is wrong, and how long it takes";
+    let mut picture = page(900, title, &lines);
+    let mut panels: Vec<(&str, bool, Vec<Point<'_>>)> = Vec::new();
+    for (key, is_shared) in STEPS {
+        for step in report.steps().into_iter().filter(|step| step.key == key) {
+            let all = report.summaries(step, &wanted);
+            let points = all.iter().filter_map(|of| Point::new(report, of, &wanted));
+            panels.push((step.name, is_shared, points.collect()));
+        }
+    }
+    panels.retain(|(_, _, points)| !points.is_empty());
+    let all = || panels.iter().flat_map(|(_, _, points)| points);
+    let wrong = all().flat_map(|point| [point.wrong[0], point.wrong[3]]);
+    let wrong: Vec<f64> = wrong.filter(|wrong| *wrong > 0.0).collect();
+    let rows = panels
+        .iter()
+        .map(|(_, _, points)| never(points).len())
+        .max();
+    #[expect(clippy::cast_precision_loss, reason = "a few methods")]
+    let band = BOTTOM - ROW * rows.unwrap_or(0) as f64 - 8.0;
+    let y = Axis::new(&wrong, [band - 4.0, TOP + 6.0]);
+    let shared = span(
+        panels
+            .iter()
+            .filter(|(_, shared, _)| *shared)
+            .flat_map(|(_, _, points)| points),
+    );
+    let width = (WIDTH - LEFT - 24.0 - 2.0 * GAP) / 3.0;
+    for ((name, is_shared, points), place) in panels.iter().zip((0..).map(f64::from)) {
+        let left = LEFT + place * (width + GAP);
+        let span = if *is_shared {
+            shared
+        } else {
+            span(points.iter())
+        };
+        let panel = Panel {
+            x: Axis::between(f64::log10, span, [left, left + width]),
+            y,
+            from: [left, TOP],
+            to: [left + width, BOTTOM],
+        };
+        let words = if place == 0.0 {
+            ["wrong answers (%)", "never"]
+        } else {
+            [""; 2]
+        };
+        picture.rectangle([left, band], [left + width, BOTTOM], [0xe8, 0xf5, 0xee]);
+        panel.draw(
+            &mut picture,
+            &Labels {
+                title: "",
+                x: "time (ns)",
+                y: words[0],
+                none: "",
+            },
+        );
+        picture.text([left, TOP - 20.0], Anchor::Left, 24.0, INK, *name);
+        let at = [left - 6.0, 0.5 * (band + BOTTOM)];
+        picture.text(at, Anchor::Right, 15.0, QUIET, words[1]);
+        draw(&mut picture, &panel, band, points);
+    }
+    picture
+}
+
+/// The formulas that are never wrong.
+fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for point in points.iter().filter(|point| point.wrong[0] == 0.0) {
+        if !names.contains(&point.row.method) {
+            names.push(point.row.method);
+        }
+    }
+    names
+}
+
+/// The logarithms of the times that an axis shows. What takes many times as long as most stands at its end, with its time.
+fn span<'a>(points: impl Iterator<Item = &'a Point<'a>>) -> [f64; 2] {
+    let mut times: Vec<f64> = points.map(|point| point.ns.log10()).collect();
+    times.sort_by(f64::total_cmp);
+    let [first, last] =
+        [0, times.len().saturating_sub(1)].map(|i| times.get(i).copied().unwrap_or(0.0));
+    let middle = times.get(times.len() / 2).copied().unwrap_or(0.0);
+    let is_wide = last - first > 3.0;
+    [
+        first - 0.2,
+        if is_wide {
+            last + 0.2
+        } else {
+            last.min(middle + 0.8) + 0.5
+        },
+    ]
+}
+
+/// A point with its place and colour.
+type Placed<'a> = (&'a Point<'a>, [f64; 2], Colour);
+
+fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
+    let mut names: Vec<&str> = Vec::new();
+    let never = never(points);
+    let mut places = Places::new(panel.from, [panel.to[0], band - 2.0]);
+    let mut sorted: Vec<&Point<'_>> = points.iter().collect();
+    sorted.sort_by(|a, b| a.ns.total_cmp(&b.ns));
+    let mut placed: Vec<Placed<'_>> = Vec::new();
+    for point in sorted {
+        let name = point.row.method;
+        if !names.contains(&name) {
+            names.push(name);
+        }
+        let index = names.iter().position(|known| *known == name).unwrap_or(0);
+        let colour = if point.row.ours {
+            [0; 3]
+        } else {
+            COLOURS[index % COLOURS.len()]
+        };
+        let mut at = panel.at(point.ns, point.wrong[0]);
+        if let Some(row) = never
+            .iter()
+            .position(|known| *known == name && point.wrong[0] == 0.0)
+        {
+            #[expect(clippy::cast_precision_loss, reason = "a few methods")]
+            let down = ROW * (row as f64 + 0.5);
+            at[1] = band + 4.0 + down;
+        }
+        placed.push((point, at, colour));
+    }
+    for each in &placed {
+        bars(picture, panel, band, each, &mut places);
+    }
+    for (i, (point, at, colour)) in placed.iter().enumerate() {
+        let is_pair = |(other, ..): &&Placed<'_>| other.row.method == point.row.method;
+        if let Some((_, other, _)) = placed[i + 1..].iter().find(is_pair) {
+            picture.line(vec![*at, *other], *colour, 3, false);
+        }
+    }
+    // Rings first: a disc that lies in one shows both.
+    placed.sort_by_key(|(point, ..)| (point.row.ours, point.row.precision));
+    for (point, at, colour) in &placed {
+        let (shape, radius, filled) = match (point.row.ours, point.row.precision) {
+            (true, _) => (Shape::Star, 9.0, true),
+            (false, Precision::F32) => (Shape::Circle, 7.0, false),
+            (false, _) => (Shape::Circle, 5.0, true),
+        };
+        picture.point(*at, shape, radius, *colour, filled);
+        places.take_point(*at, radius);
+    }
+    // The best that a formula can do bears its name.
+    let mut named: Vec<&str> = Vec::new();
+    for (point, at, colour) in placed.iter().rev() {
+        if named.contains(&point.row.method) {
+            continue;
+        }
+        named.push(point.row.method);
+        let name = if point.row.ours {
+            "Sightline"
+        } else {
+            point.row.method
+        };
+        let is_off = |ns: f64| panel.x.at(ns) >= panel.to[0];
+        let words = match (is_off(point.ns), is_off(point.slowest)) {
+            (true, _) => format!("{name}, {}", time(point.ns)),
+            (false, true) => format!("{name}, up to {}", time(point.slowest)),
+            (false, false) => name.to_owned(),
+        };
+        if at[1] > band {
+            in_band(picture, panel, point, *at, &words);
+        } else {
+            places.label(picture, *at, &words, *colour);
+        }
+    }
+}
+
+/// With two digits, in what it is a few of.
+fn time(ns: f64) -> String {
+    let (value, unit) = match ns {
+        ..1e3 => (ns, "ns"),
+        ..1e6 => (ns / 1e3, "us"),
+        _ => (ns / 1e6, "ms"),
+    };
+    let places = usize::from(value < 10.0);
+    format!("{value:.places$} {unit}")
+}
+
+/// Right of a point and its bar where there is room, else left.
+fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2], words: &str) {
+    let end = panel.x.at(point.slowest).max(at[0] + 8.0) + 12.0;
+    let (x, anchor) = if end + text_width(words, 17.0) < panel.to[0] {
+        (end, Anchor::Left)
+    } else {
+        (at[0] - 19.0, Anchor::Right)
+    };
+    picture.text([x, at[1]], anchor, 17.0, INK, words);
+}
+
+/// From the middle workload to the worst, dashed where only ties are; and to the slowest, an arrow where that is not on the axis.
+fn bars(
+    picture: &mut Picture,
+    panel: &Panel,
+    band: f64,
+    (point, at, colour): &Placed<'_>,
+    places: &mut Places,
+) {
+    let y = |wrong: f64| if wrong > 0.0 { panel.y.at(wrong) } else { band };
+    let [_, middle, apart, worst] = point.wrong;
+    let x = at[0];
+    if worst > 0.0 {
+        let [from, ties, to] = [middle, apart.max(middle), worst].map(|wrong| [x, y(wrong)]);
+        picture.line(vec![from, ties], *colour, 1, false);
+        picture.line(vec![ties, to], *colour, 1, true);
+        picture.line(vec![[x - 5.0, to[1]], [x + 5.0, to[1]]], *colour, 2, false);
+        places.take_line([from, to]);
+    }
+    let slowest = [panel.x.at(point.slowest), at[1]];
+    if slowest[0] - x > 12.0 {
+        picture.line(vec![*at, slowest], *colour, 1, false);
+        let [x, y] = slowest;
+        if x < panel.to[0] {
+            picture.line(vec![[x, y - 5.0], [x, y + 5.0]], *colour, 2, false);
+        } else {
+            picture.line(
+                vec![[x - 8.0, y - 5.0], slowest, [x - 8.0, y + 5.0]],
+                *colour,
+                2,
+                false,
+            );
+        }
+        places.take_line([*at, slowest]);
+    }
+}

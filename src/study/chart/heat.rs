@@ -1,0 +1,219 @@
+//! Where each method fails: methods by families, the colour how far off, the number how often.
+
+use super::{
+    page::{WIDTH, page},
+    picture::{Anchor, Colour, INK, Picture, QUIET},
+};
+use crate::study::{
+    run::{Report, Row},
+    step::{About, Precision},
+};
+use plotters::prelude::{ColorMap, ViridisRGB};
+
+/// The logarithms of the pixels at which the colours begin and end.
+const SCALE: [f64; 2] = [-12.0, 3.0];
+/// Half a cell: a formula's `f32` on the left, its `f64` or exact on the right.
+const HALF: f64 = 32.0;
+const ROW: f64 = 25.0;
+/// How wide a method's name may be, and the lines above a block's cells high.
+const NAMES: f64 = 202.0;
+const HEAD: f64 = 78.0;
+/// Where blocks begin.
+const TOP: f64 = 96.0;
+
+/// Families and formulas of a step, with their rows.
+struct Block<'a> {
+    step: About,
+    rows: Vec<&'a Row>,
+    families: Vec<&'a str>,
+    methods: Vec<&'a str>,
+}
+
+impl Block<'_> {
+    #[expect(clippy::cast_precision_loss, reason = "a few methods")]
+    fn height(&self) -> f64 {
+        HEAD + ROW * self.methods.len() as f64 + 26.0
+    }
+}
+
+/// The chart: of the steps whose answers are off by pixels. `wanted` says which rows count.
+#[must_use]
+pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
+    let steps = report.steps().into_iter();
+    let steps = steps.filter(|step| [step.wrong_unit, step.error_unit].contains(&"px"));
+    let blocks = steps.map(|step| {
+        let rows = report
+            .rows
+            .iter()
+            .filter(|row| row.step == step && wanted(row));
+        let rows: Vec<&Row> = rows.collect();
+        let mut families: Vec<&str> = rows.iter().map(|row| row.family).collect();
+        families.dedup();
+        Block {
+            step,
+            families,
+            methods: distinct(rows.iter().map(|row| row.method)),
+            rows,
+        }
+    });
+    let mut blocks: Vec<Block<'_>> = blocks.filter(|block| !block.rows.is_empty()).collect();
+    // Each into the column that is shorter by then, the largest first.
+    blocks.sort_by(|a, b| b.height().total_cmp(&a.height()));
+    let mut ends = [TOP; 2];
+    let mut places = Vec::new();
+    for block in &blocks {
+        let column = usize::from(ends[1] < ends[0]);
+        places.push([
+            24.0 + 0.5 * (WIDTH - 24.0) * f64::from(u8::from(column == 1)),
+            ends[column],
+        ]);
+        ends[column] += block.height();
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a page"
+    )]
+    let height = ends[0].max(ends[1]) as u32;
+    let title = "Where each method fails";
+    let line = "Colour: how far off at worst. Number: wrong answers in per cent; of rays, the power of ten of the error in px. Left f32, right f64 or \
+                exact; blank: never wrong.";
+    let mut picture = page(height, title, &[line]);
+    legend(&mut picture);
+    for (block, at) in blocks.iter().zip(places) {
+        draw(&mut picture, block, at);
+    }
+    picture
+}
+
+fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut all: Vec<&str> = Vec::new();
+    for name in names {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
+    all
+}
+
+/// White for nothing, else the darker the further off.
+fn colour(px: f64) -> Colour {
+    if px <= 0.0 {
+        return [0xff; 3];
+    }
+    let share = (px.log10() - SCALE[0]) / (SCALE[1] - SCALE[0]);
+    let from_light = ViridisRGB.get_color(1.0 - share.clamp(0.0, 1.0));
+    [from_light.0, from_light.1, from_light.2]
+}
+
+/// Dark on light, light on dark.
+fn ink(on: Colour) -> Colour {
+    let [r, g, b] = on.map(f64::from);
+    if 0.3 * r + 0.59 * g + 0.11 * b > 120.0 {
+        INK
+    } else {
+        [0xff; 3]
+    }
+}
+
+fn legend(picture: &mut Picture) {
+    const STEP: f64 = 26.0;
+    let mut x = WIDTH - 24.0 - 18.0 * STEP;
+    let ties = [x - 3.2 * STEP, 18.0];
+    picture.rectangle(ties, [ties[0] + STEP, 34.0], [0xff; 3]);
+    #[expect(clippy::cast_possible_truncation, reason = "two small integers")]
+    for exponent in SCALE[0] as i32..=SCALE[1] as i32 {
+        let px = 10_f64.powi(exponent);
+        picture.rectangle([x, 18.0], [x + STEP, 34.0], colour(px));
+        if exponent.rem_euclid(3) == 0 {
+            let words = if exponent == 0 {
+                "1 px".to_owned()
+            } else {
+                format!("{px:.0e}")
+            };
+            picture.text([x + 0.5 * STEP, 44.0], Anchor::Middle, 14.0, QUIET, words);
+        }
+        x += STEP;
+    }
+    picture.text([ties[0], 26.0], Anchor::Left, 14.0, QUIET, "white: ties");
+}
+
+fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
+    picture.text([left, top + 12.0], Anchor::Left, 20.0, INK, block.step.name);
+    for (family, x) in block
+        .families
+        .iter()
+        .zip((0..).map(|i| left + NAMES + 2.0 * HALF * f64::from(i)))
+    {
+        let lines = wrapped(family, 11);
+        for (line, up) in lines.iter().rev().zip((0..).map(f64::from)) {
+            let at = [x + HALF, top + HEAD - 10.0 - 14.0 * up];
+            picture.text(at, Anchor::Middle, 13.5, QUIET, line);
+        }
+        for (method, y) in block
+            .methods
+            .iter()
+            .zip((0..).map(|i| top + HEAD + ROW * f64::from(i)))
+        {
+            let own = || {
+                block
+                    .rows
+                    .iter()
+                    .filter(|row| (row.family, row.method) == (*family, *method))
+            };
+            for is_narrow in [true, false] {
+                let own = || own().filter(|row| (row.precision == Precision::F32) == is_narrow);
+                if own().next().is_some() {
+                    let x = x + if is_narrow { 0.0 } else { HALF };
+                    cell(picture, [x, y], own());
+                }
+            }
+        }
+    }
+    for (method, y) in block
+        .methods
+        .iter()
+        .zip((0..).map(|i| top + HEAD + ROW * (f64::from(i) + 0.5)))
+    {
+        picture.text([left + NAMES - 8.0, y], Anchor::Right, 15.0, INK, *method);
+    }
+}
+
+/// What a method in one precision did in one family.
+fn cell<'a>(picture: &mut Picture, [x, y]: [f64; 2], rows: impl Iterator<Item = &'a &'a Row>) {
+    let [mut px, mut wrong] = [0.0_f64; 2];
+    let mut decides = false;
+    for row in rows {
+        decides |= !row.step.wrong_unit.is_empty();
+        px = px.max(if decides {
+            row.worst_wrong
+        } else {
+            row.worst_error
+        });
+        wrong = wrong.max(row.wrong_percent());
+    }
+    let colour = colour(px);
+    picture.rectangle([x, y], [x + HALF - 1.0, y + ROW - 1.0], [0xe4; 3]);
+    picture.rectangle([x + 1.0, y + 1.0], [x + HALF - 2.0, y + ROW - 2.0], colour);
+    let words = match (decides, wrong) {
+        (true, 0.0) => String::new(),
+        (true, ..1.0) => "<1".to_owned(),
+        (true, _) => format!("{wrong:.0}"),
+        (false, _) if px.is_infinite() => "inf".to_owned(),
+        (false, _) => format!("{:.0}", px.log10().floor()),
+    };
+    let middle = [x + 0.5 * HALF - 0.5, y + 0.5 * ROW - 0.5];
+    picture.text(middle, Anchor::Middle, 17.0, ink(colour), words);
+}
+
+/// In lines of about so many letters.
+fn wrapped(words: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.len() + word.len() < letters => *line = format!("{line} {word}"),
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}

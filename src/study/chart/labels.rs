@@ -1,0 +1,113 @@
+//! Words at points: each where nothing else is, as near as can be.
+
+use super::picture::{Anchor, Colour, INK, Picture, text_width};
+
+/// What is taken of a frame.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// The frame: left, top, right, bottom.
+    frame: [f64; 4],
+    /// Words and points, which nothing may cover.
+    taken: Vec<[f64; 4]>,
+    /// Lines, which words keep off where they can.
+    lines: Vec<[f64; 4]>,
+}
+
+/// Size of the words.
+const SIZE: f64 = 16.0;
+
+impl Places {
+    /// A frame in which nothing is taken.
+    #[must_use]
+    pub fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
+        Self {
+            frame: [left, top, right, bottom],
+            taken: Vec::new(),
+            lines: Vec::new(),
+        }
+    }
+
+    /// A point is there.
+    pub fn take_point(&mut self, [x, y]: [f64; 2], radius: f64) {
+        let area = [x - radius, y - radius, x + radius, y + radius];
+        self.taken.push(area);
+    }
+
+    /// An upright or level line is there.
+    pub fn take_line(&mut self, [a, b]: [[f64; 2]; 2]) {
+        let [low, high] = [f64::min, f64::max].map(|of| [of(a[0], b[0]), of(a[1], b[1])]);
+        self.lines.push([low[0], low[1], high[0], high[1]]);
+    }
+
+    /// The nearest place to a point where no other point is.
+    pub fn spot(&mut self, at: [f64; 2], radius: f64) -> [f64; 2] {
+        let around = |i: u32| {
+            let (sin, cos) = (f64::from(i % 8) / 8.0 * std::f64::consts::TAU).sin_cos();
+            let away = 2.0 * radius * f64::from(i / 8 + 1);
+            [at[0] + away * cos, at[1] - away * sin]
+        };
+        let area = |[x, y]: [f64; 2]| [x - radius, y - radius, x + radius, y + radius];
+        let is_free = |at: &[f64; 2]| {
+            let [x, y] = *at;
+            let [left, top, right, bottom] = self.frame;
+            let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
+            inside
+                && !self
+                    .taken
+                    .iter()
+                    .any(|other| meet(&area(*at), other, -0.5 * radius))
+        };
+        let mut all = std::iter::once(at).chain((0..32).map(around));
+        let spot = all.find(is_free).unwrap_or(at);
+        self.taken.push(area(spot));
+        spot
+    }
+
+    /// Writes words beside a point, with a thin line to them where they are not at it.
+    pub fn label(&mut self, picture: &mut Picture, at: [f64; 2], words: &str, line: Colour) {
+        let width = text_width(words, SIZE);
+        let half = 0.42 * SIZE;
+        let place = |(distance, turn): (f64, f64)| {
+            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
+            let [x, y] = [at[0] + distance * cos, at[1] + 0.9 * distance * sin];
+            let left = x - (0.5 - 0.5 * cos.signum() * f64::from(cos.abs() > 0.1)) * width;
+            [left, y - half, left + width, y + half]
+        };
+        let steps = (0..26_u32).map(|i| 13.0 + 9.0 * f64::from(i));
+        // Right and left first.
+        let turns = [
+            0.0, 0.5, 0.04, 0.96, 0.46, 0.54, 0.09, 0.91, 0.41, 0.59, 0.25, 0.75,
+        ];
+        let all: Vec<[f64; 4]> = steps
+            .flat_map(|distance| turns.map(|turn| (distance, turn)))
+            .map(place)
+            .collect();
+        let [left, top, right, bottom] = self.frame;
+        let is_free = |area: &&[f64; 4]| {
+            let inside = area[0] >= left && area[1] >= top && area[2] <= right && area[3] <= bottom;
+            inside && !self.taken.iter().any(|other| meet(area, other, 2.0))
+        };
+        let is_off_lines = |area: &&[f64; 4]| {
+            is_free(area) && !self.lines.iter().any(|line| meet(area, line, 1.0))
+        };
+        // Near by; further off a line is the lesser evil.
+        let free = all.iter().take(7 * turns.len()).find(is_off_lines);
+        let free = free.or_else(|| all.iter().find(is_free));
+        // A frame that is full.
+        let area = *free.unwrap_or(&all[0]);
+        let nearest = [at[0].clamp(area[0], area[2]), at[1].clamp(area[1], area[3])];
+        if (nearest[0] - at[0]).hypot(nearest[1] - at[1]) > 16.0 {
+            picture.line(vec![at, nearest], line, 1, false);
+        }
+        // Lines that could not be kept off go behind.
+        picture.rectangle([area[0], area[1]], [area[2], area[3]], [0xff; 3]);
+        let from = [area[0], area[1] + half];
+        picture.text(from, Anchor::Left, SIZE, INK, words);
+        self.taken.push(area);
+    }
+}
+
+/// Whether two areas come this close.
+fn meet(a: &[f64; 4], b: &[f64; 4], gap: f64) -> bool {
+    a[0] < b[2] + gap && b[0] < a[2] + gap && a[1] < b[3] + gap && b[1] < a[3] + gap
+}
