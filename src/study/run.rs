@@ -241,7 +241,7 @@ impl Run<'_> {
         let cases = (work.make)(C::TIMED);
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
-        for (method, time) in C::METHODS.iter().zip(times) {
+        for (method, time) in C::methods().zip(times) {
             let is_it =
                 |row: &&mut Row| (row.method, row.precision) == (method.name, method.precision);
             if let Some(row) = rows.iter_mut().find(is_it) {
@@ -300,9 +300,8 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
 /// Every method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
-    let methods = C::METHODS
-        .iter()
-        .filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
+    let methods =
+        C::methods().filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
     methods
         .map(|method| {
             let mut row = Row {

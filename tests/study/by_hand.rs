@@ -138,7 +138,7 @@ fn cases_are_the_same_numbers_for_both_precisions() {
         let [p, q, r] = c.corners;
         of([c.origin, c.direction, p, q, r])
     }
-    fn shape(c: &ShapeCase) -> [Vec<V3<f64>>; 2] {
+    fn shape<S>(c: &ShapeCase<S>) -> [Vec<V3<f64>>; 2] {
         let (narrow, wide) = (c.narrow, c.wide);
         [
             of([narrow.origin, narrow.direction]),
@@ -158,8 +158,8 @@ fn cases_are_the_same_numbers_for_both_precisions() {
         of([c.normal, u, v, w])
     }
     check::<TriangleCase>(|c| [triangle(&c.narrow), triangle(&c.wide)]);
-    check::<SphereCase>(|c| shape(&c.0));
-    check::<BoxCase>(|c| shape(&c.0));
+    check::<SphereCase>(|c| shape(c));
+    check::<BoxCase>(|c| shape(c));
     check::<SquareCase>(|c| [square(&c.narrow), square(&c.wide)]);
     check::<PlacedCase>(|c| [placed(&c.narrow), placed(&c.wide)]);
     check::<NormalCase>(|c| [tilted(&c.narrow), tilted(&c.wide)]);

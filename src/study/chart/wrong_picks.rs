@@ -62,7 +62,7 @@ pub fn chart(title: &str) -> Picture {
         ("Sightline's", "Sightline's"),
     ];
     for (place, (name, words)) in shown.into_iter().enumerate() {
-        let Some(method) = PickCase::METHODS.iter().find(|method| method.name == name) else {
+        let Some(method) = PickCase::methods().find(|method| method.name == name) else {
             continue;
         };
         let answers = each(&cases, &method.run);

@@ -6,9 +6,9 @@ use crate::{
     study::{
         real::{Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::clipping::{self as truth, Truth},
         workloads::{self, scene::SceneRays},
@@ -104,17 +104,15 @@ impl Case for ClipCase {
         wrong_unit: "of depth",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("by distance", F32, DISTANCE, |c| by_distance(&c.narrow)),
-        Method::new("by distance", F64, DISTANCE, |c| by_distance(&c.wide)),
-        Method::new("by depth", F32, DEPTH, |c| by_depth(&c.narrow)),
-        Method::new("by depth", F64, DEPTH, |c| by_depth(&c.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("by distance", DISTANCE, by_distance),
+        &both!("by depth", DEPTH, by_depth),
+        &[Method::ours(
             "Sightline's",
             F64,
             "geometry::PixelGrid::ray: a direction of depth 1, so that t is view depth",
             |c| c.ray.contains(c.depth),
-        ),
+        )],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::clipping::FAMILIES;
 

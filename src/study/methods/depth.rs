@@ -5,7 +5,8 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
     study::{
-        step::{About, Bound, Case, Family, Method, Precision::F32, Verdict},
+        real::Real,
+        step::{About, Bound, Case, Family, Method, Methods, Precision::F32, Verdict},
         truth::{depth as truth, relative},
         workloads::{self, scene::SceneRays},
     },
@@ -29,10 +30,8 @@ impl DepthCase {
     #[must_use]
     pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
         let lens = camera.lens();
-        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-        let depth = (t * ray.direction.dot(camera.forward())) as f32;
         Self {
-            depth,
+            depth: f32::of(t * ray.direction.dot(camera.forward())),
             near: lens.near,
             far: lens.far,
             parallel: lens.is_orthographic(),
@@ -42,6 +41,7 @@ impl DepthCase {
 
 const STANDARD: &str = "courses, OpenGL and Direct3D textbooks: near is 0, far is 1";
 const REVERSED: &str = "Reed, Depth Precision Visualized, 2015: near is 1, far is 0";
+const LOGARITHMIC: &str = "Kemen, Logarithmic Depth Buffer, 2009; three.js, logdepthbuf_fragment: log2(1 + z) / log2(1 + far)";
 const INFINITE: &str =
     "Upchurch & Desbrun, Tightening the Precision of Perspective Rendering, JGT 16(1), 2012";
 
@@ -56,7 +56,7 @@ impl Case for DepthCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
+    const METHODS: Methods<Self> = &[&[
         Method::new("standard, 32-bit float", F32, STANDARD, |c| {
             Mapping::STANDARD.there_and_back(c)
         }),
@@ -69,11 +69,17 @@ impl Case for DepthCase {
         Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
             Mapping::INFINITE.there_and_back(c)
         }),
+        Method::new("logarithmic, 32-bit float", F32, LOGARITHMIC, |c| {
+            Mapping::LOGARITHMIC.there_and_back(c)
+        }),
+        Method::new("logarithmic, 24-bit integer", F32, LOGARITHMIC, |c| {
+            Mapping::LOGARITHMIC_24.there_and_back(c)
+        }),
         Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
             Mapping::REVERSED.there_and_back(c)
         })
         .because("A far plane, for one bit of depth."),
-    ];
+    ]];
     const TIMED: usize = 0;
     const FAMILIES: &'static [Family<Self>] = workloads::depth::FAMILIES;
 
@@ -103,6 +109,8 @@ pub struct Mapping {
     pub integer: bool,
     /// No far plane; in an orthographic picture there is always one.
     pub infinite: bool,
+    /// The depth's logarithm, which the fragment stage writes; not in an orthographic picture.
+    pub logarithmic: bool,
 }
 
 impl Mapping {
@@ -111,6 +119,7 @@ impl Mapping {
         depth: DepthMapping::Standard,
         integer: false,
         infinite: false,
+        logarithmic: false,
     };
     /// Near is 0, in integers.
     pub const STANDARD_24: Self = Self {
@@ -120,8 +129,7 @@ impl Mapping {
     /// Near is 1, in floating point.
     pub const REVERSED: Self = Self {
         depth: DepthMapping::Reversed,
-        integer: false,
-        infinite: false,
+        ..Self::STANDARD
     };
     /// Near is 1, in integers.
     pub const REVERSED_24: Self = Self {
@@ -132,6 +140,16 @@ impl Mapping {
     pub const INFINITE: Self = Self {
         infinite: true,
         ..Self::REVERSED
+    };
+    /// The eye is 0, far is 1, in floating point.
+    pub const LOGARITHMIC: Self = Self {
+        logarithmic: true,
+        ..Self::STANDARD
+    };
+    /// The eye is 0, far is 1, in integers.
+    pub const LOGARITHMIC_24: Self = Self {
+        integer: true,
+        ..Self::LOGARITHMIC
     };
     /// The largest 24-bit integer.
     const LARGEST: f32 = 16_777_215.0;
@@ -159,13 +177,13 @@ impl Mapping {
     /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
     #[must_use]
     pub fn stored(self, case: &DepthCase) -> f32 {
-        let (a, b) = self.row(case);
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "matrices are f32 on the card"
-        )]
-        let (a, b) = (a as f32, b as f32);
-        let ndc = (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth };
+        let ndc = if self.logarithmic && !case.parallel {
+            (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())
+        } else {
+            let (a, b) = self.row(case);
+            let [a, b] = [a, b].map(f32::of);
+            (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth }
+        };
         if self.integer {
             (ndc * Self::LARGEST).round() / Self::LARGEST
         } else {
@@ -190,7 +208,9 @@ impl Mapping {
     pub fn read(self, stored: f32, case: &DepthCase) -> f64 {
         let (a, b) = self.row(case);
         let stored = f64::from(stored);
-        if case.parallel {
+        if self.logarithmic && !case.parallel {
+            (1.0 + case.far).powf(stored) - 1.0
+        } else if case.parallel {
             (stored - b) / a
         } else {
             b / (stored - a)

@@ -8,10 +8,12 @@ pub mod depth;
 pub mod normals;
 pub mod object_space;
 pub mod picks;
+pub mod prepared;
 pub mod rays;
 pub mod spheres;
 pub mod squares;
 pub mod triangles;
+pub mod unproject;
 pub mod usual;
 
 use super::{
@@ -19,6 +21,7 @@ use super::{
     step::{About, Case, Method, Precision},
 };
 use crate::geometry::Ray;
+use std::marker::PhantomData;
 
 /// A ray in the space of a unit shape about the origin.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +34,7 @@ pub struct ObjectRay<T> {
 
 /// A ray that meets a unit shape in the shape's own space, where the step before took it, as each kind of method wants it.
 #[derive(Clone, Debug)]
-pub struct ShapeCase {
+pub struct ShapeCase<Shape> {
     /// Rounded to `f32`.
     pub narrow: ObjectRay<f32>,
     /// As given.
@@ -40,9 +43,10 @@ pub struct ShapeCase {
     pub ray: Ray,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
+    shape: PhantomData<Shape>,
 }
 
-impl ShapeCase {
+impl<Shape> ShapeCase<Shape> {
     /// The case of a ray; `px` is the width of a pixel in radians.
     #[must_use]
     pub fn new(origin: V3<f64>, direction: V3<f64>, px: f64) -> Self {
@@ -54,6 +58,7 @@ impl ShapeCase {
             wide: ObjectRay { origin, direction },
             ray: from_start(origin, direction),
             px,
+            shape: PhantomData,
         }
     }
 
@@ -148,6 +153,6 @@ struct List(Vec<MethodInfo>);
 
 impl Visitor for List {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::METHODS.iter().map(MethodInfo::of));
+        self.0.extend(C::methods().map(MethodInfo::of));
     }
 }

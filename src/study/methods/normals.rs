@@ -6,9 +6,9 @@ use crate::{
         exact::{self, Exact3},
         real::{M3, Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::normals as truth,
         workloads::{self, scene::SceneRays},
@@ -86,22 +86,17 @@ impl Case for NormalCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("M n", F32, AS_POINT, |c| as_point(&c.narrow)),
-        Method::new("M n", F64, AS_POINT, |c| as_point(&c.wide)),
-        Method::new("inverse transpose", F32, TRANSPOSE, |c| {
-            transpose(&c.narrow)
-        }),
-        Method::new("inverse transpose", F64, TRANSPOSE, |c| transpose(&c.wide)),
-        Method::new("cofactors", F32, COFACTOR, |c| cofactors(&c.narrow)),
-        Method::new("cofactors", F64, COFACTOR, |c| cofactors(&c.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("M n", AS_POINT, as_point),
+        &both!("inverse transpose", TRANSPOSE, transpose),
+        &both!("cofactors", COFACTOR, cofactors),
+        &[Method::ours(
             "Sightline's",
             F64,
             "geometry::Placement::normal_to_world",
             |c: &Self| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
         )
-        .because("No size of matrix or normal overflows."),
+        .because("No size of matrix or normal overflows.")],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::normals::FAMILIES;
 

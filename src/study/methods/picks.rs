@@ -1,8 +1,9 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
 use super::{
-    rays::{PixelCase, Sight, course, far_less_near},
+    rays::{PixelCase, Sight, course},
     triangles::{RayTriangle, areas, moeller_trumbore},
+    unproject::far_less_near,
 };
 use crate::{
     camera::View,
@@ -14,7 +15,7 @@ use crate::{
     study::{
         real::V3,
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32},
             Verdict,
         },
@@ -144,7 +145,7 @@ impl Case for PickCase {
     };
     const SLOW: bool = true;
 
-    const METHODS: &'static [Method<Self>] = &[
+    const METHODS: Methods<Self> = &[&[
         Method::new("the course's", F32, COURSE, |c| {
             c.cast_f32(course(&c.pixel.narrow), |case| areas(case, 0.0))
         }),
@@ -166,7 +167,7 @@ impl Case for PickCase {
         Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
             sightlines(&c.world.scene, c)
         }),
-    ];
+    ]];
     const FAMILIES: &'static [Family<Self>] = crate::study::workloads::picks::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {

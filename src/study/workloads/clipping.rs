@@ -5,39 +5,31 @@ use crate::study::{methods::clipping::ClipCase, random::Random, real::narrow, st
 
 /// Every family.
 pub const FAMILIES: &[Family<ClipCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| {
-            let off = random.within(-0.9, 2.0);
-            make(random, TAN_30, off)
-        },
-    },
-    Family {
-        name: "field of view",
-        parameter: "tan(fov / 2)",
-        values: &[0.125, 0.25, 0.5, 1.0, 2.0, 4.0],
-        make: |random, tan| {
+    Family::ordinary(|random, _| {
+        let off = random.within(-0.9, 2.0);
+        make(random, TAN_30, off)
+    }),
+    Family::new(
+        "field of view",
+        "tan(fov / 2)",
+        &[0.125, 0.25, 0.5, 1.0, 2.0, 4.0],
+        |random, tan| {
             let off = random.within(-0.5, 0.5);
             make(random, tan, off)
         },
-    },
-    Family {
-        name: "close to a plane",
-        parameter: "off by (relative)",
-        values: &[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8],
-        make: |random, off| {
+    ),
+    Family::new(
+        "close to a plane",
+        "off by (relative)",
+        &[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8],
+        |random, off| {
             let off = off * random.within(-1.0, 1.0);
             make(random, TAN_30, off)
         },
-    },
-    Family {
-        name: "exactly on a plane",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| make(random, TAN_30, 0.0),
-    },
+    ),
+    Family::new("exactly on a plane", "-", &[1.0], |random, _| {
+        make(random, TAN_30, 0.0)
+    }),
 ];
 
 /// A hit whose depth is off that of one of the planes by so much of it.

@@ -4,18 +4,13 @@ use crate::study::{methods::depth::DepthCase, random::Random, step::Family};
 
 /// Every family.
 pub const FAMILIES: &[Family<DepthCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| make(random, 0.125, 1e2),
-    },
-    Family {
-        name: "far plane",
-        parameter: "far / near",
-        values: &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8],
-        make: |random, ratio| make(random, 0.125, 0.125 * ratio),
-    },
+    Family::ordinary(|random, _| make(random, 0.125, 1e2)),
+    Family::new(
+        "far plane",
+        "far / near",
+        &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8],
+        |random, ratio| make(random, 0.125, 0.125 * ratio),
+    ),
 ];
 
 /// Any depth, each octave alike, but for the last percent before the far plane.

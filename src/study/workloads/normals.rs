@@ -10,36 +10,33 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<NormalCase>] = &[
-    Family {
-        name: "rigid",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| make(random, [1.0; 3], 0.0, false),
-    },
-    Family {
-        name: "stretched",
-        parameter: "largest / least scale",
-        values: &[1.0, 1.25, 2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: |random, largest| make(random, [largest, 1.0, 1.0], 0.0, false),
-    },
-    Family {
-        name: "sheared",
-        parameter: "shear",
-        values: &[0.125, 0.5, 1.0, 1e1, 1e2, 1e3],
-        make: |random, shear| make(random, [1.0; 3], shear, false),
-    },
-    Family {
-        name: "mirrored",
-        parameter: "largest / least scale",
-        values: &[1.0, 2.0, 1e1, 1e2, 1e3],
-        make: |random, largest| make(random, [largest, 1.0, 1.0], 0.0, true),
-    },
-    Family {
-        name: "tiny and huge",
-        parameter: "scale",
-        values: &[1e-15, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e15],
-        make: |random, scale| make(random, [scale; 3], 0.0, false),
-    },
+    Family::new("rigid", "-", &[1.0], |random, _| {
+        make(random, [1.0; 3], 0.0, false)
+    }),
+    Family::new(
+        "stretched",
+        "largest / least scale",
+        &[1.0, 1.25, 2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        |random, largest| make(random, [largest, 1.0, 1.0], 0.0, false),
+    ),
+    Family::new(
+        "sheared",
+        "shear",
+        &[0.125, 0.5, 1.0, 1e1, 1e2, 1e3],
+        |random, shear| make(random, [1.0; 3], shear, false),
+    ),
+    Family::new(
+        "mirrored",
+        "largest / least scale",
+        &[1.0, 2.0, 1e1, 1e2, 1e3],
+        |random, largest| make(random, [largest, 1.0, 1.0], 0.0, true),
+    ),
+    Family::new(
+        "tiny and huge",
+        "scale",
+        &[1e-15, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e15],
+        |random, scale| make(random, [scale; 3], 0.0, false),
+    ),
 ];
 
 fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> NormalCase {

@@ -19,18 +19,18 @@ use std::sync::{Arc, OnceLock};
 const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
 
 /// Every family.
-pub const FAMILIES: &[Family<PickCase>] = &[Family {
-    name: "a ball of 5120 triangles",
-    parameter: "offset / radius",
-    values: &OFFSETS,
-    make: |random, offset| {
+pub const FAMILIES: &[Family<PickCase>] = &[Family::new(
+    "a ball of 5120 triangles",
+    "offset / radius",
+    &OFFSETS,
+    |random, offset| {
         let world = ball_world(offset);
         let size = world.view.viewport;
         let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
         let px = DVec2::new(at(size.width()), at(size.height()));
         PickCase::new(&world, px)
     },
-}];
+)];
 
 /// The ball at an offset, made once, with what the graphics adapter draws of it where there is one.
 fn ball_world(offset: f64) -> Arc<PickWorld> {
