@@ -1,6 +1,6 @@
 //! What is studied: the steps of a pick, and for each the methods, workloads, truth and verdict.
 
-use super::{random::Random, workloads::scene::SceneRays};
+use super::{random::Random, run::Effort, workloads::scene::SceneRays};
 
 /// What a method's arithmetic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -190,12 +190,18 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     const SLOW: bool = false;
     /// How many cases of a workload are timed; 0 for steps that only act out what hardware does.
     const TIMED: usize = if Self::SLOW { 24 } else { 512 };
+    /// How many cases of a workload are judged.
+    #[must_use]
+    fn count(effort: Effort) -> usize {
+        effort.cases
+    }
     /// Every method, the reference that times are relative to first.
     const METHODS: Methods<Self>;
     /// Every workload, the ordinary one first.
     const FAMILIES: &'static [Family<Self>];
 
     /// Every method, in order.
+    #[must_use]
     fn methods() -> impl Iterator<Item = &'static Method<Self>> {
         Self::METHODS.iter().copied().flatten()
     }

@@ -9,7 +9,19 @@
 //! what wrongly predicted branches cost.
 
 use super::{random::Random, step::Case};
-use std::{hint::black_box, time::Instant};
+use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
+
+/// What the processor is called, where the system says so; times mean nothing without.
+#[must_use]
+pub fn processor() -> &'static str {
+    static NAME: OnceLock<String> = OnceLock::new();
+    NAME.get_or_init(|| {
+        let known = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+        let line = known.lines().find(|line| line.starts_with("model name"));
+        let name = line.and_then(|line| Some(line.split_once(':')?.1.trim().to_owned()));
+        name.unwrap_or_else(|| format!("a processor of {ARCH}"))
+    })
+}
 
 /// How long a method takes for one case of a workload, in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@
 mod breaks;
 mod by_hand;
 mod charts;
+mod complete;
 mod gallery;
 mod no_adapter;
 mod readme;

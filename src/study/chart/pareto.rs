@@ -18,13 +18,13 @@ use crate::study::{
 pub fn chart(report: &Report, title: &str, wanted: impl Fn(&Row) -> bool) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
                 rounds. The line is the front: for what lies above it, something is both faster and better.";
-    let mut picture = page(title, line);
+    let mut picture = page(1640, title, line);
     let has_times = report.rows.iter().any(|row| row.time.is_some());
     let steps = report.steps().into_iter().filter_map(|step| {
         let all = report.summaries(step, &wanted);
         (has_times && !all.is_empty()).then_some((step, all))
     });
-    for ((step, all), at) in steps.zip(places(5)) {
+    for ((step, all), at) in steps.zip(places(5, 516.0)) {
         panel(&mut picture, step, &all, at);
     }
     picture

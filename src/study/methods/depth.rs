@@ -5,10 +5,11 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
     study::{
+        random::Random,
         real::Real,
         step::{About, Bound, Case, Family, Method, Methods, Precision::F32, Verdict},
-        truth::{depth as truth, relative},
-        workloads::{self, scene::SceneRays},
+        truth::{UNIT_F32, relative},
+        workloads::scene::SceneRays,
     },
 };
 
@@ -81,7 +82,15 @@ impl Case for DepthCase {
         .because("A far plane, for one bit of depth."),
     ]];
     const TIMED: usize = 0;
-    const FAMILIES: &'static [Family<Self>] = workloads::depth::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| make(random, 0.125, 1e2)),
+        Family::new(
+            "far plane",
+            "far / near",
+            &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8],
+            |random, ratio| make(random, 0.125, 0.125 * ratio),
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.depths()
@@ -96,7 +105,7 @@ impl Case for DepthCase {
     }
 
     fn bound(&self, _: &f64) -> Bound {
-        truth::bound(self)
+        bound(self)
     }
 }
 
@@ -219,5 +228,47 @@ impl Mapping {
 
     fn there_and_back(self, case: &DepthCase) -> f64 {
         self.read(self.stored(case), case)
+    }
+}
+
+/// Any depth, each octave alike, but for the last percent before the far plane.
+fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
+    loop {
+        let mut depth = near * random.within(1.0, 2.0);
+        for _ in 0..random.below(30) {
+            depth *= 2.0;
+        }
+        if depth < 0.99 * far {
+            return DepthCase {
+                depth: f32::of(depth),
+                near,
+                far,
+                parallel: false,
+            };
+        }
+    }
+}
+
+/// Bound of reversed depth in `f32`.
+///
+/// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
+/// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
+/// `z = b / (stored - a)`: relative to z that is the error over b / z.
+#[must_use]
+pub fn bound(case: &DepthCase) -> Bound {
+    if case.parallel {
+        // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
+        // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+        let depth = f64::from(case.depth);
+        let error = 4.0 * UNIT_F32 * (depth.abs() + case.far.abs()) / depth.abs();
+        return Bound { error, wrong: 0.0 };
+    }
+    let slope = case.near / (case.far - case.near);
+    let at = case.far * slope / f64::from(case.depth);
+    let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
+    let share = stored / at;
+    Bound {
+        error: share / (1.0 - share),
+        wrong: 0.0,
     }
 }

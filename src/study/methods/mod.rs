@@ -1,12 +1,15 @@
 //! The registry: every known method, once. Tests, the study, its charts and its tables read this and nothing else.
 //!
-//! A file a step. Methods of one formula in two precisions are one generic function and two entries.
+//! A file a step. Methods of one formula in two precisions are one generic function and one line.
 
 pub mod boxes;
 pub mod clipping;
+pub mod closed;
 pub mod depth;
+pub mod files;
 pub mod normals;
 pub mod object_space;
+pub mod packets;
 pub mod picks;
 pub mod prepared;
 pub mod rays;
@@ -132,6 +135,8 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<rays::PixelCase>();
     visitor.visit::<object_space::PlacedCase>();
     visitor.visit::<triangles::TriangleCase>();
+    visitor.visit::<closed::ClosedCase>();
+    visitor.visit::<packets::PacketCase>();
     visitor.visit::<spheres::SphereCase>();
     visitor.visit::<boxes::BoxCase>();
     visitor.visit::<squares::SquareCase>();
@@ -139,6 +144,7 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<normals::NormalCase>();
     visitor.visit::<depth::DepthCase>();
     visitor.visit::<picks::PickCase>();
+    visitor.visit::<files::FileCase>();
 }
 
 /// Every method of every step.

@@ -21,6 +21,24 @@ impl<T> Deref for Prepared<T> {
     }
 }
 
+impl<T: Copy> Prepared<T> {
+    /// The same triangle and another ray, with what was made for it.
+    #[inline]
+    #[must_use]
+    pub fn met_by(&self, origin: V3<T>, direction: V3<T>, shear: Shear<T>) -> Self {
+        let corners = self.given.corners;
+        Self {
+            given: RayTriangle {
+                origin,
+                direction,
+                corners,
+            },
+            shear,
+            ..*self
+        }
+    }
+}
+
 impl<T: Real> Prepared<T> {
     /// The numbers of `f64`, rounded, with what is kept in the same precision.
     #[must_use]
@@ -105,7 +123,7 @@ impl<T: Real> Prepared<T> {
         let edge = |p: V3<T>, q: V3<T>| p.x * q.y - p.y * q.x;
         let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
         let mut edges = [edge(c, b), edge(a, c), edge(b, a)];
-        if edges.iter().any(|edge| edge.is_zero()) {
+        if edges.iter().any(T::is_zero) {
             edges = [wide(c, b), wide(a, c), wide(b, a)];
         }
         let [u, v, w] = edges;
@@ -127,7 +145,7 @@ impl<T: Real> Prepared<T> {
         };
         let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
         let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
-        if edges.iter().any(|edge| edge.is_zero()) {
+        if edges.iter().any(T::is_zero) {
             edges = [wide(b, c), wide(c, a), wide(a, b)];
         }
         let [u, v, w] = edges;

@@ -69,23 +69,26 @@ impl TriangleCase {
     }
 }
 
-const MT: &str =
+pub(super) const MT: &str =
     "Moeller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997";
-const AREAS: &str =
+pub(super) const AREAS: &str =
     "textbooks and courses: the plane, then the areas of the point's triangles with the corners";
-const KENSLER: &str =
+pub(super) const KENSLER: &str =
     "Kensler & Shirley, Optimizing Ray-Triangle Intersection via Automated Search, RT 2006";
-const WOOP: &str = "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013";
-const EMBREE: &str = "Embree 4, kernels/geometry/triangle_intersector_pluecker.h";
-const HAVEL: &str =
+pub(super) const WOOP: &str =
+    "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013";
+pub(super) const EMBREE: &str = "Embree 4, kernels/geometry/triangle_intersector_pluecker.h";
+pub(super) const HAVEL: &str =
     "Havel & Herout, Yet Faster Ray-Triangle Intersection (Using SSE4), IEEE TVCG 16(3), 2010";
-const JIMENEZ: &str = "Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm, Comput. Geom. 43(5), 2010";
-const PBRT: &str = "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.cpp, IntersectTriangle";
-const SHEWCHUK: &str = "Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: orient3d of the robust crate, from the ray's start to \
+pub(super) const JIMENEZ: &str = "Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm, Comput. Geom. 43(5), 2010";
+pub(super) const PBRT: &str =
+    "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.cpp, IntersectTriangle";
+pub(super) const SHEWCHUK: &str = "Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: orient3d of the robust crate, from the ray's start to \
                         its point at t = 1, which is rounded";
+pub(super) const OURS: &str = "geometry::triangle, which names its papers";
 const DEKKER: &str = "Dekker, A floating-point technique for extending the available precision, 1971; geometry::double_double";
 const EXACT: &str = "no filter: integers as long as it takes (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
-const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
+pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
 
 impl Case for TriangleCase {
     type Answer = Option<f64>;
@@ -112,16 +115,15 @@ impl Case for TriangleCase {
         &both!("pbrt-v4, bounded t", PBRT, Prepared::pbrt),
         &[
             Method::new("double-double volumes", F64, DEKKER, double_double),
-            Method::new("Shewchuk's orient3d", Exact, SHEWCHUK, shewchuk),
+            Method::new("Shewchuk's orient3d", Exact, SHEWCHUK, |c| {
+                shewchuk(&c.wide)
+            }),
             Method::new("exact everywhere", Exact, EXACT, |c| {
                 exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-            Method::ours(
-                "Sightline's",
-                Exact,
-                "geometry::triangle, which names its papers",
-                |c| guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t),
-            ),
+            Method::ours("Sightline's", Exact, OURS, |c| {
+                guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+            }),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::triangles::FAMILIES;
@@ -224,8 +226,7 @@ fn double_double(case: &TriangleCase) -> Option<f64> {
 }
 
 /// The volumes' signs by adaptive arithmetic.
-fn shewchuk(case: &TriangleCase) -> Option<f64> {
-    let given = &case.wide;
+pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
     let coord = |V3 { x, y, z }: V3<f64>| Coord3D { x, y, z };
     let [o, there] = [given.origin, given.origin + given.direction].map(coord);
     let [a, b, c] = given.corners.map(coord);

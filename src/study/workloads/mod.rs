@@ -5,9 +5,6 @@
 //! methods of both precisions get it.
 
 pub mod boxes;
-pub mod clipping;
-pub mod depth;
-pub mod normals;
 pub mod object_space;
 pub mod picks;
 pub mod rays;

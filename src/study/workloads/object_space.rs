@@ -43,7 +43,7 @@ pub const FAMILIES: &[Family<PlacedCase>] = &[
 ];
 
 /// Three vectors of about length 1 at right angles: a rotation, or with its mirror image.
-pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
+pub(in crate::study) fn turned(random: &mut Random) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     [u, v, u.cross(v) * random.sign()]
 }

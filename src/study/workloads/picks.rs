@@ -84,17 +84,7 @@ pub fn ball_scene(offset: f64) -> (Scene, View) {
 /// An icosahedron, each face split into four over and over, pushed in and out a little.
 fn ball(origin: DVec3) -> Arc<Mesh> {
     const SPLITS: u32 = 4;
-    let phi = 1.618_034;
-    let mut points: Vec<DVec3> = Vec::new();
-    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
-        points.extend([
-            DVec3::new(0.0, a, b),
-            DVec3::new(a, b, 0.0),
-            DVec3::new(b, 0.0, a),
-        ]);
-    }
-    let mut faces = hull_of_icosahedron(&points);
-    let mut points: Vec<DVec3> = points.iter().map(|p| p.normalize()).collect();
+    let (mut points, mut faces) = icosahedron();
     for _ in 0..SPLITS {
         let mut middles = std::collections::HashMap::new();
         let mut middle = |a: u32, b: u32| {
@@ -129,6 +119,21 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
         ..MeshData::default()
     });
     Arc::new(mesh.expect("the ball's indices and ranges are right"))
+}
+
+/// Twelve corners, 1 from the origin, and twenty faces, counter-clockwise from outside.
+pub(in crate::study) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let phi = 1.618_034;
+    let mut points: Vec<DVec3> = Vec::new();
+    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
+        points.extend([
+            DVec3::new(0.0, a, b),
+            DVec3::new(a, b, 0.0),
+            DVec3::new(b, 0.0, a),
+        ]);
+    }
+    let faces = hull_of_icosahedron(&points);
+    (points.iter().map(|p| p.normalize()).collect(), faces)
 }
 
 /// The triples of corners that lie an edge apart, counter-clockwise from outside.
