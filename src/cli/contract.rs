@@ -65,8 +65,10 @@ Beside \"hit\" or \"hits\":
                    that lie behind it by less than drawing may be off in depth;
                    count, and named: the first 8, each with object, id, triangle
                    and front. null where the nearest lies by itself. Two faces
-                   that meet right there, in an edge of both, are no two, nor
-                   are the near and the far side of one cube or sphere";
+                   of a mesh that meet right there, in an edge or a corner of
+                   both and as near as drawing may move it (1/256 pixel or
+                   so), are no two unless they lie over each other; nor are the
+                   near and the far side of one cube or sphere";
 
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\

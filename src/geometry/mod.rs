@@ -30,6 +30,7 @@ mod pyramid;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
+mod shares;
 mod sphere;
 mod square;
 mod triangle;
@@ -42,7 +43,9 @@ pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
-pub(crate) use exact::{Corners, Parameter, Surface, are_coplanar, compare_surfaces};
+pub(crate) use exact::{
+    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, compare_surfaces,
+};
 pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::{LocalRay, PlacedRay};
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};

@@ -1,7 +1,8 @@
 //! Shading normals for meshes that bring none.
 
+use super::shares::in_shares;
 use glam::{DVec3, Vec3};
-use std::{num::NonZero, ops::Range, panic::resume_unwind, thread::ScopedJoinHandle};
+use std::ops::Range;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -67,24 +68,6 @@ pub fn crease_normals(
         result.normals.extend(normals);
     }
     result
-}
-
-/// The results of `work` on equal shares of `0..count`, in order, from a thread a core.
-fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
-    let share = count.div_ceil(threads).max(1);
-    std::thread::scope(|scope| {
-        let work = &work;
-        let started: Vec<_> = (0..count)
-            .step_by(share)
-            .map(|first| first..(first + share).min(count))
-            .map(|share| scope.spawn(move || work(share)))
-            .collect();
-        let finish = |thread: ScopedJoinHandle<_>| {
-            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-        };
-        started.into_iter().map(finish).collect()
-    })
 }
 
 /// What the corners about vertices are made of.

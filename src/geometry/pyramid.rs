@@ -1,6 +1,6 @@
 //! What the rays through a rectangle of pixels sweep, to leave out what none of them meets.
 
-use super::{LocalRay, U};
+use super::{Aabb, LocalRay, U};
 use glam::DVec3;
 
 /// Four planes about all rays through a rectangle of pixels, in an object's space: a pyramid in perspective, a prism in
@@ -77,5 +77,13 @@ impl Pyramid {
     pub fn may_hold(&self, points: &[DVec3]) -> bool {
         (self.planes.iter())
             .all(|(normal, on)| points.iter().any(|point| normal.dot(*point - *on) >= 0.0))
+    }
+
+    /// Whether some of a box may be inside; false only when all of it is beyond one plane.
+    pub fn may_meet(&self, bounds: &Aabb) -> bool {
+        (self.planes.iter()).all(|(normal, on)| {
+            let [to_min, to_max] = [bounds.min, bounds.max].map(|corner| *normal * (corner - *on));
+            to_min.max(to_max).element_sum() >= 0.0
+        })
     }
 }

@@ -80,7 +80,7 @@ impl<'a> VertexRay<'a> {
     /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then
     /// a difference to an `f32` is 0 or above `2^-306`, and neither products nor quotients of it leave the range of
     /// `f64`.
-    pub(super) fn is_bounded(&self) -> bool {
+    pub(crate) fn is_bounded(&self) -> bool {
         let numbers = [self.ray.origin, self.tail, self.ray.direction].map(|v| v.abs().to_array());
         let is_bounded = |&size: &f64| size == 0.0 || (1.0 / LARGE..=LARGE).contains(&size);
         numbers.as_flattened().iter().all(is_bounded)

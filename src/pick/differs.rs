@@ -2,29 +2,26 @@
 //!
 //! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
 //! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
-//! What may come before it is gathered once, by the pyramid about all of them. Triangles of its own plane that come later
-//! in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where nothing is
-//! left and what shows fills the square of all these pixels, no ray is asked.
+//! What may come before it is gathered once, by the pyramid about all of them. Triangles and squares of its own plane that
+//! come later in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where
+//! nothing is left and what shows fills the square of all these pixels, no ray is asked.
 
 use super::{
     SceneHit,
-    nearest::{closest, hits_of, shows_part},
-    order::{comes_later_alike, comes_later_in_plane, order},
+    around::{REACH, corners, pyramid},
+    nearest::{closest, first_on, shows_part},
+    order::{comes_later, order},
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{Cuboid, LocalRay, Placement, Pyramid, Sphere, WorldRay, binary::power_of_two},
+    geometry::{Cuboid, Placement, Sphere, WorldRay, binary::power_of_two},
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
 use std::ops::ControlFlow;
 
-/// How far, in pixels, to look for a pixel with another answer.
-const REACH: f64 = 8.0;
 /// So far each ray asks the whole scene, before anything is gathered: mostly one of these finds something else.
 const NEARBY: f64 = 2.0;
-/// From a position to the sides of a square that holds all centres within reach, and a pixel of room.
-const ASIDE: f64 = REACH + 1.0;
 /// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
 const MOST: usize = 6;
 /// The same where many surfaces are in one place, each of which a tree would ask about.
@@ -148,16 +145,9 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
     lies_between && corners.all(|ray| first_of(scene, view, &ray, shown).is_some())
 }
 
-/// The rays through the corners of a square about a position that holds all centres within reach.
-fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
-    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)))
-}
-
-/// The first shown hit on an object, or on a triangle of it.
+/// The first shown hit on it.
 fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
-    let mut hits = hits_of(scene, ray, what.object, what.triangle);
-    hits.find(|hit| view.sides.shows(&hit.hit))
+    first_on(scene, ray, view.sides, what.object, what.triangle)
 }
 
 /// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than
@@ -170,10 +160,7 @@ fn rivals(
     most: usize,
 ) -> Option<Vec<Rival>> {
     let corners = corners(view, px);
-    let pyramid_in = |placement: &Placement| {
-        let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-        Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
-    };
+    let pyramid_in = |placement: &Placement| pyramid(&corners, placement);
     let mut rivals = Vec::new();
     let mut is_complete = true;
     scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
@@ -182,7 +169,7 @@ fn rivals(
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && !comes_later_alike(scene, here, batch.start);
+            let is_rival = first.visible && !comes_later(scene, here, batch.start, None);
             rivals.extend(is_rival.then_some(Rival {
                 object: batch.start,
                 triangle: None,
@@ -197,7 +184,7 @@ fn rivals(
             let part_hit = mesh.part_of(triangle);
             if shows_part(scene, batch, *part, part_hit) {
                 let object = batch.start + part_hit - part;
-                if !comes_later_in_plane(scene, here, object, triangle, corners) {
+                if !comes_later(scene, here, object, Some((triangle, corners))) {
                     rivals.push(Rival {
                         object,
                         triangle: Some(triangle),

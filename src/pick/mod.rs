@@ -53,6 +53,7 @@
 //! one that drawing may show any of them, a line says so and names them ([`InOnePlace`], found by
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
+mod around;
 mod differs;
 mod edge;
 mod nearest;
@@ -62,6 +63,7 @@ mod picture;
 mod record;
 mod selection;
 
+pub use around::narrowed;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};

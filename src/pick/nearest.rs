@@ -119,13 +119,14 @@ fn unordered(scene: &Scene, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
     all
 }
 
-/// The hits on one object, or on a triangle of its mesh, nearest first; whether it is visible or not.
-pub(super) fn hits_of(
+/// The first shown hit on one object, or on a triangle of its mesh; whether it is visible or not.
+pub(super) fn first_on(
     scene: &Scene,
     ray: &WorldRay,
+    sides: Sides,
     object: usize,
     triangle: Option<u32>,
-) -> impl Iterator<Item = SceneHit> {
+) -> Option<SceneHit> {
     let Object {
         shape, placement, ..
     } = &scene.objects()[object];
@@ -135,8 +136,8 @@ pub(super) fn hits_of(
         (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
         _ => analytic_hits(shape, &local),
     };
-    let hits = hits.into_iter().flatten();
-    hits.map(move |hit| SceneHit { object, hit })
+    let shown = hits.iter().flatten().find(|hit| sides.shows(hit));
+    shown.map(|hit| SceneHit { object, hit: *hit })
 }
 
 /// Whether `f64` alone leaves open if a world-space ray hits one of the visible surfaces no later than at `limit`. The

@@ -2,7 +2,9 @@
 
 use super::SceneHit;
 use crate::{
-    geometry::{Corners, Mesh, Parameter, Surface, WorldRay, are_coplanar, compare_surfaces},
+    geometry::{
+        Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
+    },
     scene::{Object, Scene, Shape},
 };
 use glam::DVec3;
@@ -40,71 +42,82 @@ pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit)
 }
 
 fn by_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
-    if !a.overlaps(b) {
-        return a.hit.t.total_cmp(&b.hit.t);
+    if a.overlaps(b) {
+        by_exact_t(scene, ray, a, b)
+    } else {
+        a.hit.t.total_cmp(&b.hit.t)
     }
+}
+
+#[cold]
+fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
     if is_same_place(scene, a, b) {
         return Ordering::Equal;
     }
     compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
 }
 
-/// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two triangles of one plane. Cheaper
+/// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two flat ones of one plane. Cheaper
 /// to tell than by their parameters.
 pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
-    let [on_a, on_b] = [a, b].map(|hit| &scene.objects()[hit.object]);
-    if on_a.placement != on_b.placement {
+    if !a.overlaps(b) {
         return false;
     }
-    match (&on_a.shape, &on_b.shape) {
-        (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: other, .. }) => is_one_plane(
-            (mesh, vertex_corners(mesh, a)),
-            (other, vertex_corners(other, b)),
-        ),
-        (Shape::Mesh { .. }, _) | (_, Shape::Mesh { .. }) => false,
-        (of_a, of_b) => of_a.kind() == of_b.kind() && a.hit.front == b.hit.front,
+    match (flat_of_hit(scene, a), flat_of_hit(scene, b)) {
+        (Some(a), Some(b)) => are_in_one_plane(&a, &b),
+        (None, None) => are_alike(scene, a.object, b.object) && a.hit.front == b.hit.front,
+        _ => false,
     }
 }
 
-/// Whether a triangle, given by its corners about its mesh's origin, comes no earlier than a hit on every ray that meets
-/// both: in the same plane, or the very triangle, and no earlier in order.
-pub(super) fn comes_later_in_plane(
+/// Whether an object, or of a mesh's a triangle that is given by its corners about the mesh's origin, comes no earlier than
+/// a hit on every ray that meets both: the very same, or in the same place or plane and no earlier in order.
+pub(super) fn comes_later(
     scene: &Scene,
     hit: &SceneHit,
     object: usize,
-    triangle: u32,
-    corners: [DVec3; 3],
+    triangle: Option<(u32, [DVec3; 3])>,
 ) -> bool {
-    let Some(on) = hit.hit.on_triangle else {
-        return false;
-    };
-    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
-    let (Shape::Mesh { mesh, .. }, Shape::Mesh { mesh: of_other, .. }) =
-        (&of_hit.shape, &other.shape)
-    else {
-        return false;
-    };
-    let is_later = (hit.object, on.triangle) <= (object, triangle);
+    let is_later = (hit.object, hit.triangle()) <= (object, triangle.map(|(number, _)| number));
+    let other = || flat(scene, object, triangle.map(|(_, corners)| corners));
     is_later
-        && of_hit.placement == other.placement
-        && is_one_plane((mesh, vertex_corners(mesh, hit)), (of_other, corners))
+        && match (flat_of_hit(scene, hit), other()) {
+            (Some(here), Some(other)) => are_in_one_plane(&here, &other),
+            (None, None) => are_alike(scene, hit.object, object),
+            _ => false,
+        }
 }
 
-/// Whether an object comes no earlier than a hit on every ray: the very one, or the same shape in the same place, of no mesh
-/// and no earlier in order.
-pub(super) fn comes_later_alike(scene: &Scene, hit: &SceneHit, object: usize) -> bool {
-    let [of_hit, other] = [hit.object, object].map(|object| &scene.objects()[object]);
-    let is_alike = || {
-        hit.triangle().is_none()
-            && of_hit.shape.kind() == other.shape.kind()
-            && of_hit.placement == other.placement
+/// Whether two objects, of no meshes, are one shape in one place.
+fn are_alike(scene: &Scene, a: usize, b: usize) -> bool {
+    let [a, b] = [a, b].map(|object| &scene.objects()[object]);
+    a.shape.kind() == b.shape.kind() && a.placement == b.placement
+}
+
+fn flat_of_hit<'a>(scene: &'a Scene, hit: &SceneHit) -> Option<Corners<'a>> {
+    let corners = match &scene.objects()[hit.object].shape {
+        Shape::Mesh { mesh, .. } => Some(vertex_corners(mesh, hit)),
+        _ => None,
     };
-    hit.object == object || hit.object < object && is_alike()
+    flat(scene, hit.object, corners)
 }
 
-/// Whether two triangles, by their corners about their meshes' origins, lie in one plane of object space.
-fn is_one_plane(a: (&Mesh, [DVec3; 3]), b: (&Mesh, [DVec3; 3])) -> bool {
-    a.0.data().origin == b.0.data().origin && are_coplanar(a.1, b.1)
+/// Three corners of an object's square, or of a triangle of its mesh; `None` of solids.
+fn flat(scene: &Scene, object: usize, triangle: Option<[DVec3; 3]>) -> Option<Corners<'_>> {
+    let object = &scene.objects()[object];
+    let (origin, corners) = match &object.shape {
+        Shape::Square => {
+            let [a, b, c, _] = Square::corners();
+            (DVec3::ZERO, [a, b, c])
+        }
+        Shape::Mesh { mesh, .. } => (mesh.data().origin, triangle?),
+        Shape::Sphere | Shape::Cube => return None,
+    };
+    Some(Corners {
+        placement: Some(&object.placement),
+        origin,
+        corners,
+    })
 }
 
 fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {

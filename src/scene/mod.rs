@@ -8,6 +8,7 @@ mod extent;
 mod file;
 pub mod gallery;
 mod load;
+mod narrowed;
 pub mod obj;
 mod object;
 mod problem;

@@ -147,10 +147,9 @@ impl SceneTree {
     /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of
     /// the ray's interval.
     pub fn visit(&self, ray: &WorldRay, mut visit: impl FnMut(usize) -> f64) {
-        let away = ray.origin.abs().max_element();
-        let inverse = ray.direction.recip();
+        let seen = Seen::new(ray);
         let mut end = ray.t_max;
-        let enter = |place: usize, end: f64| self.nodes[place].enter(ray, inverse, away, end);
+        let enter = |place: usize, end: f64| self.nodes[place].enter(&seen, end);
         let mut waiting = [(0_usize, 0.0); DEEPEST];
         let mut count = 0_usize;
         let mut next = enter(0, end).map(|begin| (0, begin));
@@ -185,25 +184,40 @@ impl SceneTree {
     }
 }
 
+/// A ray with what all boxes ask of it.
+struct Seen<'a> {
+    ray: &'a WorldRay,
+    /// `1 / direction`.
+    inverse: DVec3,
+    /// The largest coordinate of its origin.
+    away: f64,
+    /// Twice the error of its origin, and of its direction for each unit of way.
+    errors: [f64; 2],
+}
+
+impl<'a> Seen<'a> {
+    fn new(ray: &'a WorldRay) -> Self {
+        let RayError { origin, direction } = ray.error();
+        let per_way = direction.max_element() / ray.direction.abs().max_element();
+        Self {
+            ray,
+            inverse: ray.direction.recip(),
+            away: ray.origin.abs().max_element(),
+            errors: [2.0 * origin.max_element(), 2.0 * per_way],
+        }
+    }
+}
+
 impl Node {
     /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
-    fn enter(&self, ray: &WorldRay, inverse: DVec3, away: f64, end: f64) -> Option<f64> {
-        let mut room = self.room * away;
-        let error = ray.error();
-        if error != RayError::default() {
-            let reach = away
-                + self
-                    .bounds
-                    .min
-                    .abs()
-                    .max(self.bounds.max.abs())
-                    .max_element();
-            let per_direction = error.direction.max_element() / ray.direction.abs().max_element();
-            room += 2.0 * (error.origin.max_element() + per_direction * reach);
-        }
-        let ways =
-            [self.bounds.min - room, self.bounds.max + room].map(|corner| corner - ray.origin);
-        entry(ways, inverse, [ray.t_min, end], 0.0)
+    fn enter(&self, seen: &Seen, end: f64) -> Option<f64> {
+        let Seen { ray, away, .. } = *seen;
+        let Aabb { min, max } = self.bounds;
+        let [of_origin, per_way] = seen.errors;
+        let way = away + min.abs().max(max.abs()).max_element();
+        let room = self.room * away + of_origin + per_way * way;
+        let ways = [min - room, max + room].map(|corner| corner - ray.origin);
+        entry(ways, seen.inverse, [ray.t_min, end], 0.0)
     }
 }
 

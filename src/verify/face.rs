@@ -42,6 +42,34 @@ pub(super) struct Surfaces<'a> {
     adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
 }
 
+/// What a triangle fills about one of its corners: between the directions of its two sides there, counter-clockwise about
+/// the normal.
+struct Sector {
+    sides: [DVec3; 2],
+    normal: DVec3,
+}
+
+impl Sector {
+    fn new(corners: [DVec3; 3], corner: DVec3) -> Self {
+        let at = corners.iter().position(|&c| c == corner).unwrap_or(0);
+        let sides = [1, 2].map(|by| (corners[(at + by) % 3] - corner).normalize_or_zero());
+        Self {
+            sides,
+            normal: sides[0].cross(sides[1]),
+        }
+    }
+
+    /// Whether a side of another sector of its plane, or its middle, lies strictly within.
+    fn holds_some_of(&self, other: &Self) -> bool {
+        let [first, last] = self.sides;
+        let is_left = |from: DVec3, to: DVec3| from.cross(to).dot(self.normal) > 0.0;
+        let [a, b] = other.sides;
+        [a, b, a + b]
+            .into_iter()
+            .any(|way| is_left(first, way) && is_left(way, last))
+    }
+}
+
 impl Face {
     fn of_square() -> Self {
         Self {
@@ -58,7 +86,7 @@ impl Face {
     }
 
     /// The corners that it shares with another face of its batch; none where the two overlap: all are shared, by a face and
-    /// itself or its own back, or they lie side by side in one plane.
+    /// itself or its own back, or they lie over each other in one plane.
     pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
         let shared = self.corners.iter().copied();
         let shared: Vec<_> = shared.filter(|at| other.corners.contains(at)).collect();
@@ -69,17 +97,16 @@ impl Face {
         }
     }
 
-    /// Whether two triangles lie in one plane, on one side of an edge that they share.
+    /// Whether two triangles lie in one plane and overlap about a corner that they share, however near to it.
     fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
         let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
-        let (&[a, b], Ok(corners), Ok(of_other)) = (shared, triangle(self), triangle(other)) else {
+        let (&[corner, ..], Ok(a), Ok(b)) = (shared, triangle(self), triangle(other)) else {
             return false;
         };
-        let beside = |corners: [DVec3; 3]| {
-            let apex = corners.into_iter().find(|corner| ![a, b].contains(corner));
-            apex.map_or(DVec3::ZERO, |apex| (b - a).cross(apex - a))
-        };
-        are_coplanar(corners, of_other) && beside(corners).dot(beside(of_other)) > 0.0
+        are_coplanar(a, b) && {
+            let [a, b] = [a, b].map(|corners| Sector::new(corners, corner));
+            a.holds_some_of(&b) || b.holds_some_of(&a)
+        }
     }
 
     /// The face that was hit; `None` on a sphere.

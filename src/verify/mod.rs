@@ -69,6 +69,7 @@ pub use report::{Disagreement, Report, Verdict};
 use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
+    pick,
     scene::Scene,
 };
 use bound::{Outline, Reason};
@@ -185,7 +186,10 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
 /// Puts a difference down to geometry.
 fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
     let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
-    let sides = [drawn, picked].map(|id| surface::shown(surfaces.of_id(px, id)));
+    let sides = [
+        surface::may_be_drawn(surfaces.of_id(px, drawn)),
+        surface::may_be_picked(surfaces.of_id(px, picked)),
+    ];
     // From the same the GPU makes the same: which of the two shows is settled by their order.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);
     let pairs = sides[0]
@@ -218,7 +222,13 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
         });
         (reason, depths)
     };
-    let (reason, depth) = best.unwrap_or_else(unexplained);
+    let (reason, mut depth) = best.unwrap_or_else(unexplained);
+    if !depth[1].is_finite() && picked != Id::default() {
+        // A face that is seen edge-on has no depth of its own; the hit on its rim has.
+        let (scene, view) = (surfaces.scene, surfaces.space.view());
+        let hit = pick::closest(scene, view.ray(px), view.sides);
+        depth[1] = hit.map_or(f64::NAN, |hit| hit.hit.t);
+    }
     Disagreement {
         pixel,
         drawn,

@@ -23,6 +23,7 @@ use super::{
 };
 use crate::{
     camera::View,
+    geometry::{Sphere, WorldRay},
     image::Image,
     pick::{self, InOnePlace, SceneHit},
     scene::{Scene, Shape},
@@ -160,6 +161,7 @@ struct Reach<'a> {
     view: &'a View,
     depths: Depths,
     ray: ViewRay,
+    ray_world: WorldRay,
 }
 
 impl<'a> Reach<'a> {
@@ -170,6 +172,7 @@ impl<'a> Reach<'a> {
             view,
             depths: Depths::new(&surfaces.space),
             ray: ViewRay::new(view, px),
+            ray_world: view.ray(px),
         }
     }
 
@@ -177,7 +180,9 @@ impl<'a> Reach<'a> {
     fn nearness(&self, SceneHit { object, hit }: &SceneHit) -> [f64; 2] {
         let object = &self.scene.objects()[*object];
         let aside = if matches!(object.shape, Shape::Sphere) {
-            0.0
+            // No more than its radius.
+            let ray = object.placement.ray_to_object(&self.ray_world);
+            Sphere::RADIUS / ray.direction.abs().max_element()
         } else {
             self.aside(hit.t, object.placement.normal_to_world(hit.normal))
         };
@@ -186,7 +191,9 @@ impl<'a> Reach<'a> {
         let [near, far] = [past_near - off, past_near + off];
         let most = |end: f64| {
             // It grows towards one end, or towards both.
-            self.depths.ceiling(past_near).max(self.depths.ceiling(end))
+            let ceiling = self.depths.ceiling(past_near).max(self.depths.ceiling(end));
+            // What is stored changes less on the way to greater depths than where the surface is.
+            ceiling + aside * self.depths.stored_per_depth(past_near)
         };
         let nearest = self.depths.nearness(near) + most(near);
         let farthest = self.depths.nearness(far) - most(far);

@@ -42,7 +42,8 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         grid_px: 0.0,
         f32_px: change.least_distance_px(error.discriminant),
     };
-    let root = (-outside.min(0.0) / d2).sqrt();
+    // 0 on the rim, and never -0, which the slope is divided by.
+    let root = (outside.min(0.0).abs() / d2).sqrt();
     // The root is that of the discriminant over d^2: so much half a pixel aside makes of it, at most the sphere's radius.
     let of_slope = OUTLINE_CEILING_PX * change.slope / (2.0 * d2 * d2 * root);
     let of_slope = (Sphere::RADIUS / d2.sqrt()).min(of_slope);

@@ -102,14 +102,30 @@ impl Surface {
     }
 }
 
-/// Those of an object's surfaces at a pixel that may show there: not a solid's far side where its near side covers the
-/// pixel for certain.
-pub(super) fn shown(mut surfaces: Vec<Surface>) -> Vec<Surface> {
+/// Those of an object's surfaces at a pixel that drawing may show there: not a solid's far side where drawing is certain to
+/// put its near side before it.
+pub(super) fn may_be_drawn(surfaces: Vec<Surface>) -> Vec<Surface> {
+    not_behind(surfaces, |near, far| {
+        near.stored.farthest > far.stored.nearest
+    })
+}
+
+/// Those that a pick may show there: not a solid's far side where the near one certainly covers the centre, since picks are in
+/// exact order.
+pub(super) fn may_be_picked(surfaces: Vec<Surface>) -> Vec<Surface> {
+    not_behind(surfaces, |near, far| near.depth < far.depth)
+}
+
+/// Those that no other one certainly covers and lies before.
+fn not_behind(
+    mut surfaces: Vec<Surface>,
+    lies_before: impl Fn(&Surface, &Surface) -> bool,
+) -> Vec<Surface> {
     let all = surfaces.clone();
     surfaces.retain(|surface| {
         let hides = |other: &Surface| {
             let is_loose = other.loose.or(other.crossed).is_some();
-            other.covers && !is_loose && other.stored.farthest > surface.stored.nearest
+            other.covers && !is_loose && lies_before(other, surface)
         };
         !all.iter().any(hides)
     });

@@ -46,6 +46,18 @@ fn main() {
             &Scene::new((0..count).map(square).collect()),
         );
     }
+    for count in [1_000, 16_000] {
+        let square = |i: usize| {
+            let side = 1.0 + i as f64 / count as f64;
+            let model = DAffine3::from_scale(DVec3::new(side, side, 1.0));
+            let placement = Placement::new(model).expect("invertible");
+            Object::new("square", Shape::Square, placement)
+        };
+        line(
+            &format!("{count} squares of one plane"),
+            &Scene::new((0..count).map(square).collect()),
+        );
+    }
     for count in [10_000, 100_000] {
         line(
             &format!("{count} identical faces"),

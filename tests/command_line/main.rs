@@ -6,6 +6,7 @@ mod flags;
 mod pictures;
 mod refusals;
 mod stored;
+mod streams;
 
 use serde_json::Value;
 use std::{
@@ -172,40 +173,6 @@ fn all_hits_come_from_front_to_back() {
 }
 
 #[test]
-fn standard_input_gives_positions() {
-    let folder = Folder::new();
-    let args = "pick scene.toml --size 200x100 --at -";
-    // Enough for trees to be built; blanks and empty lines do not matter.
-    let input = (0..100)
-        .map(|i| format!(" {i}.5, 50\r\n"))
-        .collect::<Vec<_>>()
-        .join("\n");
-    let lines = json(&folder.run_with(args, &input));
-    assert_eq!(lines.len(), 100);
-    assert_eq!(lines[99]["hit"]["object"], "Front");
-    assert_eq!(lines[7]["px"], serde_json::json!([7.5, 50.0]));
-    // The same as on the command line, to the bit.
-    assert_eq!(
-        folder.json("pick scene.toml --size 200x100 --at 99.5,50")[0],
-        lines[99]
-    );
-
-    for (input, line, word) in [
-        ("1,2\nhere\n", 2, "X,Y"),
-        ("1,2,3\n", 1, "X,Y"),
-        ("1,2\n\n1\n", 3, "X,Y"),
-        ("nan,2\n", 1, "X,Y"),
-        ("200,2\n", 1, "outside"),
-    ] {
-        let error = error(&folder.run_with(args, input), 2, input);
-        assert!(
-            error.contains(&format!("line {line}:")) && error.contains(word),
-            "{error}"
-        );
-    }
-}
-
-#[test]
 fn flags_choose_the_view() {
     let folder = Folder::new();
     let pick = |flags: &str| {
@@ -357,26 +324,4 @@ fn verbose_says_on_standard_error_what_is_done() {
     let camera = "camera: --eye 0,0,10 --target 0,0,0 --up 0,1,0 --fov 40 --near ";
     assert!(stderr.contains(camera), "{stderr}");
     assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 1);
-}
-
-#[test]
-fn a_reader_that_leaves_is_no_error() {
-    let folder = Folder::new();
-    let mut command = folder.command("pick scene.toml --at -");
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    drop(child.stdout.take());
-    let mut input = child.stdin.take().unwrap();
-    while input.write_all(b"640,360\n").is_ok() {}
-    drop(input);
-    let output = child.wait_with_output().unwrap();
-    assert!(output.status.success(), "{:?}", output.status);
-    assert!(
-        output.stderr.is_empty(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
 }

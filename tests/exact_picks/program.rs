@@ -45,6 +45,11 @@ pub fn records(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     pick::pick_all(scene, view, px)
 }
 
+/// The scene for one position, without trees; `None` where there is no such thing.
+pub fn narrowed(scene: &Scene, view: &View, px: DVec2) -> Option<Scene> {
+    pick::narrowed(scene, view, px)
+}
+
 /// Object and triangle, both from 1, of each pixel, row by row, as both kinds of whole pictures have them.
 pub fn pictures(scene: &Scene, view: &View) -> [Vec<(u32, u32)>; 2] {
     let (cast, _) = pick::raycast(scene, view);

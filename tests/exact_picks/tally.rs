@@ -28,9 +28,11 @@ pub struct Tally {
     pub steps: usize,
     /// Positions with a hit that a tree found, asked by all instructions.
     pub walks: usize,
+    /// Positions that were asked from a narrowed scene.
+    pub narrowed: usize,
     /// Positions with a wrong answer.
     pub wrong: usize,
-    /// Positions with a wrong answer once trees are built.
+    /// Positions with a wrong answer once trees are built, or narrowed.
     pub wrong_with_trees: usize,
     /// The largest relative error of `t`, less what coordinates round by.
     pub worst_t: f64,
@@ -48,7 +50,7 @@ impl Tally {
 
     pub fn row(&self) -> String {
         format!(
-            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  narrowed {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
             self.positions,
             self.hits,
             self.ties,
@@ -57,6 +59,7 @@ impl Tally {
             self.hairs,
             self.steps,
             self.walks,
+            self.narrowed,
             self.worst_t,
             self.wrong,
             self.wrong_with_trees

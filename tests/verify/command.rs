@@ -104,6 +104,19 @@ fn a_defect_is_an_exit_code_a_line_and_a_place() {
     assert_eq!(at, [213, 94, 0], "the worst pixel is painted");
 }
 
+/// A ray within a cube's side enters by the rim of its front.
+#[test]
+fn the_depth_of_a_rim_is_the_hits() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("cube.toml");
+    let cube = "[[object]]\nshape = \"cube\"\nposition = [0.1875, 0.0625, 0]\nscale = 0.25\n";
+    std::fs::write(&file, cube).expect("a file");
+    let view = "--eye 0,0,5 --look 0,0,-1 --ortho 4 --near 0 --far 10 --size 32x32 --json";
+    let output = run(&format!("verify {} {view}", file.display()));
+    let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
+    assert_eq!(line["worst"]["picked"]["depth"], 4.875, "{line}");
+}
+
 #[test]
 fn without_a_driver_it_says_that_picking_needs_none() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));

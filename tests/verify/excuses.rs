@@ -9,7 +9,7 @@ use crate::{
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use sightline::{
-    camera::View,
+    camera::{DepthMapping, Lens, View},
     image::Id,
     pick,
     scene::{Scene, Shape},
@@ -189,4 +189,35 @@ fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
         one_sided(&wire),
         [Verdict::NothingDrawn(150), Verdict::NothingPicked(150)]
     );
+}
+
+/// A board just before a cube's back, drawn in front of the cube: that it is as deep as the back is no excuse, since picks show
+/// the front. With near at the eye, standard depth tells none of them apart.
+#[test]
+fn a_cubes_front_missing_before_a_board_at_its_back() {
+    let board = |z: f64| {
+        let model = DAffine3::from_translation(DVec3::Z * z);
+        Scene::new(vec![
+            object("cube", Shape::Cube, DAffine3::IDENTITY, None),
+            object("board", Shape::Square, model, None),
+        ])
+    };
+    let lens = Lens {
+        depth: DepthMapping::Standard,
+        ..perspective(30.0, 1e-7, 100.0)
+    };
+    let view = view([0.0, 0.0, 5.0], [0.0; 3], lens, SIZE);
+    let (scene, wrong) = (board(-0.4999), board(0.5001));
+    let picked = pick::ids(&scene, &view);
+    let report = compare(&scene, &view, &pick::ids(&wrong, &view), &picked);
+    let lost = report.disagreements.iter();
+    let lost = lost.filter(|at| (at.drawn.object, at.picked.object) == (2, 1));
+    let counts = lost.fold([0; 5], |mut counts, at| {
+        counts[at.class as usize] += 1;
+        counts
+    });
+    let [edge, depth, limit, beyond, _] = counts;
+    assert!(beyond > 1000, "{counts:?}");
+    assert_eq!([depth, limit], [0; 2], "{counts:?}");
+    assert!(edge < 300, "{counts:?}");
 }

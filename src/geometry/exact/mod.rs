@@ -28,7 +28,7 @@ use root::Root;
 pub(super) use solids::{cube, sphere, square};
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
-pub(crate) use triangle::{Corners, are_coplanar};
+pub(crate) use triangle::{Corners, are_coplanar, are_in_one_plane};
 pub(super) use triangle::{compare, hit, reaches_plane};
 #[cfg(test)]
 pub(super) use world::errors;

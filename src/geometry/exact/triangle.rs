@@ -290,32 +290,59 @@ pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Orderi
     }
 }
 
+/// Whether two triangles lie in one plane of the world; the first must have an area.
+pub(crate) fn are_in_one_plane(a: &Corners, b: &Corners) -> bool {
+    if a.placement == b.placement && a.origin == b.origin {
+        return are_coplanar(a.corners, b.corners);
+    }
+    let plane = OnePlane(a, b);
+    let is_off = |volume: &Number<Enclosure>| matches!(volume.decided_zero(), Ok(false));
+    a.is_finite() && b.is_finite() && !plane.numbers().iter().any(is_off) && solve(&plane)
+}
+
 /// Whether two triangles of one space lie in one plane, by their `f32` corners about one origin; the first must have an
 /// area.
 pub(crate) fn are_coplanar(a: [DVec3; 3], b: [DVec3; 3]) -> bool {
-    struct Plane([DVec3; 3], [DVec3; 3]);
-    impl Formula for Plane {
-        type Numbers<I: Ring> = [Number<I>; 3];
-        type Answer = bool;
-        fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
-            let [p, q, r] = self.0.map(Vector::<I>::new);
-            let normal = q.minus(&p).cross(&r.minus(&p));
-            self.1
-                .map(|corner| Vector::new(corner).minus(&p).dot(&normal))
-        }
-        fn most_bits(numbers: &[Number<Bits>; 3]) -> u32 {
-            Bits::most(numbers.each_ref().map(|n| n.integer))
-        }
-        fn answer<I: Integer>(&self, numbers: [Number<I>; 3]) -> bool {
-            numbers.iter().all(|n| n.sign().is_eq())
-        }
-    }
     if a == b {
         return true;
     }
-    match short(a.into_iter().chain(b)) {
-        Some(points) => are_coplanar_integers(&points),
-        None => solve(&Plane(a, b)),
+    if let Some(points) = short(a.into_iter().chain(b)) {
+        return are_coplanar_integers(&points);
+    }
+    let [a, b] = [a, b].map(|corners| Corners {
+        placement: None,
+        origin: DVec3::ZERO,
+        corners,
+    });
+    solve(&OnePlane(&a, &b))
+}
+
+/// Whether the corners of the second triangle span no volume with the first.
+struct OnePlane<'a>(&'a Corners<'a>, &'a Corners<'a>);
+
+impl Formula for OnePlane<'_> {
+    type Numbers<I: Ring> = [Number<I>; 3];
+    type Answer = bool;
+
+    fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
+        let Self(a, b) = *self;
+        let [p, q, r] = a.corners;
+        let [to_q, to_r] = [q, r].map(|corner| way::<I>(a.placement, p, corner));
+        let normal = to_q.cross(&to_r);
+        let p = point(a.placement, [a.origin, p]);
+        (b.corners).map(|corner| {
+            point(b.placement, [b.origin, corner])
+                .minus(&p)
+                .dot(&normal)
+        })
+    }
+
+    fn most_bits(volumes: &[Number<Bits>; 3]) -> u32 {
+        Bits::most(volumes.each_ref().map(|volume| volume.integer))
+    }
+
+    fn answer<I: Integer>(&self, volumes: [Number<I>; 3]) -> bool {
+        volumes.iter().all(|volume| volume.sign().is_eq())
     }
 }
 

@@ -5,7 +5,10 @@ mod rays;
 use super::{Aabb, Bvh, CornerNormals, OnTriangle};
 use crate::colour::Srgb;
 use glam::DVec3;
-use std::{ops::Range, sync::OnceLock};
+use std::{
+    ops::Range,
+    sync::{Arc, OnceLock},
+};
 
 /// What a mesh is made of. Vertices are `f32` about one `f64` origin, so that parts which share a wall keep
 /// sharing it to the bit wherever in the world they stand; object space is `origin + position`.
@@ -61,9 +64,11 @@ pub enum MeshError {
 
 /// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
 pub struct Mesh {
-    data: MeshData,
-    bounds: Vec<Aabb>,
+    data: Arc<MeshData>,
+    bounds: Arc<[Aabb]>,
     tree: OnceLock<Bvh>,
+    /// The only triangles that rays are held against, in order; `None` for all.
+    few: Option<Vec<u32>>,
 }
 
 impl Mesh {
@@ -84,9 +89,10 @@ impl Mesh {
             })
             .collect();
         Ok(Self {
-            data,
+            data: Arc::new(data),
             bounds,
             tree: OnceLock::new(),
+            few: None,
         })
     }
 

@@ -8,10 +8,15 @@ use super::{Mesh, MeshData};
 use crate::geometry::{
     Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay, Visit,
     guarded_volume,
+    shares::in_shares,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
 use glam::DVec3;
-use std::{cmp::Ordering, ops::ControlFlow, sync::atomic::AtomicBool};
+use std::{
+    cmp::Ordering,
+    ops::ControlFlow,
+    sync::{Arc, OnceLock, atomic::AtomicBool},
+};
 
 /// Below this many triangles trying them all takes less than a microsecond. From here on a tree has paid for itself after
 /// a dozen rays, whatever the size of the mesh, and a click asks up to 200 (measured: 0.13 us a triangle to build, 14 ns a
@@ -36,8 +41,8 @@ impl Mesh {
             positions,
             triangles,
             ..
-        } = &self.data;
-        if triangles.len() < WORTH_A_TREE || self.tree.get().is_some() {
+        } = &*self.data;
+        if self.is_ready() {
             return;
         }
         if let Some(tree) = Bvh::build(positions, triangles, simd, stop) {
@@ -62,7 +67,30 @@ impl Mesh {
     /// Whether rays are as fast as they will be: there is a tree, or no need of one.
     #[must_use]
     pub fn is_ready(&self) -> bool {
-        self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some()
+        self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
+    }
+
+    /// The same mesh for rays within one of some pyramids of object space only: they are held against the few triangles that
+    /// they may meet, which takes a look at each. Other rays may miss what they hit.
+    #[must_use]
+    pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
+        let pyramids: Vec<_> = (pyramids.iter())
+            .map(|pyramid| pyramid.about(self.data.origin))
+            .collect();
+        let few = in_shares(self.data.triangles.len(), |share| {
+            let is_near = |triangle: &u32| {
+                let bounds = Aabb::around(self.vertex_corners(*triangle));
+                pyramids.iter().any(|pyramid| pyramid.may_meet(&bounds))
+            };
+            let triangles = (0..).take(share.end).skip(share.start);
+            triangles.filter(is_near).collect::<Vec<_>>()
+        });
+        Self {
+            data: Arc::clone(&self.data),
+            bounds: Arc::clone(&self.bounds),
+            tree: OnceLock::new(),
+            few: Some(few.concat()),
+        }
     }
 
     /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
@@ -167,7 +195,7 @@ impl Mesh {
         match self.tree.get() {
             Some(tree) => tree.visit_pyramid(&pyramid, visit),
             None => {
-                for triangle in (0..).take(self.data.triangles.len()) {
+                for triangle in self.asked() {
                     let corners = self.vertex_corners(triangle);
                     if pyramid.may_hold(&corners) && visit(triangle, corners).is_break() {
                         return;
@@ -229,9 +257,18 @@ impl Mesh {
     }
 
     fn every_triangle(&self, visit: &mut impl Visit) {
-        for triangle in (0..).take(self.data.triangles.len()) {
+        for triangle in self.asked() {
             visit.visit(triangle, self.vertex_corners(triangle));
         }
+    }
+
+    /// The triangles that a ray without a tree is held against.
+    fn asked(&self) -> impl Iterator<Item = u32> {
+        let few = self.few.as_deref();
+        let count = few.map_or(self.data.triangles.len(), <[u32]>::len);
+        (0..)
+            .take(count)
+            .map(move |i: u32| few.map_or(i, |few| few[i as usize]))
     }
 }
 

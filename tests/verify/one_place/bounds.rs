@@ -54,6 +54,33 @@ fn what_standard_depth_cannot_tell_far_away() {
     }
 }
 
+/// Half a pixel aside a ball's surface is far deeper near its rim: where `f32` holds no depths, a board that lies within that
+/// is in one place with it, and one that does not is not.
+#[test]
+fn a_board_behind_the_steep_part_of_a_ball() {
+    let scene = |z| {
+        Scene::new(vec![
+            object("ball", Shape::Sphere, DAffine3::IDENTITY),
+            object("board", Shape::Square, moved(z) * turned(0.0, 4.0)),
+        ])
+    };
+    let lens = Lens {
+        depth: DepthMapping::Standard,
+        ..perspective(30.0, 1e-7, 100.0)
+    };
+    let view = view([0.0, 0.0, 5.0], [0.0; 3], lens, [64, 64]);
+    // The pixel in which the ball ends to the right.
+    let pixels = (32..64).map(|x| dvec2(f64::from(x) + 0.5, 32.5));
+    let picks = pixels.map_while(|px| Some((px, pick::pick(&scene(-2.0), &view, px)?)));
+    let (px, at) = picks.filter(|(_, at)| at.id == 1).last().expect("a ball");
+    let z = at.point_world.z;
+    assert!(z > 0.05, "{z}");
+    for (behind, expected) in [(0.02, true), (0.2, false)] {
+        let said = in_one_place(&scene(z - behind), &view, px);
+        assert_eq!(said.is_some(), expected, "{behind} {z}");
+    }
+}
+
 /// Corners so far out that `f64` does not tell from them how deep the squares are; a pick does.
 #[test]
 fn squares_of_one_plane_too_large_for_their_depth() {
@@ -165,7 +192,7 @@ fn the_bound_is_the_one_that_excuses_depth() {
             let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
             let places = Places::new(&scene, &view);
             for at in &report.disagreements {
-                let named = name(&scene, &view, &places, at.pixel, at.drawn);
+                let named = name(&scene, &places, at.pixel, at.drawn);
                 match at.class {
                     Class::Depth => assert!(named, "{at:?}"),
                     Class::Unexplained => assert!(!named, "{at:?}"),

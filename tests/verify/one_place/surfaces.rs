@@ -53,6 +53,33 @@ fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
     }
 }
 
+/// Two triangles of one plane that lie over each other about the one corner that they share, and the same side by side.
+#[test]
+fn overlapping_triangles_that_share_a_corner_are_two() {
+    let corners = [[0.0, 0.0], [-1.0, 2.0], [2.0, 2.2], [1.0, 1.3], [0.5, 2.0]];
+    let positions = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
+    let view = view(
+        [0.0, 0.0, 5.0],
+        [0.0; 3],
+        orthographic(8.0, 0.1, 10.0),
+        [64, 64],
+    );
+    for (triangles, count) in [
+        (vec![[0, 2, 1], [0, 3, 4]], Some(2)),
+        (vec![[0, 2, 1], [0, 4, 3]], Some(2)),
+        (vec![[0, 2, 4], [0, 4, 1]], None),
+        (vec![[0, 2, 3], [0, 4, 1]], None),
+    ] {
+        let mesh = one_mesh(positions.clone(), triangles, DVec3::ZERO);
+        let scene = Scene::new(vec![object("fan", mesh, DAffine3::IDENTITY)]);
+        // On the corner, beside it by far less than the grid, and farther off.
+        for px in [[32.0, 32.0], [32.0005, 31.999], [32.0025, 31.995]] {
+            let said = in_one_place(&scene, &view, px.into());
+            assert_eq!(said.map(|said| said.count), count, "{px:?}");
+        }
+    }
+}
+
 #[test]
 fn identical_triangles_are_as_many_surfaces() {
     for count in [2, 10_000] {
@@ -84,6 +111,29 @@ fn identical_triangles_are_as_many_surfaces() {
             };
             assert_eq!(said.to_string(), text);
         }
+    }
+}
+
+/// A ray that touches a sphere on its rim, where it meets a board.
+#[test]
+fn a_touched_rim_and_a_board_are_two() {
+    let scaled = |scale| DAffine3::from_scale(DVec3::splat(scale));
+    let scene = Scene::new(vec![
+        object("ball", Shape::Sphere, scaled(2.0)),
+        object("board", Shape::Square, scaled(4.0)),
+    ]);
+    let view = view(
+        [0.0, 0.0, 5.0],
+        [0.0; 3],
+        orthographic(4.0625, 0.1, 10.0),
+        [65, 65],
+    );
+    for px in [[48.5, 32.5], [16.5, 32.5], [32.5, 48.5], [32.5, 16.5]] {
+        let hits = pick::all(&scene, view.ray(px.into()), view.sides);
+        let places: Vec<_> = hits.iter().map(|at| (at.object, at.hit.t)).collect();
+        assert_eq!(places, [(0, 5.0), (1, 5.0)], "{px:?}");
+        let said = in_one_place(&scene, &view, px.into()).expect("two");
+        assert_eq!(said.to_string(), "two in one place: ball and board");
     }
 }
 

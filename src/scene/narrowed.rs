@@ -1,0 +1,57 @@
+//! What of a scene rays about one position may meet.
+
+use super::{Object, Scene, Shape};
+use crate::geometry::{LocalRay, Mesh, Placement, Pyramid, VertexRay, WorldRay};
+use glam::DVec3;
+use std::{collections::HashMap, sync::Arc};
+
+impl Scene {
+    /// The same scene for a ray and others within a pyramid about it only, which is given in the object space of each
+    /// placement: meshes are held against the few triangles that such rays may meet, after a look at each. `None` where there
+    /// is no pyramid, or no bound on the ray. Other rays may miss what they hit.
+    #[must_use]
+    pub(crate) fn narrowed(
+        &self,
+        ray: &WorldRay,
+        pyramid_in: impl Fn(&Placement) -> Option<Pyramid>,
+    ) -> Option<Self> {
+        let is_bounded = |placement: &Placement, origin: &DVec3| {
+            let placed = placement.local_ray(ray);
+            VertexRay::new(&LocalRay::from(&placed), origin).is_bounded()
+        };
+        let mut pyramids: HashMap<*const Mesh, Vec<Pyramid>> = HashMap::new();
+        let mut is_complete = is_bounded(&Placement::IDENTITY, &DVec3::ZERO);
+        self.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
+            let Object {
+                shape, placement, ..
+            } = &self.objects[batch.start];
+            if let Shape::Mesh { mesh, .. } = shape {
+                let pyramid = pyramid_in(placement);
+                is_complete &= pyramid.is_some() && is_bounded(placement, &mesh.data().origin);
+                let of_mesh = pyramids.entry(Arc::as_ptr(mesh)).or_default();
+                of_mesh.extend(pyramid);
+            }
+        });
+        if !is_complete {
+            return None;
+        }
+        let narrowed = |mesh: &Arc<Mesh>| {
+            let pyramids = pyramids.get(&Arc::as_ptr(mesh));
+            Arc::new(mesh.narrowed(pyramids.map_or(&[], Vec::as_slice)))
+        };
+        let meshes: Vec<_> = self.meshes.iter().map(narrowed).collect();
+        let of_mesh = self.meshes.iter().map(Arc::as_ptr).zip(&meshes);
+        let of_mesh: HashMap<_, _> = of_mesh.collect();
+        let mut objects = Vec::clone(&self.objects);
+        for object in &mut objects {
+            if let Shape::Mesh { mesh, .. } = &mut object.shape {
+                *mesh = Arc::clone(of_mesh[&Arc::as_ptr(mesh)]);
+            }
+        }
+        Some(Self {
+            objects: Arc::new(objects),
+            meshes: Arc::new(meshes),
+            ..self.clone()
+        })
+    }
+}

@@ -1,0 +1,102 @@
+//! Positions by standard input, picks by standard output.
+
+use super::{Folder, error, json};
+use std::{
+    io::{BufRead, BufReader, Write},
+    process::Stdio,
+    sync::mpsc,
+    thread,
+    time::Duration,
+};
+
+/// Far longer than a pick takes; one that is held back never comes.
+const PATIENCE: Duration = Duration::from_mins(1);
+
+#[test]
+fn standard_input_gives_positions() {
+    let folder = Folder::new();
+    let args = "pick scene.toml --size 200x100 --at -";
+    // Enough for trees to be built; blanks and empty lines do not matter.
+    let input = (0..100)
+        .map(|i| format!(" {i}.5, 50\r\n"))
+        .collect::<Vec<_>>()
+        .join("\n");
+    let lines = json(&folder.run_with(args, &input));
+    assert_eq!(lines.len(), 100);
+    assert_eq!(lines[99]["hit"]["object"], "Front");
+    assert_eq!(lines[7]["px"], serde_json::json!([7.5, 50.0]));
+    // The same as on the command line, to the bit.
+    assert_eq!(
+        folder.json("pick scene.toml --size 200x100 --at 99.5,50")[0],
+        lines[99]
+    );
+
+    for (input, line, word) in [
+        ("1,2\nhere\n", 2, "X,Y"),
+        ("1,2,3\n", 1, "X,Y"),
+        ("1,2\n\n1\n", 3, "X,Y"),
+        ("nan,2\n", 1, "X,Y"),
+        ("200,2\n", 1, "outside"),
+    ] {
+        let error = error(&folder.run_with(args, input), 2, input);
+        assert!(
+            error.contains(&format!("line {line}:")) && error.contains(word),
+            "{error}"
+        );
+    }
+}
+
+/// A program that asks, and waits for the answer before it asks again.
+#[test]
+fn each_position_is_answered_before_the_next_is_there() {
+    let folder = Folder::new();
+    let mut command = folder.command("pick scene.toml --size 200x100 --at -");
+    command.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let output = BufReader::new(child.stdout.take().unwrap());
+    let (sender, lines) = mpsc::channel();
+    let reader = thread::spawn(move || {
+        for line in output.lines() {
+            sender.send(line.unwrap()).unwrap();
+        }
+    });
+    for x in 0..40 {
+        // Some at once, some in two pieces.
+        let text = format!("{x}.5,50\n");
+        let (first, rest) = text.split_at(if x % 3 == 0 { 2 } else { 0 });
+        for piece in [first, rest] {
+            input.write_all(piece.as_bytes()).unwrap();
+            input.flush().unwrap();
+        }
+        let line = lines.recv_timeout(PATIENCE).expect("an answer");
+        let start = format!("{{\"px\":[{x}.5,50.0]");
+        assert!(line.starts_with(&start), "{line}");
+    }
+    drop(input);
+    assert!(child.wait().unwrap().success());
+    reader.join().unwrap();
+    assert!(lines.recv().is_err(), "no more lines than positions");
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let folder = Folder::new();
+    let mut command = folder.command("pick scene.toml --at -");
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    drop(child.stdout.take());
+    let mut input = child.stdin.take().unwrap();
+    while input.write_all(b"640,360\n").is_ok() {}
+    drop(input);
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success(), "{:?}", output.status);
+    assert!(
+        output.stderr.is_empty(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+}
