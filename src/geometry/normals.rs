@@ -13,6 +13,23 @@ pub struct CornerNormals {
     pub corners: Vec<[u32; 3]>,
 }
 
+impl CornerNormals {
+    /// In place of a triangle's indices: it has none.
+    pub const NONE: [u32; 3] = [u32::MAX; 3];
+
+    /// These where there are any, and others for the rest.
+    pub(super) fn completed_by(&self, mut all: Self) -> Self {
+        let offset = u32::try_from(all.normals.len()).unwrap_or(u32::MAX);
+        for (corners, given) in all.corners.iter_mut().zip(&self.corners) {
+            if *given != Self::NONE {
+                *corners = given.map(|i| offset + i);
+            }
+        }
+        all.normals.extend(&self.normals);
+        all
+    }
+}
+
 /// The outward unit normal of a counter-clockwise triangle; zero when it has no area.
 #[must_use]
 pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {

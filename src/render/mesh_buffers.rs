@@ -67,7 +67,7 @@ impl MeshBuffers {
 /// them.
 fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
     const NONE: u32 = u32::MAX;
-    let data = mesh.data();
+    let (data, shading) = (mesh.data(), mesh.normals());
     let mut linear = HashMap::new();
     let mut vertices: Vec<Vertex> = Vec::with_capacity(data.positions.len());
     // The vertices at each position as a list: the latest, and for each vertex the one before.
@@ -83,8 +83,8 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
             run += 1;
         }
         let own = data.colours[run].colour;
-        let normals: [[f32; 3]; 3] = match data.normals.corners.get(index as usize) {
-            Some(normals) => normals.map(|i| data.normals.normals[i as usize]),
+        let normals: [[f32; 3]; 3] = match shading.corners.get(index as usize) {
+            Some(normals) => normals.map(|i| shading.normals[i as usize]),
             None => [face_normal(corners.map(|i| data.positions[i as usize])).to_array(); 3],
         };
         triangles.push(std::array::from_fn(|place| {

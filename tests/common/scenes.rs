@@ -5,7 +5,7 @@ use crate::common::icosphere;
 use glam::{DAffine3, DMat3, DQuat, DVec3, dvec3};
 use sightline::{
     colour::Srgb,
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, crease_normals},
+    geometry::{ColourRun, Mesh, MeshData, Part, Placement},
     render::Gpu,
     scene::{Object, Scene, Shape},
 };
@@ -44,7 +44,6 @@ pub fn mesh(origin: DVec3, positions: Vec<[f32; 3]>, parts: &[&[[u32; 3]]]) -> M
             }
         })
         .collect();
-    let normals = crease_normals(&positions, &triangles, 0.7);
     let mesh = Mesh::new(MeshData {
         origin,
         positions,
@@ -54,8 +53,8 @@ pub fn mesh(origin: DVec3, positions: Vec<[f32; 3]>, parts: &[&[[u32; 3]]]) -> M
             triangles: 0..end,
             colour: None,
         }],
-        vertex_colours: Vec::new(),
-        normals,
+        crease: Some(0.7),
+        ..MeshData::default()
     });
     mesh.expect("a mesh")
 }

@@ -85,7 +85,7 @@ fn normals_that_cannot_be_read_keep_their_numbers() {
     let file = folder.load("some.obj").expect("it loads");
     let told = ["some.obj:15: a normal needs three numbers; it is computed (more such lines: 1)"];
     assert_eq!(folder.warnings(&file), told);
-    let normals = &file.mesh.data().normals;
+    let normals = file.mesh.normals();
     let of = |triangle: usize| normals.corners[triangle].map(|i| normals.normals[i as usize]);
     assert_eq!(of(12), [[0.0, 0.0, 1.0]; 3]);
 }

@@ -6,7 +6,7 @@ use sightline::{colour::Srgb, geometry::Mesh};
 use std::fmt::Write;
 
 fn corner_normals(mesh: &Mesh, triangle: usize) -> [Vec3; 3] {
-    let normals = &mesh.data().normals;
+    let normals = mesh.normals();
     normals.corners[triangle].map(|i| Vec3::from_array(normals.normals[i as usize]))
 }
 

@@ -259,8 +259,7 @@ fn any_size_loads() {
             "{scale}: {area:e}"
         );
         assert!(
-            cube.data()
-                .normals
+            cube.normals()
                 .normals
                 .as_flattened()
                 .iter()

@@ -312,8 +312,9 @@ fn assert_reads(mesh: &Mesh, model: &Model) {
                         .unwrap_or(Srgb::WHITE)
                 );
                 if let Some(normals) = &face.normals {
-                    let normal = data.normals.corners[triangle as usize][place] as usize;
-                    let normal = Vec3::from_array(data.normals.normals[normal]);
+                    let shading = mesh.normals();
+                    let normal = shading.corners[triangle as usize][place] as usize;
+                    let normal = Vec3::from_array(shading.normals[normal]);
                     assert!(normal.distance(model.normals[normals[corner]]) < 1e-6);
                 }
             }

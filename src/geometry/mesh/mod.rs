@@ -2,7 +2,7 @@
 
 mod rays;
 
-use super::{Aabb, Bvh, CornerNormals, OnTriangle};
+use super::{Aabb, Bvh, CornerNormals, OnTriangle, crease_normals};
 use crate::colour::Srgb;
 use glam::DVec3;
 use std::{
@@ -26,8 +26,11 @@ pub struct MeshData {
     pub colours: Vec<ColourRun>,
     /// A colour for each vertex, or none at all. Multiplies the triangle's colour.
     pub vertex_colours: Vec<Srgb>,
-    /// Normals for shading, or none at all.
+    /// Normals for shading, or none at all; see [`Mesh::normals`].
     pub normals: CornerNormals,
+    /// The crease angle, in radians, for normals that are computed where `normals` has none, or [`CornerNormals::NONE`];
+    /// `None` where it has all that there are.
+    pub crease: Option<f32>,
 }
 
 /// One object of a file.
@@ -67,6 +70,7 @@ pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
     tree: OnceLock<Bvh>,
+    normals: OnceLock<CornerNormals>,
     /// The only triangles that rays are held against, in order; `None` for all.
     few: Option<Vec<u32>>,
 }
@@ -92,6 +96,7 @@ impl Mesh {
             data: Arc::new(data),
             bounds,
             tree: OnceLock::new(),
+            normals: OnceLock::new(),
             few: None,
         })
     }
@@ -124,11 +129,29 @@ impl Mesh {
             .map(|corner| self.data.origin + corner)
     }
 
+    /// The normals for shading. Those that the data has not are computed on all cores when they are first asked for, which
+    /// lists and picks never do.
+    #[must_use]
+    pub fn normals(&self) -> &CornerNormals {
+        let MeshData {
+            positions,
+            triangles,
+            normals: given,
+            crease,
+            ..
+        } = &*self.data;
+        match *crease {
+            None => given,
+            Some(crease) => (self.normals)
+                .get_or_init(|| given.completed_by(crease_normals(positions, triangles, crease))),
+        }
+    }
+
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
     /// the mesh has none or they cancel.
     #[must_use]
     pub fn shading_normal(&self, at: &OnTriangle) -> Option<DVec3> {
-        let CornerNormals { normals, corners } = &self.data.normals;
+        let CornerNormals { normals, corners } = self.normals();
         let corners = corners
             .get(at.triangle as usize)?
             .iter()
@@ -214,7 +237,8 @@ fn check(data: &MeshData) -> Result<(), MeshError> {
         return Err(MeshError::Uncovered("vertex colours"));
     }
     let CornerNormals { normals, corners } = &data.normals;
-    let usable = corners.iter().all(|c| in_range(c, normals.len()))
+    let is_missing = |c: &[u32; 3]| data.crease.is_some() && *c == CornerNormals::NONE;
+    let usable = (corners.iter()).all(|c| is_missing(c) || in_range(c, normals.len()))
         && normals.iter().flatten().all(|c| c.is_finite());
     if !(usable && (corners.is_empty() || corners.len() == triangles)) {
         return Err(MeshError::Uncovered("normals"));

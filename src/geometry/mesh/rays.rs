@@ -11,7 +11,7 @@ use crate::geometry::{
     shares::in_shares,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::{
     cmp::Ordering,
     ops::ControlFlow,
@@ -78,17 +78,23 @@ impl Mesh {
             .map(|pyramid| pyramid.about(self.data.origin))
             .collect();
         let few = in_shares(self.data.triangles.len(), |share| {
-            let is_near = |triangle: &u32| {
-                let bounds = Aabb::around(self.vertex_corners(*triangle));
+            let is_near = |corners: &[u32; 3]| {
+                // Still f32: neither rounds.
+                let [a, b, c] = corners.map(|i| Vec3::from_array(self.data.positions[i as usize]));
+                let [min, max] = [a.min(b).min(c), a.max(b).max(c)].map(Vec3::as_dvec3);
+                let bounds = Aabb { min, max };
                 pyramids.iter().any(|pyramid| pyramid.may_meet(&bounds))
             };
-            let triangles = (0..).take(share.end).skip(share.start);
-            triangles.filter(is_near).collect::<Vec<_>>()
+            let all = (0..).zip(&self.data.triangles);
+            let share = all.skip(share.start).take(share.len());
+            let near = share.filter(|(_, corners)| is_near(corners));
+            near.map(|(triangle, _)| triangle).collect::<Vec<u32>>()
         });
         Self {
             data: Arc::clone(&self.data),
             bounds: Arc::clone(&self.bounds),
             tree: OnceLock::new(),
+            normals: OnceLock::new(),
             few: Some(few.concat()),
         }
     }

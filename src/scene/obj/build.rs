@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    geometry::{Aabb, ColourRun, CornerNormals, Mesh, MeshData, Part, crease_normals},
+    geometry::{Aabb, ColourRun, CornerNormals, Mesh, MeshData, Part},
     scene::Progress,
 };
 use glam::{DVec3, Vec3};
@@ -22,9 +22,6 @@ const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 
 /// A face with more than this many corners of which half are repeats is left out, too.
 const MOST_REPEATS: usize = 1 << 5;
-
-/// In place of indices to the file's normals.
-const COMPUTED: [u32; 3] = [u32::MAX; 3];
 
 /// Puts a file's mesh together. `models` is one, since the washer hides what begins others.
 pub(super) fn build(
@@ -87,7 +84,7 @@ struct Builder<'a> {
     data: MeshData,
     /// The file's normals at unit length; zero where they have no direction.
     normals: Vec<[f32; 3]>,
-    /// For each triangle, indices into `normals` or [`COMPUTED`]; empty while all are computed.
+    /// For each triangle, indices into `normals` or [`CornerNormals::NONE`]; empty while all are computed.
     shading: Vec<[u32; 3]>,
     splitter: Splitter,
     polygon: Vec<DVec3>,
@@ -243,11 +240,11 @@ impl<'a> Builder<'a> {
             return;
         }
         if normals.is_some() && self.shading.is_empty() {
-            self.shading = vec![COMPUTED; self.data.triangles.len()];
+            self.shading = vec![CornerNormals::NONE; self.data.triangles.len()];
         }
         if normals.is_some() || !self.shading.is_empty() {
             let shading = normals.map(|normals| corners.map(|i| normals[i as usize]));
-            self.shading.push(shading.unwrap_or(COMPUTED));
+            self.shading.push(shading.unwrap_or(CornerNormals::NONE));
         }
         self.data.triangles.push(vertices);
     }
@@ -260,30 +257,16 @@ impl<'a> Builder<'a> {
     fn finish(mut self) -> MeshData {
         self.end_part();
         self.end_colour();
-        let MeshData {
-            positions,
-            triangles,
-            ..
-        } = &self.data;
-        let mut normals = CornerNormals {
-            normals: self.normals,
-            corners: self.shading,
-        };
-        let computed = normals.corners.contains(&COMPUTED);
-        if computed || normals.corners.is_empty() {
-            let mut all = crease_normals(positions, triangles, CREASE);
-            let offset = u32::try_from(all.normals.len()).unwrap_or(u32::MAX);
-            for (corners, given) in all.corners.iter_mut().zip(&normals.corners) {
-                if *given != COMPUTED {
-                    *corners = given.map(|i| offset + i);
-                }
-            }
-            if !normals.corners.is_empty() {
-                all.normals.append(&mut normals.normals);
-            }
-            normals = all;
+        let corners = self.shading;
+        if corners.is_empty() {
+            self.normals.clear();
         }
-        self.data.normals = normals;
+        let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
+        self.data.crease = (!is_complete).then_some(CREASE);
+        self.data.normals = CornerNormals {
+            normals: self.normals,
+            corners,
+        };
         self.data
     }
 }

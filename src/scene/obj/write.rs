@@ -25,7 +25,7 @@ pub(in crate::scene) fn text(mesh: &Mesh, library: Option<&str>) -> String {
         }
         text.push('\n');
     }
-    let normals = &data.normals;
+    let normals = mesh.normals();
     for [x, y, z] in &normals.normals {
         let _ = writeln!(text, "vn {x} {y} {z}");
     }
@@ -111,7 +111,7 @@ pub(in crate::scene) fn same(a: &Mesh, b: &Mesh) -> bool {
         })
     };
     let shading = |mesh: &Mesh, triangle: u32| {
-        let CornerNormals { normals, corners } = &mesh.data().normals;
+        let CornerNormals { normals, corners } = mesh.normals();
         let corners = corners.get(triangle as usize)?;
         Some(corners.map(|corner| Vec3::from_array(normals[corner as usize])))
     };

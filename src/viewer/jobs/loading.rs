@@ -23,8 +23,13 @@ impl Loading {
         let (sender, result) = channel();
         let shared = Arc::clone(&progress);
         thread::spawn(move || {
+            let loaded = scene::load(&paths, &shared);
+            // Drawing asks for them, and here nobody waits.
+            for mesh in loaded.iter().flat_map(|loaded| loaded.scene.meshes()) {
+                let _ = mesh.normals();
+            }
             // The receiver is gone when the load was cancelled; then nobody wants the result.
-            let _ = sender.send(scene::load(&paths, &shared));
+            let _ = sender.send(loaded);
             wake();
         });
         Self { progress, result }
