@@ -29,7 +29,7 @@ const SHOWN: [(&str, &str); 8] = [
 pub fn chart(report: &Report, title: &str) -> Picture {
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
-    let mut picture = page(1040, title, line);
+    let mut picture = page(1080, title, line);
     for ((key, family), at) in SHOWN.into_iter().zip(places(4, 464.0)) {
         let rows = report
             .rows
