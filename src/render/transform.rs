@@ -236,6 +236,11 @@ impl VertexToView {
         let along = |row: usize, translation: f32, off: f64| {
             let off = off + rounding.linear[row].dot(from_pivot.abs());
             let (row, translation) = (rows.col(row), f64::from(translation));
+            // What is stored below the normal numbers may be taken for 0.
+            let flushed = row
+                .abs()
+                .map(|entry| if entry < UNDERFLOW { entry } else { 0.0 });
+            let off = off + flushed.dot(from_pivot.abs());
             let turned = row * from_pivot;
             let terms = [turned.x, turned.y, turned.z, translation];
             let rounded = if is_exact && sums_exactly(terms) {

@@ -273,3 +273,24 @@ fn the_widest_lenses() {
         }
     }
 }
+
+/// Vertices of 1e10 under a matrix of 5e-39, which a driver may take for 0: drawing cannot hold what is so small beside the far
+/// plane, and with planes that fit it can.
+#[test]
+fn matrices_below_what_f32_holds() {
+    let (folder, file) = scene(
+        "[[object]]\nshape = \"mesh\"\nfile = \"far.obj\"\nscale = 5e-39\nrotation = [20, 30, 0]\n",
+    );
+    let corners = ["-1e10 -1e10 0", "1e10 -1e10 0", "0 1e10 0"].map(|at| format!("v {at}\n"));
+    let obj = corners.concat() + "f 1 2 3\n";
+    std::fs::write(folder.path().join("far.obj"), obj).expect("a file");
+    let flags = "--eye 0,0,3e-28 --target 0,0,0 --fov 40 --size 64x48 --near 1e-30";
+    let held = Counts::of(run(Some(&file), &format!("{flags} --far 1e-27")));
+    held.agree(150);
+    let beyond = Counts::of(run(Some(&file), &format!("{flags} --far 1.6")));
+    assert_eq!(beyond.get("unexplained"), 0, "{}", beyond.line);
+    assert!(beyond.get("picked") > 150, "{}", beyond.line);
+    let lost = beyond.get("pixels") - beyond.get("same");
+    assert!(lost == 0 || beyond.get("beyond_f32") > 0, "{}", beyond.line);
+    assert_eq!(beyond.code, Some(i32::from(lost > 0)), "{}", beyond.stderr);
+}
