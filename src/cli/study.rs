@@ -15,7 +15,7 @@ pub struct StudyArgs {
     /// Whose camera and rays to study, too.
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// A folder for study.csv, summary.csv and the charts; made where there is none
+    /// A folder for study.csv, summary.csv and the charts, those of SCENE apart; made where there is none
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Fewer cases and rounds: quicker, coarser
@@ -87,12 +87,16 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         .write_all(study::table(&report).as_bytes())
         .map_err(CliError::stdout)?;
     if let Some(folder) = &args.out {
-        for (name, text) in [
-            ("study.csv", study::csv(&report)),
-            ("summary.csv", study::summary_csv(&report)),
-        ] {
-            let file = folder.join(name);
-            std::fs::write(&file, text).map_err(|source| CliError::file(&file, source))?;
+        let [general, own] = report.split();
+        for (part, report) in [("", general), ("_scene", own)] {
+            let Some(report) = report else { continue };
+            for (name, text) in [
+                ("study", study::csv(&report)),
+                ("summary", study::summary_csv(&report)),
+            ] {
+                let file = folder.join(format!("{name}{part}.csv"));
+                std::fs::write(&file, text).map_err(|source| CliError::file(&file, source))?;
+            }
         }
         for (stem, picture) in chart::charts(&report) {
             chart::write(folder, stem, &picture)?;

@@ -57,7 +57,7 @@ pub use ray::{PixelGrid, PixelRays, Ray, RayError, WorldRay};
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;
-pub use triangle::{TriangleHit, TriangleTest, guarded_volume, signed_volume};
+pub use triangle::{TriangleHit, TriangleTest, exact_volume, guarded_volume, signed_volume};
 pub use trs::Trs;
 pub use vertex_ray::VertexRay;
 

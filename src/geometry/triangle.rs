@@ -81,7 +81,8 @@ const WORST_WEIGHT: f64 = power_of_two(-14);
 
 /// [`guarded_volume`], all of it by exact arithmetic.
 #[cold]
-fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+#[must_use]
+pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     exact::hit(&ray.exactly(), &ray.ray, ray.vertex_origin(), corners)
 }
 

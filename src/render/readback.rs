@@ -31,10 +31,24 @@ impl Targets {
         let pixels = read(
             gpu,
             &self.ids,
-            self.viewport(),
-            |[object, triangle]: [u32; 2]| Id { object, triangle },
+            [0, 0],
+            [self.viewport().width(), self.viewport().height()],
+            id,
         )?;
         Ok(Image::new(self.viewport(), pixels))
+    }
+
+    /// The object and triangle that one pixel of the picture shows; `None` outside the picture.
+    ///
+    /// # Errors
+    /// When memory runs out or the device is lost.
+    pub fn read_id(&self, gpu: &Gpu, at_px: [u32; 2]) -> Result<Option<Id>, GpuError> {
+        let size = [self.viewport().width(), self.viewport().height()];
+        if at_px[0] >= size[0] || at_px[1] >= size[1] {
+            return Ok(None);
+        }
+        let pixels = read(gpu, &self.ids, at_px, [1, 1], id)?;
+        Ok(pixels.into_iter().next())
     }
 }
 
@@ -96,6 +110,10 @@ impl Renderer {
     }
 }
 
+fn id([object, triangle]: [u32; 2]) -> Id {
+    Id { object, triangle }
+}
+
 /// The values of a texture of 8-bit red, green, blue and whatever, as they are.
 pub(crate) fn read_rgb(
     gpu: &Gpu,
@@ -103,22 +121,26 @@ pub(crate) fn read_rgb(
     viewport: Viewport,
 ) -> Result<Image<Rgb>, GpuError> {
     // Opaque.
-    let pixels = read(gpu, texture, viewport, |[r, g, b, _]: [u8; 4]| [r, g, b])?;
+    let size = [viewport.width(), viewport.height()];
+    let pixels = read(gpu, texture, [0, 0], size, |[r, g, b, _]: [u8; 4]| {
+        [r, g, b]
+    })?;
     Ok(Image::new(viewport, pixels))
 }
 
-/// Pixels of a texture, row by row from the top.
+/// Pixels of a part of a texture, row by row from the top.
 fn read<T: bytemuck::Pod, P>(
     gpu: &Gpu,
     texture: &wgpu::Texture,
-    viewport: Viewport,
+    [left, first]: [u32; 2],
+    [width, height]: [u32; 2],
     pixel: impl Fn(T) -> P,
 ) -> Result<Vec<P>, GpuError> {
-    let row = viewport.width() as usize * size_of::<T>();
+    let row = width as usize * size_of::<T>();
     let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize) as u64;
     // In bands, since a buffer may not hold as much as a texture.
     let rows = u32::try_from(BAND_BYTES / padded).unwrap_or(u32::MAX);
-    let rows = rows.clamp(1, viewport.height());
+    let rows = rows.clamp(1, height);
     let buffer = gpu.within_memory(|| {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("readback"),
@@ -127,17 +149,11 @@ fn read<T: bytemuck::Pod, P>(
             mapped_at_creation: false,
         })
     })?;
-    let mut pixels = Vec::with_capacity(viewport.width() as usize * viewport.height() as usize);
-    for top in (0..viewport.height()).step_by(rows as usize) {
-        let height = rows.min(viewport.height() - top);
-        copy_rows(
-            gpu,
-            texture,
-            viewport.width(),
-            top..top + height,
-            &buffer,
-            padded,
-        );
+    let mut pixels = Vec::with_capacity(width as usize * height as usize);
+    for top in (first..first + height).step_by(rows as usize) {
+        let height = rows.min(first + height - top);
+        let area = [left..left + width, top..top + height];
+        copy(gpu, texture, area, &buffer, padded);
         let band = ..padded * u64::from(height);
         let (sender, receiver) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, band, move |mapped| {
@@ -162,12 +178,11 @@ fn read<T: bytemuck::Pod, P>(
     Ok(pixels)
 }
 
-/// Copies some rows of a texture to the start of a buffer, `padded` bytes apart.
-fn copy_rows(
+/// Copies some columns and rows of a texture to the start of a buffer, `padded` bytes a row.
+fn copy(
     gpu: &Gpu,
     texture: &wgpu::Texture,
-    width: u32,
-    rows: Range<u32>,
+    [columns, rows]: [Range<u32>; 2],
     buffer: &wgpu::Buffer,
     padded: u64,
 ) {
@@ -175,7 +190,7 @@ fn copy_rows(
     encoder.copy_texture_to_buffer(
         wgpu::TexelCopyTextureInfo {
             origin: wgpu::Origin3d {
-                x: 0,
+                x: columns.start,
                 y: rows.start,
                 z: 0,
             },
@@ -190,7 +205,7 @@ fn copy_rows(
             },
         },
         wgpu::Extent3d {
-            width,
+            width: columns.end - columns.start,
             height: rows.end - rows.start,
             depth_or_array_layers: 1,
         },

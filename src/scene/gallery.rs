@@ -93,7 +93,7 @@ impl Exhibit {
         let mut meshes = MeshFiles::default();
         for (name, bytes) in self.meshes {
             let path = self.file().with_file_name(name);
-            let file = obj::from_bytes(bytes, &path, progress)?;
+            let file = obj::from_bytes(&bytes, &path, progress)?;
             warnings.extend(file.warnings);
             meshes.insert(&path, file.mesh);
         }

@@ -1,14 +1,16 @@
 //! The study as tables for programs: one line a method at each value of each parameter, and one a method.
 
 use super::{
-    run::{Report, Row, SCENE},
+    run::{Report, Row},
     summary::Summary,
+    timing::processor,
 };
 use std::fmt::Write;
 
-/// The header of [`csv`]. All but the last four columns are the same for a seed on every machine.
+/// The header of [`csv`]. All but the last five columns are the same for a seed on every machine.
 pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,value,cases,missed,phantoms,others,wrong_percent,\
-                           worst_wrong,wrong_unit,median_error,p999_error,worst_error,error_unit,ns,ns_low,ns_high,ns_learnt";
+                           worst_wrong,wrong_unit,median_error,p999_error,worst_error,error_unit,ties,wrong_percent_high,ns,ns_low,\
+                           ns_high,ns_learnt,processor";
 
 /// The header of [`summary_csv`].
 pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_ns,wrong_rate,wrong_rate_high,median_error,\
@@ -21,22 +23,23 @@ pub fn csv(report: &Report) -> String {
     let rows = report.rows.iter().map(|row| {
         let times = row
             .time
-            .map_or(const { [const { String::new() }; 4] }, |time| {
-                let [low, high] = time.quartiles;
-                [time.ns, low, high, time.learnt].map(|ns| format!("{ns:.2}"))
+            .map_or(const { [const { String::new() }; 5] }, |time| {
+                let [low, high] = time.quartiles.map(nanoseconds);
+                let [ns, learnt] = [time.ns, time.learnt].map(nanoseconds);
+                [ns, low, high, learnt, processor().to_owned()]
             });
         verdict(row).into_iter().chain(times).collect()
     });
     lines(COLUMNS, rows)
 }
 
-/// A line a method: over all workloads but a scene's own, with `ordinary_ns` and `median_error` of the ordinary one, errors at
+/// A line a method: over all of the report's workloads, with `ordinary_ns` and `median_error` of the ordinary one, errors at
 /// the worst one, and [`Summary::is_on_front`].
 #[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let steps = report.steps().into_iter();
     let rows = steps.flat_map(|step| {
-        let all = report.summaries(step, |row| row.family != SCENE);
+        let all = report.summaries(step, |_| true);
         all.iter()
             .map(|summary| of_method(summary, &all))
             .collect::<Vec<_>>()
@@ -46,7 +49,7 @@ pub fn summary_csv(report: &Report) -> String {
 
 fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     let row = summary.method;
-    let ns = |ns: Option<f64>| ns.map_or(String::new(), |ns| format!("{ns:.2}"));
+    let ns = |ns: Option<f64>| ns.map_or(String::new(), nanoseconds);
     vec![
         row.step.key.to_owned(),
         row.method.to_owned(),
@@ -64,6 +67,10 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     ]
 }
 
+fn nanoseconds(ns: f64) -> String {
+    format!("{ns:.2}")
+}
+
 fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut text = format!("{header}\n");
     for row in rows {
@@ -75,7 +82,7 @@ fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
 }
 
 /// The columns that do not depend on the machine.
-fn verdict(row: &Row) -> [String; 18] {
+fn verdict(row: &Row) -> [String; 20] {
     [
         row.step.key.to_owned(),
         row.method.to_owned(),
@@ -95,6 +102,8 @@ fn verdict(row: &Row) -> [String; 18] {
         format!("{:.1e}", row.p999_error),
         format!("{:.1e}", row.worst_error),
         row.step.error_unit.to_owned(),
+        row.ties.to_string(),
+        format!("{:.1e}", row.wrong_percent_within()[1]),
     ]
 }
 

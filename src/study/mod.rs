@@ -9,7 +9,8 @@
 //!
 //! Every method is one entry in its step's list under [`methods`]; every workload is a seeded family with one
 //! parameter under [`workloads`]; [`truth`] answers the same cases by numbers that know no rounding ([`exact`]) and
-//! shares no code with any method. To add a method is to add an entry: tests, tables and charts then have it.
+//! shares no code with any method. Where all three are short they are one file under [`methods`]. To add a method is to
+//! add an entry: tests, tables and charts then have it.
 //!
 //! # What the charts teach
 //!
@@ -25,6 +26,9 @@
 //! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so in a part of all
 //! hits; the others fall through. A tolerance mends the middle of triangles and moves their edges. Signs need no
 //! tolerance: on which side of an edge a ray passes is one sign, the same for both triangles that share the edge.
+//!
+//! **A mesh leaks where two of its triangles disagree.** A ray at an edge may miss both by a rounding each. Tests that take
+//! one number for the edge, whichever triangle asks, close it; at a corner it takes more.
 //!
 //! **Rounding decides at edges, exact arithmetic does not.** In `f64` the wrong decisions that are left are ties: rays
 //! exactly through an edge, as whole-number coordinates make them. A bound on the rounding says when a sign is
@@ -68,5 +72,5 @@ pub use estimates::{Estimate, estimates};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use summary::Summary;
 pub use table::table;
-pub use timing::Time;
+pub use timing::{Time, processor};
 pub use workloads::scene::SceneRays;

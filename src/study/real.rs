@@ -57,12 +57,54 @@ pub struct V3<T> {
     pub z: T,
 }
 
-impl<T: Real> V3<T> {
+/// What sums and products are made of: hardware numbers, pairs of them, or several side by side.
+pub trait Ring:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+}
+
+impl<T> Ring for T where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Neg<Output = T>
+{
+}
+
+impl<T> V3<T> {
     /// From its coordinates.
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
+}
 
+impl<T: Ring> V3<T> {
+    /// Scalar product.
+    #[inline]
+    pub fn dot(self, o: Self) -> T {
+        self.x * o.x + self.y * o.y + self.z * o.z
+    }
+
+    /// Vector product.
+    #[inline]
+    #[must_use]
+    pub fn cross(self, o: Self) -> Self {
+        Self::new(
+            self.y * o.z - self.z * o.y,
+            self.z * o.x - self.x * o.z,
+            self.x * o.y - self.y * o.x,
+        )
+    }
+
+    /// The coordinates, in order.
+    pub fn array(self) -> [T; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// In numbers of another kind, coordinate by coordinate.
+    pub fn map<U>(self, of: impl Fn(T) -> U) -> V3<U> {
+        V3::new(of(self.x), of(self.y), of(self.z))
+    }
+}
+
+impl<T: Real> V3<T> {
     /// Rounded, coordinate by coordinate, from `f64`.
     #[must_use]
     pub fn of(v: V3<f64>) -> Self {
@@ -72,21 +114,6 @@ impl<T: Real> V3<T> {
     /// In `f64`: exact.
     pub fn wide(self) -> V3<f64> {
         V3::new(self.x.wide(), self.y.wide(), self.z.wide())
-    }
-
-    /// Scalar product.
-    pub fn dot(self, o: Self) -> T {
-        self.x * o.x + self.y * o.y + self.z * o.z
-    }
-
-    /// Vector product.
-    #[must_use]
-    pub fn cross(self, o: Self) -> Self {
-        Self::new(
-            self.y * o.z - self.z * o.y,
-            self.z * o.x - self.x * o.z,
-            self.x * o.y - self.y * o.x,
-        )
     }
 
     /// Length; overflows where its square does.
@@ -105,35 +132,30 @@ impl<T: Real> V3<T> {
     pub fn abs(self) -> Self {
         Self::new(self.x.abs(), self.y.abs(), self.z.abs())
     }
-
-    /// The coordinates, in order.
-    pub fn array(self) -> [T; 3] {
-        [self.x, self.y, self.z]
-    }
 }
 
-impl<T: Real> Add for V3<T> {
+impl<T: Ring> Add for V3<T> {
     type Output = Self;
     fn add(self, o: Self) -> Self {
         Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
     }
 }
 
-impl<T: Real> Sub for V3<T> {
+impl<T: Ring> Sub for V3<T> {
     type Output = Self;
     fn sub(self, o: Self) -> Self {
         Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
     }
 }
 
-impl<T: Real> Neg for V3<T> {
+impl<T: Ring> Neg for V3<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }
 }
 
-impl<T: Real> Mul<T> for V3<T> {
+impl<T: Ring> Mul<T> for V3<T> {
     type Output = Self;
     fn mul(self, s: T) -> Self {
         Self::new(self.x * s, self.y * s, self.z * s)

@@ -4,7 +4,7 @@ use super::{
     methods::{Visitor, each_step},
     random::Random,
     step::{About, Bound, Case, Family, Precision, Verdict},
-    summary::quantile,
+    summary::{interval, quantile, rate},
     timing::{self, Time},
     workloads::scene::SceneRays,
 };
@@ -45,11 +45,6 @@ impl Effort {
         rounds: 11,
         seed: 1,
     };
-    /// How many cases of a step are judged.
-    fn count<C: Case>(self) -> usize {
-        if C::SLOW { self.picks } else { self.cases }
-    }
-
     /// Within minutes.
     pub const FULL: Self = Self {
         cases: 8000,
@@ -84,6 +79,8 @@ pub struct Row {
     pub phantoms: usize,
     /// Hits on something else than the nearest.
     pub others: usize,
+    /// How many of these are ties: off by nothing at all.
+    pub ties: usize,
     /// How far the worst wrong decision was off, in the step's unit.
     pub worst_wrong: f64,
     /// The values' middle error, where the decision was right.
@@ -112,9 +109,13 @@ impl Row {
     /// The same in per cent.
     #[must_use]
     pub fn wrong_percent(&self) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "few cases")]
-        let percent = 100.0 * self.wrong() as f64 / self.cases.max(1) as f64;
-        percent
+        100.0 * rate(self.wrong(), self.cases)
+    }
+
+    /// The ends of that share's 95 % interval, in per cent.
+    #[must_use]
+    pub fn wrong_percent_within(&self) -> [f64; 2] {
+        interval(self.wrong(), self.cases).map(|share| 100.0 * share)
     }
 }
 
@@ -125,6 +126,25 @@ pub struct Report {
     pub rows: Vec<Row>,
     /// Whether a scene's own rays, the family [`SCENE`], are among the rows.
     pub has_scene: bool,
+}
+
+impl Report {
+    /// The general workloads' rows, and those of a scene's own rays where there are any.
+    #[must_use]
+    pub fn split(&self) -> [Option<Self>; 2] {
+        let part = |is_own: bool| {
+            let rows = self
+                .rows
+                .iter()
+                .filter(|row| (row.family == SCENE) == is_own);
+            let rows: Vec<Row> = rows.copied().collect();
+            (!rows.is_empty()).then_some(Self {
+                rows,
+                has_scene: is_own,
+            })
+        };
+        [part(false), part(true)]
+    }
 }
 
 /// The family that a scene's own rays make.
@@ -241,7 +261,7 @@ impl Run<'_> {
         let cases = (work.make)(C::TIMED);
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
-        for (method, time) in C::METHODS.iter().zip(times) {
+        for (method, time) in C::methods().zip(times) {
             let is_it =
                 |row: &&mut Row| (row.method, row.precision) == (method.name, method.precision);
             if let Some(row) = rows.iter_mut().find(is_it) {
@@ -280,7 +300,7 @@ fn workloads<'a, C: Case>(
         make: Box::new(move |most| {
             let names = [C::ABOUT.key, family.name, &value.to_string()];
             let mut random = Random::named(effort.seed, &names);
-            (0..effort.count::<C>().min(most))
+            (0..C::count(effort).min(most))
                 .map(|_| (family.make)(&mut random, value))
                 .collect()
         }),
@@ -307,9 +327,8 @@ pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
 /// Every method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
-    let methods = C::METHODS
-        .iter()
-        .filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
+    let methods =
+        C::methods().filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
     methods
         .map(|method| {
             let mut row = Row {
@@ -324,6 +343,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 missed: 0,
                 phantoms: 0,
                 others: 0,
+                ties: 0,
                 worst_wrong: 0.0,
                 median_error: 0.0,
                 p999_error: 0.0,
@@ -343,13 +363,12 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                         errors.push(error);
                         share(error, bound.error)
                     }
-                    Verdict::Missed(wrong) => {
-                        row.missed += 1;
-                        row.worst_wrong = row.worst_wrong.max(wrong);
-                        share(wrong, bound.wrong)
-                    }
-                    Verdict::Phantom(wrong) => {
-                        row.phantoms += 1;
+                    Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
+                        let is_missed = matches!(verdict, Verdict::Missed(_));
+                        row.missed += usize::from(is_missed);
+                        row.phantoms += usize::from(!is_missed);
+                        let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
+                        row.ties += usize::from(is_tie);
                         row.worst_wrong = row.worst_wrong.max(wrong);
                         share(wrong, bound.wrong)
                     }

@@ -1,6 +1,6 @@
 //! What is studied: the steps of a pick, and for each the methods, workloads, truth and verdict.
 
-use super::{random::Random, workloads::scene::SceneRays};
+use super::{random::Random, run::Effort, workloads::scene::SceneRays};
 
 /// What a method's arithmetic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -80,6 +80,20 @@ impl<C: Case> Method<C> {
     }
 }
 
+/// A step's methods: each in both precisions, or alone.
+pub type Methods<C> = &'static [&'static [Method<C>]];
+
+/// A formula in both precisions: its answer from a case's `narrow`, and from its `wide`.
+macro_rules! both {
+    ($name:expr, $source:expr, $formula:expr $(, $more:expr)*) => {
+        [
+            Method::new($name, F32, $source, |case: &Self| $formula(&case.narrow $(, $more)*)),
+            Method::new($name, F64, $source, |case: &Self| $formula(&case.wide $(, $more)*)),
+        ]
+    };
+}
+pub(super) use both;
+
 /// A workload with one parameter that stresses something, from harmless to absurd.
 #[derive(Clone, Copy)]
 pub struct Family<C> {
@@ -92,6 +106,46 @@ pub struct Family<C> {
     /// A case at a value of the parameter. Its numbers are `f32`s, but for a camera's axes and what they make, so that
     /// methods of both precisions get the same.
     pub make: fn(&mut Random, f64) -> C,
+}
+
+impl<C> Family<C> {
+    /// A family.
+    pub(super) const fn new(
+        name: &'static str,
+        parameter: &'static str,
+        values: &'static [f64],
+        make: fn(&mut Random, f64) -> C,
+    ) -> Self {
+        Self {
+            name,
+            parameter,
+            values,
+            make,
+        }
+    }
+
+    /// What is there mostly: a step's first family, by which it is timed.
+    pub(super) const fn ordinary(make: fn(&mut Random, f64) -> C) -> Self {
+        Self::new("ordinary", "-", &[1.0], make)
+    }
+}
+
+impl<C: Case<Truth = Option<f64>>> Family<C> {
+    /// The ordinary one's cases, of which such a share hits: speed is swept over it.
+    pub(super) const HIT_RATE: Self = Self::new(
+        "hit rate",
+        "share of hits",
+        &[0.0, 0.25, 0.5, 0.75, 1.0],
+        |random, rate| {
+            let hits = random.unit() < rate;
+            loop {
+                let case = (C::FAMILIES[0].make)(random, 1.0);
+                if case.truth().is_some() == hits {
+                    return case;
+                }
+            }
+        },
+    );
 }
 
 /// What was found about one answer.
@@ -136,11 +190,21 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     const SLOW: bool = false;
     /// How many cases of a workload are timed; 0 for steps that only act out what hardware does.
     const TIMED: usize = if Self::SLOW { 24 } else { 512 };
+    /// How many cases of a workload are judged.
+    #[must_use]
+    fn count(effort: Effort) -> usize {
+        effort.cases
+    }
     /// Every method, the reference that times are relative to first.
-    const METHODS: &'static [Method<Self>];
+    const METHODS: Methods<Self>;
     /// Every workload, the ordinary one first.
     const FAMILIES: &'static [Family<Self>];
 
+    /// Every method, in order.
+    #[must_use]
+    fn methods() -> impl Iterator<Item = &'static Method<Self>> {
+        Self::METHODS.iter().copied().flatten()
+    }
     /// The cases that a scene's own rays make; none where it has nothing for this step.
     fn of_scene(scene: &SceneRays) -> Vec<Self>;
     /// Whether a method can be run here at all.

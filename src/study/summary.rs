@@ -15,6 +15,8 @@ pub struct Summary<'a> {
     pub cases: usize,
     /// How many of them were wrong.
     pub wrong: usize,
+    /// How many of these were ties.
+    pub ties: usize,
     /// The row that took longest, where it was timed.
     pub slowest: Option<(&'a Row, Time)>,
     /// The row with the largest share of wrong decisions.
@@ -45,16 +47,10 @@ impl Summary<'_> {
         rate(self.wrong, self.cases)
     }
 
-    /// The upper end of that share's 95 % interval: Wilson's (JASA 22, 1927), and 3 of n for none of n.
+    /// The upper end of that share's 95 % interval.
     #[must_use]
     pub fn wrong_rate_high(&self) -> f64 {
-        const Z2: f64 = 1.96 * 1.96;
-        if self.wrong == 0 {
-            return rate(3, self.cases).min(1.0);
-        }
-        let (p, per_n) = (self.wrong_rate(), rate(1, self.cases));
-        let half = (Z2 * per_n * (p * (1.0 - p) + 0.25 * Z2 * per_n)).sqrt();
-        (p + 0.5 * Z2 * per_n + half) / (1.0 + Z2 * per_n)
+        interval(self.wrong, self.cases)[1]
     }
 
     /// Whether no method that is at most as wrong, by decisions and by the error that one value of a thousand exceeds, is
@@ -77,8 +73,20 @@ impl Summary<'_> {
     }
 }
 
+/// The ends of a share's 95 % interval: Wilson's (JASA 22, 1927), and 3 of n for none of n.
+pub(super) fn interval(some: usize, of: usize) -> [f64; 2] {
+    const Z2: f64 = 1.96 * 1.96;
+    if some == 0 {
+        return [0.0, rate(3, of).min(1.0)];
+    }
+    let (p, per_n) = (rate(some, of), rate(1, of));
+    let half = (Z2 * per_n * (p * (1.0 - p) + 0.25 * Z2 * per_n)).sqrt();
+    [-half, half].map(|half| (p + 0.5 * Z2 * per_n + half) / (1.0 + Z2 * per_n))
+}
+
+/// So many of so many.
 #[expect(clippy::cast_precision_loss, reason = "millions at most")]
-fn rate(some: usize, of: usize) -> f64 {
+pub(super) fn rate(some: usize, of: usize) -> f64 {
     some as f64 / of.max(1) as f64
 }
 
@@ -133,6 +141,7 @@ impl Report {
                 method: own().next()?,
                 cases: own().map(|row| row.cases).sum(),
                 wrong: own().map(Row::wrong).sum(),
+                ties: own().map(|row| row.ties).sum(),
                 slowest: timed.max_by(|(_, a), (_, b)| a.ns.total_cmp(&b.ns)),
                 most_wrong: worst(Row::wrong_percent)?,
                 worst_wrong: worst(|row| row.worst_wrong)?,

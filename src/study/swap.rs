@@ -3,7 +3,7 @@
 
 use super::{
     methods::{
-        MethodInfo, ShapeCase,
+        MethodInfo,
         boxes::BoxCase,
         clipping::ClipCase,
         depth::DepthCase,
@@ -62,8 +62,8 @@ impl AnyStep {
     pub const fn of<C: Step>() -> Self {
         Self {
             about: C::ABOUT,
-            methods: || C::METHODS.iter().map(MethodInfo::of).collect(),
-            pick: |method, scene, view, px| C::pick(scene, view, px, C::METHODS[method].run),
+            methods: || C::methods().map(MethodInfo::of).collect(),
+            pick: |method, scene, view, px| C::pick(scene, view, px, C::methods().nth(method)?.run),
             rows: run::family::<C>,
             of_scene: run::of_scene::<C>,
         }
@@ -286,7 +286,7 @@ impl Step for SphereCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
         nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
-            let t = first(local, |ray| run(&Self(ShapeCase::of_object(ray, 1.0))))?;
+            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             Some(analytic(local, t, local.at(t)))
         })
     }
@@ -296,7 +296,7 @@ impl Step for BoxCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
         nearest(scene, view, &view.ray(px), is_cube, |_, local| {
-            let t = first(local, |ray| run(&Self(ShapeCase::of_object(ray, 1.0))))?;
+            let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             let point = local.at(t);
             let face = DVec3::AXES.into_iter().max_by(|a, b| {
                 let depth = |axis: &DVec3| point.dot(*axis).abs();

@@ -1,17 +1,22 @@
 //! The study as people read it: a table a step.
 
 use super::{
-    methods::{MethodInfo, registry},
+    methods::{
+        MethodInfo,
+        files::{self, FileCase},
+        registry,
+    },
     run::{Report, Row, SCENE},
-    step::{About, Precision},
-    summary::Summary,
+    step::{About, Case, Precision},
+    summary::{Summary, rate},
+    timing::processor,
 };
 use std::fmt::Write;
 
 /// Every step's table.
 #[must_use]
 pub fn table(report: &Report) -> String {
-    let mut text = String::new();
+    let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
     for step in report.steps() {
         if report.has_scene {
             let own = report.summaries(step, |row| row.family == SCENE);
@@ -37,12 +42,13 @@ fn header(step: About, decides: bool, measures: bool) -> Vec<String> {
     let first = ["method", "", "front"].into_iter().chain(timed);
     let mut header: Vec<String> = first.map(str::to_owned).collect();
     if decides {
-        header.extend(["wrong %".to_owned(), "in".to_owned()]);
+        header.extend(["wrong %", "95 %", "in", "ties %"].map(str::to_owned));
     }
     if !step.wrong_unit.is_empty() {
         header.extend([format!("off by ({})", step.wrong_unit), "in".to_owned()]);
     }
     if measures {
+        header.extend(["median", "99.9 %"].map(str::to_owned));
         header.extend([
             format!("worst error ({})", step.error_unit),
             "in".to_owned(),
@@ -83,9 +89,17 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         });
         if decides {
             let row = summary.most_wrong;
+            let [low, high] = row.wrong_percent_within();
+            let within = if low == 0.0 {
+                format!("<{}", percent(high))
+            } else {
+                format!("{}..{}", percent(low), percent(high))
+            };
             cells.extend([
                 percent(row.wrong_percent()),
+                within,
                 place(row, row.wrong_percent()),
+                percent(100.0 * rate(summary.ties, summary.cases)),
             ]);
         }
         if !step.wrong_unit.is_empty() {
@@ -94,7 +108,12 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         }
         if measures {
             let row = summary.worst_error;
-            cells.extend([number(row.worst_error), place(row, row.worst_error)]);
+            cells.extend([
+                number(summary.method.median_error),
+                number(summary.p999_error.p999_error),
+                number(row.worst_error),
+                place(row, row.worst_error),
+            ]);
         }
         cells.push(
             summary
@@ -114,13 +133,20 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         cells.resize(columns, String::new());
         cells
     }));
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
-    let widths: Vec<usize> = (0..columns)
-        .map(|column| width(column).unwrap_or(0))
-        .collect();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{title}\nEach method is given {}.", step.job);
-    for row in &rows {
+    aligned(text, &rows);
+    notes(text, step, summaries);
+    text.push('\n');
+}
+
+/// Rows of cells, words to the left and numbers to the right.
+fn aligned(text: &mut String, rows: &[Vec<String>]) {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let widths: Vec<usize> = (0..rows[0].len())
+        .map(|column| width(column).unwrap_or(0))
+        .collect();
+    for row in rows {
         let cells = row
             .iter()
             .zip(&widths)
@@ -137,12 +163,28 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
         let line = cells.collect::<Vec<_>>().join("  ");
         let _ = writeln!(text, "  {}", line.trim_end());
     }
+}
+
+/// What is said below a table: how fast files are read, and what Sightline's buys where others are faster.
+fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
+    if step == FileCase::ABOUT {
+        for summary in summaries {
+            let Some(ns) = summary.ns() else { continue };
+            let name = summary.method.method;
+            #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
+            let speed = 1e3 * files::BYTES as f64 / ns;
+            let _ = writeln!(
+                text,
+                "  {name}, {}: {speed:.0} MB/s",
+                summary.method.precision
+            );
+        }
+    }
     for summary in summaries {
         if let Some(reason) = summary.method.reason {
             let _ = writeln!(text, "  {} buys: {reason}", summary.method.method);
         }
     }
-    text.push('\n');
 }
 
 /// The fastest method that does what a picture shows: no wrong decision, and values good to a twentieth of a pixel, a
@@ -208,10 +250,11 @@ fn time(ns: f64) -> String {
 
 /// Per cent.
 fn percent(value: f64) -> String {
-    if value == 0.0 {
-        "0".to_owned()
-    } else {
-        format!("{value:.1}")
+    match value {
+        0.0 => "0".to_owned(),
+        value if value >= 1.0 => format!("{value:.1}"),
+        value if value >= 0.001 => format!("{value:.4}"),
+        value => format!("{value:.1e}"),
     }
 }
 

@@ -9,7 +9,19 @@
 //! what wrongly predicted branches cost.
 
 use super::{random::Random, step::Case};
-use std::{hint::black_box, time::Instant};
+use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
+
+/// What the processor is called, where the system says so; times mean nothing without.
+#[must_use]
+pub fn processor() -> &'static str {
+    static NAME: OnceLock<String> = OnceLock::new();
+    NAME.get_or_init(|| {
+        let known = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+        let line = known.lines().find(|line| line.starts_with("model name"));
+        let name = line.and_then(|line| Some(line.split_once(':')?.1.trim().to_owned()));
+        name.unwrap_or_else(|| format!("a processor of {ARCH}"))
+    })
+}
 
 /// How long a method takes for one case of a workload, in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,12 +45,13 @@ const LEAST_NS: f64 = 0.1;
 /// a whole picture at a time is timed by that.
 #[must_use]
 pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> Vec<Option<Time>> {
-    let mut times = vec![None; C::METHODS.len()];
+    let methods: Vec<_> = C::methods().collect();
+    let mut times = vec![None; methods.len()];
     let Some(first) = cases.first() else {
         return times;
     };
     let mut order = Vec::new();
-    for (index, method) in C::METHODS.iter().enumerate() {
+    for (index, method) in methods.iter().enumerate() {
         if let Some(ns) = C::whole_picture(&cases, method) {
             times[index] = Some(Time {
                 ns,
@@ -53,22 +66,22 @@ pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> V
     few.truncate(FEW);
     let turns = cases.len() / few.len();
     let at_once = (CACHED_BYTES / size_of::<C>()).max(1);
-    let mut samples = vec![[const { Vec::new() }; 2]; C::METHODS.len()];
+    let mut samples = vec![[const { Vec::new() }; 2]; methods.len()];
     // One round more, whose times do not count: caches and clocks warm up.
     for round in 0..=rounds {
         random.shuffle(&mut cases);
         random.shuffle(&mut order);
-        let mut taken = vec![[0.0; 2]; C::METHODS.len()];
+        let mut taken = vec![[0.0; 2]; methods.len()];
         for cases in cases.chunks(at_once) {
             seconds(cases, 1, C::clone);
             let nothing = seconds(cases, 1, nothing);
             for &index in &order {
-                taken[index][0] += seconds(cases, 1, C::METHODS[index].run) - nothing;
+                taken[index][0] += seconds(cases, 1, methods[index].run) - nothing;
             }
         }
         let nothing = seconds(&few, turns, nothing);
         for &index in &order {
-            taken[index][1] = seconds(&few, turns, C::METHODS[index].run) - nothing;
+            taken[index][1] = seconds(&few, turns, methods[index].run) - nothing;
         }
         if round > 0 {
             for &index in &order {

@@ -40,7 +40,7 @@ const KEPT: [(&str, &[&str]); 5] = [
     ("wgpu", &["render", "viewer"]),
     ("winit", &["viewer"]),
     ("egui", &["viewer"]),
-    ("tobj", &["scene"]),
+    ("tobj", &["scene", "study"]),
     ("clap", &["cli"]),
 ];
 

@@ -124,7 +124,11 @@ fn min_and_max_lose_boxes_from_a_slab() {
 
 #[test]
 fn padded_boxes_lose_nothing() {
-    for (method, precision) in [("padded, to cull", F32), ("padded, to cull", F64)] {
+    let padded = ["padded, to cull", "padded inverse, to cull"];
+    for (method, precision) in padded
+        .into_iter()
+        .flat_map(|name| [(name, F32), (name, F64)])
+    {
         let found = report()
             .rows
             .iter()

@@ -6,6 +6,7 @@ mod breaks;
 mod budget;
 mod by_hand;
 mod charts;
+mod complete;
 mod gallery;
 mod no_adapter;
 mod readme;

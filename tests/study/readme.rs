@@ -21,6 +21,7 @@ fn word(count: usize) -> &'static str {
     ["none", "one", "two", "three", "four", "five", "six"]
         .into_iter()
         .chain(["seven", "eight", "nine", "ten", "eleven", "twelve"])
+        .chain(["thirteen"])
         .nth(count)
         .expect("a word for it")
 }

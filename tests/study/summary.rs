@@ -81,25 +81,41 @@ fn the_recorded_run_is_of_these_methods() {
     assert_eq!(recorded, methods.collect::<Vec<_>>());
 }
 
-/// Of the recorded figures: no method that is at most as wrong is more than a tenth faster.
+/// Of the recorded figures: no method that is at most as wrong is more than a tenth faster. Figures that are written alike
+/// may differ behind their last digit: where that decides, either is right.
 #[test]
 fn the_recorded_front_follows_from_its_figures() {
     let lines = recorded();
     let mut timed = 0;
     for own in &lines {
-        let beats = |other: &&Line| {
-            let is_as_right = other.wrong <= own.wrong && other.error <= own.error;
+        let is_below = |theirs: f64, own: f64| theirs < own || (theirs, own) == (0.0, 0.0);
+        let beats = |other: &&Line, is_sure: bool| {
+            let mut figures = [(other.wrong, own.wrong), (other.error, own.error)].into_iter();
+            let slack = if is_sure { 0.995 } else { 1.005 };
             let is_faster = match (other.ns, own.ns) {
-                (Some(theirs), Some(own)) => theirs * 1.1 < own,
+                (Some(theirs), Some(own)) => theirs * 1.1 < own * slack,
                 _ => (other.wrong, other.error) != (own.wrong, own.error),
             };
+            let is_as_right =
+                figures.all(|(theirs, own)| is_below(theirs, own) || !is_sure && theirs <= own);
             other.step == own.step && is_as_right && is_faster
         };
-        let is_beaten = lines.iter().any(|other| beats(&other));
-        assert_eq!(own.on_front, !is_beaten, "{} {}", own.step, own.method);
+        let is_beaten = |is_sure: bool| lines.iter().any(|other| beats(&other, is_sure));
+        assert!(
+            !(own.on_front && is_beaten(true)),
+            "{} {}",
+            own.step,
+            own.method
+        );
+        assert!(
+            own.on_front || is_beaten(false),
+            "{} {}",
+            own.step,
+            own.method
+        );
         timed += u32::from(own.ns.is_some());
     }
-    assert!(timed > 60, "{timed}");
+    assert!(timed > 100, "{timed}");
 }
 
 fn timed(row: &Row, ns: f64) -> Row {

@@ -29,7 +29,7 @@ use lines::{Blocks, Lines, decode, is_utf16};
 use outline::Outline;
 use std::{
     fs::File,
-    io::{self, BufRead, BufReader},
+    io::{self, BufRead, BufReader, Cursor},
     panic::resume_unwind,
     path::{Path, PathBuf},
     sync::{Arc, mpsc::sync_channel},
@@ -157,13 +157,14 @@ pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
     read(path, progress, || open(path))
 }
 
-/// [`load`] from the bytes of a file that is part of the program; errors name it by `path`.
-pub(super) fn from_bytes(
-    bytes: &'static [u8],
+/// [`load`] from the bytes of a file in memory; errors name it by `path`.
+pub(crate) fn from_bytes(
+    bytes: &(impl AsRef<[u8]> + Clone + Send + 'static),
     path: &Path,
     progress: &Progress,
 ) -> Result<ObjFile, ObjError> {
-    read(path, progress, || Ok((bytes, bytes.len() as u64)))
+    let size = bytes.as_ref().len() as u64;
+    read(path, progress, || Ok((Cursor::new(bytes.clone()), size)))
 }
 
 fn read<R: BufRead + Send + 'static>(

@@ -138,7 +138,7 @@ fn tiles() -> Vec<Tile> {
             .collect(),
     };
     let mut tiles = vec![truth(Precision::F32), truth(Precision::F64)];
-    let mut methods: Vec<_> = TriangleCase::METHODS.iter().collect();
+    let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.ours);
     thread::scope(|scope| {
         let workers: Vec<_> = methods

@@ -7,9 +7,9 @@ use crate::{
     study::{
         real::Real,
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::{boxes as truth, decide},
         workloads::{self, scene::SceneRays},
@@ -17,12 +17,13 @@ use crate::{
 };
 
 /// One ray and the cube.
-#[derive(Clone, Debug)]
-pub struct BoxCase(pub ShapeCase);
+pub type BoxCase = ShapeCase<Cuboid>;
 
 const BRANCH: &str = "textbooks and courses: slabs, with a branch where the ray runs along one";
 const KAY: &str = "Kay & Kajiya, Ray Tracing Complex Scenes, SIGGRAPH 1986";
 const BARNES: &str = "Barnes, Fast, branchless ray/bounding box intersections, part 2, 2015";
+const MAJERCIK: &str =
+    "Majercik, Crassin, Shirley & McGuire, A Ray-Box Intersection Algorithm, JCGT 7(3), 2018";
 const IZE: &str =
     "Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013: a test that only culls may say yes too often";
 
@@ -37,28 +38,22 @@ impl Case for BoxCase {
         wrong_unit: "px",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("slabs with a branch", F32, BRANCH, |c| branch(&c.0.narrow)),
-        Method::new("slabs with a branch", F64, BRANCH, |c| branch(&c.0.wide)),
-        Method::new("slabs by min and max", F32, KAY, |c| min_max(&c.0.narrow)),
-        Method::new("slabs by min and max", F64, KAY, |c| min_max(&c.0.wide)),
-        Method::new("slabs, NaN never wins", F32, BARNES, |c| {
-            nan_safe(&c.0.narrow, 0.0)
-        }),
-        Method::new("slabs, NaN never wins", F64, BARNES, |c| {
-            nan_safe(&c.0.wide, 0.0)
-        }),
-        Method::new("padded, to cull", F32, IZE, |c| nan_safe(&c.0.narrow, 3.0)),
-        Method::new("padded, to cull", F64, IZE, |c| nan_safe(&c.0.wide, 3.0)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("slabs with a branch", BRANCH, branch),
+        &both!("slabs by min and max", KAY, min_max),
+        &both!("slabs, NaN never wins", BARNES, nan_safe, [0.0, 0.0]),
+        &both!("padded, to cull", IZE, nan_safe, [3.0, 0.0]),
+        &both!("padded inverse, to cull", IZE, nan_safe, [0.0, 2.0]),
+        &both!("Majercik's", MAJERCIK, majercik),
+        &[Method::ours(
             "Sightline's",
             Exact,
             "geometry::cuboid: by slabs, which their bounds decide, else exactly",
             |c| {
-                let [near, far] = Cuboid::hits(&c.0.ray);
+                let [near, far] = Cuboid::hits(&c.ray);
                 near.or(far).map(|hit| hit.t)
             },
-        ),
+        )],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::boxes::FAMILIES;
 
@@ -67,11 +62,11 @@ impl Case for BoxCase {
     }
 
     fn truth(&self) -> Option<f64> {
-        truth::truth(&self.0.wide)
+        truth::truth(&self.wide)
     }
 
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
-        let off = || truth::edge_angle(&self.0.wide, *truth) / self.0.px;
+        let off = || truth::edge_angle(&self.wide, *truth) / self.px;
         decide(*truth, *answer, truth::error, off)
     }
 
@@ -128,21 +123,20 @@ pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Comparisons in an order in which NaN never wins: a ray within a slab's plane is inside that slab. Both ends
-/// widened by `ulps` for tests that must not lose a hit.
-pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: f64) -> Option<f64> {
+/// Comparisons in an order in which NaN never wins: a ray within a slab's plane is inside that slab. For tests that must not
+/// lose a hit the far ends, or the inverses that they are made by, are widened by so many ulps.
+pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
-    let wider = T::one() + T::of(ulps) * T::epsilon();
+    let [wider, padded] = ulps.map(|ulps| T::one() + T::of(ulps) * T::epsilon());
     for axis in 0..3 {
         let inverse = T::one() / case.direction[axis];
-        let [min, max] = planes::<T>();
-        let a = (min - case.origin[axis]) * inverse;
-        let b = (max - case.origin[axis]) * inverse;
+        let [min, max] = planes::<T>().map(|plane| plane - case.origin[axis]);
         let (near, far) = if inverse.is_sign_negative() {
-            (b, a)
+            (max, min)
         } else {
-            (a, b)
+            (min, max)
         };
+        let (near, far) = (near * inverse, far * (inverse * padded));
         let far = if far > T::zero() {
             far * wider
         } else {
@@ -156,4 +150,19 @@ pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: f64) -> Option<f64> {
         }
     }
     first(enter, leave)
+}
+
+/// The three planes that face the ray, or from inside the other three: the first that is hit within its rim.
+pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
+    let (o, d, half) = (case.origin, case.direction, T::of(Cuboid::HALF_SIDE));
+    let size = o.abs();
+    let is_inside = size.x.max(size.y).max(size.z) < half;
+    let plane = if is_inside { half } else { -half };
+    let test = |axis: usize| {
+        let t = (plane * d[axis].signum() - o[axis]) / d[axis];
+        let is_within = |other: usize| (o[other] + d[other] * t).abs() < half;
+        (t >= T::zero() && is_within((axis + 1) % 3) && is_within((axis + 2) % 3)).then_some(t)
+    };
+    let t = test(0).or_else(|| test(1)).or_else(|| test(2))?;
+    Some(t.wide())
 }

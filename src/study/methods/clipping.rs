@@ -4,14 +4,15 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
     geometry::Ray,
     study::{
-        real::{Real, V3},
+        exact::Exact,
+        random::Random,
+        real::{Real, V3, narrow},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
-        truth::clipping::{self as truth, Truth},
-        workloads::{self, scene::SceneRays},
+        workloads::{TAN_30, scene::SceneRays},
     },
 };
 use glam::{DVec2, DVec3};
@@ -104,34 +105,59 @@ impl Case for ClipCase {
         wrong_unit: "of depth",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("by distance", F32, DISTANCE, |c| by_distance(&c.narrow)),
-        Method::new("by distance", F64, DISTANCE, |c| by_distance(&c.wide)),
-        Method::new("by depth", F32, DEPTH, |c| by_depth(&c.narrow)),
-        Method::new("by depth", F64, DEPTH, |c| by_depth(&c.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("by distance", DISTANCE, by_distance),
+        &both!("by depth", DEPTH, by_depth),
+        &[Method::ours(
             "Sightline's",
             F64,
             "geometry::PixelGrid::ray: a direction of depth 1, so that t is view depth",
             |c| c.ray.contains(c.depth),
-        ),
+        )],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::clipping::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| {
+            let off = random.within(-0.9, 2.0);
+            make(random, TAN_30, off)
+        }),
+        Family::new(
+            "field of view",
+            "tan(fov / 2)",
+            &[0.125, 0.25, 0.5, 1.0, 2.0, 4.0],
+            |random, tan| {
+                let off = random.within(-0.5, 0.5);
+                make(random, tan, off)
+            },
+        ),
+        Family::new(
+            "close to a plane",
+            "off by (relative)",
+            &[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8],
+            |random, off| {
+                let off = off * random.within(-1.0, 1.0);
+                make(random, TAN_30, off)
+            },
+        ),
+        Family::new("exactly on a plane", "-", &[1.0], |random, _| {
+            make(random, TAN_30, 0.0)
+        }),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.clips()
     }
 
     fn truth(&self) -> Truth {
-        truth::truth(self)
+        truth(self)
     }
 
     fn judge(&self, truth: &Truth, answer: &bool) -> Verdict {
         truth.judge(*answer)
     }
 
+    /// Nothing is computed, and nothing rounds.
     fn bound(&self, _: &Truth) -> Bound {
-        truth::bound()
+        Bound::NONE
     }
 }
 
@@ -144,4 +170,53 @@ pub fn by_distance<T: Real>(case: &Clip<T>) -> bool {
 pub fn by_depth<T: Real>(case: &Clip<T>) -> bool {
     let depth = case.t * case.direction.dot(case.forward);
     case.near <= depth && depth < case.far
+}
+
+/// A hit whose depth is off that of one of the planes by so much of it.
+fn make(random: &mut Random, tan: f64, off: f64) -> ClipCase {
+    let (near, far) = (1.0, 100.0);
+    loop {
+        let px = [random.unit() * 1920.0, random.unit() * 1080.0];
+        let px = px.map(|at| at.floor() + 0.5);
+        let plane = if random.sign() < 0.0 { near } else { far };
+        let depth = plane * (1.0 + off);
+        if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {
+            return case;
+        }
+    }
+}
+
+/// What is so about a hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Truth {
+    /// Whether `near <= depth < far`.
+    pub inside: bool,
+    /// How far the depth is from the nearer of the planes, relative to that plane's.
+    pub off: f64,
+}
+
+/// By the view depth, which is given.
+#[must_use]
+pub fn truth(case: &ClipCase) -> Truth {
+    let Clip { near, far, .. } = case.wide;
+    let off = |plane: f64| {
+        let plane = &Exact::new(plane);
+        (&(&Exact::new(case.depth) - plane) / plane).abs().to_f64()
+    };
+    Truth {
+        inside: near <= case.depth && case.depth < far,
+        off: off(near).min(off(far)),
+    }
+}
+
+impl Truth {
+    /// Holds an answer against it.
+    #[must_use]
+    pub fn judge(&self, answer: bool) -> Verdict {
+        match (self.inside, answer) {
+            (true, false) => Verdict::Missed(self.off),
+            (false, true) => Verdict::Phantom(self.off),
+            _ => Verdict::Agreed,
+        }
+    }
 }

@@ -5,9 +5,11 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
     study::{
-        step::{About, Bound, Case, Family, Method, Precision::F32, Verdict},
-        truth::{depth as truth, relative},
-        workloads::{self, scene::SceneRays},
+        random::Random,
+        real::Real,
+        step::{About, Bound, Case, Family, Method, Methods, Precision::F32, Verdict},
+        truth::{UNIT_F32, relative},
+        workloads::scene::SceneRays,
     },
 };
 
@@ -29,10 +31,8 @@ impl DepthCase {
     #[must_use]
     pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
         let lens = camera.lens();
-        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-        let depth = (t * ray.direction.dot(camera.forward())) as f32;
         Self {
-            depth,
+            depth: f32::of(t * ray.direction.dot(camera.forward())),
             near: lens.near,
             far: lens.far,
             parallel: lens.is_orthographic(),
@@ -42,6 +42,7 @@ impl DepthCase {
 
 const STANDARD: &str = "courses, OpenGL and Direct3D textbooks: near is 0, far is 1";
 const REVERSED: &str = "Reed, Depth Precision Visualized, 2015: near is 1, far is 0";
+const LOGARITHMIC: &str = "Kemen, Logarithmic Depth Buffer, 2009; three.js, logdepthbuf_fragment: log2(1 + z) / log2(1 + far)";
 const INFINITE: &str =
     "Upchurch & Desbrun, Tightening the Precision of Perspective Rendering, JGT 16(1), 2012";
 
@@ -56,7 +57,7 @@ impl Case for DepthCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
+    const METHODS: Methods<Self> = &[&[
         Method::new("standard, 32-bit float", F32, STANDARD, |c| {
             Mapping::STANDARD.there_and_back(c)
         }),
@@ -69,13 +70,27 @@ impl Case for DepthCase {
         Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
             Mapping::INFINITE.there_and_back(c)
         }),
+        Method::new("logarithmic, 32-bit float", F32, LOGARITHMIC, |c| {
+            Mapping::LOGARITHMIC.there_and_back(c)
+        }),
+        Method::new("logarithmic, 24-bit integer", F32, LOGARITHMIC, |c| {
+            Mapping::LOGARITHMIC_24.there_and_back(c)
+        }),
         Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
             Mapping::REVERSED.there_and_back(c)
         })
         .because("A far plane, for one bit of depth."),
-    ];
+    ]];
     const TIMED: usize = 0;
-    const FAMILIES: &'static [Family<Self>] = workloads::depth::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| make(random, 0.125, 1e2)),
+        Family::new(
+            "far plane",
+            "far / near",
+            &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8],
+            |random, ratio| make(random, 0.125, 0.125 * ratio),
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.depths()
@@ -90,7 +105,7 @@ impl Case for DepthCase {
     }
 
     fn bound(&self, _: &f64) -> Bound {
-        truth::bound(self)
+        bound(self)
     }
 }
 
@@ -103,6 +118,8 @@ pub struct Mapping {
     pub integer: bool,
     /// No far plane; in an orthographic picture there is always one.
     pub infinite: bool,
+    /// The depth's logarithm, which the fragment stage writes; not in an orthographic picture.
+    pub logarithmic: bool,
 }
 
 impl Mapping {
@@ -111,6 +128,7 @@ impl Mapping {
         depth: DepthMapping::Standard,
         integer: false,
         infinite: false,
+        logarithmic: false,
     };
     /// Near is 0, in integers.
     pub const STANDARD_24: Self = Self {
@@ -120,8 +138,7 @@ impl Mapping {
     /// Near is 1, in floating point.
     pub const REVERSED: Self = Self {
         depth: DepthMapping::Reversed,
-        integer: false,
-        infinite: false,
+        ..Self::STANDARD
     };
     /// Near is 1, in integers.
     pub const REVERSED_24: Self = Self {
@@ -132,6 +149,16 @@ impl Mapping {
     pub const INFINITE: Self = Self {
         infinite: true,
         ..Self::REVERSED
+    };
+    /// The eye is 0, far is 1, in floating point.
+    pub const LOGARITHMIC: Self = Self {
+        logarithmic: true,
+        ..Self::STANDARD
+    };
+    /// The eye is 0, far is 1, in integers.
+    pub const LOGARITHMIC_24: Self = Self {
+        integer: true,
+        ..Self::LOGARITHMIC
     };
     /// The largest 24-bit integer.
     const LARGEST: f32 = 16_777_215.0;
@@ -159,13 +186,13 @@ impl Mapping {
     /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
     #[must_use]
     pub fn stored(self, case: &DepthCase) -> f32 {
-        let (a, b) = self.row(case);
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "matrices are f32 on the card"
-        )]
-        let (a, b) = (a as f32, b as f32);
-        let ndc = (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth };
+        let ndc = if self.logarithmic && !case.parallel {
+            (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())
+        } else {
+            let (a, b) = self.row(case);
+            let [a, b] = [a, b].map(f32::of);
+            (a * case.depth + b) / if case.parallel { 1.0 } else { case.depth }
+        };
         if self.integer {
             (ndc * Self::LARGEST).round() / Self::LARGEST
         } else {
@@ -190,7 +217,9 @@ impl Mapping {
     pub fn read(self, stored: f32, case: &DepthCase) -> f64 {
         let (a, b) = self.row(case);
         let stored = f64::from(stored);
-        if case.parallel {
+        if self.logarithmic && !case.parallel {
+            (1.0 + case.far).powf(stored) - 1.0
+        } else if case.parallel {
             (stored - b) / a
         } else {
             b / (stored - a)
@@ -199,5 +228,47 @@ impl Mapping {
 
     fn there_and_back(self, case: &DepthCase) -> f64 {
         self.read(self.stored(case), case)
+    }
+}
+
+/// Any depth, each octave alike, but for the last percent before the far plane.
+fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
+    loop {
+        let mut depth = near * random.within(1.0, 2.0);
+        for _ in 0..random.below(30) {
+            depth *= 2.0;
+        }
+        if depth < 0.99 * far {
+            return DepthCase {
+                depth: f32::of(depth),
+                near,
+                far,
+                parallel: false,
+            };
+        }
+    }
+}
+
+/// Bound of reversed depth in `f32`.
+///
+/// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
+/// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
+/// `z = b / (stored - a)`: relative to z that is the error over b / z.
+#[must_use]
+pub fn bound(case: &DepthCase) -> Bound {
+    if case.parallel {
+        // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
+        // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+        let depth = f64::from(case.depth);
+        let error = 4.0 * UNIT_F32 * (depth.abs() + case.far.abs()) / depth.abs();
+        return Bound { error, wrong: 0.0 };
+    }
+    let slope = case.near / (case.far - case.near);
+    let at = case.far * slope / f64::from(case.depth);
+    let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
+    let share = stored / at;
+    Bound {
+        error: share / (1.0 - share),
+        wrong: 0.0,
     }
 }

@@ -1,17 +1,22 @@
 //! The registry: every known method, once. Tests, the study, its charts and its tables read this and nothing else.
 //!
-//! A file a step. Methods of one formula in two precisions are one generic function and two entries.
+//! A file a step. Methods of one formula in two precisions are one generic function and one line.
 
 pub mod boxes;
 pub mod clipping;
+pub mod closed;
 pub mod depth;
+pub mod files;
 pub mod normals;
 pub mod object_space;
+pub mod packets;
 pub mod picks;
+pub mod prepared;
 pub mod rays;
 pub mod spheres;
 pub mod squares;
 pub mod triangles;
+pub mod unproject;
 pub mod usual;
 
 use super::{
@@ -19,6 +24,7 @@ use super::{
     step::{About, Case, Method, Precision},
 };
 use crate::geometry::Ray;
+use std::marker::PhantomData;
 
 /// A ray in the space of a unit shape about the origin.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +37,7 @@ pub struct ObjectRay<T> {
 
 /// A ray that meets a unit shape in the shape's own space, where the step before took it, as each kind of method wants it.
 #[derive(Clone, Debug)]
-pub struct ShapeCase {
+pub struct ShapeCase<Shape> {
     /// Rounded to `f32`.
     pub narrow: ObjectRay<f32>,
     /// As given.
@@ -40,9 +46,10 @@ pub struct ShapeCase {
     pub ray: Ray,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
+    shape: PhantomData<Shape>,
 }
 
-impl ShapeCase {
+impl<Shape> ShapeCase<Shape> {
     /// The case of a ray; `px` is the width of a pixel in radians.
     #[must_use]
     pub fn new(origin: V3<f64>, direction: V3<f64>, px: f64) -> Self {
@@ -54,6 +61,7 @@ impl ShapeCase {
             wide: ObjectRay { origin, direction },
             ray: from_start(origin, direction),
             px,
+            shape: PhantomData,
         }
     }
 
@@ -127,6 +135,8 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<rays::PixelCase>();
     visitor.visit::<object_space::PlacedCase>();
     visitor.visit::<triangles::TriangleCase>();
+    visitor.visit::<closed::ClosedCase>();
+    visitor.visit::<packets::PacketCase>();
     visitor.visit::<spheres::SphereCase>();
     visitor.visit::<boxes::BoxCase>();
     visitor.visit::<squares::SquareCase>();
@@ -134,6 +144,7 @@ pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<normals::NormalCase>();
     visitor.visit::<depth::DepthCase>();
     visitor.visit::<picks::PickCase>();
+    visitor.visit::<files::FileCase>();
 }
 
 /// Every method of every step.
@@ -148,6 +159,6 @@ struct List(Vec<MethodInfo>);
 
 impl Visitor for List {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::METHODS.iter().map(MethodInfo::of));
+        self.0.extend(C::methods().map(MethodInfo::of));
     }
 }

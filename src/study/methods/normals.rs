@@ -3,18 +3,20 @@
 use crate::{
     geometry::Placement,
     study::{
-        exact::{self, Exact3},
-        real::{M3, Real, V3},
+        exact::{self, Exact, Exact3},
+        random::Random,
+        real::{M3, Real, V3, narrow3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
-        truth::normals as truth,
-        workloads::{self, scene::SceneRays},
+        truth::{UNIT, cross_sizes},
+        workloads::{object_space::turned, scene::SceneRays},
     },
 };
 use glam::{DAffine3, DMat3, DVec3};
+use std::cmp::Ordering;
 
 /// A normal and the linear part of a model matrix.
 #[derive(Clone, Copy, Debug)]
@@ -86,31 +88,54 @@ impl Case for NormalCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("M n", F32, AS_POINT, |c| as_point(&c.narrow)),
-        Method::new("M n", F64, AS_POINT, |c| as_point(&c.wide)),
-        Method::new("inverse transpose", F32, TRANSPOSE, |c| {
-            transpose(&c.narrow)
-        }),
-        Method::new("inverse transpose", F64, TRANSPOSE, |c| transpose(&c.wide)),
-        Method::new("cofactors", F32, COFACTOR, |c| cofactors(&c.narrow)),
-        Method::new("cofactors", F64, COFACTOR, |c| cofactors(&c.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("M n", AS_POINT, as_point),
+        &both!("inverse transpose", TRANSPOSE, transpose),
+        &both!("cofactors", COFACTOR, cofactors),
+        &[Method::ours(
             "Sightline's",
             F64,
             "geometry::Placement::normal_to_world",
             |c: &Self| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
         )
-        .because("No size of matrix or normal overflows."),
+        .because("No size of matrix or normal overflows.")],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::normals::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::new("rigid", "-", &[1.0], |random, _| {
+            make(random, [1.0; 3], 0.0, false)
+        }),
+        Family::new(
+            "stretched",
+            "largest / least scale",
+            &[1.0, 1.25, 2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, false),
+        ),
+        Family::new(
+            "sheared",
+            "shear",
+            &[0.125, 0.5, 1.0, 1e1, 1e2, 1e3],
+            |random, shear| make(random, [1.0; 3], shear, false),
+        ),
+        Family::new(
+            "mirrored",
+            "largest / least scale",
+            &[1.0, 2.0, 1e1, 1e2, 1e3],
+            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, true),
+        ),
+        Family::new(
+            "tiny and huge",
+            "scale",
+            &[1e-15, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e15],
+            |random, scale| make(random, [scale; 3], 0.0, false),
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
         scene.normals()
     }
 
     fn truth(&self) -> Exact3 {
-        truth::truth(&self.wide)
+        truth(&self.wide)
     }
 
     fn judge(&self, truth: &Exact3, answer: &[f64; 3]) -> Verdict {
@@ -118,7 +143,7 @@ impl Case for NormalCase {
     }
 
     fn bound(&self, _: &Exact3) -> Bound {
-        truth::bound(&self.wide)
+        bound(&self.wide)
     }
 }
 
@@ -136,4 +161,52 @@ pub fn transpose<T: Real>(case: &Tilted<T>) -> [f64; 3] {
 /// By its cofactors: inward under a mirroring matrix.
 pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
     case.cofactors.apply(case.normal).normalize().wide().array()
+}
+
+fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> NormalCase {
+    loop {
+        let [u, v, w] = turned(random);
+        // Scaled along axes of its own, then turned, so that no axis of the world is special.
+        let own = [v, w, u];
+        // Both frames have one handedness: only a negative scale mirrors.
+        let first = if mirrored { -scale[0] } else { scale[0] };
+        let stretch = |e: V3<f64>| {
+            own[0] * (first * e.x)
+                + own[1] * (scale[1] * e.y)
+                + own[2] * (scale[2] * (e.z + shear * e.x))
+        };
+        let linear = M3(M3([u, v, w]).transpose().0.map(stretch).map(narrow3));
+        if let Some(case) = NormalCase::new(linear, narrow3(random.direction())) {
+            return case;
+        }
+    }
+}
+
+/// The cofactors times the normal, with the determinant's sign: along the inverse transpose, without a quotient.
+#[must_use]
+pub fn truth(case: &Tilted<f64>) -> Exact3 {
+    let [a, b, c] = case.linear.0.map(Exact3::new);
+    let columns = [b.cross(&c), c.cross(&a), a.cross(&b)];
+    let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
+    let [x, y, z] = Exact3::new(case.normal).0;
+    let normal = &columns[0].times(&x) + &(&columns[1].times(&y) + &columns[2].times(&z));
+    if mirrors {
+        normal.times(&Exact::int(-1))
+    } else {
+        normal
+    }
+}
+
+/// Bound of the inverse transpose with the inverse by cofactors in `f64`: as for rays into object space, each entry
+/// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all alike and drops out.
+#[must_use]
+pub fn bound(case: &Tilted<f64>) -> Bound {
+    let M3([a, b, c]) = case.linear;
+    let n = case.normal.abs();
+    let magnitudes = cross_sizes(b, c) * n.x + cross_sizes(c, a) * n.y + cross_sizes(a, b) * n.z;
+    let length = case.linear.cofactors().apply(case.normal).length();
+    Bound {
+        error: (16.0 * UNIT * magnitudes.length() / length).to_degrees(),
+        wrong: 0.0,
+    }
 }

@@ -7,9 +7,9 @@ use crate::{
     study::{
         real::{M3, Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::object_space as truth,
         workloads::{self, scene::SceneRays},
@@ -114,30 +114,25 @@ impl Case for PlacedCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("inverse(M), normalised", F32, COURSE, |c| {
-            by_inverse(&c.narrow, true)
-        }),
-        Method::new("inverse(M), normalised", F64, COURSE, |c| {
-            by_inverse(&c.wide, true)
-        }),
-        Method::new("inverse(M)", F32, KEPT, |c| by_inverse(&c.narrow, false)),
-        Method::new("inverse(M)", F64, KEPT, |c| by_inverse(&c.wide, false)),
-        Method::new("inverse(A) (o - T)", F32, RELATIVE, |c| relative(&c.narrow)),
-        Method::new("inverse(A) (o - T)", F64, RELATIVE, |c| relative(&c.wide)),
-        Method::new("inverse(A) (o - T), then f32", F64, RELATIVE, |c| {
-            relative(&c.wide).map(|v| V3::<f32>::of(v).wide())
-        }),
-        Method::new(WITH_BOUNDS, F64, "geometry::Placement::local_ray", |c| {
-            let placed = black_box(c.placement.local_ray(&c.ray));
-            of(PickRay::from(&placed).ray)
-        }),
-        Method::ours(
-            "Sightline's",
-            F64,
-            "geometry::Placement::ray_to_object",
-            |c| of(&c.placement.ray_to_object(&c.ray)),
-        ),
+    const METHODS: Methods<Self> = &[
+        &both!("inverse(M), normalised", COURSE, by_inverse, true),
+        &both!("inverse(M)", KEPT, by_inverse, false),
+        &both!("inverse(A) (o - T)", RELATIVE, relative),
+        &[
+            Method::new("inverse(A) (o - T), then f32", F64, RELATIVE, |c| {
+                relative(&c.wide).map(|v| V3::<f32>::of(v).wide())
+            }),
+            Method::new(WITH_BOUNDS, F64, "geometry::Placement::local_ray", |c| {
+                let placed = black_box(c.placement.local_ray(&c.ray));
+                of(PickRay::from(&placed).ray)
+            }),
+            Method::ours(
+                "Sightline's",
+                F64,
+                "geometry::Placement::ray_to_object",
+                |c| of(&c.placement.ray_to_object(&c.ray)),
+            ),
+        ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::object_space::FAMILIES;
 

@@ -1,8 +1,9 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
 use super::{
-    rays::{PixelCase, Sight, course, far_less_near},
+    rays::{PixelCase, Sight, course},
     triangles::{RayTriangle, areas, moeller_trumbore},
+    unproject::far_less_near,
 };
 use crate::{
     camera::View,
@@ -13,8 +14,9 @@ use crate::{
     scene::{Object, Scene, Shape},
     study::{
         real::V3,
+        run::Effort,
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32},
             Verdict,
         },
@@ -130,7 +132,8 @@ pub type Picked = Option<(usize, Option<u32>)>;
 
 const COURSE: &str = "courses: every step as they teach it, over all triangles";
 const USUAL: &str = "most viewers and tutorials: through the inverse of P * V, then Moeller & Trumbore over all triangles";
-const IDS: &str = "picking by colour: draw ids, read the pixel back";
+const IDS: &str = "picking by colour: draw ids for the click, read the picture back";
+const ID: &str = "picking by colour: ids are drawn with each frame; one pixel is read back";
 
 impl Case for PickCase {
     type Answer = Picked;
@@ -144,7 +147,11 @@ impl Case for PickCase {
     };
     const SLOW: bool = true;
 
-    const METHODS: &'static [Method<Self>] = &[
+    fn count(effort: Effort) -> usize {
+        effort.picks
+    }
+
+    const METHODS: Methods<Self> = &[&[
         Method::new("the course's", F32, COURSE, |c| {
             c.cast_f32(course(&c.pixel.narrow), |case| areas(case, 0.0))
         }),
@@ -152,11 +159,8 @@ impl Case for PickCase {
             let ray = far_less_near(&c.pixel.narrow);
             c.cast_f32(ray, |case| moeller_trumbore(case, 0.0))
         }),
-        Method::new(GPU_IDS, F32, IDS, |c| {
-            let id = c.world.ids.as_ref()?.at(c.pixel_at()[0], c.pixel_at()[1]);
-            let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
-            Some((object, id.triangle.checked_sub(1)))
-        }),
+        Method::new(GPU_IDS, F32, IDS, PickCase::drawn),
+        Method::new(GPU_ID, F32, ID, PickCase::drawn),
         Method::new(
             "Sightline's without its tree",
             Exact,
@@ -166,7 +170,7 @@ impl Case for PickCase {
         Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
             sightlines(&c.world.scene, c)
         }),
-    ];
+    ]];
     const FAMILIES: &'static [Family<Self>] = crate::study::workloads::picks::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -174,14 +178,16 @@ impl Case for PickCase {
     }
 
     fn can_run(&self, method: &Method<Self>) -> bool {
-        method.name != GPU_IDS || self.world.ids.is_some()
+        ![GPU_IDS, GPU_ID].contains(&method.name) || self.world.ids.is_some()
     }
 
     fn whole_picture(cases: &[Self], method: &Method<Self>) -> Option<f64> {
-        let world = &cases.first()?.world;
-        (method.name == GPU_IDS)
-            .then(|| ids_latency(world))
-            .flatten()
+        let case = cases.first()?;
+        match method.name {
+            GPU_IDS => ids_latency(case, true),
+            GPU_ID => ids_latency(case, false),
+            _ => None,
+        }
     }
 
     fn truth(&self) -> Picked {
@@ -205,29 +211,34 @@ impl Case for PickCase {
     }
 }
 
-/// From a click to the ids on the CPU: drawing them and reading them back, the median of a few times. Everything
-/// else, such as the scene's buffers, is there already.
-fn ids_latency(world: &PickWorld) -> Option<f64> {
+/// From a click to what it hit: drawing all ids and reading them back, or only reading one that is drawn. The median of a
+/// few times; everything else, such as the scene's buffers, is there already.
+fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     const TIMES: usize = 9;
-    let gpu = gpu()?;
+    let (gpu, world) = (gpu()?, &case.world);
     let targets = Targets::new(gpu, world.view.viewport, 1).ok()?;
     let buffers = SceneBuffers::upload(gpu, &world.scene).ok()?;
     let mut renderer = Renderer::new(gpu, 1);
+    let mut draw = || renderer.draw(gpu, &buffers, &targets, &world.view, &[]);
+    // The first compiles shaders.
+    draw().and_then(|()| targets.read_ids(gpu)).ok()?;
     let mut once = || {
         let start = Instant::now();
-        let drawn = renderer.draw(gpu, &buffers, &targets, &world.view, &[]);
-        drawn.and_then(|()| targets.read_ids(gpu)).ok()?;
+        if draws {
+            draw().and_then(|()| targets.read_ids(gpu)).ok()?;
+        } else {
+            targets.read_id(gpu, case.pixel_at()).ok()??;
+        }
         Some(1e9 * start.elapsed().as_secs_f64())
     };
-    // The first compiles shaders.
-    once()?;
     let mut times: Vec<f64> = (0..TIMES).filter_map(|_| once()).collect();
     times.sort_by(f64::total_cmp);
     times.get(times.len() / 2).copied()
 }
 
-/// The method that is timed by whole pictures.
-pub const GPU_IDS: &str = "the GPU's ids, read back";
+/// The methods that are timed by what the graphics adapter does.
+const GPU_IDS: &str = "the GPU's ids, drawn and read back";
+const GPU_ID: &str = "the GPU's ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
@@ -238,6 +249,14 @@ impl PickCase {
             px,
             pixel: PixelCase::of_view(&world.view, px),
         }
+    }
+
+    /// What the adapter's picture shows there.
+    fn drawn(&self) -> Picked {
+        let [x, y] = self.pixel_at();
+        let id = self.world.ids.as_ref()?.at(x, y);
+        let object = usize::try_from(id.object).ok()?.checked_sub(1)?;
+        Some((object, id.triangle.checked_sub(1)))
     }
 
     fn pixel_at(&self) -> [u32; 2] {

@@ -1,7 +1,12 @@
 //! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
 //! what counts is the direction. What is the same for all pixels of a picture is made before.
 
-use super::WITH_BOUNDS;
+use super::{
+    WITH_BOUNDS,
+    unproject::{
+        Inverses, as_bevy, as_three, far_less_near, inverses_f32, inverses_f64, near_less_eye,
+    },
+};
 use crate::{
     camera::View,
     geometry::{PixelGrid, PixelRays, Ray},
@@ -9,15 +14,15 @@ use crate::{
         exact,
         real::{Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::rays as truth,
         workloads::{self, scene::SceneRays},
     },
 };
-use glam::{DMat4, DVec2, DVec4, Mat4, Vec4};
+use glam::DVec2;
 use std::hint::black_box;
 
 /// A camera and its picture.
@@ -58,8 +63,8 @@ pub struct Pixel<T> {
     course: [V3<T>; 3],
     /// R and U as long as half the picture is wide and high.
     basis: [V3<T>; 2],
-    /// Of P * V, by columns.
-    inverse: [[T; 4]; 4],
+    /// What programs unproject by.
+    pub(super) inverse: Inverses<T>,
 }
 
 /// A ray in the world.
@@ -117,8 +122,8 @@ impl PixelCase {
             is_orthographic: picture.parallel,
         };
         Self {
-            narrow: Pixel::new(narrow, px.map(f32::of), inverse_f32(&narrow)),
-            wide: Pixel::new(picture, px, inverse_f64(&picture)),
+            narrow: Pixel::new(narrow, px.map(f32::of), inverses_f32(&narrow)),
+            wide: Pixel::new(picture, px, inverses_f64(&picture)),
             exact_axes,
             rays: grid.rays([picture.near, picture.far]),
         }
@@ -158,6 +163,10 @@ const COURSE: &str = "courses: p = target + sx H + sy V, direction = p - eye";
 const BASIS: &str = "ray tracing texts: F + sx aspect tan R + sy tan U";
 const UNPROJECT: &str = "gluUnProject, three.js, many engines: through the inverse of P * V";
 
+const THREE: &str =
+    "three.js, Raycaster.setFromCamera: inverse(P) at depth 0.5, the camera's matrix, less the eye";
+const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P), reversed and endless, from depth 1 to f32's epsilon";
+
 impl Case for PixelCase {
     type Answer = Sight;
     type Truth = exact::Exact3;
@@ -169,37 +178,25 @@ impl Case for PixelCase {
         wrong_unit: "",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("target + sx H + sy V - eye", F32, COURSE, |c| {
-            course(&c.narrow)
-        }),
-        Method::new("target + sx H + sy V - eye", F64, COURSE, |c| {
-            course(&c.wide)
-        }),
-        Method::new("eye basis", F32, BASIS, |c| eye_basis(&c.narrow)),
-        Method::new("eye basis", F64, BASIS, |c| eye_basis(&c.wide)),
-        Method::new("inverse(P V), far - near", F32, UNPROJECT, |c| {
-            far_less_near(&c.narrow)
-        }),
-        Method::new("inverse(P V), far - near", F64, UNPROJECT, |c| {
-            far_less_near(&c.wide)
-        }),
-        Method::new("inverse(P V), near - eye", F32, UNPROJECT, |c| {
-            near_less_eye(&c.narrow)
-        }),
-        Method::new("inverse(P V), near - eye", F64, UNPROJECT, |c| {
-            near_less_eye(&c.wide)
-        }),
-        Method::new(WITH_BOUNDS, F64, "geometry::PixelRays::ray", |c| {
-            let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
-            of(&ray)
-        }),
-        Method::ours(
-            "Sightline's",
-            F64,
-            "geometry::PixelRays::rounded: eye basis, by steps of a pixel",
-            |c| of(&c.rays.rounded(DVec2::from(c.wide.px))),
-        ),
+    const METHODS: Methods<Self> = &[
+        &both!("target + sx H + sy V - eye", COURSE, course),
+        &both!("eye basis", BASIS, eye_basis),
+        &both!("inverse(P V), far - near", UNPROJECT, far_less_near),
+        &both!("inverse(P V), near - eye", UNPROJECT, near_less_eye),
+        &both!("unproject, as three.js", THREE, as_three),
+        &both!("unproject, as Bevy", BEVY, as_bevy),
+        &[
+            Method::new(WITH_BOUNDS, F64, "geometry::PixelRays::ray", |c| {
+                let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
+                of(&ray)
+            }),
+            Method::ours(
+                "Sightline's",
+                F64,
+                "geometry::PixelRays::rounded: eye basis, by steps of a pixel",
+                |c| of(&c.rays.rounded(DVec2::from(c.wide.px))),
+            ),
+        ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::rays::FAMILIES;
 
@@ -233,7 +230,7 @@ fn of(ray: &Ray) -> Sight {
 }
 
 impl<T: Real> Pixel<T> {
-    fn new(picture: Picture<T>, px: [T; 2], inverse: [[T; 4]; 4]) -> Self {
+    fn new(picture: Picture<T>, px: [T; 2], inverse: Inverses<T>) -> Self {
         let two = T::one() + T::one();
         let Picture {
             tan,
@@ -258,13 +255,14 @@ impl<T: Real> Pixel<T> {
         }
     }
 
-    fn ndc(&self) -> [T; 2] {
+    /// From -1 to 1, y upwards.
+    pub(super) fn ndc(&self) -> [T; 2] {
         let [x, y] = [0, 1].map(|axis| self.px[axis] * self.per_px[axis]);
         [x - T::one(), T::one() - y]
     }
 
     /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
-    fn towards(&self, point: V3<T>) -> Sight {
+    pub(super) fn towards(&self, point: V3<T>) -> Sight {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
             return Sight {
@@ -276,14 +274,6 @@ impl<T: Real> Pixel<T> {
             from: eye.wide(),
             along: (point - eye).wide(),
         }
-    }
-
-    /// The pixel's point on the near plane (z = 0) or the far plane (1), through the inverse of P * V.
-    fn unprojected(&self, z: T) -> V3<T> {
-        let [sx, sy] = self.ndc();
-        let [a, b, c, d] = self.inverse;
-        let [x, y, z, w] = std::array::from_fn(|i| a[i] * sx + b[i] * sy + c[i] * z + d[i]);
-        V3::new(x / w, y / w, z / w)
     }
 }
 
@@ -308,50 +298,3 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
         along: (axes[2] + aside).wide(),
     }
 }
-
-/// From the pixel's point on the near plane to that on the far plane; in perspective from the eye.
-pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
-    let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(z));
-    let Picture { eye, parallel, .. } = pixel.picture;
-    Sight {
-        from: if parallel { near } else { eye }.wide(),
-        along: (far - near).wide(),
-    }
-}
-
-/// Through the pixel's point on the near plane.
-pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
-    pixel.towards(pixel.unprojected(T::zero()))
-}
-
-/// The inverse of P * V in one precision, by columns.
-macro_rules! inverse {
-    ($name:ident, $real:ty, $matrix:ty, $vector:ty) => {
-        fn $name(picture: &Picture<$real>) -> [[$real; 4]; 4] {
-            let [r, u, f] = picture.axes;
-            let row =
-                |axis: V3<$real>| <$vector>::new(axis.x, axis.y, axis.z, -axis.dot(picture.eye));
-            let last = <$vector>::new(0.0, 0.0, 0.0, 1.0);
-            let view = <$matrix>::from_cols(row(r), row(u), row(f), last).transpose();
-            let (near, far) = (picture.near, picture.far);
-            let depth = if picture.parallel { 1.0 } else { far } / (far - near);
-            let w_from_z = if picture.parallel { 0.0 } else { 1.0 };
-            let projection = <$matrix>::from_cols(
-                <$vector>::new(1.0 / (picture.tan * picture.aspect), 0.0, 0.0, 0.0),
-                <$vector>::new(0.0, 1.0 / picture.tan, 0.0, 0.0),
-                <$vector>::new(0.0, 0.0, depth, w_from_z),
-                <$vector>::new(0.0, 0.0, -depth * near, 1.0 - w_from_z),
-            );
-            let product = projection * view;
-            // glam's inverse asserts; the answer to such a matrix is no number.
-            let determinant = product.determinant();
-            if determinant == 0.0 || !determinant.is_finite() {
-                return [[<$real>::NAN; 4]; 4];
-            }
-            product.inverse().to_cols_array_2d()
-        }
-    };
-}
-
-inverse!(inverse_f32, f32, Mat4, Vec4);
-inverse!(inverse_f64, f64, DMat4, DVec4);

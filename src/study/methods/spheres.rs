@@ -6,9 +6,9 @@ use crate::{
     study::{
         real::Real,
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::{decide, relative, spheres as truth},
         workloads::{self, scene::SceneRays},
@@ -16,8 +16,7 @@ use crate::{
 };
 
 /// One ray and the sphere.
-#[derive(Clone, Debug)]
-pub struct SphereCase(pub ShapeCase);
+pub type SphereCase = ShapeCase<Sphere>;
 
 const PLAIN: &str = "textbooks and courses: a t^2 + b t + c = 0";
 const PRESS: &str =
@@ -35,28 +34,20 @@ impl Case for SphereCase {
         wrong_unit: "px",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("plain quadratic", F32, PLAIN, |c| plain(&c.0.narrow)),
-        Method::new("plain quadratic", F64, PLAIN, |c| plain(&c.0.wide)),
-        Method::new("plain, direction taken as 1 long", F32, PLAIN, |c| {
-            plain_unit(&c.0.narrow)
-        }),
-        Method::new("plain, direction taken as 1 long", F64, PLAIN, |c| {
-            plain_unit(&c.0.wide)
-        }),
-        Method::new("stable quadratic", F32, PRESS, |c| stable(&c.0.narrow)),
-        Method::new("stable quadratic", F64, PRESS, |c| stable(&c.0.wide)),
-        Method::new("Hearn & Baker", F32, HEARN, |c| hearn_baker(&c.0.narrow)),
-        Method::new("Hearn & Baker", F64, HEARN, |c| hearn_baker(&c.0.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("plain quadratic", PLAIN, plain),
+        &both!("plain, direction taken as 1 long", PLAIN, plain_unit),
+        &both!("stable quadratic", PRESS, stable),
+        &both!("Hearn & Baker", HEARN, hearn_baker),
+        &[Method::ours(
             "Sightline's",
             Exact,
             "geometry::sphere: by the line's moment, which its bound decides, else exactly",
             |c| {
-                let [near, far] = Sphere::hits(&c.0.ray);
+                let [near, far] = Sphere::hits(&c.ray);
                 near.or(far).map(|hit| hit.t)
             },
-        ),
+        )],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::spheres::FAMILIES;
 
@@ -65,16 +56,16 @@ impl Case for SphereCase {
     }
 
     fn truth(&self) -> Option<f64> {
-        truth::truth(&self.0.wide)
+        truth::truth(&self.wide)
     }
 
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
-        let off = || truth::outline_angle(&self.0.wide) / self.0.px;
+        let off = || truth::outline_angle(&self.wide) / self.px;
         decide(*truth, *answer, relative, off)
     }
 
     fn bound(&self, truth: &Option<f64>) -> Bound {
-        truth::bound(&self.0.wide, *truth)
+        truth::bound(&self.wide, *truth)
     }
 }
 

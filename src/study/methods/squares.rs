@@ -7,9 +7,9 @@ use crate::{
     study::{
         real::{Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::{decide, relative, squares as truth},
         workloads::{self, scene::SceneRays},
@@ -133,17 +133,15 @@ impl Case for SquareCase {
         wrong_unit: "px",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("N . (S - o)", F32, POINT, |c| point(&c.narrow)),
-        Method::new("N . (S - o)", F64, POINT, |c| point(&c.wide)),
-        Method::new("D - N . o", F32, CONSTANT, |c| constant(&c.narrow)),
-        Method::new("D - N . o", F64, CONSTANT, |c| constant(&c.wide)),
-        Method::ours(
+    const METHODS: Methods<Self> = &[
+        &both!("N . (S - o)", POINT, point),
+        &both!("D - N . o", CONSTANT, constant),
+        &[Method::ours(
             "Sightline's",
             Exact,
             "geometry::square, under a model matrix: undivided, which its bound decides, else exactly",
             |c| Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t),
-        ),
+        )],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::squares::FAMILIES;
 

@@ -1,20 +1,22 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
-use super::ahead;
+use super::{ahead, prepared::Prepared};
 use crate::{
-    geometry::{Mesh, Ray, VertexRay, guarded_volume},
+    geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, exact_volume, guarded_volume},
     study::{
         real::{Real, V3},
         step::{
-            About, Bound, Case, Family, Method,
+            About, Bound, Case, Family, Method, Methods,
             Precision::{Exact, F32, F64},
-            Verdict,
+            Verdict, both,
         },
         truth::{decide, relative, triangles as truth},
         workloads::{self, scene::SceneRays},
     },
 };
 use glam::DVec3;
+use robust::{Coord3D, orient3d};
+use std::cmp::Ordering;
 
 /// A ray and a triangle, edges and corners included. The ray has no end.
 #[derive(Clone, Copy, Debug)]
@@ -31,15 +33,11 @@ pub struct RayTriangle<T> {
 #[derive(Clone, Debug)]
 pub struct TriangleCase {
     /// Rounded to `f32`.
-    pub narrow: RayTriangle<f32>,
+    pub narrow: Prepared<f32>,
     /// As given.
-    pub wide: RayTriangle<f64>,
+    pub wide: Prepared<f64>,
     /// The ray as this program's test wants it: made once for all triangles of a mesh.
     pub ray: VertexRay<'static>,
-    /// What Woop, Benthin & Wald make once for a ray.
-    pub shear: (Shear<f32>, Shear<f64>),
-    /// What Baldwin & Weber keep for the triangle.
-    pub world_to_unit: (BaldwinWeber<f32>, BaldwinWeber<f64>),
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
 }
@@ -48,20 +46,10 @@ impl TriangleCase {
     /// The case of a ray and a triangle; `px` is the width of a pixel in radians.
     #[must_use]
     pub fn new(wide: RayTriangle<f64>, px: f64) -> Self {
-        let narrow = RayTriangle {
-            origin: V3::of(wide.origin),
-            direction: V3::of(wide.direction),
-            corners: wide.corners.map(V3::of),
-        };
         Self {
-            narrow,
-            wide,
+            narrow: Prepared::of(&wide),
+            wide: Prepared::of(&wide),
             ray: VertexRay::exact(super::from_start(wide.origin, wide.direction)),
-            shear: (Shear::new(narrow.direction), Shear::new(wide.direction)),
-            world_to_unit: (
-                BaldwinWeber::new(narrow.corners),
-                BaldwinWeber::new(wide.corners),
-            ),
             px,
         }
     }
@@ -81,14 +69,26 @@ impl TriangleCase {
     }
 }
 
-const MT: &str =
+pub(super) const MT: &str =
     "Moeller & Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997";
-const AREAS: &str =
+pub(super) const AREAS: &str =
     "textbooks and courses: the plane, then the areas of the point's triangles with the corners";
-const KENSLER: &str =
+pub(super) const KENSLER: &str =
     "Kensler & Shirley, Optimizing Ray-Triangle Intersection via Automated Search, RT 2006";
-const WOOP: &str = "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013";
-const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
+pub(super) const WOOP: &str =
+    "Woop, Benthin & Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013";
+pub(super) const EMBREE: &str = "Embree 4, kernels/geometry/triangle_intersector_pluecker.h";
+pub(super) const HAVEL: &str =
+    "Havel & Herout, Yet Faster Ray-Triangle Intersection (Using SSE4), IEEE TVCG 16(3), 2010";
+pub(super) const JIMENEZ: &str = "Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm, Comput. Geom. 43(5), 2010";
+pub(super) const PBRT: &str =
+    "Pharr, Jakob & Humphreys, pbrt-v4, src/pbrt/shapes.cpp, IntersectTriangle";
+pub(super) const SHEWCHUK: &str = "Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: orient3d of the robust crate, from the ray's start to \
+                        its point at t = 1, which is rounded";
+pub(super) const OURS: &str = "geometry::triangle, which names its papers";
+const DEKKER: &str = "Dekker, A floating-point technique for extending the available precision, 1971; geometry::double_double";
+const EXACT: &str = "no filter: integers as long as it takes (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
+pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
 
 impl Case for TriangleCase {
     type Answer = Option<f64>;
@@ -101,41 +101,30 @@ impl Case for TriangleCase {
         wrong_unit: "px",
     };
 
-    const METHODS: &'static [Method<Self>] = &[
-        Method::new("Moeller-Trumbore", F32, MT, |c| {
-            moeller_trumbore(&c.narrow, 0.0)
-        }),
-        Method::new("Moeller-Trumbore", F64, MT, |c| {
-            moeller_trumbore(&c.wide, 0.0)
-        }),
-        Method::new("Moeller-Trumbore, eps 1e-6", F32, MT, |c| {
-            moeller_trumbore(&c.narrow, 1e-6)
-        }),
-        Method::new("Moeller-Trumbore, eps 1e-6", F64, MT, |c| {
-            moeller_trumbore(&c.wide, 1e-6)
-        }),
-        Method::new("areas, sum == 1", F32, AREAS, |c| areas(&c.narrow, 0.0)),
-        Method::new("areas, sum == 1", F64, AREAS, |c| areas(&c.wide, 0.0)),
-        Method::new("areas, within 1e-4", F32, AREAS, |c| areas(&c.narrow, 1e-4)),
-        Method::new("areas, within 1e-4", F64, AREAS, |c| areas(&c.wide, 1e-4)),
-        Method::new("signed volumes", F32, KENSLER, |c| {
-            signed_volumes(&c.narrow)
-        }),
-        Method::new("signed volumes", F64, KENSLER, |c| signed_volumes(&c.wide)),
-        Method::new("Woop watertight", F32, WOOP, |c| c.shear.0.hit(&c.narrow)),
-        Method::new("Woop watertight", F64, WOOP, |c| c.shear.1.hit(&c.wide)),
-        Method::new("Baldwin-Weber", F32, BALDWIN, |c| {
-            c.world_to_unit.0.hit(&c.narrow)
-        }),
-        Method::new("Baldwin-Weber", F64, BALDWIN, |c| {
-            c.world_to_unit.1.hit(&c.wide)
-        }),
-        Method::ours(
-            "Sightline's",
-            Exact,
-            "geometry::triangle, which names its papers",
-            sightlines,
-        ),
+    const METHODS: Methods<Self> = &[
+        &both!("Moeller-Trumbore", MT, moeller_trumbore, 0.0),
+        &both!("Moeller-Trumbore, eps 1e-6", MT, moeller_trumbore, 1e-6),
+        &both!("areas, sum == 1", AREAS, areas, 0.0),
+        &both!("areas, within 1e-4", AREAS, areas, 1e-4),
+        &both!("signed volumes", KENSLER, signed_volumes),
+        &both!("Woop watertight", WOOP, Prepared::woop),
+        &both!("Baldwin-Weber", BALDWIN, Prepared::baldwin_weber),
+        &both!("Pluecker, as Embree", EMBREE, pluecker),
+        &both!("Havel-Herout", HAVEL, Prepared::havel_herout),
+        &both!("Jimenez", JIMENEZ, jimenez),
+        &both!("pbrt-v4, bounded t", PBRT, Prepared::pbrt),
+        &[
+            Method::new("double-double volumes", F64, DEKKER, double_double),
+            Method::new("Shewchuk's orient3d", Exact, SHEWCHUK, |c| {
+                shewchuk(&c.wide)
+            }),
+            Method::new("exact everywhere", Exact, EXACT, |c| {
+                exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+            }),
+            Method::ours("Sightline's", Exact, OURS, |c| {
+                guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
+            }),
+        ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::triangles::FAMILIES;
 
@@ -155,11 +144,6 @@ impl Case for TriangleCase {
     fn bound(&self, truth: &Option<f64>) -> Bound {
         truth::bound(&self.wide, *truth)
     }
-}
-
-/// The test that picks use.
-fn sightlines(case: &TriangleCase) -> Option<f64> {
-    guarded_volume(&case.ray, case.wide.corners.map(DVec3::from)).map(|hit| hit.t)
 }
 
 /// The plane first; then the point is inside when the areas of its three triangles make up the whole, which for
@@ -206,125 +190,93 @@ pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let d = case.direction;
     let volume = |p: V3<T>, q: V3<T>| d.dot(p.cross(q));
-    let (u, v, w) = (volume(b, c), volume(c, a), volume(a, b));
-    let zero = T::zero();
-    if !(u >= zero && v >= zero && w >= zero || u <= zero && v <= zero && w <= zero) {
+    one_sign(
+        case,
+        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&T::zero())),
+    )
+}
+
+/// The plane's t where the volumes' signs, of which none is unknown, do not differ.
+fn one_sign<T: Real>(case: &RayTriangle<T>, signs: [Option<Ordering>; 3]) -> Option<f64> {
+    let none_is = |wrong: Ordering| {
+        signs
+            .iter()
+            .all(|sign| sign.is_some_and(|sign| sign != wrong))
+    };
+    if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) {
         return None;
     }
+    let [a, b, c] = case.corners;
     let normal = (b - a).cross(c - a);
-    ahead(normal.dot(a) / normal.dot(d))
+    ahead(normal.dot(a - case.origin) / normal.dot(case.direction))
 }
 
-/// Takes a ray along +z, made once for the ray: a shear, after the axis along which the ray runs most became z.
-#[derive(Clone, Copy, Debug)]
-pub struct Shear<T> {
-    axes: [usize; 3],
-    by: [T; 3],
+/// The volumes in pairs of `f64`.
+fn double_double(case: &TriangleCase) -> Option<f64> {
+    let given = &case.wide;
+    let [o, d] = [given.origin, given.direction].map(|v| v.map(DoubleDouble::from));
+    let [a, b, c] = given
+        .corners
+        .map(|corner| corner.map(DoubleDouble::from) - o);
+    let volume = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q)));
+    one_sign(
+        given,
+        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&0.0)),
+    )
 }
 
-impl<T: Real> Shear<T> {
-    /// The shear of a direction.
-    pub fn new(d: V3<T>) -> Self {
-        let size = d.abs();
-        let z = if size.x > size.y {
-            if size.x > size.z { 0 } else { 2 }
-        } else if size.y > size.z {
-            1
+/// The volumes' signs by adaptive arithmetic.
+pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
+    let coord = |V3 { x, y, z }: V3<f64>| Coord3D { x, y, z };
+    let [o, there] = [given.origin, given.origin + given.direction].map(coord);
+    let [a, b, c] = given.corners.map(coord);
+    let sign = |p, q| orient3d(o, there, p, q).partial_cmp(&0.0);
+    one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
+}
+
+/// Signed volumes from edges and the corners' sums, which an ulp of their own sum may miss; a normal of the shortest edges.
+pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
+    let [a, b, c] = case.corners.map(|corner| corner - case.origin);
+    let (ca, ab, bc) = (c - a, a - b, b - c);
+    let volume = |edge: V3<T>, sum: V3<T>| edge.cross(sum).dot(case.direction);
+    let (u, v, w) = (volume(ca, c + a), volume(ab, a + b), volume(bc, b + c));
+    let slack = T::epsilon() * (u + v + w).abs();
+    if !(u.min(v).min(w) >= -slack || u.max(v).max(w) <= slack) {
+        return None;
+    }
+    let normal = stable_normal(ca, ab, bc);
+    let det = normal.dot(case.direction);
+    if det.is_zero() {
+        return None;
+    }
+    ahead(a.dot(normal) / det)
+}
+
+/// Each component of `p x q` or `q x r`, which are alike, from whichever subtracts less.
+fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
+    let component = |i: usize, j: usize| {
+        let (first, second) = (p[j] * q[i], q[j] * r[i]);
+        if first.abs() < second.abs() {
+            p[i] * q[j] - first
         } else {
-            2
-        };
-        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
-        if d[z] < T::zero() {
-            std::mem::swap(&mut x, &mut y);
+            q[i] * r[j] - second
         }
-        Self {
-            axes: [x, y, z],
-            by: [d[x] / d[z], d[y] / d[z], T::one() / d[z]],
-        }
-    }
-
-    /// Shears the triangle so that the ray runs along +z and decides by 2D edge functions; a shared edge gives both its
-    /// triangles the same number. In `f32` zeros are decided in `f64`, as the paper does.
-    pub fn hit(&self, case: &RayTriangle<T>) -> Option<f64> {
-        let ([x, y, z], [sx, sy, sz]) = (self.axes, self.by);
-        let [a, b, c] = case.corners.map(|corner| corner - case.origin);
-        let flat = |p: V3<T>| (p[x] - sx * p[z], p[y] - sy * p[z]);
-        let ((ax, ay), (bx, by), (cx, cy)) = (flat(a), flat(b), flat(c));
-        let edge = |px: T, py: T, qx: T, qy: T| px * qy - py * qx;
-        let (mut u, mut v, mut w) = (
-            edge(cx, cy, bx, by),
-            edge(ax, ay, cx, cy),
-            edge(bx, by, ax, ay),
-        );
-        let zero = T::zero();
-        if u == zero || v == zero || w == zero {
-            let wide =
-                |px: T, py: T, qx: T, qy: T| T::of(px.wide() * qy.wide() - py.wide() * qx.wide());
-            (u, v, w) = (
-                wide(cx, cy, bx, by),
-                wide(ax, ay, cx, cy),
-                wide(bx, by, ax, ay),
-            );
-        }
-        if (u < zero || v < zero || w < zero) && (u > zero || v > zero || w > zero) {
-            return None;
-        }
-        let det = u + v + w;
-        if !(det.abs() > zero) {
-            return None;
-        }
-        ahead((u * sz * a[z] + v * sz * b[z] + w * sz * c[z]) / det)
-    }
+    };
+    V3::new(component(1, 2), component(2, 0), component(0, 1))
 }
 
-/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, made once a triangle. One row
-/// of it is trivial along the largest coordinate of the normal.
-#[derive(Clone, Copy, Debug)]
-pub struct BaldwinWeber<T> {
-    axis: usize,
-    rows: [[T; 3]; 3],
-}
-
-impl<T: Real> BaldwinWeber<T> {
-    /// The map of a triangle; not finite for one without area.
-    pub fn new([a, b, c]: [V3<T>; 3]) -> Self {
-        let (e1, e2) = (b - a, c - a);
-        let n = e1.cross(e2);
-        let size = n.abs();
-        let axis = if size.x > size.y && size.x > size.z {
-            0
-        } else if size.y > size.z {
-            1
-        } else {
-            2
-        };
-        // i and j follow the axis in cyclic order.
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (ca, ba) = (c.cross(a), b.cross(a));
-        let k = T::one() / n[axis];
-        let rows = [
-            [e2[j] * k, -e2[i] * k, ca[axis] * k],
-            [-e1[j] * k, e1[i] * k, -ba[axis] * k],
-            [n[i] * k, n[j] * k, -n.dot(a) * k],
-        ];
-        Self { axis, rows }
-    }
-
-    /// Where the ray meets the triangle of which this is the map.
-    pub fn hit(&self, case: &RayTriangle<T>) -> Option<f64> {
-        let (k, i, j) = (self.axis, (self.axis + 1) % 3, (self.axis + 2) % 3);
-        let (o, d) = (case.origin, case.direction);
-        let [row_u, row_v, row_z] = self.rows;
-        let height = o[k] + row_z[0] * o[i] + row_z[1] * o[j] + row_z[2];
-        let fall = d[k] + row_z[0] * d[i] + row_z[1] * d[j];
-        let t = -height / fall;
-        let (p, q) = (o[i] + t * d[i], o[j] + t * d[j]);
-        let u = row_u[0] * p + row_u[1] * q + row_u[2];
-        let v = row_v[0] * p + row_v[1] * q + row_v[2];
-        let zero = T::zero();
-        if !(u >= zero && v >= zero && u + v <= T::one()) {
-            return None;
-        }
-        ahead(t)
-    }
+/// The segment's test for a ray: the volumes with the third corner, and the side on which the ray starts, before any quotient.
+pub fn jimenez<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
+    let [first, second, third] = case.corners;
+    let (a, b, c) = (case.origin - third, first - third, second - third);
+    let (normal, aside) = (b.cross(c), a.cross(case.direction));
+    let (height, fall) = (a.dot(normal), -case.direction.dot(normal));
+    let (u, v) = (aside.dot(c), -aside.dot(b));
+    let (height, fall, u, v) = if height < T::zero() {
+        (-height, -fall, -u, -v)
+    } else {
+        (height, fall, u, v)
+    };
+    let is_inside = fall > T::zero() && u >= T::zero() && v >= T::zero() && u + v <= fall;
+    is_inside.then(|| (height / fall).wide())
 }

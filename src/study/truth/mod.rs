@@ -2,9 +2,6 @@
 //! used here, nor this program's geometry but for the boxes of objects, which leave out what a ray is far from.
 
 pub mod boxes;
-pub mod clipping;
-pub mod depth;
-pub mod normals;
 pub mod object_space;
 pub mod picks;
 pub mod rays;
@@ -23,7 +20,8 @@ const CERTAIN: f64 = 1.0 / 67_108_864.0;
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
 
 /// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
-fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
+#[must_use]
+pub fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
         p.y * q.z + p.z * q.y,

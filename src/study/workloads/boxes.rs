@@ -2,7 +2,7 @@
 
 use super::PX;
 use crate::study::{
-    methods::{ShapeCase, boxes::BoxCase},
+    methods::boxes::BoxCase,
     random::Random,
     real::{V3, narrow3},
     step::Family,
@@ -10,39 +10,29 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<BoxCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| ordinary(random),
-    },
-    Family {
-        name: "hit rate",
-        parameter: "share of hits",
-        values: &super::HIT_RATES,
-        make: |random, rate| super::at_rate(random, rate, ordinary),
-    },
-    Family {
-        name: "aimed at edges",
-        parameter: "distance / size",
-        values: &[2.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-        make: |random, distance| {
+    Family::ordinary(|random, _| ordinary(random)),
+    Family::HIT_RATE,
+    Family::new(
+        "aimed at edges",
+        "distance / size",
+        &[2.0, 1e1, 1e2, 1e3, 1e4, 1e5],
+        |random, distance| {
             let target = on_edge(random);
             let towards = random.direction();
             aim(target, towards * distance)
         },
-    },
-    Family {
-        name: "starts on a slab",
-        parameter: "axes that it runs along",
-        values: &[1.0, 2.0],
-        make: on_slab,
-    },
-    Family {
-        name: "thin",
-        parameter: "thickness / width",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-        make: |random, thickness| {
+    ),
+    Family::new(
+        "starts on a slab",
+        "axes that it runs along",
+        &[1.0, 2.0],
+        on_slab,
+    ),
+    Family::new(
+        "thin",
+        "thickness / width",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+        |random, thickness| {
             // What is thin in the world is a cube in its own space, where rays are steep.
             let size = random.decades(-8, 0);
             let target = on_edge(random) + random.point(size);
@@ -50,19 +40,19 @@ pub const FAMILIES: &[Family<BoxCase>] = &[
             back.y /= thickness;
             aim(target, back)
         },
-    },
-    Family {
-        name: "past an edge",
-        parameter: "by (sides)",
-        values: &[1e-4, 1e-8, 1e-12, 1e-16, 1e-20, 1e-24],
-        make: past_an_edge,
-    },
-    Family {
-        name: "exactly through edges",
-        parameter: "bits a coordinate",
-        values: &[4.0, 8.0, 12.0, 16.0, 20.0],
-        make: on_a_lattice,
-    },
+    ),
+    Family::new(
+        "past an edge",
+        "by (sides)",
+        &[1e-4, 1e-8, 1e-12, 1e-16, 1e-20, 1e-24],
+        past_an_edge,
+    ),
+    Family::new(
+        "exactly through edges",
+        "bits a coordinate",
+        &[4.0, 8.0, 12.0, 16.0, 20.0],
+        on_a_lattice,
+    ),
 ];
 
 fn ordinary(random: &mut Random) -> BoxCase {
@@ -91,7 +81,7 @@ fn aim(target: V3<f64>, back: V3<f64>) -> BoxCase {
 }
 
 fn case(origin: V3<f64>, direction: V3<f64>) -> BoxCase {
-    BoxCase(ShapeCase::new(origin, direction, PX))
+    BoxCase::new(origin, direction, PX)
 }
 
 /// A ray that starts on the plane of a slab and runs within it, along one axis or in two.

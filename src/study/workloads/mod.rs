@@ -5,9 +5,6 @@
 //! methods of both precisions get it.
 
 pub mod boxes;
-pub mod clipping;
-pub mod depth;
-pub mod normals;
 pub mod object_space;
 pub mod picks;
 pub mod rays;
@@ -16,7 +13,6 @@ pub mod spheres;
 pub mod squares;
 pub mod triangles;
 
-use super::{random::Random, step::Case};
 use crate::camera::{Projection, View};
 
 /// The width of a pixel in a view's middle, in radians seen from the eye at a distance, which in perspective does not
@@ -35,21 +31,3 @@ pub fn px_angle(view: &View, distance: f64) -> f64 {
 pub const PX: f64 = 2.0 * TAN_30 / 1080.0;
 /// tan(30 degrees).
 pub const TAN_30: f64 = 0.577_350_269_189_625_7;
-
-/// Shares of rays that hit, over which speed is swept.
-const HIT_RATES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-
-/// A case of which such a share hits.
-fn at_rate<C: Case<Truth = Option<f64>>>(
-    random: &mut Random,
-    rate: f64,
-    make: fn(&mut Random) -> C,
-) -> C {
-    let hits = random.unit() < rate;
-    loop {
-        let case = make(random);
-        if case.truth().is_some() == hits {
-            return case;
-        }
-    }
-}

@@ -10,45 +10,40 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<PlacedCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| {
-            let scale = [
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-            ];
-            aim(random, scale, 3.0)
-        },
-    },
-    Family {
-        name: "far from the origin",
-        parameter: "translation / distance",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: |random, ratio| aim(random, [1.0; 3], 5.0 * ratio),
-    },
-    Family {
-        name: "flattened",
-        parameter: "least / largest scale",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-        make: |random, least| {
+    Family::ordinary(|random, _| {
+        let scale = [
+            random.within(0.5, 2.0),
+            random.within(0.5, 2.0),
+            random.within(0.5, 2.0),
+        ];
+        aim(random, scale, 3.0)
+    }),
+    Family::new(
+        "far from the origin",
+        "translation / distance",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        |random, ratio| aim(random, [1.0; 3], 5.0 * ratio),
+    ),
+    Family::new(
+        "flattened",
+        "least / largest scale",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+        |random, least| {
             let mut scale = [1.0, 1.0, least];
             scale.rotate_left(random.below(3));
             aim(random, scale, 3.0)
         },
-    },
-    Family {
-        name: "tiny and huge",
-        parameter: "scale",
-        values: &[1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12],
-        make: |random, scale| aim(random, [scale; 3], 3.0),
-    },
+    ),
+    Family::new(
+        "tiny and huge",
+        "scale",
+        &[1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12],
+        |random, scale| aim(random, [scale; 3], 3.0),
+    ),
 ];
 
 /// Three vectors of about length 1 at right angles: a rotation, or with its mirror image.
-pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
+pub(in crate::study) fn turned(random: &mut Random) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     [u, v, u.cross(v) * random.sign()]
 }

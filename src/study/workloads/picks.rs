@@ -19,18 +19,18 @@ use std::sync::{Arc, OnceLock};
 const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
 
 /// Every family.
-pub const FAMILIES: &[Family<PickCase>] = &[Family {
-    name: "a ball of 5120 triangles",
-    parameter: "offset / radius",
-    values: &OFFSETS,
-    make: |random, offset| {
+pub const FAMILIES: &[Family<PickCase>] = &[Family::new(
+    "a ball of 5120 triangles",
+    "offset / radius",
+    &OFFSETS,
+    |random, offset| {
         let world = ball_world(offset);
         let size = world.view.viewport;
         let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
         let px = DVec2::new(at(size.width()), at(size.height()));
         PickCase::new(&world, px)
     },
-}];
+)];
 
 /// The ball at an offset, made once, with what the graphics adapter draws of it where there is one.
 fn ball_world(offset: f64) -> Arc<PickWorld> {
@@ -84,17 +84,7 @@ pub fn ball_scene(offset: f64) -> (Scene, View) {
 /// An icosahedron, each face split into four over and over, pushed in and out a little.
 fn ball(origin: DVec3) -> Arc<Mesh> {
     const SPLITS: u32 = 4;
-    let phi = 1.618_034;
-    let mut points: Vec<DVec3> = Vec::new();
-    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
-        points.extend([
-            DVec3::new(0.0, a, b),
-            DVec3::new(a, b, 0.0),
-            DVec3::new(b, 0.0, a),
-        ]);
-    }
-    let mut faces = hull_of_icosahedron(&points);
-    let mut points: Vec<DVec3> = points.iter().map(|p| p.normalize()).collect();
+    let (mut points, mut faces) = icosahedron();
     for _ in 0..SPLITS {
         let mut middles = std::collections::HashMap::new();
         let mut middle = |a: u32, b: u32| {
@@ -129,6 +119,21 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
         ..MeshData::default()
     });
     Arc::new(mesh.expect("the ball's indices and ranges are right"))
+}
+
+/// Twelve corners, 1 from the origin, and twenty faces, counter-clockwise from outside.
+pub(in crate::study) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let phi = 1.618_034;
+    let mut points: Vec<DVec3> = Vec::new();
+    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
+        points.extend([
+            DVec3::new(0.0, a, b),
+            DVec3::new(a, b, 0.0),
+            DVec3::new(b, 0.0, a),
+        ]);
+    }
+    let faces = hull_of_icosahedron(&points);
+    (points.iter().map(|p| p.normalize()).collect(), faces)
 }
 
 /// The triples of corners that lie an edge apart, counter-clockwise from outside.

@@ -44,54 +44,49 @@ const TANGENTS: [(f64, f64); 9] = [
 
 /// Every family.
 pub const FAMILIES: &[Family<PixelCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| make(random, ORDINARY),
-    },
-    Family {
-        name: "far plane",
-        parameter: "far / near",
-        values: &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9],
-        make: |random, ratio| {
+    Family::ordinary(|random, _| make(random, ORDINARY)),
+    Family::new(
+        "far plane",
+        "far / near",
+        &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9],
+        |random, ratio| {
             let far = ORDINARY.near * ratio;
             make(random, Camera { far, ..ORDINARY })
         },
-    },
-    Family {
-        name: "near plane",
-        parameter: "near (world units)",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5],
-        make: |random, near| make(random, Camera { near, ..ORDINARY }),
-    },
-    Family {
-        name: "field of view",
-        parameter: "degrees",
-        values: &[60.0, 90.0, 120.0, 170.0, 179.0],
-        make: |random, degrees| make(random, fov(degrees)),
-    },
-    Family {
-        name: "narrow view",
-        parameter: "degrees",
-        values: &[60.0, 30.0, 10.0, 1.0, 0.1],
-        make: |random, degrees| make(random, fov(degrees)),
-    },
-    Family {
-        name: "eye far from the origin",
-        parameter: "distance / distance to target",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: |random, ratio| {
+    ),
+    Family::new(
+        "near plane",
+        "near (world units)",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5],
+        |random, near| make(random, Camera { near, ..ORDINARY }),
+    ),
+    Family::new(
+        "field of view",
+        "degrees",
+        &[60.0, 90.0, 120.0, 170.0, 179.0],
+        |random, degrees| make(random, fov(degrees)),
+    ),
+    Family::new(
+        "narrow view",
+        "degrees",
+        &[60.0, 30.0, 10.0, 1.0, 0.1],
+        |random, degrees| make(random, fov(degrees)),
+    ),
+    Family::new(
+        "eye far from the origin",
+        "distance / distance to target",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        |random, ratio| {
             let eye = ORDINARY.length * ratio;
             make(random, Camera { eye, ..ORDINARY })
         },
-    },
-    Family {
-        name: "large picture",
-        parameter: "rows (px)",
-        values: &[270.0, 1080.0, 2160.0, 4320.0, 8640.0],
-        make: |random, height| make(random, Camera { height, ..ORDINARY }),
-    },
+    ),
+    Family::new(
+        "large picture",
+        "rows (px)",
+        &[270.0, 1080.0, 2160.0, 4320.0, 8640.0],
+        |random, height| make(random, Camera { height, ..ORDINARY }),
+    ),
 ];
 
 fn fov(degrees: f64) -> Camera {

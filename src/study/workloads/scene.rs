@@ -94,9 +94,10 @@ impl SceneRays {
     }
 
     /// The same in the objects' own space.
-    fn local(&self, wanted: fn(&Shape) -> bool) -> impl Iterator<Item = ShapeCase> {
+    fn local<S>(&self, wanted: fn(&Shape) -> bool) -> Vec<ShapeCase<S>> {
         let rays = self.rays_at(wanted).into_iter();
         rays.map(|(placement, ray, px)| ShapeCase::of_object(&placement.ray_to_object(&ray), px))
+            .collect()
     }
 
     pub(in crate::study) fn pixels(&self) -> Vec<PixelCase> {
@@ -137,13 +138,11 @@ impl SceneRays {
     }
 
     pub(in crate::study) fn spheres(&self) -> Vec<SphereCase> {
-        let rays = self.local(|shape| matches!(shape, Shape::Sphere));
-        rays.map(SphereCase).collect()
+        self.local(|shape| matches!(shape, Shape::Sphere))
     }
 
     pub(in crate::study) fn boxes(&self) -> Vec<BoxCase> {
-        let rays = self.local(|shape| matches!(shape, Shape::Cube));
-        rays.map(BoxCase).collect()
+        self.local(|shape| matches!(shape, Shape::Cube))
     }
 
     pub(in crate::study) fn squares(&self) -> Vec<SquareCase> {

@@ -2,7 +2,7 @@
 
 use super::PX;
 use crate::study::{
-    methods::{ShapeCase, spheres::SphereCase},
+    methods::spheres::SphereCase,
     random::Random,
     real::{V3, narrow3},
     step::Family,
@@ -10,74 +10,56 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<SphereCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| {
-            let past = random.within(0.0, 2.5);
-            aim(random, 5.0, past)
-        },
-    },
-    Family {
-        name: "hit rate",
-        parameter: "share of hits",
-        values: &super::HIT_RATES,
-        make: |random, rate| {
-            let hits = random.unit() < rate;
-            let past = if hits {
-                random.within(0.0, 1.0)
-            } else {
-                random.within(1.0, 2.5)
-            };
-            aim(random, 5.0, past)
-        },
-    },
-    Family {
-        name: "far away",
-        parameter: "distance / radius",
-        values: &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-        make: |random, distance| {
+    Family::ordinary(|random, _| {
+        let past = random.within(0.0, 2.5);
+        aim(random, 5.0, past)
+    }),
+    Family::HIT_RATE,
+    Family::new(
+        "far away",
+        "distance / radius",
+        &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+        |random, distance| {
             let past = random.within(0.0, 1.5);
             aim(random, distance, past)
         },
-    },
-    Family {
-        name: "aimed at outlines",
-        parameter: "distance / radius",
-        values: &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-        make: |random, distance| {
+    ),
+    Family::new(
+        "aimed at outlines",
+        "distance / radius",
+        &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5],
+        |random, distance| {
             let past = 1.0 + random.sign() * random.decades(-8, -1);
             aim(random, distance, past)
         },
-    },
-    Family {
-        name: "close to a large one",
-        parameter: "radius / height",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: close,
-    },
-    Family {
-        name: "direction of another length",
-        parameter: "length",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3],
-        make: |random, length| {
+    ),
+    Family::new(
+        "close to a large one",
+        "radius / height",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        close,
+    ),
+    Family::new(
+        "direction of another length",
+        "length",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3],
+        |random, length| {
             let past = random.within(0.0, 1.5);
-            let ShapeCase { wide, px, .. } = aim(random, 5.0, past).0;
+            let SphereCase { wide, px, .. } = aim(random, 5.0, past);
             let direction = wide.direction * (length / wide.direction.length());
             case(wide.origin, direction, px)
         },
-    },
-    Family {
-        name: "exactly touching",
-        parameter: "bits a coordinate",
-        values: &[4.0, 8.0, 12.0, 16.0],
-        make: touching,
-    },
+    ),
+    Family::new(
+        "exactly touching",
+        "bits a coordinate",
+        &[4.0, 8.0, 12.0, 16.0],
+        touching,
+    ),
 ];
 
 fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
-    SphereCase(ShapeCase::new(narrow3(origin), narrow3(direction), px))
+    SphereCase::new(narrow3(origin), narrow3(direction), px)
 }
 
 /// A ray that starts so many radii away and passes the centre at `past` radii. Directions are about 1 long.

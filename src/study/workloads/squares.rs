@@ -11,36 +11,26 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<SquareCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| ordinary(random),
-    },
-    Family {
-        name: "hit rate",
-        parameter: "share of hits",
-        values: &super::HIT_RATES,
-        make: |random, rate| super::at_rate(random, rate, ordinary),
-    },
-    Family {
-        name: "grazing",
-        parameter: "angle to the plane (rad)",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-        make: |random, angle| aim(random, angle, 1.0),
-    },
-    Family {
-        name: "far from the origin",
-        parameter: "offset / size",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-        make: |random, offset| aim(random, 1.0, offset),
-    },
-    Family {
-        name: "exactly through the rim",
-        parameter: "bits a coordinate",
-        values: &[4.0, 8.0, 12.0, 16.0],
-        make: through_the_rim,
-    },
+    Family::ordinary(|random, _| ordinary(random)),
+    Family::HIT_RATE,
+    Family::new(
+        "grazing",
+        "angle to the plane (rad)",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+        |random, angle| aim(random, angle, 1.0),
+    ),
+    Family::new(
+        "far from the origin",
+        "offset / size",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+        |random, offset| aim(random, 1.0, offset),
+    ),
+    Family::new(
+        "exactly through the rim",
+        "bits a coordinate",
+        &[4.0, 8.0, 12.0, 16.0],
+        through_the_rim,
+    ),
 ];
 
 fn ordinary(random: &mut Random) -> SquareCase {

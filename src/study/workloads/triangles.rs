@@ -10,39 +10,29 @@ use crate::study::{
 
 /// Every family.
 pub const FAMILIES: &[Family<TriangleCase>] = &[
-    Family {
-        name: "ordinary",
-        parameter: "-",
-        values: &[1.0],
-        make: |random, _| {
-            let corners = corners(random, 1.0, 1.0);
-            let weights = loose_weights(random);
-            let towards = random.direction();
-            aim(random, corners, weights, towards, 5.0)
-        },
-    },
-    Family {
-        name: "hit rate",
-        parameter: "share of hits",
-        values: &super::HIT_RATES,
-        make: |random, rate| super::at_rate(random, rate, |random| (FAMILIES[0].make)(random, 1.0)),
-    },
-    Family {
-        name: "aimed at edges",
-        parameter: "distance / size",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-        make: |random, distance| {
+    Family::ordinary(|random, _| {
+        let corners = corners(random, 1.0, 1.0);
+        let weights = loose_weights(random);
+        let towards = random.direction();
+        aim(random, corners, weights, towards, 5.0)
+    }),
+    Family::HIT_RATE,
+    Family::new(
+        "aimed at edges",
+        "distance / size",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5],
+        |random, distance| {
             let corners = corners(random, 1.0, 1.0);
             let weights = edge_weights(random);
             let towards = random.direction();
             aim(random, corners, weights, towards, distance)
         },
-    },
-    Family {
-        name: "grazing",
-        parameter: "angle to the plane (rad)",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-        make: |random, angle| {
+    ),
+    Family::new(
+        "grazing",
+        "angle to the plane (rad)",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+        |random, angle| {
             let corners = corners(random, 1.0, 1.0);
             let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
             let along = random.direction().cross(normal).normalize();
@@ -50,23 +40,23 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
             let towards = along + normal.normalize() * (angle * random.sign());
             aim(random, corners, weights, towards, 5.0)
         },
-    },
-    Family {
-        name: "slivers",
-        parameter: "height / length",
-        values: &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
-        make: |random, height| {
+    ),
+    Family::new(
+        "slivers",
+        "height / length",
+        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
+        |random, height| {
             let corners = corners(random, 1.0, height);
             let weights = mixed_weights(random);
             let towards = random.direction();
             aim(random, corners, weights, towards, 5.0)
         },
-    },
-    Family {
-        name: "far from the origin",
-        parameter: "offset / size",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-        make: |random, offset| {
+    ),
+    Family::new(
+        "far from the origin",
+        "offset / size",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+        |random, offset| {
             let offset = random.direction() * offset;
             // The coordinates' own grain makes the triangle coarse out there: it grows to stay one.
             let size = (offset.length() * 1e-6).max(1.0);
@@ -75,35 +65,35 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
             let towards = random.direction();
             aim(random, corners, weights, towards, 5.0 * size)
         },
-    },
-    Family {
-        name: "far away",
-        parameter: "distance / size",
-        values: &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        make: |random, distance| {
+    ),
+    Family::new(
+        "far away",
+        "distance / size",
+        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+        |random, distance| {
             let corners = corners(random, 1.0, 1.0);
             let weights = mixed_weights(random);
             let towards = random.direction();
             aim(random, corners, weights, towards, distance)
         },
-    },
-    Family {
-        name: "tiny and huge",
-        parameter: "size",
-        values: &[1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12],
-        make: |random, size| {
+    ),
+    Family::new(
+        "tiny and huge",
+        "size",
+        &[1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12],
+        |random, size| {
             let corners = corners(random, size, size);
             let weights = mixed_weights(random);
             let towards = random.direction() * size;
             aim(random, corners, weights, towards, 5.0)
         },
-    },
-    Family {
-        name: "exactly through edges",
-        parameter: "bits a coordinate",
-        values: &[4.0, 8.0, 12.0, 16.0, 20.0, 22.0],
-        make: on_a_lattice,
-    },
+    ),
+    Family::new(
+        "exactly through edges",
+        "bits a coordinate",
+        &[4.0, 8.0, 12.0, 16.0, 20.0, 22.0],
+        on_a_lattice,
+    ),
 ];
 
 /// A triangle about the origin in some plane, with one side of a length and a height over it.

@@ -1,0 +1,267 @@
+//! Rays into a closed body through its edges and corners. The answer is t of the first hit; a ray that finds none, or only
+//! where it leaves the body, has leaked.
+//!
+//! Truth needs no arithmetic here: a ray from without to a point within enters on its way, wherever rounding lets it.
+
+use super::{
+    from_start,
+    prepared::{Prepared, Shear},
+    triangles::{
+        self, RayTriangle, areas, jimenez, moeller_trumbore, pluecker, shewchuk, signed_volumes,
+    },
+};
+use crate::{
+    geometry::{VertexRay, guarded_volume},
+    study::{
+        random::Random,
+        real::{Real, V3, narrow3},
+        run::Effort,
+        step::{
+            About, Bound, Case, Family, Method, Methods,
+            Precision::{Exact, F32, F64},
+            Verdict, both,
+        },
+        workloads::{object_space::turned, picks::icosahedron, scene::SceneRays},
+    },
+};
+use glam::DVec3;
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+/// A ray and a body with what programs keep of both.
+#[derive(Clone, Debug)]
+pub struct Aimed<T> {
+    origin: V3<T>,
+    direction: V3<T>,
+    shear: Shear<T>,
+    body: Arc<Vec<Prepared<T>>>,
+}
+
+/// One ray that surely enters a body: at its start it is outside, at t = 1 inside.
+#[derive(Clone, Debug)]
+pub struct ClosedCase {
+    /// Rounded to `f32`.
+    pub narrow: Aimed<f32>,
+    /// As given.
+    pub wide: Aimed<f64>,
+    /// The ray as this program's test wants it.
+    pub ray: VertexRay<'static>,
+}
+
+impl Case for ClosedCase {
+    type Answer = Option<f64>;
+    type Truth = ();
+    const ABOUT: About = About {
+        name: "Closed mesh",
+        key: "closed-mesh",
+        job: "a ray that enters a body of twenty triangles at an edge or a corner, and what is kept of both: t of the first hit",
+        error_unit: "",
+        wrong_unit: "",
+    };
+
+    const METHODS: Methods<Self> = &[
+        &both!("Moeller-Trumbore", triangles::MT, nearest, |c| {
+            moeller_trumbore(c, 0.0)
+        }),
+        &both!("Moeller-Trumbore, eps 1e-6", triangles::MT, nearest, |c| {
+            moeller_trumbore(c, 1e-6)
+        }),
+        &both!("areas, sum == 1", triangles::AREAS, nearest, |c| areas(
+            c, 0.0
+        )),
+        &both!("areas, within 1e-4", triangles::AREAS, nearest, |c| areas(
+            c, 1e-4
+        )),
+        &both!("signed volumes", triangles::KENSLER, nearest, |c| {
+            signed_volumes(c)
+        }),
+        &both!("Woop watertight", triangles::WOOP, nearest, Prepared::woop),
+        &both!(
+            "Baldwin-Weber",
+            triangles::BALDWIN,
+            nearest,
+            Prepared::baldwin_weber
+        ),
+        &both!("Pluecker, as Embree", triangles::EMBREE, nearest, |c| {
+            pluecker(c)
+        }),
+        &both!(
+            "Havel-Herout",
+            triangles::HAVEL,
+            nearest,
+            Prepared::havel_herout
+        ),
+        &both!("Jimenez", triangles::JIMENEZ, nearest, |c| jimenez(c)),
+        &both!(
+            "pbrt-v4, bounded t",
+            triangles::PBRT,
+            nearest,
+            Prepared::pbrt
+        ),
+        &[
+            Method::new("Shewchuk's orient3d", Exact, triangles::SHEWCHUK, |c| {
+                nearest(&c.wide, |c| shewchuk(c))
+            }),
+            Method::ours("Sightline's", Exact, triangles::OURS, |c| {
+                let hits = c.wide.body.iter().filter_map(|triangle| {
+                    guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
+                });
+                hits.map(|hit| hit.t).reduce(f64::min)
+            }),
+        ],
+    ];
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| aim(random, None, 0.0, edge)),
+        Family::new("vertices", "-", &[1.0], |random, _| {
+            aim(random, None, 0.0, corner)
+        }),
+        Family::new(
+            "exactly through edges",
+            "bits a coordinate",
+            BITS,
+            |random, bits| aim(random, Some(bits), 0.0, edge),
+        ),
+        Family::new(
+            "exactly through vertices",
+            "bits a coordinate",
+            BITS,
+            |random, bits| aim(random, Some(bits), 0.0, corner),
+        ),
+        Family::new(
+            "far from the origin",
+            "offset / size",
+            &[1.0, 1e1, 1e2, 1e3, 1e4],
+            |random, offset| aim(random, None, offset, edge),
+        ),
+    ];
+
+    fn count(effort: Effort) -> usize {
+        // Leaks are rare.
+        10 * effort.cases
+    }
+
+    fn of_scene(_: &SceneRays) -> Vec<Self> {
+        Vec::new()
+    }
+
+    fn truth(&self) {}
+
+    fn judge(&self, (): &(), answer: &Option<f64>) -> Verdict {
+        match answer {
+            Some(t) if *t < 1.0 => Verdict::Agreed,
+            _ => Verdict::Missed(0.0),
+        }
+    }
+
+    fn bound(&self, (): &()) -> Bound {
+        Bound::NONE
+    }
+}
+
+/// The least t that a test finds on any triangle.
+fn nearest<T: Real>(case: &Aimed<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
+    let Aimed {
+        origin, direction, ..
+    } = *case;
+    let triangles = case.body.iter();
+    let hits = triangles.filter_map(|kept| test(&kept.met_by(origin, direction, case.shear)));
+    hits.reduce(f64::min)
+}
+
+const BITS: &[f64] = &[8.0, 12.0, 16.0];
+
+/// Any point on an edge.
+fn edge(random: &mut Random, [a, b, _]: [V3<f64>; 3], is_exact: bool) -> V3<f64> {
+    let share = if is_exact { 0.5 } else { random.unit() };
+    a + (b - a) * share
+}
+
+fn corner(_: &mut Random, [a, ..]: [V3<f64>; 3], _: bool) -> V3<f64> {
+    a
+}
+
+/// A ray through a point of a body's surface to a point inside; exactly so where the coordinates have so many bits after
+/// the point.
+fn aim(
+    random: &mut Random,
+    bits: Option<f64>,
+    offset: f64,
+    target: fn(&mut Random, [V3<f64>; 3], bool) -> V3<f64>,
+) -> ClosedCase {
+    let grid = bits.map_or(f64::INFINITY, f64::exp2);
+    let body = body(random.below(16), grid, offset);
+    let corners = body.1[random.below(body.1.len())].corners;
+    let target = target(random, corners, bits.is_some());
+    let middle = narrow3(V3::new(offset, offset, offset));
+    // A body reaches from 0.7 to 1.1 about its middle.
+    let inside = middle + on_grid(random.point(0.17), grid);
+    let origin = narrow3(inside + (target - inside) * 4.0);
+    let direction = narrow3(inside - origin);
+    ClosedCase {
+        narrow: Aimed::new(origin, direction, &body.0),
+        wide: Aimed::new(origin, direction, &body.1),
+        ray: VertexRay::exact(from_start(origin, direction)),
+    }
+}
+
+impl<T: Real> Aimed<T> {
+    /// The ray with each of the body's triangles.
+    pub fn triangles(&self) -> impl Iterator<Item = RayTriangle<T>> {
+        let met = |kept: &Prepared<T>| *kept.met_by(self.origin, self.direction, self.shear);
+        self.body.iter().map(met)
+    }
+
+    fn new(origin: V3<f64>, direction: V3<f64>, body: &Arc<Vec<Prepared<T>>>) -> Self {
+        let direction = V3::of(direction);
+        Self {
+            origin: V3::of(origin),
+            direction,
+            shear: Shear::new(direction),
+            body: Arc::clone(body),
+        }
+    }
+}
+
+type Body = (Arc<Vec<Prepared<f32>>>, Arc<Vec<Prepared<f64>>>);
+
+/// An icosahedron with corners pushed in and out, about `offset` on each axis; the same for the same numbers.
+fn body(index: usize, grid: f64, offset: f64) -> Body {
+    static BODIES: Mutex<BTreeMap<[u64; 3], Body>> = Mutex::new(BTreeMap::new());
+    let key = [index as u64, grid.to_bits(), offset.to_bits()];
+    // What a panic left is whole: an entry is made first.
+    let mut bodies = BODIES.lock().unwrap_or_else(PoisonError::into_inner);
+    let make = || {
+        let mut random = Random::new(index as u64);
+        let (points, faces) = icosahedron();
+        let turned = turned(&mut random);
+        let middle = V3::new(offset, offset, offset);
+        let points: Vec<V3<f64>> = (points.iter())
+            .map(|point| {
+                let [x, y, z] = (*point * random.within(0.95, 1.1)).to_array();
+                let point = turned[0] * x + turned[1] * y + turned[2] * z;
+                narrow3(middle + on_grid(point, grid))
+            })
+            .collect();
+        let triangles = faces.iter().map(|face| RayTriangle {
+            origin: middle,
+            direction: V3::new(1.0, 0.0, 0.0),
+            corners: face.map(|corner| points[corner as usize]),
+        });
+        let triangles: Vec<RayTriangle<f64>> = triangles.collect();
+        (
+            Arc::new(triangles.iter().map(Prepared::of).collect()),
+            Arc::new(triangles.iter().map(Prepared::of).collect()),
+        )
+    };
+    bodies.entry(key).or_insert_with(make).clone()
+}
+
+/// The nearest point whose coordinates are whole multiples of one over `grid`; any where that is infinite.
+fn on_grid(point: V3<f64>, grid: f64) -> V3<f64> {
+    if grid.is_infinite() {
+        return point;
+    }
+    point.map(|c| (c * grid).round() / grid)
+}

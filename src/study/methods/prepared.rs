@@ -1,0 +1,237 @@
+//! Rays against triangles with what is made beforehand: once for the ray, or once for the triangle.
+
+use super::{ahead, triangles::RayTriangle};
+use crate::study::real::{Real, V3};
+use std::ops::Deref;
+
+/// A ray and a triangle with what programs keep of either.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<T> {
+    given: RayTriangle<T>,
+    shear: Shear<T>,
+    map: BaldwinWeber<T>,
+    /// Havel & Herout's: normal and distance of the triangle's plane, and of those whose distances are its two weights.
+    planes: [(V3<T>, T); 3],
+}
+
+impl<T> Deref for Prepared<T> {
+    type Target = RayTriangle<T>;
+    fn deref(&self) -> &RayTriangle<T> {
+        &self.given
+    }
+}
+
+impl<T: Copy> Prepared<T> {
+    /// The same triangle and another ray, with what was made for it.
+    #[inline]
+    #[must_use]
+    pub fn met_by(&self, origin: V3<T>, direction: V3<T>, shear: Shear<T>) -> Self {
+        let corners = self.given.corners;
+        Self {
+            given: RayTriangle {
+                origin,
+                direction,
+                corners,
+            },
+            shear,
+            ..*self
+        }
+    }
+}
+
+impl<T: Real> Prepared<T> {
+    /// The numbers of `f64`, rounded, with what is kept in the same precision.
+    #[must_use]
+    pub fn of(wide: &RayTriangle<f64>) -> Self {
+        let given = RayTriangle {
+            origin: V3::of(wide.origin),
+            direction: V3::of(wide.direction),
+            corners: wide.corners.map(V3::of),
+        };
+        let [a, b, c] = given.corners;
+        let (ab, ac) = (b - a, c - a);
+        let normal = ab.cross(ac);
+        let scale = T::one() / normal.dot(normal);
+        let weight = |by: V3<T>| (by * scale, -(by * scale).dot(a));
+        Self {
+            given,
+            shear: Shear::new(given.direction),
+            map: BaldwinWeber::new(given.corners),
+            planes: [
+                (normal, normal.dot(a)),
+                weight(ac.cross(normal)),
+                weight(normal.cross(ab)),
+            ],
+        }
+    }
+}
+
+/// Takes a ray along +z, made once for the ray: a shear, after the axis along which the ray runs most became z.
+#[derive(Clone, Copy, Debug)]
+pub struct Shear<T> {
+    axes: [usize; 3],
+    by: [T; 3],
+}
+
+impl<T: Real> Shear<T> {
+    /// The shear of a direction.
+    pub fn new(d: V3<T>) -> Self {
+        let size = d.abs();
+        let z = if size.x > size.y {
+            if size.x > size.z { 0 } else { 2 }
+        } else if size.y > size.z {
+            1
+        } else {
+            2
+        };
+        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
+        if d[z] < T::zero() {
+            std::mem::swap(&mut x, &mut y);
+        }
+        Self {
+            axes: [x, y, z],
+            by: [d[x] / d[z], d[y] / d[z], T::one() / d[z]],
+        }
+    }
+
+    /// The corners, sheared so that the ray runs along +z from the origin, where z is depth.
+    fn seen(&self, case: &RayTriangle<T>) -> [V3<T>; 3] {
+        let ([x, y, z], [sx, sy, sz]) = (self.axes, self.by);
+        case.corners.map(|corner| {
+            let p = corner - case.origin;
+            V3::new(p[x] - sx * p[z], p[y] - sy * p[z], sz * p[z])
+        })
+    }
+}
+
+/// Whether one is below 0 and one above.
+fn differ<T: Real, const N: usize>(numbers: [T; N]) -> bool {
+    let zero = T::zero();
+    numbers.iter().any(|n| *n < zero) && numbers.iter().any(|n| *n > zero)
+}
+
+/// A 2D edge function in `f64`.
+fn edge_wide<T: Real>(p: V3<T>, q: V3<T>) -> f64 {
+    p.x.wide() * q.y.wide() - p.y.wide() * q.x.wide()
+}
+
+impl<T: Real> Prepared<T> {
+    /// Decides by 2D edge functions; a shared edge gives both its triangles the same number. In `f32` zeros are decided
+    /// in `f64`, as the paper does.
+    pub fn woop(&self) -> Option<f64> {
+        let [a, b, c] = self.shear.seen(self);
+        let edge = |p: V3<T>, q: V3<T>| p.x * q.y - p.y * q.x;
+        let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
+        let mut edges = [edge(c, b), edge(a, c), edge(b, a)];
+        if edges.iter().any(T::is_zero) {
+            edges = [wide(c, b), wide(a, c), wide(b, a)];
+        }
+        let [u, v, w] = edges;
+        let det = u + v + w;
+        if differ(edges) || !(det.abs() > T::zero()) {
+            return None;
+        }
+        ahead((u * a.z + v * b.z + w * c.z) / det)
+    }
+
+    /// Woop's with edge functions that round once or twice, and with a bound on the error of t: what is no further ahead
+    /// than that is no hit.
+    pub fn pbrt(&self) -> Option<f64> {
+        let [a, b, c] = self.shear.seen(self);
+        // Kahan's difference of products.
+        let edge = |p: V3<T>, q: V3<T>| {
+            let product = p.y * q.x;
+            p.x.mul_add(q.y, -product) + (-p.y).mul_add(q.x, product)
+        };
+        let wide = |p: V3<T>, q: V3<T>| T::of(edge_wide(p, q));
+        let mut edges = [edge(b, c), edge(c, a), edge(a, b)];
+        if edges.iter().any(T::is_zero) {
+            edges = [wide(b, c), wide(c, a), wide(a, b)];
+        }
+        let [u, v, w] = edges;
+        let det = u + v + w;
+        if differ(edges) || det.is_zero() {
+            return None;
+        }
+        let t = (u * a.z + v * b.z + w * c.z) / det;
+        let largest =
+            |of: [T; 3]| (of.into_iter()).fold(T::zero(), |most, one| most.max(one.abs()));
+        let [x, y, z] = [0, 1, 2].map(|axis| largest([a, b, c].map(|corner| corner[axis])));
+        let gamma = |n: f64| {
+            let errors = T::of(0.5 * n) * T::epsilon();
+            errors / (T::one() - errors)
+        };
+        let (off_x, off_y, off_z) = (gamma(5.0) * (x + z), gamma(5.0) * (y + z), gamma(3.0) * z);
+        let off_edge = T::of(2.0) * (gamma(2.0) * x * y + off_y * x + off_x * y);
+        let edge = largest(edges);
+        let off = T::of(3.0) * (gamma(3.0) * edge * z + off_edge * z + off_z * edge) / det.abs();
+        (t > off).then(|| t.wide())
+    }
+
+    /// By the map that takes the triangle to the unit triangle.
+    pub fn baldwin_weber(&self) -> Option<f64> {
+        let BaldwinWeber { axis: k, rows } = self.map;
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let (o, d) = (self.origin, self.direction);
+        let [row_u, row_v, row_z] = rows;
+        let height = o[k] + row_z[0] * o[i] + row_z[1] * o[j] + row_z[2];
+        let fall = d[k] + row_z[0] * d[i] + row_z[1] * d[j];
+        let t = -height / fall;
+        let (p, q) = (o[i] + t * d[i], o[j] + t * d[j]);
+        let u = row_u[0] * p + row_u[1] * q + row_u[2];
+        let v = row_v[0] * p + row_v[1] * q + row_v[2];
+        let zero = T::zero();
+        if !(u >= zero && v >= zero && u + v <= T::one()) {
+            return None;
+        }
+        ahead(t)
+    }
+
+    /// By three planes that were set up with the triangle; no division before the decision.
+    pub fn havel_herout(&self) -> Option<f64> {
+        let [plane, across, along] = self.planes;
+        let det = plane.0.dot(self.direction);
+        let t = plane.1 - plane.0.dot(self.origin);
+        let point = self.origin * det + self.direction * t;
+        let u = point.dot(across.0) + det * across.1;
+        let v = point.dot(along.0) + det * along.1;
+        if det.is_zero() || differ([det, u, v, det - u - v]) {
+            return None;
+        }
+        ahead(t / det)
+    }
+}
+
+/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, made once a triangle. One row
+/// of it is trivial along the largest coordinate of the normal.
+#[derive(Clone, Copy, Debug)]
+pub struct BaldwinWeber<T> {
+    axis: usize,
+    rows: [[T; 3]; 3],
+}
+
+impl<T: Real> BaldwinWeber<T> {
+    /// The map of a triangle; not finite for one without area.
+    pub fn new([a, b, c]: [V3<T>; 3]) -> Self {
+        let (e1, e2) = (b - a, c - a);
+        let n = e1.cross(e2);
+        let size = n.abs();
+        let axis = if size.x > size.y && size.x > size.z {
+            0
+        } else if size.y > size.z {
+            1
+        } else {
+            2
+        };
+        // i and j follow the axis in cyclic order.
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (ca, ba) = (c.cross(a), b.cross(a));
+        let k = T::one() / n[axis];
+        let rows = [
+            [e2[j] * k, -e2[i] * k, ca[axis] * k],
+            [-e1[j] * k, e1[i] * k, -ba[axis] * k],
+            [n[i] * k, n[j] * k, -n.dot(a) * k],
+        ];
+        Self { axis, rows }
+    }
+}

@@ -1,0 +1,133 @@
+//! From a pixel to a ray through a matrix: what is projected, unprojected.
+
+use super::rays::{Picture, Pixel, Sight};
+use crate::study::real::{Real, V3};
+use glam::{DMat4, DVec4, Mat4, Vec4};
+
+/// A matrix by its columns.
+type Matrix<T> = [[T; 4]; 4];
+
+/// What programs unproject by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inverses<T> {
+    /// Of P * V.
+    projection_view: Matrix<T>,
+    /// Of P, whose depth goes from -1 to 1 as in OpenGL.
+    projection: Matrix<T>,
+    /// Of V times that of P, whose depth is reversed and in perspective endless.
+    composed: Matrix<T>,
+}
+
+impl<T: Real> Pixel<T> {
+    /// The pixel's point at a depth of the picture, through a matrix.
+    fn unprojected(&self, [a, b, c, d]: Matrix<T>, z: T) -> V3<T> {
+        let [sx, sy] = self.ndc();
+        let [x, y, z, w] = std::array::from_fn(|i| a[i] * sx + b[i] * sy + c[i] * z + d[i]);
+        V3::new(x / w, y / w, z / w)
+    }
+}
+
+/// From the pixel's point on the near plane to that on the far plane; in perspective from the eye.
+pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
+    let matrix = pixel.inverse.projection_view;
+    let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
+    let Picture { eye, parallel, .. } = pixel.picture;
+    Sight {
+        from: if parallel { near } else { eye }.wide(),
+        along: (far - near).wide(),
+    }
+}
+
+/// Through the pixel's point on the near plane.
+pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
+    pixel.towards(pixel.unprojected(pixel.inverse.projection_view, T::zero()))
+}
+
+/// By way of the view's space; parallel rays start in the eye's plane.
+pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
+    let Picture {
+        eye,
+        axes: [right, up, forward],
+        near,
+        far,
+        parallel,
+        ..
+    } = pixel.picture;
+    let depth = if parallel {
+        (near + far) / (near - far)
+    } else {
+        T::of(0.5)
+    };
+    let view = pixel.unprojected(pixel.inverse.projection, depth);
+    let world = right * view.x + up * view.y + forward * view.z + eye;
+    let sight = pixel.towards(world);
+    if parallel {
+        return sight;
+    }
+    Sight {
+        along: (world - eye).normalize().wide(),
+        ..sight
+    }
+}
+
+/// From the near plane to almost the end of the picture.
+pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> Sight {
+    let depths = [T::one(), T::of(f64::from(f32::EPSILON))];
+    let [near, far] = depths.map(|z| pixel.unprojected(pixel.inverse.composed, z));
+    Sight {
+        from: near.wide(),
+        along: (far - near).normalize().wide(),
+    }
+}
+
+/// [`Inverses`] in one precision.
+macro_rules! inverses {
+    ($name:ident, $real:ty, $matrix:ty, $vector:ty) => {
+        pub(super) fn $name(picture: &Picture<$real>) -> Inverses<$real> {
+            let [r, u, f] = picture.axes;
+            let row =
+                |axis: V3<$real>| <$vector>::new(axis.x, axis.y, axis.z, -axis.dot(picture.eye));
+            let last = <$vector>::new(0.0, 0.0, 0.0, 1.0);
+            let view = <$matrix>::from_cols(row(r), row(u), row(f), last).transpose();
+            let column = |v: V3<$real>, w: $real| <$vector>::new(v.x, v.y, v.z, w);
+            let eye = column(picture.eye, 1.0);
+            let camera = <$matrix>::from_cols(column(r, 0.0), column(u, 0.0), column(f, 0.0), eye);
+            let (near, far, parallel) = (picture.near, picture.far, picture.parallel);
+            // By how depth in the picture comes from that in view space.
+            let projection = |slope: $real, offset: $real| {
+                let w_from_z = if parallel { 0.0 } else { 1.0 };
+                <$matrix>::from_cols(
+                    <$vector>::new(1.0 / (picture.tan * picture.aspect), 0.0, 0.0, 0.0),
+                    <$vector>::new(0.0, 1.0 / picture.tan, 0.0, 0.0),
+                    <$vector>::new(0.0, 0.0, slope, w_from_z),
+                    <$vector>::new(0.0, 0.0, offset, 1.0 - w_from_z),
+                )
+            };
+            // glam's inverse asserts; the answer to such a matrix is no number.
+            let inverse = |matrix: $matrix| {
+                let determinant = matrix.determinant();
+                if determinant == 0.0 || !determinant.is_finite() {
+                    return <$matrix>::from_cols_array(&[<$real>::NAN; 16]);
+                }
+                matrix.inverse()
+            };
+            let range = far - near;
+            let standard = if parallel { 1.0 } else { far } / range;
+            let (opengl, endless) = if parallel {
+                ([2.0, -(far + near)], [-1.0 / range, far / range])
+            } else {
+                ([far + near, -2.0 * far * near], [0.0, near])
+            };
+            Inverses {
+                projection_view: inverse(projection(standard, -standard * near) * view)
+                    .to_cols_array_2d(),
+                projection: inverse(projection(opengl[0] / range, opengl[1] / range))
+                    .to_cols_array_2d(),
+                composed: (camera * inverse(projection(endless[0], endless[1]))).to_cols_array_2d(),
+            }
+        }
+    };
+}
+
+inverses!(inverses_f32, f32, Mat4, Vec4);
+inverses!(inverses_f64, f64, DMat4, DVec4);
