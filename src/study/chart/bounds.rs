@@ -7,13 +7,14 @@ use super::{
 };
 use crate::study::run::{Report, Row};
 
+const COLUMNS: u32 = 4;
+
 /// The chart; `wanted` says which rows count.
 #[must_use]
 pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
     let title = "What the bounds allow, and what was found";
     let line = "Every workload of each step that Sightline rounds in. On the line an error would be all that its bound allows; the title \
                 says how near the worst of all cases came.";
-    let mut picture = page(900, title, &[line]);
     let steps = report.steps().into_iter().filter_map(|step| {
         let ours = report
             .rows
@@ -28,7 +29,12 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
         let share = share.filter_map(|row| row.of_bound).fold(0.0, f64::max);
         (!pairs.is_empty() && !step.error_unit.is_empty()).then_some((step, pairs, share))
     });
-    for ((step, pairs, share), [left, top]) in steps.zip(places(4, ROWS_APART)) {
+    let steps: Vec<_> = steps.collect();
+    let rows = u32::try_from(steps.len()).map_or(1, |count| count.div_ceil(COLUMNS));
+    let mut picture = page(92 + rows * ROWS_APART, title, &[line]);
+    for ((step, pairs, share), [left, top]) in
+        steps.into_iter().zip(places(COLUMNS, ROWS_APART.into()))
+    {
         let bounds = pairs.iter().map(|(bound, _)| *bound);
         let found = pairs.iter().map(|(_, found)| *found);
         let both: Vec<f64> = bounds

@@ -19,7 +19,7 @@ pub fn page(height: u32, title: &str, lines: &[&str]) -> Picture {
 }
 
 /// From one row of small panels to the next, where a legend has few lines.
-pub const ROWS_APART: f64 = 404.0;
+pub const ROWS_APART: u32 = 404;
 
 /// The top left corners of its small panels, so many in a row and rows so far apart.
 pub fn places(columns: u32, apart: f64) -> impl Iterator<Item = [f64; 2]> {

@@ -8,9 +8,11 @@ use super::{
     style::{Style, legend, styles},
 };
 use crate::study::{
+    methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
-    step::Precision,
+    step::{Family, Precision},
 };
+use std::collections::BTreeSet;
 
 /// The families that are shown, by step and name.
 const SHOWN: [(&str, &str); 8] = [
@@ -24,15 +26,19 @@ const SHOWN: [(&str, &str); 8] = [
     ("depth", "far plane"),
 ];
 
+/// The family of growing shares of hits.
+const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
+
 /// The chart.
 #[must_use]
 pub fn chart(report: &Report) -> Picture {
     let title = "Where each method breaks";
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
-    let mut picture = page(900, title, &[line]);
+    let height = 372 + ROWS_APART + legends(report, SHOWN.into_iter().skip(4));
+    let mut picture = page(height, title, &[line]);
     let mut last = "";
-    for ((key, family), at) in SHOWN.into_iter().zip(places(4, ROWS_APART)) {
+    for ((key, family), at) in SHOWN.into_iter().zip(places(4, ROWS_APART.into())) {
         let rows = rows_of(report, key, family);
         let Some(first) = rows.first() else { continue };
         // Neighbours of one step share a legend.
@@ -51,10 +57,11 @@ pub fn chart(report: &Report) -> Picture {
 pub fn hit_rates(report: &Report) -> Picture {
     let line = "Medians of rounds in new orders. Rays that hit take longer, and branches that half of the rays take are foreseen worst. \
                 Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
-    let mut picture = page(500, "What hits cost", &[line]);
     let steps = ["triangle", "sphere", "box", "square"];
-    for (key, at) in steps.into_iter().zip(places(4, ROWS_APART)) {
-        let mut rows = rows_of(report, key, "hit rate");
+    let height = 372 + legends(report, steps.map(|key| (key, HIT_RATE)).into_iter());
+    let mut picture = page(height, "What hits cost", &[line]);
+    for (key, at) in steps.into_iter().zip(places(4, ROWS_APART.into())) {
+        let mut rows = rows_of(report, key, HIT_RATE);
         rows.retain(|row| row.time.is_some());
         if !rows.is_empty() {
             let styles = panel(&mut picture, Measure::Time, &rows, at, None, None);
@@ -62,6 +69,16 @@ pub fn hit_rates(report: &Report) -> Picture {
         }
     }
     picture
+}
+
+/// How high the longest legend of some steps' families is.
+fn legends<'a>(report: &Report, of: impl Iterator<Item = (&'a str, &'a str)>) -> u32 {
+    let count = |(step, family)| {
+        let rows = rows_of(report, step, family);
+        let names: BTreeSet<_> = rows.iter().map(|row| row.method).collect();
+        u32::try_from(names.len()).unwrap_or(0)
+    };
+    16 * of.map(count).max().unwrap_or(0)
 }
 
 fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
