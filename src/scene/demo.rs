@@ -1,7 +1,7 @@
 //! The scene that opens when none is named.
 
 use super::{LoadError, Loaded, MeshFiles, Progress, Scene, description};
-use crate::geometry::{ColourRun, Mesh, MeshData, Part, crease_normals};
+use crate::geometry::{ColourRun, Mesh, MeshData, Part};
 use glam::DVec3;
 use std::{f64::consts::TAU, path::Path, sync::Arc};
 
@@ -60,7 +60,7 @@ fn ring() -> Arc<Mesh> {
     let triangles: Vec<_> = quads.flat_map(|(i, j)| quad(i, j)).collect();
     let all = 0..2 * AROUND * ACROSS;
     let mesh = Mesh::new(MeshData {
-        normals: crease_normals(&positions, &triangles, CREASE),
+        crease: Some(CREASE),
         positions,
         triangles,
         parts: vec![Part {

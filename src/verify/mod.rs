@@ -8,8 +8,8 @@
 //! * **edge**: one side's surface has its outline (projected edges, the cut of the near plane, a sphere's rim) so near
 //!   the pixel's centre that the grid, and what `f32` moves the outline by ([`transform`](crate::render::transform),
 //!   [`sphere`](crate::render::sphere)), carry it across, and its depth there is one that the answer needs;
-//! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell, or closer together than the ceiling; the empty buffer counts as a
-//!   surface at the far plane, and so does the near plane;
+//! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell, or closer together than the ceiling;
+//!   the empty buffer counts as a surface at the far plane, and so does the near plane;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
 //! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]); or a
 //!   surface for which there is no bound, or one larger than the picture; or one well before the far plane that the buffer

@@ -1,9 +1,7 @@
 //! What the methods of others are known for: which decide right whatever comes, which leak, which lose digits.
 
-use super::{report, row, rows};
+use super::{gallery::view_of, report, row, rows};
 use sightline::{
-    camera::{View, Viewport},
-    geometry::Sides,
     scene::{self, Progress},
     study::{
         self, Effort, SCENE, SceneRays,
@@ -170,16 +168,7 @@ fn ties_are_no_distance() {
 #[test]
 fn a_scenes_own_rays_are_in_files_of_their_own() {
     let loaded = scene::load(&["gallery:needles".into()], &Progress::default()).expect("a scene");
-    let viewport = Viewport::new(160, 90).expect("a picture");
-    let camera = loaded
-        .camera
-        .resolve(&loaded.scene.visible_bounds(), viewport);
-    let view = View {
-        camera: camera.expect("a camera"),
-        viewport,
-        sides: Sides::Both,
-    };
-    let rays = SceneRays::new(&loaded.scene, view, 50, 1);
+    let rays = SceneRays::new(&loaded.scene, view_of(&loaded, 160, 90), 50, 1);
     let effort = Effort {
         cases: 2,
         picks: 1,

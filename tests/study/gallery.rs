@@ -230,18 +230,10 @@ fn parallel_rays_are_studied_too() {
         ("stretched", false),
     ] {
         let path = format!("gallery:{name}").into();
-        let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
-        let viewport = Viewport::new(321, 180).expect("a picture");
-        let mut choice = loaded.camera;
+        let mut loaded = scene::load(&[path], &Progress::default()).expect("a scene");
         let height = loaded.scene.visible_bounds().radius();
-        (choice.fov, choice.ortho) = (None, Some(height));
-        let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport);
-        let view = View {
-            camera: camera.expect("a camera"),
-            viewport,
-            sides: Sides::Both,
-        };
-        let rays = SceneRays::new(&loaded.scene, view, 600, 1);
+        (loaded.camera.fov, loaded.camera.ortho) = (None, Some(height));
+        let rays = SceneRays::new(&loaded.scene, view_of(&loaded, 321, 180), 600, 1);
         let effort = Effort {
             rounds: 0,
             ..Effort::SCENE_ONLY

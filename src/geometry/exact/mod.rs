@@ -11,6 +11,7 @@
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
 //! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
+mod coplanar;
 pub(crate) mod dyadic;
 mod enclosure;
 mod integer;
@@ -22,13 +23,14 @@ mod solids;
 mod triangle;
 mod world;
 
+pub(crate) use coplanar::{are_coplanar, are_in_one_plane};
 pub(super) use matrix::{inverse, mirrors};
 pub(crate) use parameter::Parameter;
 use root::Root;
 pub(super) use solids::{cube, sphere, square};
+pub(crate) use triangle::Corners;
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
-pub(crate) use triangle::{Corners, are_coplanar, are_in_one_plane};
 pub(super) use triangle::{compare, hit, reaches_plane};
 #[cfg(test)]
 pub(super) use world::errors;
