@@ -1,14 +1,17 @@
 //! A picture under way: drawn at once, or in pieces between which something else may be shown.
 
 use super::{
-    Renderer,
+    Renderer, Wireframe,
+    composing::Draw,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     outline,
     pipelines::{Drawn, Pass},
     raster::begin,
-    scene_buffers::{Draw, DrawnShape, Needed, SceneBuffers},
-    slices::{Cursor, Piece, Slice, whole},
+    scene_buffers::SceneBuffers,
+    seen::Tables,
+    slices::{Piece, Slice},
+    steps::{LINE, Parts, Steps},
     targets::Targets,
 };
 use crate::camera::View;
@@ -21,7 +24,9 @@ pub struct Drawing {
     view: View,
     /// Those that are left, of which the first may be under way.
     passes: VecDeque<Pass>,
-    cursor: Cursor,
+    steps: Steps,
+    /// Whose edges are drawn, where they are those of one object.
+    edged: Option<Draw>,
     /// Of equally many rows each, drawn one after the other; and which of them is under way.
     bands: u32,
     band: u32,
@@ -56,7 +61,8 @@ impl Drawing {
         Self {
             view: *view,
             passes: passes.iter().copied().collect(),
-            cursor: Cursor::default(),
+            steps: Steps::default(),
+            edged: None,
             bands: 1,
             band: 0,
             lines,
@@ -68,17 +74,8 @@ impl Drawing {
     /// The outline of an object, as it would be seen with nothing else in the scene.
     #[must_use]
     pub fn of_selection(scene: &SceneBuffers, view: &View, object: usize) -> Self {
-        let place = scene.places.get(object).filter(|place| place.visible);
-        let alone = place.map(|place| {
-            let draw = &scene.draws[place.draw];
-            Draw {
-                shape: draw.shape.only(place.triangles.clone()),
-                mirrors: draw.mirrors,
-                instances: place.instance..place.instance + 1,
-            }
-        });
         Self {
-            selection: Some((object, alone)),
+            selection: Some((object, scene.alone(view, object))),
             ..Self::of(&[Pass::Mask], view, Vec::new())
         }
     }
@@ -95,25 +92,17 @@ impl Drawing {
         self.done
     }
 
-    /// What is drawn.
-    fn draws<'a>(&'a self, scene: &'a SceneBuffers) -> &'a [Draw] {
-        match &self.selection {
-            Some((_, alone)) => alone.as_slice(),
-            None => &scene.draws,
-        }
-    }
-
-    /// All that it comes to.
+    /// All that it comes to where all of the scene is seen, edges of triangles apart.
     #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = match &self.selection {
-            Some((_, alone)) => whole(alone.as_slice()),
+            Some((_, alone)) => alone.as_ref().map_or_else(Piece::default, Piece::of),
             None => scene.whole(),
         };
+        let lines = LINE * self.lines.len() as u64;
+        let times = self.passes.len() as u64 * u64::from(self.bands);
         Piece {
-            work: each
-                .work
-                .saturating_mul(self.passes.len() as u64 * u64::from(self.bands)),
+            work: (each.work + lines).saturating_mul(times),
             ..each
         }
     }
@@ -150,29 +139,57 @@ impl Renderer {
             return Ok(true);
         };
         let view = drawing.view;
-        let mut cursor = drawing.cursor;
-        let begins = cursor == Cursor::default();
-        let slices = cursor.take(drawing.draws(scene), piece);
-        let ends = cursor.is_at_end(drawing.draws(scene));
+        let begins = drawing.steps.is_at_start();
+        let has_colours = matches!(pass, Pass::ColourAndIds | Pass::Colour);
+        let wireframe = self
+            .wireframe
+            .filter(|_| gpu.draws_wireframes() && has_colours);
+        if begins {
+            // Others may have had the row since.
+            if let Some((object, alone)) = &mut drawing.selection {
+                *alone = scene.alone(&view, *object);
+            }
+            drawing.edged = match wireframe {
+                Some(Wireframe::Of(object)) => scene.alone(&view, object),
+                _ => None,
+            };
+        }
+        let seen = match drawing.selection {
+            Some(_) => None,
+            None => Some(scene.seen_in(&view, drawing.steps.begun(), piece == Piece::WHOLE)),
+        };
+        let (draws, are_known) = match (&seen, &drawing.selection) {
+            (Some(seen), _) => (seen.draws.as_slice(), seen.is_whole()),
+            (None, Some((_, alone))) => (alone.as_slice(), true),
+            (None, None) => (&[][..], true),
+        };
+        let parts = Parts {
+            surfaces: draws,
+            are_known,
+            edged: match wireframe {
+                Some(Wireframe::OfAll) => draws,
+                Some(Wireframe::Of(_)) => drawing.edged.as_slice(),
+                None => &[],
+            },
+            lines: if has_colours { drawing.lines.len() } else { 0 },
+        };
+        let Some(step) = drawing.steps.take(&parts, piece) else {
+            return Ok(false);
+        };
         let is_first = begins && drawing.band == 0;
-        let is_last = ends && drawing.band + 1 == drawing.bands;
-        let needed = Needed::of(drawing.draws(scene), &slices);
-        scene.prepare(gpu, &view, &needed);
+        let is_last = step.ends && drawing.band + 1 == drawing.bands;
         self.write_frame(gpu, &view);
         let bindings = self.bind(gpu, scene);
-        let draws = drawing.draws(scene);
-        begin_at(gpu, scene, draws, &slices, |slice, _| slice.triangles.start);
-        let vertices = if ends {
-            lines::vertices(&view, &drawing.lines)
-        } else {
-            Vec::new()
-        };
+        let tables = scene.tables();
+        begin_at(tables, draws, &step.surfaces, |slice, _| {
+            slice.triangles.start
+        });
+        let vertices = lines::vertices(&view, &drawing.lines[step.lines.clone()]);
         let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let mut encoder = gpu.encoder();
         {
             let depth = view.camera.lens().depth;
-            let has_colours = matches!(pass, Pass::ColourAndIds | Pass::Colour);
             let mut render_pass = match pass {
                 Pass::Mask => outline::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
@@ -186,34 +203,26 @@ impl Renderer {
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
-            for slice in &slices {
+            for slice in &step.surfaces {
                 self.draw_slice(gpu, &mut render_pass, pass, &view, &bindings, draws, slice);
             }
-            if ends && has_colours {
-                if let Some(wireframe) = self.wireframe.filter(|_| gpu.draws_wireframes()) {
-                    self.draw_edges(
-                        gpu,
-                        &mut render_pass,
-                        pass,
-                        &view,
-                        scene,
-                        &bindings,
-                        wireframe,
-                    );
-                }
-                if !line_ends.is_empty() {
-                    render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, depth));
-                    render_pass.set_vertex_buffer(0, line_buffer.slice(..));
-                    render_pass.draw(line_ends, 0..1);
-                }
+            for slice in &step.edges {
+                let draw = &parts.edged[slice.draw];
+                self.draw_edges(gpu, &mut render_pass, pass, &view, &bindings, draw, slice);
+            }
+            if !line_ends.is_empty() {
+                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, depth));
+                render_pass.set_vertex_buffer(0, line_buffer.slice(..));
+                render_pass.draw(line_ends, 0..1);
             }
         }
         gpu.queue.submit([encoder.finish()]);
-        begin_at(gpu, scene, draws, &slices, |_, draw| draw.triangles().start);
-        drawing.done += slices.iter().map(Slice::work).sum::<u64>();
-        drawing.cursor = cursor;
-        if ends {
-            (drawing.cursor, drawing.band) = (Cursor::default(), drawing.band + 1);
+        begin_at(tables, draws, &step.surfaces, |_, draw| {
+            draw.shape.triangles().start
+        });
+        drawing.done += step.work();
+        if step.ends {
+            (drawing.steps, drawing.band) = (Steps::default(), drawing.band + 1);
         }
         if is_last {
             drawing.passes.pop_front();
@@ -228,17 +237,16 @@ impl Renderer {
 
 /// Says of slices that are part of an instance which triangle they begin with: a draw numbers its triangles from 0.
 fn begin_at(
-    gpu: &Gpu,
-    scene: &SceneBuffers,
+    tables: &Tables,
     draws: &[Draw],
     slices: &[Slice],
     triangle: impl Fn(&Slice, &Draw) -> u32,
 ) {
     for slice in slices {
         let draw = &draws[slice.draw];
-        let is_part = slice.triangles != draw.triangles();
-        if is_part && matches!(draw.shape, DrawnShape::Triangles { .. }) {
-            scene.begin_at(gpu, slice.instances.start, triangle(slice, draw));
+        let all = draw.shape.triangles();
+        if slice.triangles != all {
+            tables.begin_at(slice.instances.start, triangle(slice, draw));
         }
     }
 }

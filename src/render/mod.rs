@@ -16,20 +16,25 @@
 //! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
+mod batches;
+mod composing;
 mod drawing;
+mod frustum;
 mod gpu;
 pub mod layout;
 mod lines;
 mod mesh_buffers;
 mod mesh_store;
+mod order;
 mod outline;
 mod pipelines;
 mod raster;
 mod readback;
-mod rows;
 mod scene_buffers;
+mod seen;
 mod slices;
 pub mod sphere;
+mod steps;
 mod targets;
 pub mod transform;
 pub mod view_space;

@@ -2,12 +2,14 @@
 
 use super::{
     Renderer,
+    batches::DrawnShape,
+    composing::Draw,
     drawing::Drawing,
     gpu::{Gpu, GpuError},
     layout::Frame,
     lines::Line,
     pipelines::{Drawn, Pass},
-    scene_buffers::{Draw, DrawnShape, SceneBuffers},
+    scene_buffers::SceneBuffers,
     slices::{Piece, Slice},
     targets::Targets,
     transform,
@@ -16,7 +18,6 @@ use crate::{
     camera::{DepthMapping, View},
     geometry::Sides,
 };
-use std::ops::Range;
 
 /// The bind groups of a frame: same frame and objects, but a table of batches or of spheres.
 pub(super) struct Bindings {
@@ -87,47 +88,31 @@ impl Renderer {
             })
         };
         Bindings {
-            triangles: bind(scene.batches()),
-            spheres: bind(scene.spheres()),
+            triangles: bind(&scene.tables().triangles),
+            spheres: bind(&scene.tables().spheres),
         }
     }
 
-    /// Draws the edges of triangles where their faces are seen.
-    #[expect(clippy::too_many_arguments, reason = "those of the scene, and which")]
+    /// Draws the edges of some triangles of some instances where their faces are seen.
+    #[expect(clippy::too_many_arguments, reason = "one draw call")]
     pub(super) fn draw_edges(
         &mut self,
         gpu: &Gpu,
         pass: &mut wgpu::RenderPass<'_>,
         writes: Pass,
         view: &View,
-        scene: &SceneBuffers,
         bindings: &Bindings,
-        wireframe: Wireframe,
+        draw: &Draw,
+        slice: &Slice,
     ) {
-        let depth = view.camera.lens().depth;
-        pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, depth));
-        pass.set_bind_group(0, &bindings.triangles, &[]);
-        let mut edges = |draw: &Draw, triangles: Range<u32>, instances: Range<u32>| {
-            if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
-                pass.set_vertex_buffer(0, buffers.vertices.slice(..));
-                pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-                pass.draw_indexed(3 * triangles.start..3 * triangles.end, 0, instances);
-            }
-        };
-        match wireframe {
-            Wireframe::OfAll => {
-                for draw in &scene.draws {
-                    if let DrawnShape::Triangles { triangles, .. } = &draw.shape {
-                        edges(draw, triangles.clone(), draw.instances.clone());
-                    }
-                }
-            }
-            Wireframe::Of(object) => {
-                if let Some(place) = scene.places.get(object) {
-                    let instance = place.instance..place.instance + 1;
-                    edges(&scene.draws[place.draw], place.triangles.clone(), instance);
-                }
-            }
+        if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
+            let depth = view.camera.lens().depth;
+            pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, depth));
+            pass.set_bind_group(0, &bindings.triangles, &[]);
+            pass.set_vertex_buffer(0, buffers.vertices.slice(..));
+            pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
+            let indices = 3 * slice.triangles.start..3 * slice.triangles.end;
+            pass.draw_indexed(indices, 0, slice.instances.clone());
         }
     }
 

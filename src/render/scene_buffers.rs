@@ -1,37 +1,49 @@
 //! The scene in graphics memory: meshes once, objects as rows of small tables.
 
 use super::{
+    batches::{Batch, DrawnShape, Kind, Own, Triangles},
+    composing::{Draw, ToDraw},
     gpu::{Gpu, GpuError},
     layout::ObjectState,
     mesh_buffers::MeshBuffers,
     mesh_store::MeshStore,
-    rows::{Rows, SphereBatch, TriangleBatch},
-    slices::{Piece, Slice, whole},
+    order::index,
+    seen::{LITTLE, Seen, Tables, read},
+    slices::{Piece, work},
     transform::vertex_space,
+    view_space::ViewSpace,
 };
 use crate::{
     camera::View,
     colour::Srgb,
     geometry::{Aabb, Mesh},
-    scene::{Scene, Shape},
+    scene::{Object, Scene, Shape},
 };
-use std::ops::Range;
+use std::{
+    cell::{RefCell, RefMut},
+    collections::HashMap,
+    fmt,
+    ops::Range,
+    sync::{Arc, PoisonError, RwLock},
+};
 use wgpu::BufferUsages;
 
+/// Where more objects than these change at once, rows are composed anew.
+const MANY: usize = 64;
+
 /// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
-#[derive(Debug)]
 pub struct SceneBuffers {
-    /// What is drawn, in order.
-    pub(super) draws: Vec<Draw>,
+    all: Arc<RwLock<ToDraw>>,
+    seen: RefCell<Seen>,
+    tables: Tables,
     whole: Piece,
+    is_little: bool,
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
     pub(super) places: Vec<Place>,
     /// What `objects` holds.
     states: Vec<ObjectState>,
-    triangle_rows: Rows<TriangleBatch>,
-    sphere_rows: Rows<SphereBatch>,
     /// How many changes of the scene it has.
     changes: u64,
     meshes: MeshStore,
@@ -39,31 +51,19 @@ pub struct SceneBuffers {
     square: MeshBuffers,
 }
 
-/// One draw call: instances of one shape.
-#[derive(Clone, Debug)]
-pub(super) struct Draw {
-    pub shape: DrawnShape,
-    /// Whether the model matrices mirror. Spheres do not care.
-    pub mirrors: bool,
-    /// Rows of the table of batches, or of spheres.
-    pub instances: Range<u32>,
-}
-
-/// What a draw call draws.
-#[derive(Clone, Debug)]
-pub(super) enum DrawnShape {
-    Triangles {
-        buffers: MeshBuffers,
-        triangles: Range<u32>,
-    },
-    Spheres,
+impl fmt::Debug for SceneBuffers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let objects = self.places.len();
+        (f.debug_struct("SceneBuffers"))
+            .field("objects", &objects)
+            .finish_non_exhaustive()
+    }
 }
 
 /// Where an object is drawn by itself, and where in the world it lies.
 #[derive(Clone, Debug)]
 pub(super) struct Place {
-    pub draw: usize,
-    pub instance: u32,
+    pub batch: u32,
     /// Its triangles; none for spheres.
     pub triangles: Range<u32>,
     pub bounds_world: Aabb,
@@ -98,8 +98,7 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit; the buffers are then as before.
     pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        let changed = scene.changed_since(self.changes);
-        if let Some(changed) = changed.filter(|changed| self.may_take(scene, changed)) {
+        if let Some(changed) = scene.changed_since(self.changes) {
             self.take(gpu, scene, changed);
             return Ok(());
         }
@@ -108,36 +107,36 @@ impl SceneBuffers {
         Ok(())
     }
 
-    /// Whether these objects are drawn by the same draws as before.
-    fn may_take(&self, scene: &Scene, changed: &[usize]) -> bool {
-        changed.iter().all(|&index| {
-            let placement = &scene.objects()[index].placement;
-            let draw = &self.draws[self.places[index].draw];
-            draw.mirrors == placement.mirrors() || matches!(draw.shape, DrawnShape::Spheres)
-        })
-    }
-
     /// Takes over what single objects are now.
     fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[usize]) {
+        let seen = self.seen.get_mut();
+        if changed.len() > MANY {
+            seen.forget();
+        }
+        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
         for &index in changed {
             let object = &scene.objects()[index];
             let place = &mut self.places[index];
-            (place.visible, place.bounds_world) = (object.visible, scene.bounds_of(index));
             self.states[index] = object_state(object);
-            let row = place.instance as usize;
-            match self.draws[place.draw].shape {
-                DrawnShape::Triangles { .. } => {
-                    let batch = &mut self.triangle_rows.batches[row];
-                    if batch.placement != object.placement {
-                        batch.placement = object.placement;
-                        self.triangle_rows.renew(gpu, row);
-                    }
-                }
-                DrawnShape::Spheres => {
-                    let batch = &mut self.sphere_rows.batches[row];
-                    (batch.placement, batch.visible) = (object.placement, object.visible);
-                    self.sphere_rows.renew(gpu, row);
-                }
+            let number = place.batch;
+            let batch = &mut all.batches[number as usize];
+            if place.visible != object.visible {
+                batch.shown = if object.visible {
+                    batch.shown + 1
+                } else {
+                    batch.shown - 1
+                };
+            }
+            (place.visible, place.bounds_world) = (object.visible, scene.bounds_of(index));
+            let mut stays = batch.twins.is_none();
+            if batch.placement != object.placement {
+                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
+                stays &= all.place(scene, number, object.placement, bounds);
+            }
+            if stays {
+                seen.renew(number, &all.batches[number as usize]);
+            } else {
+                seen.forget();
             }
         }
         if let (Some(&first), Some(&last)) = (changed.iter().min(), changed.iter().max()) {
@@ -155,69 +154,65 @@ impl SceneBuffers {
         [cube, square]: [MeshBuffers; 2],
     ) -> Result<Self, GpuError> {
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
-        let mut draws: Vec<Draw> = Vec::new();
+        let (mut kinds, mut known) = (Vec::new(), HashMap::new());
+        let mut batches = Vec::with_capacity(scene.batches().len());
         let mut places = Vec::with_capacity(states.len());
-        let (mut triangle_batches, mut sphere_batches) = (Vec::new(), Vec::new());
+        let (mut rows, mut whole) = ([0, 0], Piece::default());
         for batch in scene.batches() {
             let object = &scene.objects()[batch.start];
-            let (mesh, triangles, first_part) = match &object.shape {
-                Shape::Sphere => (None, 0..0, 0),
-                Shape::Cube => (Some(cube.clone()), 0..cube.triangles, 0),
-                Shape::Square => (Some(square.clone()), 0..square.triangles, 0),
-                Shape::Mesh { mesh, part } => {
-                    let buffers = meshes.buffers(gpu, mesh)?;
-                    (
-                        Some(buffers),
-                        batch_triangles(mesh, *part, batch.len()),
-                        *part,
-                    )
+            // A mesh by its address, beside which cubes, squares and spheres are none.
+            let (address, triangles) = match &object.shape {
+                Shape::Sphere => (0, 0..0),
+                Shape::Cube => (1, 0..cube.triangles),
+                Shape::Square => (2, 0..square.triangles),
+                Shape::Mesh { mesh, part } => (
+                    Arc::as_ptr(mesh).addr(),
+                    batch_triangles(mesh, *part, batch.len()),
+                ),
+            };
+            let is_sphere = matches!(object.shape, Shape::Sphere);
+            let mirrors = object.placement.mirrors() && !is_sphere;
+            let key = (address, triangles.clone(), mirrors);
+            let kind = match known.get(&key) {
+                Some(kind) => *kind,
+                None => {
+                    let buffers = match &object.shape {
+                        Shape::Sphere => None,
+                        Shape::Cube => Some(cube.clone()),
+                        Shape::Square => Some(square.clone()),
+                        Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
+                    };
+                    let triangles = triangles.clone();
+                    let shape = buffers.map_or(DrawnShape::Spheres, |buffers| {
+                        DrawnShape::Triangles { buffers, triangles }
+                    });
+                    kinds.push(Kind { shape, mirrors });
+                    *known.entry(key).or_insert(index(kinds.len() - 1))
                 }
             };
-            let index = if mesh.is_some() {
-                triangle_batches.len()
-            } else {
-                sphere_batches.len()
-            };
-            let instance = count(index);
-            if mesh.is_some() {
-                triangle_batches.push(triangle_batch(scene, batch, first_part, triangles.start));
-            } else {
-                sphere_batches.push(SphereBatch {
-                    placement: object.placement,
-                    object: count(batch.start),
-                    visible: object.visible,
-                });
-            }
-            let shape = mesh.map_or(DrawnShape::Spheres, |buffers| DrawnShape::Triangles {
-                buffers,
-                triangles: triangles.clone(),
-            });
-            let draw = Draw {
-                mirrors: object.placement.mirrors(),
-                instances: instance..instance + 1,
-                shape,
-            };
-            match draws.last_mut() {
-                Some(last) if last.joins(&draw) => last.instances.end += 1,
-                _ => draws.push(draw),
-            }
-            for index in batch.clone() {
-                let object = &scene.objects()[index];
+            rows[usize::from(is_sphere)] += 1;
+            whole.work += work(&triangles);
+            whole.instances += 1;
+            let number = index(batches.len());
+            batches.push(drawn_batch(scene, batch, kind, triangles.start));
+            for object in batch.clone() {
+                let Object { shape, visible, .. } = &scene.objects()[object];
                 places.push(Place {
-                    draw: draws.len() - 1,
-                    instance,
-                    triangles: object.shape.triangles().unwrap_or(triangles.clone()),
-                    bounds_world: scene.bounds_of(index),
-                    visible: object.visible,
+                    batch: number,
+                    triangles: shape.triangles().unwrap_or(triangles.clone()),
+                    bounds_world: scene.bounds_of(object),
+                    visible: *visible,
                 });
             }
         }
+        let tables = Tables::new(gpu, rows)?;
         Ok(Self {
             objects: gpu.buffer("objects", BufferUsages::STORAGE, &states)?,
-            triangle_rows: Rows::new(gpu, "model matrices", triangle_batches)?,
-            sphere_rows: Rows::new(gpu, "spheres", sphere_batches)?,
-            whole: whole(&draws),
-            draws,
+            seen: RefCell::new(Seen::new(tables.clone())),
+            tables,
+            whole,
+            is_little: batches.len() <= LITTLE,
+            all: Arc::new(RwLock::new(ToDraw::new(scene, kinds, batches))),
             places,
             states,
             changes: scene.changes(),
@@ -227,118 +222,86 @@ impl SceneBuffers {
         })
     }
 
-    /// What drawing it once comes to.
+    /// What drawing it once comes to, where all of it is seen.
     #[must_use]
     pub fn whole(&self) -> Piece {
         self.whole
     }
 
-    /// Sees to the rows of the tables that slices of draws need.
-    pub(super) fn prepare(&self, gpu: &Gpu, view: &View, needed: &Needed) {
-        let Needed { batches, spheres } = *needed;
-        self.triangle_rows.prepare(gpu, view, batches);
-        self.sphere_rows.prepare(gpu, view, spheres);
+    /// Whether what a view shows of it is known at once.
+    #[must_use]
+    pub fn is_little(&self) -> bool {
+        self.is_little
     }
 
-    /// [`super::layout::Batch`] of each batch of triangles.
-    pub(super) fn batches(&self) -> &wgpu::Buffer {
-        &self.triangle_rows.buffer
+    /// What a view shows of it, as far as that is known: all of it for somebody who waits, else more draws than are known
+    /// where some come soon.
+    pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
+        let mut seen = self.seen.borrow_mut();
+        seen.prepare(&self.all, view);
+        seen.take(known, waits);
+        seen
     }
 
-    /// [`super::layout::Sphere`] of each sphere.
-    pub(super) fn spheres(&self) -> &wgpu::Buffer {
-        &self.sphere_rows.buffer
+    /// The tables of what is seen of it.
+    pub(super) fn tables(&self) -> &Tables {
+        &self.tables
     }
 
-    /// Says which triangle the next draw of an instance begins with.
-    pub(super) fn begin_at(&self, gpu: &Gpu, instance: u32, first_triangle: u32) {
-        self.triangle_rows
-            .begin_at(gpu, instance as usize, first_triangle);
-    }
-}
-
-/// How many rows of each table.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Needed {
-    batches: usize,
-    spheres: usize,
-}
-
-impl Needed {
-    /// Those that slices of draws need.
-    pub fn of(draws: &[Draw], slices: &[Slice]) -> Self {
-        let mut needed = Self::default();
-        for slice in slices {
-            let rows = match draws[slice.draw].shape {
-                DrawnShape::Triangles { .. } => &mut needed.batches,
-                DrawnShape::Spheres => &mut needed.spheres,
-            };
-            *rows = (*rows).max(slice.instances.end as usize);
-        }
-        needed
+    /// The draw of an object by itself, which sees to its row; `None` where it is hidden.
+    pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
+        let place = self.places.get(object).filter(|place| place.visible)?;
+        let all = read(&self.all);
+        let batch = &all.batches[place.batch as usize];
+        let row = batch.seen_in(&ViewSpace::new(view));
+        let row = self.tables.write_alone(&row);
+        let Kind { shape, mirrors } = &all.kinds[batch.kind as usize];
+        Some(Draw {
+            shape: shape.only(place.triangles.clone()),
+            mirrors: *mirrors,
+            instances: row..row + 1,
+        })
     }
 }
 
 /// A batch of a scene, to be seen in views.
-fn triangle_batch(
-    scene: &Scene,
-    batch: &Range<usize>,
-    first_part: usize,
-    first_triangle: u32,
-) -> TriangleBatch {
-    let object = &scene.objects()[batch.start];
-    let (origin, bounds) = vertex_space(scene, batch);
-    TriangleBatch {
+fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u32) -> Batch {
+    let objects = &scene.objects()[range.clone()];
+    let object = &objects[0];
+    let own = match &object.shape {
+        Shape::Sphere => Own::Sphere {
+            object: index(range.start),
+        },
+        shape => {
+            let (origin, bounds) = vertex_space(scene, range);
+            let first_part = match shape {
+                Shape::Mesh { part, .. } => *part,
+                _ => 0,
+            };
+            Own::Triangles(Triangles {
+                origin,
+                bounds,
+                object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
+                first_triangle,
+                numbers_triangles: shape.triangles().is_some(),
+            })
+        }
+    };
+    let shown = objects.iter().filter(|object| object.visible).count();
+    let mut batch = Batch {
+        kind,
         placement: object.placement,
-        origin,
-        bounds,
-        object_of_part_0: count(batch.start).wrapping_sub(count(first_part)),
-        first_triangle,
-        numbers_triangles: object.shape.triangles().is_some(),
-    }
+        own,
+        bounds_world: Aabb::EMPTY,
+        objects: index(objects.len()),
+        shown: index(shown),
+        twins: None,
+    };
+    batch.bounds_world = batch.with_room(scene.bounds_of_batch(range));
+    batch
 }
 
-impl DrawnShape {
-    /// Only these triangles of it, where it has any.
-    pub fn only(&self, these: Range<u32>) -> Self {
-        match self {
-            Self::Triangles { buffers, .. } => Self::Triangles {
-                buffers: buffers.clone(),
-                triangles: these,
-            },
-            Self::Spheres => Self::Spheres,
-        }
-    }
-}
-
-impl Draw {
-    /// The triangles of each instance; none of spheres.
-    pub fn triangles(&self) -> Range<u32> {
-        match &self.shape {
-            DrawnShape::Triangles { triangles, .. } => triangles.clone(),
-            DrawnShape::Spheres => 0..0,
-        }
-    }
-
-    /// Whether `next` is more instances of the same.
-    fn joins(&self, next: &Self) -> bool {
-        let same_shape = match (&self.shape, &next.shape) {
-            (DrawnShape::Spheres, DrawnShape::Spheres) => true,
-            (
-                DrawnShape::Triangles { buffers, triangles },
-                DrawnShape::Triangles {
-                    buffers: next_buffers,
-                    triangles: next_triangles,
-                },
-            ) => buffers.vertices == next_buffers.vertices && triangles == next_triangles,
-            _ => false,
-        };
-        let same_side = self.mirrors == next.mirrors || matches!(self.shape, DrawnShape::Spheres);
-        same_shape && same_side && self.instances.end == next.instances.start
-    }
-}
-
-fn object_state(object: &crate::scene::Object) -> ObjectState {
+fn object_state(object: &Object) -> ObjectState {
     let analytic = object.shape.triangles().is_none();
     ObjectState {
         colour: object.colour.unwrap_or(Srgb::NEUTRAL).to_linear(),
@@ -356,9 +319,4 @@ fn batch_triangles(mesh: &Mesh, first: usize, parts: usize) -> Range<u32> {
         (Some(first), Some(last)) => first.triangles.start..last.triangles.end,
         _ => 0..0,
     }
-}
-
-/// Objects and batches are counted in 32 bits on the GPU; memory ends long before.
-fn count(index: usize) -> u32 {
-    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -1,17 +1,17 @@
 //! A list of draws in slices of limited work.
 
-use super::scene_buffers::Draw;
+use super::composing::Draw;
 use std::ops::Range;
 
 /// The work that an instance is, beside its triangles: about that of so many.
 const INSTANCE: u64 = 32;
 
 /// How much is drawn at once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Piece {
     /// About so many triangles; an instance counts as 32 more.
     pub work: u64,
-    /// No more instances than these, each of which has a row of a table to be composed.
+    /// No more instances than these.
     pub instances: u32,
 }
 
@@ -21,6 +21,15 @@ impl Piece {
         work: u64::MAX,
         instances: u32::MAX,
     };
+
+    /// All that a draw comes to.
+    pub(super) fn of(draw: &Draw) -> Self {
+        let instances = draw.instances.end - draw.instances.start;
+        Self {
+            work: work(&draw.shape.triangles()) * u64::from(instances),
+            instances,
+        }
+    }
 
     /// Whether so much is done at once.
     #[must_use]
@@ -62,11 +71,17 @@ impl Cursor {
         self.draw == draws.len()
     }
 
-    /// What comes next, in order: no more than a piece, but where that is too small for anything, a triangle.
-    pub fn take(&mut self, draws: &[Draw], mut piece: Piece) -> Vec<Slice> {
+    /// The draw that comes next.
+    pub fn draw(&self) -> usize {
+        self.draw
+    }
+
+    /// What comes next, in order, of what is left of a piece: no more than that, but where `is_first` says that there is
+    /// nothing before it and it is too small for anything, a triangle.
+    pub fn take(&mut self, draws: &[Draw], left: &mut Piece, is_first: bool) -> Vec<Slice> {
         let mut slices = Vec::new();
         while let Some(draw) = draws.get(self.draw)
-            && let Some(slice) = self.slice(draw, &mut piece, slices.is_empty())
+            && let Some(slice) = self.slice(draw, left, is_first && slices.is_empty())
         {
             slices.push(slice);
         }
@@ -75,7 +90,7 @@ impl Cursor {
 
     /// The next slice of a draw; `None` where too little of the piece is left, unless it is the first.
     fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
-        let (index, all) = (self.draw, draw.triangles());
+        let (index, all) = (self.draw, draw.shape.triangles());
         let first = draw.instances.start + self.instance;
         let each = work(&all);
         let fit = u32::try_from(left.work / each).unwrap_or(u32::MAX);
@@ -110,18 +125,7 @@ impl Cursor {
     }
 }
 
-/// All that draws come to.
-pub(super) fn whole(draws: &[Draw]) -> Piece {
-    let count = |draw: &Draw| draw.instances.end - draw.instances.start;
-    let works = draws
-        .iter()
-        .map(|draw| work(&draw.triangles()) * u64::from(count(draw)));
-    Piece {
-        work: works.sum(),
-        instances: draws.iter().map(count).sum(),
-    }
-}
-
-fn work(triangles: &Range<u32>) -> u64 {
+/// That of an instance of so many triangles.
+pub(super) fn work(triangles: &Range<u32>) -> u64 {
     INSTANCE + u64::from(triangles.end - triangles.start)
 }

@@ -10,11 +10,13 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    /// An object was changed in a scene of `count` objects. A log as long as the scene says no more than that everything
-    /// may have changed.
+    /// An object was changed in a scene of `count` objects. What is so long ago that all of them may have changed since is
+    /// forgotten.
     pub fn push(&mut self, object: usize, count: usize) {
-        if self.objects.len() > count {
-            self.everything();
+        if self.objects.len() > 2 * count {
+            let old = self.objects.len() - count;
+            self.objects.drain(..old);
+            self.forgotten += old as u64;
         }
         self.objects.push(object);
     }

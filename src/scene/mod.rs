@@ -290,6 +290,16 @@ impl Scene {
         }
     }
 
+    /// Whether `is_it` says so of a batch, by its index, whose box meets this one in the world; also where that would take
+    /// long to tell.
+    pub(crate) fn meets_batch(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
+        if self.tree.is_empty() {
+            (0..self.batches.len()).any(is_it)
+        } else {
+            self.tree.meets(bounds, &mut is_it)
+        }
+    }
+
     /// Whether each mesh that is worth a tree has one.
     #[must_use]
     pub fn trees_are_built(&self) -> bool {

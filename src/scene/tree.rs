@@ -19,6 +19,8 @@ use glam::{DMat3, DVec3};
 
 /// Fewer batches are asked one after the other.
 const WORTH_A_TREE: usize = 8;
+/// Of what meets a box, more nodes than these are not asked.
+const MOST_ASKED: usize = 512;
 /// Nodes that may wait: one for each level, and halving by count makes no more than 64.
 const DEEPEST: usize = 64;
 
@@ -142,6 +144,29 @@ impl SceneTree {
                 Content::Second(second) => open.extend([second, place + 1]),
             }
         }
+    }
+
+    /// Whether `is_it` says so of a batch whose box meets this one; also where more than [`MOST_ASKED`] nodes would have to
+    /// be asked.
+    pub fn meets(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
+        let mut open = vec![0];
+        let mut asked = 0;
+        while let Some(place) = open.pop() {
+            let node: &Node = &self.nodes[place];
+            // Written so that NaN meets.
+            let beside = node.bounds.max.cmplt(bounds.min) | bounds.max.cmplt(node.bounds.min);
+            if beside.any() {
+                continue;
+            }
+            asked += 1;
+            match node.content {
+                _ if asked > MOST_ASKED => return true,
+                Content::Batch(batch) if is_it(batch) => return true,
+                Content::Batch(_) => {}
+                Content::Second(second) => open.extend([second, place + 1]),
+            }
+        }
+        false
     }
 
     /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of

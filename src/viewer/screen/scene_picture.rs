@@ -23,6 +23,8 @@ use std::{
 
 /// No further piece is begun in a pass that has worked for as long as this.
 const WORKED: Duration = Duration::from_millis(4);
+/// Triangles with their edges are so many times the work of triangles.
+const EDGES_COST: u64 = 4;
 /// For so long nothing is asked of an adapter that draws: to ask at once would only keep a processor busy.
 const WAIT: Duration = Duration::from_millis(4);
 
@@ -191,7 +193,11 @@ impl ScenePicture {
         let view = finish.drawn(&wanted.view);
         let drawing = Drawing::of_scene(samples, &view, lines(state, wanted));
         let most = self.paces[usize::from(finish.is_exact())].most();
-        let at_once = most.holds(&drawing.whole(&scene.buffers));
+        let mut whole = drawing.whole(&scene.buffers);
+        if self.renderer.wireframe.is_some() {
+            whole.work *= EDGES_COST;
+        }
+        let at_once = most.holds(&whole) && scene.buffers.is_little();
         if at_once {
             // Nothing is shown between the beginning and the end.
             self.spare
@@ -288,9 +294,13 @@ impl ScenePicture {
             self.renderer.scale_factor = self.scale_factor / coarseness;
             let advanced = self.renderer.advance(gpu, buffers, targets, drawing, piece);
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
-            done += self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
+            let progress = self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
+            done += progress;
             if is_whole {
                 anew |= self.finish();
+            } else if progress == 0 && piece != Piece::WHOLE {
+                // What is to be drawn is being composed.
+                break;
             }
         }
         // What smooth pieces take says nothing of others.

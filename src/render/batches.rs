@@ -1,0 +1,149 @@
+//! What there is to draw of a scene, batch by batch: what rows of tables are made from.
+
+use super::{
+    layout,
+    mesh_buffers::MeshBuffers,
+    sphere::sphere,
+    transform::{VertexToView, columns, normal_to_view},
+    view_space::ViewSpace,
+};
+use crate::geometry::{Aabb, Placement};
+use glam::DVec3;
+use std::ops::Range;
+
+/// What is drawn with one call, be it once or many times.
+#[derive(Clone, Debug)]
+pub(super) struct Kind {
+    pub shape: DrawnShape,
+    /// Whether the model matrices mirror. Spheres do not care.
+    pub mirrors: bool,
+}
+
+/// What a draw call draws.
+#[derive(Clone, Debug)]
+pub(super) enum DrawnShape {
+    Triangles {
+        buffers: MeshBuffers,
+        triangles: Range<u32>,
+    },
+    Spheres,
+}
+
+impl DrawnShape {
+    /// Only these triangles of it, where it has any.
+    pub fn only(&self, these: Range<u32>) -> Self {
+        match self {
+            Self::Triangles { buffers, .. } => Self::Triangles {
+                buffers: buffers.clone(),
+                triangles: these,
+            },
+            Self::Spheres => Self::Spheres,
+        }
+    }
+
+    /// The triangles of each instance; none of spheres.
+    pub fn triangles(&self) -> Range<u32> {
+        match self {
+            Self::Triangles { triangles, .. } => triangles.clone(),
+            Self::Spheres => 0..0,
+        }
+    }
+}
+
+/// A batch of a scene.
+#[derive(Clone, Debug)]
+pub(super) struct Batch {
+    /// Index of its [`Kind`].
+    pub kind: u32,
+    pub placement: Placement,
+    pub own: Own,
+    /// Holds all of it, whatever `f64` took of where that is; of a batch without triangles, nothing.
+    pub bounds_world: Aabb,
+    /// Its objects, and how many of them are visible.
+    pub objects: u32,
+    pub shown: u32,
+    /// Those of one number are the same triangles in one place: of them the first is seen.
+    pub twins: Option<u32>,
+}
+
+/// What batches of triangles and spheres have besides.
+#[derive(Clone, Debug)]
+pub(super) enum Own {
+    Triangles(Triangles),
+    Sphere { object: u32 },
+}
+
+/// What a batch of triangles has.
+#[derive(Clone, Debug)]
+pub(super) struct Triangles {
+    /// Of vertex space in object space.
+    pub origin: DVec3,
+    /// Vertex space.
+    pub bounds: Aabb,
+    pub object_of_part_0: u32,
+    pub first_triangle: u32,
+    pub numbers_triangles: bool,
+}
+
+/// A row of one of the tables.
+#[expect(clippy::large_enum_variant, reason = "goes to a table at once")]
+pub(super) enum Row {
+    Triangles(layout::Batch),
+    Sphere(layout::Sphere),
+}
+
+impl Batch {
+    /// The row as a view sees it.
+    pub fn seen_in(&self, space: &ViewSpace) -> Row {
+        match &self.own {
+            Own::Triangles(own) => Row::Triangles(own.seen_in(space, &self.placement)),
+            Own::Sphere { .. } if self.shown == 0 => Row::Sphere(layout::Sphere::default()),
+            Own::Sphere { object } => Row::Sphere(sphere(space, &self.placement, *object)),
+        }
+    }
+
+    /// The box about what has this one in `f64`: a corner of it takes 3 products and 3 sums, each off by `U` of what it
+    /// adds up, at most `s = |M| m + |T|` with m the largest coordinates in object space. `32 U s` is room enough, as in
+    /// the scene's own boxes that move.
+    pub fn with_room(&self, bounds_world: Aabb) -> Aabb {
+        let model = self.placement.model();
+        let largest = match &self.own {
+            Own::Triangles(own) => {
+                own.origin.abs() + own.bounds.min.abs().max(own.bounds.max.abs())
+            }
+            Own::Sphere { .. } => DVec3::ONE,
+        };
+        let columns = [
+            model.matrix3.x_axis,
+            model.matrix3.y_axis,
+            model.matrix3.z_axis,
+        ];
+        let turned = columns[0].abs() * largest.x
+            + columns[1].abs() * largest.y
+            + columns[2].abs() * largest.z;
+        let room = 16.0 * f64::EPSILON * (turned + model.translation.abs());
+        Aabb {
+            min: bounds_world.min - room,
+            max: bounds_world.max + room,
+        }
+    }
+}
+
+impl Triangles {
+    fn seen_in(&self, space: &ViewSpace, placement: &Placement) -> layout::Batch {
+        let to_view = VertexToView::new(space, placement, self.origin, &self.bounds);
+        let numbers = u32::from(self.numbers_triangles) * layout::Batch::NUMBERS_TRIANGLES;
+        let mirrors = u32::from(placement.mirrors()) * layout::Batch::MIRRORS;
+        layout::Batch {
+            pivot: to_view.pivot.to_array(),
+            object_of_part_0: self.object_of_part_0,
+            linear: columns(to_view.linear),
+            translation: to_view.translation.to_array(),
+            first_triangle: self.first_triangle,
+            normal: columns(normal_to_view(space.view(), placement).as_mat3()),
+            flags: numbers | mirrors,
+            view_depth: to_view.view_depth,
+            padding: [0; 2],
+        }
+    }
+}

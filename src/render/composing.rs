@@ -1,0 +1,228 @@
+//! Rows of the tables as a view sees them: of what it may show, share by share.
+
+use super::{
+    batches::{Batch, DrawnShape, Kind, Row},
+    frustum::Frustum,
+    layout,
+    order::{Order, index},
+    view_space::ViewSpace,
+};
+use crate::{
+    camera::View,
+    geometry::{Aabb, Placement},
+    scene::Scene,
+};
+use std::{collections::HashMap, ops::Range};
+
+/// Batches of a block, which are left out together where none of them is in the picture.
+const BLOCK: usize = 64;
+/// Rows of a share: composed in about a millisecond.
+const SHARE: usize = 2048;
+
+/// All that there is to draw, and in which order.
+#[derive(Debug)]
+pub(super) struct ToDraw {
+    pub kinds: Vec<Kind>,
+    pub batches: Vec<Batch>,
+    order: Order,
+    /// The box about each block of batches in that order.
+    blocks: Vec<Aabb>,
+    /// Numbers of [`Batch::twins`] are below this.
+    twins: usize,
+}
+
+impl ToDraw {
+    /// The batches of a scene, of these kinds; their twins are found here.
+    pub fn new(scene: &Scene, kinds: Vec<Kind>, mut batches: Vec<Batch>) -> Self {
+        let twins = find_twins(&mut batches);
+        let order = Order::new(scene, &batches);
+        let blocks = vec![Aabb::EMPTY; order.len().div_ceil(BLOCK)];
+        let mut all = Self {
+            kinds,
+            batches,
+            blocks,
+            order,
+            twins,
+        };
+        all.renew_blocks(0..all.order.len());
+        all
+    }
+
+    /// Puts a batch elsewhere, where it has this box. Returns whether kind and place in the order are what they were.
+    pub fn place(
+        &mut self,
+        scene: &Scene,
+        number: u32,
+        placement: Placement,
+        bounds_world: Aabb,
+    ) -> bool {
+        let batch = &mut self.batches[number as usize];
+        (batch.placement, batch.twins) = (placement, None);
+        batch.bounds_world = batch.with_room(bounds_world);
+        let kind = &self.kinds[batch.kind as usize];
+        let is_sphere = matches!(kind.shape, DrawnShape::Spheres);
+        let stays = is_sphere || kind.mirrors == placement.mirrors();
+        if !stays {
+            // Nobody else is of this kind, which costs a draw call.
+            let mirrored = Kind {
+                mirrors: placement.mirrors(),
+                ..kind.clone()
+            };
+            batch.kind = index(self.kinds.len());
+            self.kinds.push(mirrored);
+        }
+        let others = self.order.moved(scene, &self.batches, number, stays);
+        let place = self.order.place(number);
+        let is_in_order = others.is_empty();
+        self.renew_blocks(place..place + 1);
+        self.renew_blocks(others);
+        stays && is_in_order
+    }
+
+    fn renew_blocks(&mut self, places: Range<usize>) {
+        if places.is_empty() {
+            return;
+        }
+        for block in places.start / BLOCK..=(places.end - 1) / BLOCK {
+            let end = ((block + 1) * BLOCK).min(self.order.len());
+            let batches = self.order.of(block * BLOCK..end).iter();
+            let boxes = batches.map(|batch| self.batches[*batch as usize].bounds_world);
+            self.blocks[block] = boxes.fold(Aabb::EMPTY, Aabb::union);
+        }
+    }
+}
+
+/// Numbers those that are the same in one place; returns how many numbers that takes.
+fn find_twins(batches: &mut [Batch]) -> usize {
+    let mut first_of: HashMap<_, usize> = HashMap::with_capacity(batches.len());
+    let mut count = 0;
+    for at in 0..batches.len() {
+        let model = batches[at].placement.model().to_cols_array();
+        let key = (batches[at].kind, model.map(f64::to_bits));
+        let first = *first_of.entry(key).or_insert(at);
+        if first != at {
+            let number = *batches[first].twins.get_or_insert_with(|| {
+                count += 1;
+                index(count - 1)
+            });
+            batches[at].twins = Some(number);
+        }
+    }
+    count
+}
+
+/// Instances of one kind, one after the other in its table.
+#[derive(Clone, Debug)]
+pub(super) struct Draw {
+    pub shape: DrawnShape,
+    pub mirrors: bool,
+    pub instances: Range<u32>,
+}
+
+/// Rows that are composed: those that follow in each table.
+#[derive(Debug, Default)]
+pub(super) struct Share {
+    pub triangles: Vec<layout::Batch>,
+    pub spheres: Vec<layout::Sphere>,
+    /// The rows before them.
+    pub before: [u32; 2],
+    pub draws: Vec<Draw>,
+}
+
+/// Composes rows for a view.
+pub(super) struct Composer {
+    space: ViewSpace,
+    frustum: Frustum,
+    /// The next block.
+    block: usize,
+    /// How many rows each table has by now.
+    rows: [u32; 2],
+    /// Of which twins the first is drawn.
+    drawn: Vec<bool>,
+    /// Which row of its table each batch has; `u32::MAX` for none.
+    pub row_of: Vec<u32>,
+}
+
+impl Composer {
+    /// Of nothing yet.
+    pub fn new(view: &View, all: &ToDraw) -> Self {
+        Self {
+            space: ViewSpace::new(view),
+            frustum: Frustum::new(view),
+            block: 0,
+            rows: [0, 0],
+            drawn: vec![false; all.twins],
+            row_of: vec![u32::MAX; all.batches.len()],
+        }
+    }
+
+    /// The next share; `None` after the last.
+    pub fn next(&mut self, all: &ToDraw) -> Option<Share> {
+        let mut share = Share {
+            before: self.rows,
+            ..Share::default()
+        };
+        let mut last_kind = None;
+        while share.triangles.len() + share.spheres.len() < SHARE {
+            let Some(bounds) = all.blocks.get(self.block) else {
+                return (!share.draws.is_empty()).then_some(share);
+            };
+            let places = self.block * BLOCK..((self.block + 1) * BLOCK).min(all.order.len());
+            self.block += 1;
+            if self.frustum.may_hold(bounds) {
+                for &batch in all.order.of(places) {
+                    self.add(all, batch, &mut share, &mut last_kind);
+                }
+            }
+        }
+        Some(share)
+    }
+
+    /// Adds a batch, where something of it may be seen.
+    fn add(&mut self, all: &ToDraw, number: u32, share: &mut Share, last_kind: &mut Option<u32>) {
+        let batch = &all.batches[number as usize];
+        let is_behind_twin = batch.twins.is_some_and(|twins| self.drawn[twins as usize]);
+        if batch.shown == 0 || is_behind_twin || !self.frustum.may_hold(&batch.bounds_world) {
+            return;
+        }
+        let table = match batch.seen_in(&self.space) {
+            Row::Triangles(row) => {
+                share.triangles.push(row);
+                0
+            }
+            Row::Sphere(row) if row == layout::Sphere::default() => return,
+            Row::Sphere(row) => {
+                share.spheres.push(row);
+                1
+            }
+        };
+        if let Some(twins) = batch.twins.filter(|_| batch.shown == batch.objects) {
+            self.drawn[twins as usize] = true;
+        }
+        let row = self.rows[table];
+        self.rows[table] += 1;
+        self.row_of[number as usize] = row;
+        match share.draws.last_mut() {
+            Some(draw) if *last_kind == Some(batch.kind) => draw.instances.end = row + 1,
+            _ => {
+                let Kind { shape, mirrors } = all.kinds[batch.kind as usize].clone();
+                share.draws.push(Draw {
+                    shape,
+                    mirrors,
+                    instances: row..row + 1,
+                });
+            }
+        }
+        *last_kind = Some(batch.kind);
+    }
+
+    /// Whether the picture may show something of what is in a box.
+    pub fn may_show(&self, bounds_world: &Aabb) -> bool {
+        self.frustum.may_hold(bounds_world)
+    }
+
+    /// A batch's row.
+    pub fn row(&self, batch: &Batch) -> Row {
+        batch.seen_in(&self.space)
+    }
+}

@@ -1,0 +1,139 @@
+//! Which boxes a picture may show something of: what lies beside it is not sent to the adapter.
+
+use crate::{
+    camera::{Projection, View},
+    geometry::Aabb,
+};
+use glam::DVec3;
+
+/// How much boxes and planes grow, relatively: 16 times what `f64` may take, see [`Frustum::may_hold`].
+pub(super) const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
+/// Pixels about the picture that count as part of it. The rasteriser's grid and `f32` move an outline by half a pixel at the
+/// most (a view where they might by more is beyond `f32`), impostors and lines reach a pixel further than their surface.
+const ASIDE_PX: f64 = 2.0;
+
+/// The six planes about all that a view shows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frustum {
+    eye: DVec3,
+    /// Of each plane the normal, inwards, and how far inside the eye is, in units of the normal.
+    planes: [(DVec3, f64); 6],
+}
+
+impl Frustum {
+    /// That of a view.
+    pub fn new(view: &View) -> Self {
+        let camera = &view.camera;
+        let lens = camera.lens();
+        let half = view.half_extent() * (1.0 + 2.0 * ASIDE_PX / view.viewport.size_px());
+        let forward = camera.forward();
+        let side = |axis: DVec3, half: f64| match lens.projection {
+            Projection::Perspective { .. } => (half * forward + axis, 0.0),
+            Projection::Orthographic { .. } => (axis, half),
+        };
+        let (right, up) = (camera.right(), camera.up());
+        Self {
+            eye: camera.eye(),
+            planes: [
+                side(right, half.x),
+                side(-right, half.x),
+                side(up, half.y),
+                side(-up, half.y),
+                (forward, -lens.near),
+                (-forward, lens.far),
+            ],
+        }
+    }
+
+    /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the planes.
+    ///
+    /// With `U = 2^-53`, `c` the middle from the eye, `h` half the size and `m` the sum of all their coordinates and the
+    /// eye's: `c` is off by `2 U m`, `h` by `U m`, the sum of three products by `4 U |n| m` more; view space's axes are
+    /// unit vectors within `2 U`, half extents within a few. All of that is within `16 U |n| m` and `2 U` of the way to the
+    /// plane. Written so that NaN is inside.
+    pub fn may_hold(&self, bounds_world: &Aabb) -> bool {
+        let middle = bounds_world.center();
+        let half = 0.5 * (bounds_world.max - bounds_world.min);
+        let from_eye = middle - self.eye;
+        let size = (middle.abs() + half + self.eye.abs()).element_sum();
+        !self.planes.iter().any(|&(normal, inside)| {
+            let reach = normal.dot(from_eye) + normal.abs().dot(half) + inside;
+            let room = ROOM * (normal.abs().element_sum() * size + inside.abs());
+            reach < -room
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        camera::{Camera, DepthMapping, Lens, Viewport},
+        geometry::{Sides, random::Random},
+    };
+    use glam::DVec2;
+
+    fn view(random: &mut Random, is_perspective: bool) -> View {
+        let away = 10.0_f64.powf(3.0 + 3.0 * random.next());
+        let eye = away * random.point();
+        let projection = if is_perspective {
+            Projection::Perspective {
+                fov_y: 1.1 + random.next(),
+            }
+        } else {
+            Projection::Orthographic {
+                height: 6.0 + 5.0 * random.next(),
+            }
+        };
+        let lens = Lens {
+            projection,
+            near: 1.1 + random.next(),
+            far: 100.0 + 90.0 * random.next(),
+            depth: DepthMapping::Reversed,
+        };
+        let camera = Camera::looking(eye, random.point(), random.point(), lens);
+        View {
+            camera: camera.expect("a camera"),
+            viewport: Viewport::new(320, 200).expect("a viewport"),
+            sides: Sides::Both,
+        }
+    }
+
+    /// Boxes of which a corner is on a border of what is seen, or within: and what is three pixels or a thousandth beyond.
+    #[test]
+    fn a_box_with_a_point_in_the_picture_is_never_left_out_and_what_is_beyond_is() {
+        let mut random = Random(3);
+        let mut left_out = 0;
+        for i in 0..200 {
+            let view = view(&mut random, i % 2 == 0);
+            let (frustum, lens) = (Frustum::new(&view), *view.camera.lens());
+            let at = |px, t| view.camera.eye() + view.from_eye(px, t);
+            for border in 0..8 {
+                let share = 0.5 + 0.5 * random.point();
+                let size = view.viewport.size_px();
+                let px = share.truncate() * size;
+                let t = lens.near + share.z * (lens.far - lens.near);
+                let (px, t) = match border {
+                    0 => (DVec2::new(0.0, px.y), t),
+                    1 => (DVec2::new(size.x, px.y), t),
+                    2 => (DVec2::new(px.x, 0.0), t),
+                    3 => (DVec2::new(px.x, size.y), t),
+                    4 => (px, lens.near),
+                    5 => (px, lens.far),
+                    _ => (px, t),
+                };
+                let bounds = Aabb::around([at(px, t), at(px, t) + t * random.point()]);
+                assert!(frustum.may_hold(&bounds), "{view:?} {px} {t}");
+                let beyond = [
+                    at(DVec2::new(-3.0, px.y), t),
+                    at(DVec2::new(px.x, size.y + 3.0), t),
+                    at(px, 0.999 * lens.near),
+                    at(px, 1.001 * lens.far),
+                ];
+                let holds = |point| frustum.may_hold(&Aabb::around([point]));
+                left_out += beyond.into_iter().filter(|point| !holds(*point)).count();
+            }
+        }
+        assert_eq!(left_out, 200 * 8 * 4);
+    }
+}

@@ -1,0 +1,126 @@
+//! In which order batches are drawn: those of a kind together, since each change of kind costs a draw call, as far as nobody
+//! can see that.
+//!
+//! Of two surfaces in one place the lower object's is seen, which is drawn first. Batches are therefore cut into *runs*: none
+//! of a run touches another of it that is of another kind. Within a run those of a kind come together, in the order of
+//! their objects; runs follow each other.
+
+use super::batches::Batch;
+use crate::{geometry::Aabb, scene::Scene};
+use std::ops::Range;
+
+/// The order of batches.
+#[derive(Debug)]
+pub(super) struct Order {
+    /// Batches as they are drawn. Those of a run have the places of their indices.
+    batches: Vec<u32>,
+    /// Where each batch is in that.
+    places: Vec<u32>,
+    /// The first batch of each run.
+    runs: Vec<u32>,
+}
+
+impl Order {
+    /// That of the batches of a scene.
+    pub fn new(scene: &Scene, batches: &[Batch]) -> Self {
+        let count = index(batches.len());
+        let mut runs = vec![0];
+        let is_of_one_kind = batches.windows(2).all(|pair| pair[0].kind == pair[1].kind);
+        for at in (1..count).filter(|_| !is_of_one_kind) {
+            let run = runs[runs.len() - 1]..at;
+            if touches(scene, batches, at, &run) {
+                runs.push(at);
+            }
+        }
+        let mut order = Self {
+            batches: (0..count).collect(),
+            places: (0..count).collect(),
+            runs,
+        };
+        for run in 0..order.runs.len() {
+            let run = order.run(run);
+            let run = run.start as usize..run.end as usize;
+            order.batches[run.clone()].sort_by_key(|batch| batches[*batch as usize].kind);
+            order.note(run);
+        }
+        order
+    }
+
+    /// Batches from one place on to another.
+    pub fn of(&self, places: Range<usize>) -> &[u32] {
+        &self.batches[places]
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.batches.len()
+    }
+
+    /// Where a batch is.
+    pub fn place(&self, batch: u32) -> usize {
+        self.places[batch as usize] as usize
+    }
+
+    /// A batch stands elsewhere, and may be of another kind. Returns which places have others now.
+    pub fn moved(
+        &mut self,
+        scene: &Scene,
+        batches: &[Batch],
+        batch: u32,
+        is_of_same_kind: bool,
+    ) -> Range<usize> {
+        let run = self.runs.partition_point(|first| *first <= batch) - 1;
+        let all = self.run(run);
+        if is_of_same_kind && !touches(scene, batches, batch, &all) {
+            return 0..0;
+        }
+        // It is a run by itself from now on, and has what is before and behind in two others.
+        let places = all.start as usize..all.end as usize;
+        let (before, behind): (Vec<u32>, Vec<u32>) = (self.batches[places.clone()].iter())
+            .filter(|other| **other != batch)
+            .partition(|other| **other < batch);
+        let cuts = [batch, batch + 1].into_iter();
+        let cuts = cuts.filter(|cut| all.start < *cut && *cut < all.end);
+        self.runs.splice(run + 1..=run, cuts);
+        let parts = before.into_iter().chain([batch]).chain(behind);
+        for (place, part) in self.batches[places.clone()].iter_mut().zip(parts) {
+            *place = part;
+        }
+        self.note(places.clone());
+        places
+    }
+
+    fn run(&self, run: usize) -> Range<u32> {
+        let end = self.runs.get(run + 1).copied();
+        self.runs[run]..end.unwrap_or(index(self.batches.len()))
+    }
+
+    /// Notes where the batches of some places are.
+    fn note(&mut self, places: Range<usize>) {
+        for place in places {
+            self.places[self.batches[place] as usize] = index(place);
+        }
+    }
+}
+
+/// Whether a batch touches one of a run that is of another kind. What is nearer than a thousandth of its size counts, and
+/// so does what takes long to tell.
+fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bool {
+    let Batch {
+        kind, bounds_world, ..
+    } = batches[batch as usize];
+    let Aabb { min, max } = bounds_world;
+    let room = 1e-3 * (max - min).max_element();
+    let bounds = Aabb {
+        min: min - room,
+        max: max + room,
+    };
+    scene.meets_batch(&bounds, |other| {
+        run.contains(&index(other)) && batches[other].kind != kind
+    })
+}
+
+/// Batches are counted in 32 bits on the GPU; memory ends long before.
+pub(super) fn index(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
+}

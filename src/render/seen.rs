@@ -1,0 +1,240 @@
+//! What a view shows of a scene: the tables' rows, which are composed when a picture first needs them, and the draw calls
+//! that they make. Of many batches that is done beside whoever draws, who takes what is ready.
+
+use super::{
+    batches::{Batch, Row},
+    composing::{Composer, Draw, Share, ToDraw},
+    gpu::{Gpu, GpuError},
+    layout,
+};
+use crate::camera::View;
+use bytemuck::{Pod, Zeroable};
+use std::{
+    mem::offset_of,
+    sync::{
+        Arc, Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard,
+        mpsc::{Receiver, RecvTimeoutError, channel},
+    },
+    thread,
+    time::Duration,
+};
+use wgpu::BufferUsages;
+
+/// The rows of so many batches are there as soon as others would be begun.
+pub(super) const LITTLE: usize = 1024;
+/// For so long who draws a piece waits for something to draw.
+const PATIENCE: Duration = Duration::from_millis(2);
+
+/// The tables that shaders read, each with one row more for an object by itself.
+#[derive(Clone, Debug)]
+pub(super) struct Tables {
+    gpu: Gpu,
+    /// [`layout::Batch`] of each batch of triangles that is seen.
+    pub triangles: wgpu::Buffer,
+    /// [`layout::Sphere`] of each sphere that is.
+    pub spheres: wgpu::Buffer,
+    /// The rows for an object by itself.
+    alone: [u32; 2],
+}
+
+impl Tables {
+    /// For so many batches of triangles and spheres.
+    ///
+    /// # Errors
+    /// When they do not fit.
+    pub fn new(gpu: &Gpu, [triangles, spheres]: [u32; 2]) -> Result<Self, GpuError> {
+        fn table<T: Pod + Zeroable>(
+            gpu: &Gpu,
+            what: &'static str,
+            rows: u32,
+        ) -> Result<wgpu::Buffer, GpuError> {
+            let empty = vec![T::zeroed(); rows as usize + 1];
+            gpu.buffer(what, BufferUsages::STORAGE, &empty)
+        }
+        Ok(Self {
+            gpu: gpu.clone(),
+            triangles: table::<layout::Batch>(gpu, "model matrices", triangles)?,
+            spheres: table::<layout::Sphere>(gpu, "spheres", spheres)?,
+            alone: [triangles, spheres],
+        })
+    }
+
+    /// Writes the row of an object by itself; returns which one that is.
+    pub fn write_alone(&self, row: &Row) -> u32 {
+        let at = match row {
+            Row::Triangles(_) => self.alone[0],
+            Row::Sphere(_) => self.alone[1],
+        };
+        self.write(at, row);
+        at
+    }
+
+    /// Says which triangle the next draw of a row begins with.
+    pub fn begin_at(&self, row: u32, first_triangle: u32) {
+        let byte = offset_of!(layout::Batch, first_triangle);
+        let at = u64::from(row) * size_of::<layout::Batch>() as u64 + byte as u64;
+        let bytes = bytemuck::bytes_of(&first_triangle);
+        self.gpu.queue.write_buffer(&self.triangles, at, bytes);
+    }
+
+    fn write(&self, at: u32, row: &Row) {
+        match row {
+            Row::Triangles(row) => self.write_rows(&self.triangles, at, &[*row]),
+            Row::Sphere(row) => self.write_rows(&self.spheres, at, &[*row]),
+        }
+    }
+
+    fn write_share(&self, share: &Share) {
+        let [triangles, spheres] = share.before;
+        self.write_rows(&self.triangles, triangles, &share.triangles);
+        self.write_rows(&self.spheres, spheres, &share.spheres);
+    }
+
+    fn write_rows<T: Pod>(&self, table: &wgpu::Buffer, first: u32, rows: &[T]) {
+        if !rows.is_empty() {
+            let at = u64::from(first) * size_of::<T>() as u64;
+            let bytes = bytemuck::cast_slice(rows);
+            self.gpu.queue.write_buffer(table, at, bytes);
+        }
+    }
+}
+
+/// What the tables hold.
+pub(super) struct Seen {
+    pub tables: Tables,
+    view: Option<View>,
+    /// As far as it is composed.
+    pub draws: Vec<Draw>,
+    state: State,
+    /// Counts the views: what is composed for one before is not written any more.
+    turn: Arc<Mutex<u64>>,
+}
+
+enum State {
+    Nothing,
+    UnderWay(Receiver<News>),
+    Whole(Box<Composer>),
+}
+
+enum News {
+    /// These rows are written.
+    Draws(Vec<Draw>),
+    /// All of them.
+    Whole(Box<Composer>),
+}
+
+impl Seen {
+    /// Of nothing yet.
+    pub fn new(tables: Tables) -> Self {
+        Self {
+            tables,
+            view: None,
+            draws: Vec::new(),
+            state: State::Nothing,
+            turn: Arc::default(),
+        }
+    }
+
+    /// Whether there are no more draws to come.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.state, State::Whole(_))
+    }
+
+    /// Sees to the rows of a view, or begins to.
+    pub fn prepare(&mut self, all: &Arc<RwLock<ToDraw>>, view: &View) {
+        if self.view == Some(*view) {
+            return;
+        }
+        self.forget();
+        self.view = Some(*view);
+        let ready = read(all);
+        if ready.batches.len() <= LITTLE {
+            let mut composer = Composer::new(view, &ready);
+            while let Some(share) = composer.next(&ready) {
+                self.tables.write_share(&share);
+                self.draws.extend(share.draws);
+            }
+            self.state = State::Whole(Box::new(composer));
+            return;
+        }
+        let (sender, news) = channel();
+        let (all, tables, view) = (Arc::clone(all), self.tables.clone(), *view);
+        let (turn, now) = (Arc::clone(&self.turn), *lock(&self.turn));
+        thread::spawn(move || {
+            let mut composer = Composer::new(&view, &read(&all));
+            loop {
+                let share = composer.next(&read(&all));
+                let Some(share) = share else { break };
+                let current = lock(&turn);
+                if *current != now {
+                    return;
+                }
+                tables.write_share(&share);
+                drop(current);
+                let _ = sender.send(News::Draws(share.draws));
+            }
+            // The receiver is gone when another view is wanted by now.
+            let _ = sender.send(News::Whole(Box::new(composer)));
+        });
+        self.state = State::UnderWay(news);
+    }
+
+    /// Takes what was composed by now: all of it for somebody who waits, else something beyond what is known, where that
+    /// comes soon.
+    pub fn take(&mut self, known: usize, waits: bool) {
+        while let State::UnderWay(news) = &self.state {
+            let is_new = self.draws.len() > known;
+            let next = match waits {
+                true => news.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                false if is_new => news.recv_timeout(Duration::ZERO),
+                false => news.recv_timeout(PATIENCE),
+            };
+            match next {
+                Ok(News::Draws(draws)) => self.draws.extend(draws),
+                Ok(News::Whole(composer)) => self.state = State::Whole(composer),
+                Err(RecvTimeoutError::Timeout) => return,
+                Err(RecvTimeoutError::Disconnected) => return self.forget(),
+            }
+        }
+    }
+
+    /// What the tables hold is of no use any more.
+    pub fn forget(&mut self) {
+        *lock(&self.turn) += 1;
+        self.view = None;
+        self.draws.clear();
+        self.state = State::Nothing;
+    }
+
+    /// The row of a batch; `None` where the view shows nothing of it, or less than all was composed.
+    pub fn row_of(&self, batch: u32) -> Option<u32> {
+        match &self.state {
+            State::Whole(composer) => {
+                let row = composer.row_of.get(batch as usize).copied();
+                row.filter(|row| *row != u32::MAX)
+            }
+            _ => None,
+        }
+    }
+
+    /// A batch is another one, but of the same kind and at the same place in the order.
+    pub fn renew(&mut self, number: u32, batch: &Batch) {
+        let State::Whole(composer) = &self.state else {
+            return self.forget();
+        };
+        match self.row_of(number) {
+            Some(row) => self.tables.write(row, &composer.row(batch)),
+            None if batch.shown > 0 && composer.may_show(&batch.bounds_world) => self.forget(),
+            None => {}
+        }
+    }
+}
+
+/// Who panicked while it had a lock left nothing half done.
+pub(super) fn read(all: &RwLock<ToDraw>) -> RwLockReadGuard<'_, ToDraw> {
+    all.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn lock(turn: &Mutex<u64>) -> MutexGuard<'_, u64> {
+    turn.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,82 @@
+//! What a pass draws, in order and in limited steps: surfaces, then edges of triangles, then lines.
+
+use super::{
+    composing::Draw,
+    slices::{Cursor, Piece, Slice},
+};
+use std::ops::Range;
+
+/// The work that a line is: about that of so many triangles.
+pub(super) const LINE: u64 = 2;
+
+/// What there is to draw.
+pub(super) struct Parts<'a> {
+    /// The surfaces, and whether they are known to be all.
+    pub surfaces: &'a [Draw],
+    pub are_known: bool,
+    /// Those whose edges are drawn.
+    pub edged: &'a [Draw],
+    /// How many lines.
+    pub lines: usize,
+}
+
+/// How far one has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Steps {
+    surfaces: Cursor,
+    edges: Cursor,
+    line: usize,
+}
+
+/// What comes next.
+#[derive(Debug, Default)]
+pub(super) struct Step {
+    pub surfaces: Vec<Slice>,
+    pub edges: Vec<Slice>,
+    pub lines: Range<usize>,
+    /// Nothing comes after it.
+    pub ends: bool,
+}
+
+impl Step {
+    /// The work that it is.
+    pub fn work(&self) -> u64 {
+        let slices = self.surfaces.iter().chain(&self.edges);
+        slices.map(Slice::work).sum::<u64>() + LINE * self.lines.len() as u64
+    }
+}
+
+impl Steps {
+    /// Whether nothing was drawn yet.
+    pub fn is_at_start(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// How many of the draws of surfaces were begun.
+    pub fn begun(&self) -> usize {
+        self.surfaces.draw()
+    }
+
+    /// What comes next: no more than a piece, but something; `None` while that is not known.
+    pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
+        let mut step = Step {
+            surfaces: self.surfaces.take(of.surfaces, &mut left, true),
+            ..Step::default()
+        };
+        if !(of.are_known && self.surfaces.is_at_end(of.surfaces)) {
+            return (!step.surfaces.is_empty()).then_some(step);
+        }
+        let is_first = step.surfaces.is_empty();
+        step.edges = self.edges.take(of.edged, &mut left, is_first);
+        if self.edges.is_at_end(of.edged) {
+            let is_first = is_first && step.edges.is_empty();
+            let most = (left.work / LINE).max(u64::from(is_first));
+            let most = usize::try_from(most).unwrap_or(usize::MAX);
+            let end = self.line.saturating_add(most).min(of.lines);
+            step.lines = self.line..end;
+            self.line = end;
+            step.ends = end == of.lines;
+        }
+        Some(step)
+    }
+}
