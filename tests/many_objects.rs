@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use sightline::{
     geometry::{Placement, Ray, Sides},
     pick::{self, SceneHit},
-    scene::{Object, Scene, Shape},
+    scene::{Change, Object, Scene, Shape},
 };
 
 /// Spheres, cubes, squares and meshes scattered over a cube of this half side about `center`, under model matrices
@@ -280,14 +280,15 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     let (begun, mut changed) = (scene.changes(), Vec::new());
     for i in 0..200 {
         let object = (i * 37) % 300;
-        if i % 4 == 0 {
+        let moved = i % 4 != 0;
+        if !moved {
             scene.set_visible(object, i % 8 == 0);
         } else {
             let by = DAffine3::from_translation(random.point(9.0));
             let model = by * scene.objects()[object].placement.model();
             scene.place(object, Placement::new(model).expect("invertible"));
         }
-        changed.push(object);
+        changed.push(Change { object, moved });
         assert_eq!(scene.changed_since(begun), Some(&changed[..]));
     }
     let fresh = Scene::new(scene.objects().to_vec());
@@ -305,7 +306,7 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     }
     assert!(hits > 1000, "{hits}");
     // Who has not heard of the last few hundred has to look at everything.
-    for i in 0..400 {
+    for i in 0..500 {
         scene.set_visible(i % 300, true);
     }
     assert_eq!(scene.changed_since(begun), None);

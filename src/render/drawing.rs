@@ -100,9 +100,10 @@ impl Drawing {
             None => scene.whole(),
         };
         let lines = LINE * self.lines.len() as u64;
-        let times = self.passes.len() as u64 * u64::from(self.bands);
+        let passes = self.passes.iter();
+        let of_pass = passes.map(|pass| each.work + if pass.has_colours() { lines } else { 0 });
         Piece {
-            work: (each.work + lines).saturating_mul(times),
+            work: of_pass.sum::<u64>().saturating_mul(self.bands.into()),
             ..each
         }
     }
@@ -140,7 +141,7 @@ impl Renderer {
         };
         let view = drawing.view;
         let begins = drawing.steps.is_at_start();
-        let has_colours = matches!(pass, Pass::ColourAndIds | Pass::Colour);
+        let has_colours = pass.has_colours();
         let wireframe = self
             .wireframe
             .filter(|_| gpu.draws_wireframes() && has_colours);

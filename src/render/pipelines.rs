@@ -63,6 +63,13 @@ pub(super) enum Pass {
     Mask,
 }
 
+impl Pass {
+    /// Whether it writes colours, with lines and background.
+    pub fn has_colours(self) -> bool {
+        matches!(self, Self::ColourAndIds | Self::Colour)
+    }
+}
+
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Drawn {

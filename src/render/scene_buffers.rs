@@ -17,7 +17,7 @@ use crate::{
     camera::View,
     colour::Srgb,
     geometry::{Aabb, Mesh},
-    scene::{Object, Scene, Shape},
+    scene::{Change, Object, Scene, Shape},
 };
 use std::{
     cell::{RefCell, RefMut},
@@ -108,30 +108,30 @@ impl SceneBuffers {
     }
 
     /// Takes over what single objects are now.
-    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[usize]) {
+    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change]) {
         let seen = self.seen.get_mut();
         if changed.len() > MANY {
             seen.forget();
         }
         let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
-        for &index in changed {
-            let object = &scene.objects()[index];
-            let place = &mut self.places[index];
-            self.states[index] = object_state(object);
+        for &Change { object, moved } in changed {
+            let place = &mut self.places[object];
             let number = place.batch;
             let batch = &mut all.batches[number as usize];
-            if place.visible != object.visible {
-                batch.shown = if object.visible {
-                    batch.shown + 1
-                } else {
-                    batch.shown - 1
-                };
+            let Object {
+                visible, placement, ..
+            } = scene.objects()[object];
+            if place.visible != visible {
+                let shown = if visible { 1 } else { u32::MAX };
+                batch.shown = batch.shown.wrapping_add(shown);
+                self.states[object].visible = u32::from(visible);
+                place.visible = visible;
             }
-            (place.visible, place.bounds_world) = (object.visible, scene.bounds_of(index));
             let mut stays = batch.twins.is_none();
-            if batch.placement != object.placement {
+            if moved {
+                place.bounds_world = scene.bounds_of(object);
                 let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
-                stays &= all.place(scene, number, object.placement, bounds);
+                stays &= all.place(scene, number, placement, bounds);
             }
             if stays {
                 seen.renew(number, &all.batches[number as usize]);
@@ -139,7 +139,8 @@ impl SceneBuffers {
                 seen.forget();
             }
         }
-        if let (Some(&first), Some(&last)) = (changed.iter().min(), changed.iter().max()) {
+        let objects = || changed.iter().map(|change| change.object);
+        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
             let at = first * size_of::<ObjectState>();
             let states = bytemuck::cast_slice(&self.states[first..=last]);
             gpu.queue.write_buffer(&self.objects, at as u64, states);

@@ -19,6 +19,7 @@ mod sums;
 mod tree;
 mod warning;
 
+pub use changes::Change;
 pub(crate) use entry::matrix_rows;
 pub use file::FileError;
 pub use load::{LoadError, Loaded, MeshFiles, load};
@@ -169,7 +170,7 @@ impl Scene {
     /// Shows or hides an object.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
         Arc::make_mut(&mut self.objects)[object].visible = visible;
-        self.changed(object);
+        self.changed(object, false);
     }
 
     /// Puts an object somewhere else.
@@ -177,7 +178,7 @@ impl Scene {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
         Arc::make_mut(&mut self.bounds)[object] = self.bounds_when_moved(object);
-        self.changed(object);
+        self.changed(object, true);
         if self.joins(object) == before {
             let batch = self.batches.partition_point(|batch| batch.end <= object);
             let bounds = self.bounds_of_batch(&self.batches[batch]);
@@ -218,9 +219,10 @@ impl Scene {
         ]
     }
 
-    fn changed(&mut self, object: usize) {
+    fn changed(&mut self, object: usize, moved: bool) {
         self.sums.take();
-        self.changes.push(object, self.objects.len());
+        let change = Change { object, moved };
+        self.changes.push(change, self.objects.len());
     }
 
     /// How many changes there were, to ask [`Scene::changed_since`] later.
@@ -232,7 +234,7 @@ impl Scene {
     /// The objects that were shown, hidden or moved since there were `then` changes, some of them more than once; `None`
     /// where more was changed than that, as the batches.
     #[must_use]
-    pub fn changed_since(&self, then: u64) -> Option<&[usize]> {
+    pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
         self.changes.since(then)
     }
 

@@ -12,6 +12,7 @@ mod in_view;
 mod inspect;
 mod keeping;
 mod keys;
+mod large;
 mod layout;
 mod looks;
 mod menus;

@@ -3,16 +3,18 @@
 use super::*;
 use std::fmt::Write;
 
-/// Rolling ground of two triangles a cell, more than are drawn in a pass in software.
-fn ground(folder: &Path) -> PathBuf {
-    const SIDE: u32 = 250;
+/// Cells along each side of a ground that is more than is drawn in a pass in software.
+const SIDE: u32 = 250;
+
+/// Rolling ground of two triangles a cell.
+pub(super) fn ground(folder: &Path, side: u32) -> PathBuf {
     let mut text = String::new();
-    for (z, x) in (0..=SIDE).flat_map(|z| (0..=SIDE).map(move |x| (z, x))) {
+    for (z, x) in (0..=side).flat_map(|z| (0..=side).map(move |x| (z, x))) {
         let y = (f64::from(x) * 0.1).sin() * 4.0;
         let _ = writeln!(text, "v {x} {y:.4} {z}");
     }
-    for a in (0..SIDE).flat_map(|z| (1..=SIDE).map(move |x| z * (SIDE + 1) + x)) {
-        let (b, c, d) = (a + 1, a + SIDE + 1, a + SIDE + 2);
+    for a in (0..side).flat_map(|z| (1..=side).map(move |x| z * (side + 1) + x)) {
+        let (b, c, d) = (a + 1, a + side + 1, a + side + 2);
         let _ = writeln!(text, "f {a} {c} {b}\nf {b} {c} {d}");
     }
     let path = folder.join("ground.obj");
@@ -23,7 +25,7 @@ fn ground(folder: &Path) -> PathBuf {
 #[test]
 fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = ground(folder.path());
+    let path = ground(folder.path(), SIDE);
     let mut window = open(vec![path.clone()], 1.0);
     let first = window.picture().expect("a picture");
     let in_software = window.adapter_name().contains("llvmpipe");
@@ -110,7 +112,7 @@ fn stages_of_many_objects_are_made_beside_the_window() {
 #[test]
 fn a_large_file_is_shown_once_the_adapter_has_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = ground(folder.path());
+    let path = ground(folder.path(), SIDE);
     let (mut window, _row) = row(1.0);
     window.picture().expect("a picture");
     window.drop_file(path.clone());

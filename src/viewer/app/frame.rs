@@ -9,6 +9,7 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
+        jobs::let_go,
         model::{Action, Overlay},
         screen::{Canvas, Laid, Motion, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
@@ -116,6 +117,10 @@ impl App {
         self.take_waiting();
         self.take_changed();
         self.take_typefaces();
+        for scene in self.state.take_unused() {
+            let size = scene.objects().len() + scene.triangle_count();
+            let_go(scene, size);
+        }
     }
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.

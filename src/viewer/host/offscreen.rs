@@ -102,6 +102,11 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Drops a file on the window and waits for nothing: frames go on, and take what comes of it.
+    pub fn begin_to_drop(&mut self, path: PathBuf) {
+        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+    }
+
     /// Closes the window, as the button of its frame does.
     pub fn close(&mut self) {
         self.app.run_command(Command::Quit);
@@ -168,6 +173,18 @@ impl Offscreen {
     #[must_use]
     pub fn shows_scene(&self) -> bool {
         self.app.picture.behind.is_none()
+    }
+
+    /// How much the last frame drew of the scene: about so many triangles.
+    #[must_use]
+    pub fn drawn_work(&self) -> u64 {
+        self.app.picture.drawn
+    }
+
+    /// How many objects and triangles the last frame took into graphics memory by itself, and not a job beside it.
+    #[must_use]
+    pub fn uploaded_work(&self) -> usize {
+        self.app.picture.uploaded
     }
 
     /// Whether the last frame looks different from the one before: a window shows no other.

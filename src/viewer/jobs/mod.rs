@@ -3,6 +3,7 @@
 mod check;
 mod dialogs;
 mod keeping;
+mod letting_go;
 mod loading;
 mod preparing;
 mod saving;
@@ -15,6 +16,7 @@ mod watching;
 pub(super) use check::{Check, Checked, Checking};
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use keeping::{keep, keep_beside};
+pub(super) use letting_go::let_go;
 pub(super) use loading::Loading;
 pub(super) use preparing::Staging;
 pub(super) use saving::Saving;

@@ -74,6 +74,7 @@ impl State {
             world: None,
             prepared: None,
             showing: loaded.exhibit.map(Showing::new),
+            unused: Vec::new(),
         })
     }
 
@@ -137,7 +138,13 @@ impl State {
 
     /// The scene is drawn: there is no way back to the one before it but by opening that.
     pub(in crate::viewer) fn accepted(&mut self) {
-        self.replaced = None;
+        let before = self.replaced.take();
+        self.unused.extend(before.map(|before| before.scene));
+    }
+
+    /// The scenes that were given up since somebody asked.
+    pub(in crate::viewer) fn take_unused(&mut self) -> Vec<Scene> {
+        mem::take(&mut self.unused)
     }
 
     /// The scene cannot be drawn: back to what was shown before. Returns whether there was something.
@@ -174,7 +181,7 @@ impl State {
             let object = made.became(selected.object)?;
             Some(Selection { object, pick: None })
         });
-        self.scene = made.scene;
+        self.unused.push(mem::replace(&mut self.scene, made.scene));
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);

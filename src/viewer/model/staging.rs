@@ -38,7 +38,8 @@ impl State {
 
     /// Takes a stage that is to be shown soon.
     pub(in crate::viewer) fn prepare(&mut self, prepared: Prepared) {
-        self.prepared = Some(prepared);
+        let before = self.prepared.replace(prepared);
+        self.unused.extend(before.map(|before| before.scene));
     }
 
     /// Whether a stage is there to be shown.
@@ -78,7 +79,8 @@ impl State {
             self.come_back(world);
         } else {
             let make = || staged(&world.scene, &world.through, stage);
-            self.scene = prepared.map_or_else(make, |prepared| prepared.scene);
+            let scene = prepared.map_or_else(make, |prepared| prepared.scene);
+            self.unused.push(mem::replace(&mut self.scene, scene));
             self.world = Some(world);
             // The world's planes are nowhere here.
             (self.controls.near, self.controls.far) = (None, None);
@@ -88,7 +90,7 @@ impl State {
 
     fn come_back(&mut self, world: World) {
         let (up_axis, opened_with) = (self.up_axis, self.opened_with);
-        self.scene = world.scene;
+        self.unused.push(mem::replace(&mut self.scene, world.scene));
         self.stand_at(&world.stand);
         if up_axis != self.up_axis {
             // It was turned meanwhile: the same camera about another axis.

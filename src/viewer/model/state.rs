@@ -178,6 +178,8 @@ pub struct State {
     pub(super) prepared: Option<Prepared>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
+    /// Scenes that were given up: to free what is large takes long.
+    pub(super) unused: Vec<Scene>,
 }
 
 impl State {

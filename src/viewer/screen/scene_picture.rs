@@ -80,6 +80,10 @@ pub(in crate::viewer) struct Progress {
     pub behind: Option<Duration>,
     /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
     pub rough: bool,
+    /// About so many triangles were drawn.
+    pub drawn: u64,
+    /// So many objects and triangles were taken into graphics memory by the pass itself.
+    pub uploaded: usize,
 }
 
 impl ScenePicture {
@@ -128,20 +132,23 @@ impl ScenePicture {
             is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
+        let mut uploaded = 0;
         if self.next.is_none() {
-            self.scenes.upload(gpu, state)?;
+            uploaded = self.scenes.upload(gpu, state)?;
             self.begin(gpu, state, &wanted, motion)?;
         }
         if self.next.is_none() && motion == Motion::Rests {
             self.begin_to_smooth(state, &wanted);
         }
-        let [anew, waits] = self.proceed(gpu)?;
+        let ([anew, waits], drawn) = self.proceed(gpu)?;
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         Ok(Progress {
             anew,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
             rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
+            drawn,
+            uploaded,
         })
     }
 
@@ -255,8 +262,8 @@ impl ScenePicture {
     }
 
     /// Draws on. Returns whether another picture of the scene is shown than before, and whether nothing could be drawn,
-    /// since the adapter has not done yet what it is to.
-    fn proceed(&mut self, gpu: &Gpu) -> Result<[bool; 2], GpuError> {
+    /// since the adapter has not done yet what it is to; and how much was drawn.
+    fn proceed(&mut self, gpu: &Gpu) -> Result<([bool; 2], u64), GpuError> {
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
         let is_free = self.paces.iter_mut().all(|pace| pace.is_free(gpu));
         let finish = self.next.as_ref().map(|next| next.finish);
@@ -307,7 +314,7 @@ impl ScenePicture {
         if done > 0 && !smooths {
             self.paces[of].began(gpu, done);
         }
-        Ok([anew, !is_free && self.next.is_some()])
+        Ok(([anew, !is_free && self.next.is_some()], done))
     }
 
     /// What was under way is drawn: it is shown, or the selection comes next. Returns whether the scene is shown anew.

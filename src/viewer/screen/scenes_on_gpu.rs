@@ -1,11 +1,17 @@
-//! Scenes in graphics memory: the one that is shown, the one before, and one that is to come.
+//! Scenes in graphics memory: the one that is shown, some before it, and one that is to come.
 
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
-    viewer::{jobs::Uploaded, model::State},
+    viewer::{
+        jobs::{Uploaded, let_go},
+        model::State,
+    },
 };
 use std::mem;
+
+/// A stage's scene, and that of the world behind it.
+const MOST_BEFORE: usize = 2;
 
 /// A scene on the GPU and which one it is.
 pub(super) struct OnGpu {
@@ -22,8 +28,8 @@ pub(super) struct ScenesOnGpu {
     pub now: Option<OnGpu>,
     /// What came ahead of its scene.
     ready: Option<Uploaded>,
-    /// The scene before this one, as long as it may come back.
-    before: Option<OnGpu>,
+    /// Scenes before this one, as long as they may come back; the latest first.
+    before: Vec<OnGpu>,
     /// Their meshes.
     pub meshes: MeshStore,
     /// The scene that does not fit, and why: it is not tried again.
@@ -39,17 +45,20 @@ impl ScenesOnGpu {
 
     /// Gives up what cannot come back.
     pub fn forget_unused(&mut self) {
-        let unused = self.before.take_if(|before| !before.key.is_in_use());
-        if unused.is_some() {
+        let is_unused = |before: &mut OnGpu| !before.key.is_in_use();
+        let unused: Vec<OnGpu> = self.before.extract_if(.., is_unused).collect();
+        if !unused.is_empty() {
             self.meshes.forget_dropped();
+            give_up(unused);
         }
     }
 
-    /// Sees to the state's scene, as it is now.
+    /// Sees to the state's scene, as it is now. Returns how many objects and triangles were taken there for that.
     ///
     /// # Errors
     /// When it does not fit.
-    pub fn upload(&mut self, gpu: &Gpu, state: &State) -> Result<(), GpuError> {
+    pub fn upload(&mut self, gpu: &Gpu, state: &State) -> Result<usize, GpuError> {
+        let mut taken = 0;
         let (revision, visibility) = (state.scene_revision(), state.visibility_revision());
         match &mut self.now {
             Some(scene) if scene.revision == revision => {
@@ -65,28 +74,40 @@ impl ScenesOnGpu {
                 }
                 let buffers = match self.known(state.scene()) {
                     Some(buffers) => Ok(buffers),
-                    None => SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes),
+                    None => {
+                        taken = state.scene().objects().len() + state.scene().triangle_count();
+                        SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes)
+                    }
                 };
                 let buffers = buffers.inspect_err(|error| {
                     self.unfit = Some((revision, error.clone()));
                 })?;
-                self.before = self.now.replace(OnGpu {
+                let before = self.now.replace(OnGpu {
                     buffers,
                     key: state.scene().key(),
                     revision,
                     visibility,
                 });
+                self.before.splice(0..0, before);
+                give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
             }
         }
-        Ok(())
+        Ok(taken)
     }
 
     /// The buffers of a scene that came ahead of it, or stayed from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
         let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
-        let before = self.before.take_if(|before| before.key.is_of(scene));
-        ready
-            .map(|ready| ready.buffers)
-            .or(before.map(|before| before.buffers))
+        if let Some(ready) = ready {
+            return Some(ready.buffers);
+        }
+        let mut before = self.before.iter();
+        let at = before.position(|before| before.key.is_of(scene))?;
+        Some(self.before.remove(at).buffers)
     }
+}
+
+fn give_up(scenes: Vec<OnGpu>) {
+    let work: u64 = scenes.iter().map(|scene| scene.buffers.whole().work).sum();
+    let_go(scenes, usize::try_from(work).unwrap_or(usize::MAX));
 }

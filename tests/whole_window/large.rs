@@ -1,0 +1,106 @@
+//! Something large that is added, and read again: the window answers meanwhile, and no frame does more than its share.
+
+use super::*;
+use egui::vec2;
+
+/// Of 405,000 triangles: even where pieces grow, some more than one.
+const SIDE: u32 = 450;
+/// What is taken into graphics memory within a frame is less than this, objects and triangles.
+const LITTLE: usize = 20_000;
+/// In the picture, where nothing is.
+const NOTHING: Pos2 = pos2(480.0, 80.0);
+
+/// What was seen until a scene was there.
+#[derive(Debug, Default)]
+struct Seen {
+    /// Frames that showed the scene before it.
+    before: usize,
+    /// Frames that drew some of it.
+    pieces: usize,
+    /// The most that one drew.
+    most: u64,
+    drawn: u64,
+}
+
+/// The scene's picture about its middle, as it is on screen.
+fn middle(window: &Offscreen) -> Vec<[u8; 3]> {
+    let picture = window.drawn().expect("a picture");
+    let inner = (200..520).flat_map(|y| (450..730).map(move |x| (x, y)));
+    inner.map(|(x, y)| picture.at(x, y)).collect()
+}
+
+/// Frames in which the mouse moves, until another scene is there and drawn. Until then there is the old picture.
+fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
+    let revision = window.state().scene_revision();
+    let mut seen = Seen::default();
+    let mut cursor = None;
+    for i in 0..100_000_u32 {
+        let at = NOTHING + vec2(f32::from((i % 2) as u8), 0.0);
+        window.frame(Event::PointerMoved(at)).expect("a frame");
+        let moved = window.state().cursor().map(|cursor| cursor.px);
+        assert!(moved.is_some() && moved != cursor, "the mouse is followed");
+        cursor = moved;
+        assert!(window.uploaded_work() < LITTLE, "{seen:?}");
+        let is_there = window.state().scene_revision() != revision;
+        if is_there {
+            seen.pieces += usize::from(window.drawn_work() > 0);
+            seen.most = seen.most.max(window.drawn_work());
+            seen.drawn += window.drawn_work();
+            if window.shows_scene() {
+                return seen;
+            }
+        } else {
+            seen.before += 1;
+            std::thread::sleep(std::time::Duration::from_millis(2));
+        }
+        if is_there || i % 64 == 0 {
+            assert!(middle(window) == old, "the old picture stays: {seen:?}");
+        }
+    }
+    panic!("it comes to an end: {seen:?}");
+}
+
+/// Sees to it that what was seen is in shares.
+fn check(window: &Offscreen, seen: &Seen, objects: usize) {
+    let whole = 2 * u64::from(SIDE * SIDE);
+    assert!(seen.before > 1 && seen.drawn >= whole, "{seen:?}");
+    if window.adapter_name().contains("llvmpipe") {
+        assert!(seen.pieces > 1 && seen.most <= 3 * whole / 4, "{seen:?}");
+    }
+    assert_eq!(window.state().scene().objects().len(), objects);
+    assert_eq!(window.messages().count(), 0);
+}
+
+#[test]
+fn what_is_large_is_added_in_shares() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let (mut window, _row) = row(1.0);
+    window.picture().expect("a picture");
+    let old = middle(&window);
+    window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
+    window.begin_to_drop(path);
+    let released = Event::ModifiersChanged(Modifiers::NONE);
+    window.frame(released).expect("a frame");
+    let seen = watch(&mut window, &old);
+    check(&window, &seen, 4);
+}
+
+#[test]
+fn what_is_large_is_read_again_in_shares() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = stalls::ground(folder.path(), SIDE);
+    let mut window = open(vec![path], 1.0);
+    window.picture().expect("a picture");
+    let old = middle(&window);
+    let again = Event::Key {
+        key: Key::R,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    window.frame(again).expect("a frame");
+    let seen = watch(&mut window, &old);
+    check(&window, &seen, 1);
+}
