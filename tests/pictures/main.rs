@@ -5,6 +5,7 @@ mod common;
 #[path = "../common/images.rs"]
 mod images;
 mod looks;
+mod many;
 mod marks;
 mod pieces;
 #[path = "../common/scenes.rs"]

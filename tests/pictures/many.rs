@@ -1,0 +1,227 @@
+//! Of many objects only what the view can see is drawn, those of a kind together: and the picture is what drawing each of them
+//! in turn would give.
+
+use super::*;
+use common::Random;
+use glam::{DAffine3, DMat3};
+use scenes::object;
+use sightline::{
+    camera::{Camera, Viewport},
+    geometry::Placement,
+    render::{Drawing, Piece},
+    scene::{Object, Shape},
+    verify,
+};
+use std::sync::Arc;
+
+/// More than are seen to at once.
+const MANY: usize = 1500;
+
+/// One square of two triangles in the plane of x and y, of side 1.
+fn plate() -> Shape {
+    let corners = vec![
+        [-0.5, -0.5, 0.0],
+        [0.5, -0.5, 0.0],
+        [0.5, 0.5, 0.0],
+        [-0.5, 0.5, 0.0],
+    ];
+    let mesh = scenes::mesh(DVec3::ZERO, corners, &[&[[0, 1, 2], [0, 2, 3]]]);
+    Shape::Mesh {
+        mesh: Arc::new(mesh),
+        part: 0,
+    }
+}
+
+/// One of four shapes in turn.
+fn shape(i: usize, plate: &Shape) -> Shape {
+    match i % 4 {
+        0 => Shape::Cube,
+        1 => Shape::Sphere,
+        2 => Shape::Square,
+        _ => plate.clone(),
+    }
+}
+
+/// Anywhere within 20 of the origin, turned, sheared and some of them mirrored.
+fn model(random: &mut Random) -> DAffine3 {
+    let turned = DMat3::from_axis_angle(random.direction(), random.within(0.0, 6.0));
+    let mut scale = DVec3::new(1.0, 0.6, 1.4) * random.within(0.5, 2.0);
+    if random.unit() < 0.3 {
+        scale.x = -scale.x;
+    }
+    DAffine3 {
+        matrix3: turned * DMat3::from_diagonal(scale),
+        translation: random.point(20.0),
+    }
+}
+
+/// Shapes anywhere; each ninth is where the one four before it is.
+fn scattered(random: &mut Random) -> Scene {
+    let plate = plate();
+    let mut models: Vec<DAffine3> = Vec::new();
+    for i in 0..MANY {
+        let model = if i % 9 == 8 {
+            models[i - 4]
+        } else {
+            model(random)
+        };
+        models.push(model);
+    }
+    let objects = models.into_iter().enumerate();
+    let objects =
+        objects.map(|(i, model)| object("one", shape(i, &plate), model, Some([90, 90, 90])));
+    Scene::new(objects.collect())
+}
+
+fn ids(gpu: &Gpu, buffers: &SceneBuffers, view: &View) -> Image<Id> {
+    let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
+    Renderer::new(gpu, 1)
+        .draw(gpu, buffers, &targets, view, &[])
+        .expect("draws");
+    targets.read_ids(gpu).expect("ids")
+}
+
+#[test]
+fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
+    let gpu = gpu();
+    let mut random = Random::new(5);
+    let scene = scattered(&mut random);
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let (mut drawn, mut whole, mut seen) = (0, 0, 0);
+    for i in 0..24 {
+        let eye = random.point(18.0);
+        let lens = if i % 3 == 0 {
+            orthographic(random.within(2.0, 12.0), 0.5, random.within(5.0, 30.0))
+        } else {
+            perspective(random.within(10.0, 100.0), 0.5, random.within(5.0, 40.0))
+        };
+        let view = View {
+            camera: Camera::looking(eye, random.direction(), DVec3::Y, lens).expect("a camera"),
+            viewport: Viewport::new(160, 100).expect("a size"),
+            sides: if i % 2 == 0 {
+                Sides::Both
+            } else {
+                Sides::Front
+            },
+        };
+        let picked = pick::ids(&scene, &view);
+        let report = verify::compare(&scene, &view, &ids(&gpu, &buffers, &view), &picked);
+        assert_eq!(report.count(verify::Class::Unexplained), 0, "{view:?}");
+        seen += picked.pixels().iter().filter(|id| id.object > 0).count();
+        // In pieces, which take what is composed as it comes: the same.
+        let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+        let mut drawing = Drawing::of_scene(1, &view, Vec::new());
+        let piece = Piece {
+            work: 4000,
+            ..Piece::WHOLE
+        };
+        let mut renderer = Renderer::new(&gpu, 1);
+        let fresh = SceneBuffers::upload(&gpu, &scene).expect("fits");
+        while !renderer
+            .advance(&gpu, &fresh, &targets, &mut drawing, piece)
+            .expect("drawn")
+        {}
+        let in_pieces = targets.read_ids(&gpu).expect("ids");
+        assert_eq!(differing(&in_pieces, &ids(&gpu, &buffers, &view)), 0);
+        drawn += drawing.done();
+        whole += drawing.whole(&fresh).work + fresh.whole().work;
+    }
+    assert!(seen > 24 * 160 * 100 / 4, "{seen}");
+    assert!(drawn < whole / 3, "{drawn} of {whole}");
+    assert!(drawn > whole / 200, "{drawn} of {whole}");
+}
+
+/// Faces of all kinds in one plane before the eye, their borders between pixels: `f32` has each of their depths exactly, and
+/// they are all the same.
+#[test]
+fn of_surfaces_in_one_place_the_lower_object_is_drawn_whatever_its_kind() {
+    let gpu = gpu();
+    let mut random = Random::new(6);
+    let plate = plate();
+    let objects = (0..MANY).map(|i| {
+        let side = 16.0;
+        let shape = match shape(i, &plate) {
+            Shape::Sphere => Shape::Cube,
+            shape => shape,
+        };
+        let z = if matches!(shape, Shape::Cube) {
+            -0.5 * side
+        } else {
+            0.0
+        };
+        let mut corner = || (random.within(-10.0, 10.0)).round() * 16.0;
+        let model = DAffine3 {
+            matrix3: DMat3::from_diagonal(DVec3::splat(side)),
+            translation: DVec3::new(corner(), corner(), z),
+        };
+        object("one", shape, model, None)
+    });
+    let scene = Scene::new(objects.collect());
+    let view = view(
+        [0.0, 0.0, 64.0],
+        [0.0, 0.0, 0.0],
+        orthographic(256.0, 1.0, 129.0),
+        [320, 256],
+    );
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let (drawn, picked) = (ids(&gpu, &buffers, &view), pick::ids(&scene, &view));
+    let objects =
+        |ids: &Image<Id>| -> Vec<u32> { ids.pixels().iter().map(|id| id.object).collect() };
+    assert!(objects(&drawn) == objects(&picked));
+    let mut shown = objects(&drawn);
+    shown.sort_unstable();
+    shown.dedup();
+    assert!(shown.len() > 150, "{}", shown.len());
+}
+
+/// One change after the other, of which most write a row and some all of them.
+#[test]
+fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
+    let gpu = gpu();
+    let mut random = Random::new(7);
+    let mut scene = scattered(&mut random);
+    let view = view(
+        [22.0, 3.0, 6.0],
+        [4.0, 0.0, 0.0],
+        perspective(60.0, 0.5, 60.0),
+        [160, 100],
+    );
+    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let mut before = ids(&gpu, &buffers, &view);
+    let mut changed = 0;
+    for i in 0..60 {
+        // What is seen, or anything: shown or hidden, before the eye, or anywhere.
+        let at = (random.below(160), random.below(100));
+        let seen = before.at(
+            u32::try_from(at.0).expect("few"),
+            u32::try_from(at.1).expect("few"),
+        );
+        let index = match (seen.object, i % 4) {
+            (0, _) | (_, 0) => random.below(MANY),
+            (id, _) => id as usize - 1,
+        };
+        let Object { visible, .. } = scene.objects()[index];
+        match i % 5 {
+            0 | 1 => scene.set_visible(index, !visible),
+            _ => {
+                let mut to = model(&mut random);
+                if i % 5 != 2 {
+                    to.translation =
+                        view.camera.eye() + view.from_eye(glam::DVec2::new(80.0, 50.0), 5.0);
+                }
+                scene.place(index, Placement::new(to).expect("invertible"));
+            }
+        }
+        buffers.update(&gpu, &scene).expect("fits");
+        let now = ids(&gpu, &buffers, &view);
+        let fresh = SceneBuffers::upload(&gpu, &scene).expect("fits");
+        assert_eq!(
+            differing(&now, &ids(&gpu, &fresh, &view)),
+            0,
+            "{i}: {index}"
+        );
+        changed += usize::from(differing(&now, &before) > 0);
+        before = now;
+    }
+    assert!(changed > 30, "{changed}");
+}
