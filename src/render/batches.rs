@@ -86,7 +86,6 @@ pub(super) struct Triangles {
 }
 
 /// A row of one of the tables.
-#[expect(clippy::large_enum_variant, reason = "goes to a table at once")]
 pub(super) enum Row {
     Triangles(layout::Batch),
     Sphere(layout::Sphere),

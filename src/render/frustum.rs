@@ -7,7 +7,7 @@ use crate::{
 use glam::DVec3;
 
 /// How much boxes and planes grow, relatively: 16 times what `f64` may take, see [`Frustum::may_hold`].
-pub(super) const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
+const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
 /// Pixels about the picture that count as part of it. The rasteriser's grid and `f32` move an outline by half a pixel at the
 /// most (a view where they might by more is beyond `f32`), impostors and lines reach a pixel further than their surface.
 const ASIDE_PX: f64 = 2.0;

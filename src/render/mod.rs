@@ -9,6 +9,10 @@
 //! Renderer::composite       the picture with marks   whenever something is to be shown
 //! ```
 //!
+//! Of a scene only the batches that a view may show are drawn ([`SceneBuffers`] asks each block of them), those of a kind by
+//! one call as far as that shows nothing else. Where they are many, a thread beside composes their rows for the view, and
+//! who draws takes what is ready.
+//!
 //! Each step submits its own work. [`render`] does all of them for one picture. Where the first two of the last three
 //! take long, [`Renderer::advance`] does them in pieces.
 //!

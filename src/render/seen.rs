@@ -183,11 +183,15 @@ impl Seen {
     /// comes soon.
     pub fn take(&mut self, known: usize, waits: bool) {
         while let State::UnderWay(news) = &self.state {
-            let is_new = self.draws.len() > known;
-            let next = match waits {
-                true => news.recv().map_err(|_| RecvTimeoutError::Disconnected),
-                false if is_new => news.recv_timeout(Duration::ZERO),
-                false => news.recv_timeout(PATIENCE),
+            let patience = if self.draws.len() > known {
+                Duration::ZERO
+            } else {
+                PATIENCE
+            };
+            let next = if waits {
+                news.recv().map_err(|_| RecvTimeoutError::Disconnected)
+            } else {
+                news.recv_timeout(patience)
             };
             match next {
                 Ok(News::Draws(draws)) => self.draws.extend(draws),

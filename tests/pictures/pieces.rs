@@ -4,7 +4,7 @@ use super::*;
 use glam::DAffine3;
 use sightline::{
     geometry::Placement,
-    render::{Drawing, Piece, SMOOTH_SAMPLES},
+    render::{Drawing, Piece, SMOOTH_SAMPLES, Wireframe},
 };
 
 /// Ids, colours and the picture with its marks, in pieces, and how many those were.
@@ -113,5 +113,53 @@ fn objects_that_move_are_drawn_where_they_are() {
         assert_eq!(differing(&drawn, &fresh), 0);
         assert!(differing(&drawn, &before) > 300, "they moved");
         before = drawn;
+    }
+}
+
+/// Edges of triangles, and more lines than a piece has.
+#[test]
+fn edges_and_lines_come_in_pieces_too() {
+    let gpu = gpu();
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([320, 200]);
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let meshes = |object: &sightline::scene::Object| object.shape.triangles().is_some();
+    let mesh = scene.objects().iter().position(meshes).expect("a mesh");
+    let lines: Vec<_> = (0..100_u8)
+        .map(|i| Line {
+            to: DVec3::new(2.0, f64::from(i) / 50.0 - 1.0, 1.0),
+            ..line()
+        })
+        .collect();
+    for samples in [1, SMOOTH_SAMPLES] {
+        let targets = Targets::new(&gpu, view.viewport, samples).expect("fits");
+        let mut pieces = Vec::new();
+        for wireframe in [None, Some(Wireframe::Of(mesh)), Some(Wireframe::OfAll)] {
+            let mut renderer = Renderer::new(&gpu, samples);
+            renderer.wireframe = wireframe;
+            renderer
+                .draw(&gpu, &buffers, &targets, &view, &lines)
+                .expect("draws");
+            let whole = targets.read_colours(&gpu).expect("colours");
+            let piece = Piece {
+                work: 200,
+                ..Piece::WHOLE
+            };
+            let mut drawing = Drawing::of_scene(samples, &view, lines.clone());
+            let mut count = 1;
+            while !renderer
+                .advance(&gpu, &buffers, &targets, &mut drawing, piece)
+                .expect("drawn")
+            {
+                count += 1;
+            }
+            pieces.push(count);
+            let colours = targets.read_colours(&gpu).expect("colours");
+            assert_eq!(differing(&colours, &whole), 0, "{wireframe:?}");
+        }
+        let [bare, of_one, of_all] = pieces[..] else {
+            panic!("{pieces:?}");
+        };
+        assert!(bare + 3 < of_one && of_one + 10 < of_all, "{pieces:?}");
     }
 }

@@ -16,8 +16,6 @@ const SOFTWARE_WORK: u64 = 120_000;
 const HARDWARE_WORK: u64 = 4_000_000;
 /// The least that pieces come down to.
 const LEAST_WORK: u64 = 10_000;
-/// Rows of tables that are composed in a few milliseconds.
-const INSTANCES: u32 = 16_384;
 
 /// Pixels of a band of smooth rows: drawn in software in some hundredths of a second.
 const SMOOTH_PIXELS: u64 = 1 << 17;
@@ -62,7 +60,7 @@ impl Pace {
     pub fn most(&self) -> Piece {
         Piece {
             work: self.work,
-            instances: INSTANCES,
+            ..Piece::WHOLE
         }
     }
 
@@ -70,7 +68,7 @@ impl Pace {
     pub fn most_smooth(&self) -> Piece {
         Piece {
             work: self.work / SMOOTH_COSTS,
-            instances: INSTANCES,
+            ..Piece::WHOLE
         }
     }
 
