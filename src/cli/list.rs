@@ -1,7 +1,10 @@
 //! `sightline list`: the objects of a scene.
 
-use super::{CliError, SceneArgs, load};
-use crate::{geometry::Aabb, scene::Scene};
+use super::{CliError, SceneArgs, load_with};
+use crate::{
+    geometry::Aabb,
+    scene::{Detail, Scene},
+};
 use glam::DVec3;
 use serde::Serialize;
 use std::io::{self, BufWriter, Write};
@@ -39,7 +42,7 @@ struct Bounds {
 
 /// Prints the list.
 pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
-    let loaded = load(&args.scene)?;
+    let loaded = load_with(&args.scene, Detail::Shapes)?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let written = if args.json {
         lines(&loaded.scene).try_for_each(|line| {

@@ -25,7 +25,7 @@ pub use verify::{Picker, VerifyArgs};
 pub use view::ViewArgs;
 pub use window::WindowArgs;
 
-use crate::scene::{self, Loaded, Progress};
+use crate::scene::{self, Detail, Loaded, Progress};
 use clap::{Parser, Subcommand};
 use command_first::command_first;
 use contract::{CONTRACT, FIELDS, NUMBERS};
@@ -116,9 +116,14 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 
 /// Loads the scene that a command names and prints what the load warns of.
 fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
+    load_with(args, Detail::All)
+}
+
+/// [`load`] of what the command prints.
+fn load_with(args: &SceneArgs, detail: Detail) -> Result<Loaded, CliError> {
     start_log(args.verbose);
     let start = Instant::now();
-    let loaded = scene::load(&args.scenes, &Progress::default())?;
+    let loaded = scene::load_with(&args.scenes, &Progress::default(), detail)?;
     log::info!(
         "loaded {}: {} objects, {} triangles in {:.1?}",
         loaded.title,

@@ -66,25 +66,27 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     let selection = selection.map(|hit| hit.object);
     let start = Instant::now();
     let (ids, colours) = match args.by {
-        By::Raster => raster(scene, &view, selection)?,
-        By::Raycast => raycast(scene, &view, selection),
+        By::Raster => {
+            let gpu = Gpu::headless()?;
+            log::info!("drawing with {}", gpu.adapter_name());
+            if args.ids.is_none() && selection.is_none() {
+                (None, render::picture(&gpu, scene, &view)?)
+            } else {
+                let (ids, colours) = render::render(&gpu, scene, &view, selection)?;
+                (Some(ids), colours)
+            }
+        }
+        By::Raycast => {
+            let (ids, colours) = raycast(scene, &view, selection);
+            (Some(ids), colours)
+        }
     };
     log::info!("drew the picture in {:.1?}", start.elapsed());
     colours.write_png(&args.output)?;
-    if let Some(path) = &args.ids {
+    if let (Some(path), Some(ids)) = (&args.ids, ids) {
         ids.write_png(path)?;
     }
     Ok(())
-}
-
-fn raster(
-    scene: &Scene,
-    view: &View,
-    selection: Option<usize>,
-) -> Result<(Image<Id>, Image<Rgb>), CliError> {
-    let gpu = Gpu::headless()?;
-    log::info!("drawing with {}", gpu.adapter_name());
-    Ok(render::render(&gpu, scene, view, selection)?)
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

@@ -30,7 +30,7 @@ mod pyramid;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
-mod shares;
+pub(crate) mod shares;
 mod sphere;
 mod square;
 mod triangle;

@@ -1,8 +1,11 @@
 //! Shading normals for meshes that bring none.
 
-use super::shares::in_shares;
+use super::shares::on_all_cores;
 use glam::{DVec3, Vec3};
-use std::ops::Range;
+use std::{convert::Infallible, ops::Range};
+
+/// So many triangles, or vertices, are worked on at once: for a few milliseconds.
+const PIECE: usize = 1 << 15;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,12 +56,35 @@ pub fn crease_normals(
     triangles: &[[u32; 3]],
     crease: f32,
 ) -> CornerNormals {
+    let Ok(normals) =
+        crease_normals_while(positions, triangles, crease, |_| Ok::<(), Infallible>(()));
+    normals
+}
+
+/// [`crease_normals`] for as long as `go_on` lets it. That is told, often, of a share of the work that is done by then;
+/// all shares together are 1.
+pub(super) fn crease_normals_while<E: Send>(
+    positions: &[[f32; 3]],
+    triangles: &[[u32; 3]],
+    crease: f32,
+    go_on: impl Fn(f64) -> Result<(), E> + Sync,
+) -> Result<CornerNormals, E> {
+    let pieces = |count: usize| {
+        let pieces = (0..count).step_by(PIECE);
+        pieces.map(move |first| first..(first + PIECE).min(count))
+    };
+    // Four times through all of the triangles or vertices.
+    let go_on = |done: usize, of: usize| go_on(0.25 * share(done, of));
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
-    let faces = in_shares(triangles.len(), |share| {
-        triangles[share].iter().map(face).collect::<Vec<_>>()
+    let of_faces = on_all_cores(pieces(triangles.len()), |piece| {
+        go_on(piece.len(), triangles.len())?;
+        Ok(triangles[piece].iter().map(face).collect::<Vec<_>>())
     });
-    let faces = faces.concat();
-    let around = corners_by_vertex(positions.len(), triangles);
+    let mut faces = Vec::with_capacity(triangles.len());
+    for of_piece in of_faces {
+        faces.extend(of_piece?);
+    }
+    let around = corners_by_vertex(positions.len(), triangles, &go_on)?;
     let fans = Fans {
         positions,
         triangles,
@@ -66,7 +92,12 @@ pub fn crease_normals(
         around: &around,
         cos_crease: crease.cos(),
     };
-    let shares = in_shares(positions.len(), |vertices| fans.normals(vertices));
+    let shares = on_all_cores(pieces(positions.len()), |vertices| {
+        go_on(vertices.len(), positions.len())?;
+        Ok(fans.normals(vertices))
+    });
+    let shares = shares.into_iter().collect::<Result<Vec<Share>, E>>()?;
+    drop(faces);
     let mut result = CornerNormals {
         normals: Vec::with_capacity(positions.len()),
         corners: vec![[0; 3]; triangles.len()],
@@ -77,6 +108,7 @@ pub fn crease_normals(
         of_corners,
     } in shares
     {
+        go_on(of_corners.len(), 3 * triangles.len())?;
         let offset = u32::try_from(result.normals.len()).unwrap_or(u32::MAX);
         for (index, &corner) in of_corners.iter().zip(&mut corners) {
             let (face, at) = split(corner);
@@ -84,7 +116,12 @@ pub fn crease_normals(
         }
         result.normals.extend(normals);
     }
-    result
+    Ok(result)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a share")]
+fn share(done: usize, of: usize) -> f64 {
+    done as f64 / of as f64
 }
 
 /// What the corners about vertices are made of.
@@ -150,21 +187,32 @@ struct CornersByVertex {
     corners: Vec<u32>,
 }
 
-fn corners_by_vertex(vertices: usize, triangles: &[[u32; 3]]) -> CornersByVertex {
+fn corners_by_vertex<E>(
+    vertices: usize,
+    triangles: &[[u32; 3]],
+    go_on: impl Fn(usize, usize) -> Result<(), E>,
+) -> Result<CornersByVertex, E> {
     let mut starts = vec![0_u32; vertices + 1];
-    for &vertex in triangles.as_flattened() {
-        starts[vertex as usize + 1] += 1;
+    for piece in triangles.chunks(PIECE) {
+        go_on(piece.len(), 2 * triangles.len())?;
+        for &vertex in piece.as_flattened() {
+            starts[vertex as usize + 1] += 1;
+        }
     }
     for i in 0..vertices {
         starts[i + 1] += starts[i];
     }
     let mut next = starts.clone();
     let mut corners = vec![0_u32; triangles.len() * 3];
-    for (corner, &vertex) in (0..).zip(triangles.as_flattened()) {
-        corners[next[vertex as usize] as usize] = corner;
-        next[vertex as usize] += 1;
+    let mut all = 0..;
+    for piece in triangles.chunks(PIECE) {
+        go_on(piece.len(), 2 * triangles.len())?;
+        for (&vertex, corner) in piece.as_flattened().iter().zip(&mut all) {
+            corners[next[vertex as usize] as usize] = corner;
+            next[vertex as usize] += 1;
+        }
     }
-    CornersByVertex { starts, corners }
+    Ok(CornersByVertex { starts, corners })
 }
 
 fn split(corner: u32) -> (usize, usize) {

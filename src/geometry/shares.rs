@@ -1,26 +1,49 @@
 //! Work that is shared out to all cores.
 
 use std::{
+    iter,
     num::NonZero,
     ops::Range,
     panic::resume_unwind,
-    thread::{self, ScopedJoinHandle},
+    sync::{Mutex, PoisonError},
+    thread,
 };
 
-/// The results of `work` on equal shares of `0..count`, in order, from a thread a core.
-pub(super) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let share = count.div_ceil(threads).max(1);
-    thread::scope(|scope| {
-        let work = &work;
-        let started: Vec<_> = (0..count)
-            .step_by(share)
-            .map(|first| first..(first + share).min(count))
-            .map(|share| scope.spawn(move || work(share)))
-            .collect();
-        let finish = |thread: ScopedJoinHandle<_>| {
-            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-        };
-        started.into_iter().map(finish).collect()
-    })
+/// The results of `work` on each item, in order; a core that is free takes the next.
+pub(crate) fn on_all_cores<T, R: Send>(
+    items: impl Iterator<Item = T> + Send,
+    work: impl Fn(T) -> R + Sync,
+) -> Vec<R> {
+    let threads = cores().min(items.size_hint().1.unwrap_or(usize::MAX));
+    let items = Mutex::new(items.enumerate());
+    let next = || items.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let take_all = || -> Vec<_> {
+        iter::from_fn(next)
+            .map(|(index, item)| (index, work(item)))
+            .collect()
+    };
+    let mut done = thread::scope(|scope| {
+        let others: Vec<_> = (1..threads).map(|_| scope.spawn(take_all)).collect();
+        let mut done = take_all();
+        for other in others {
+            done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        done
+    });
+    done.sort_unstable_by_key(|&(index, _)| index);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
+/// Less is not worth a thread.
+const LEAST: usize = 1 << 12;
+
+/// The results of `work` on equal shares of `0..count`, in order, at most one a core.
+pub(crate) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    let share = count.div_ceil(cores()).max(LEAST);
+    let shares = (0..count).step_by(share);
+    on_all_cores(shares.map(|first| first..(first + share).min(count)), work)
+}
+
+fn cores() -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get)
 }

@@ -9,7 +9,7 @@ use crate::{
     geometry::{Cuboid, Mesh, Square, face_normal},
 };
 use glam::DVec3;
-use std::collections::HashMap;
+use std::{borrow::Cow, collections::HashMap};
 use wgpu::BufferUsages;
 
 /// A mesh in graphics memory. Its triangles are the mesh's, in order.
@@ -65,10 +65,27 @@ impl MeshBuffers {
 
 /// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into
 /// them.
-fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
     const NONE: u32 = u32::MAX;
     let (data, shading) = (mesh.data(), mesh.normals());
+    // A smooth surface of one part and colour, as scans are, has them already.
+    if let ([_], [run]) = (&*data.parts, &*data.colours)
+        && data.vertex_colours.is_empty()
+        && shading.corners == data.triangles
+    {
+        let colour = colour((run.colour, None));
+        let vertices = data.positions.iter().zip(&shading.normals);
+        let vertices = vertices.map(|(&position, &normal)| Vertex {
+            position,
+            normal,
+            part: 0,
+            colour,
+        });
+        return (vertices.collect(), Cow::Borrowed(&data.triangles));
+    }
     let mut linear = HashMap::new();
+    // Most corners are of the colour of the one before.
+    let mut latest_colour = (None, [0; 4]);
     let mut vertices: Vec<Vertex> = Vec::with_capacity(data.positions.len());
     // The vertices at each position as a list: the latest, and for each vertex the one before.
     let mut latest = vec![NONE; data.positions.len()];
@@ -90,11 +107,15 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
         triangles.push(std::array::from_fn(|place| {
             let position = corners[place] as usize;
             let key = (own, data.vertex_colours.get(position).copied());
+            if latest_colour.0 != Some(key) {
+                let found = *linear.entry(key).or_insert_with(|| colour(key));
+                latest_colour = (Some(key), found);
+            }
             let vertex = Vertex {
                 position: data.positions[position],
                 normal: normals[place],
                 part: u32::try_from(part).unwrap_or(u32::MAX),
-                colour: *linear.entry(key).or_insert_with(|| colour(key)),
+                colour: latest_colour.1,
             };
             let mut found = latest[position];
             while found != NONE && vertices[found as usize] != vertex {
@@ -109,7 +130,7 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
             found
         }));
     }
-    (vertices, triangles)
+    (vertices, Cow::Owned(triangles))
 }
 
 /// A triangle's colour times a vertex's, as [`Mesh::albedo`] has it: linear, in 65535ths, which is finer than sRGB's

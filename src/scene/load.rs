@@ -71,10 +71,25 @@ pub enum LoadError {
 /// # Errors
 /// When a file cannot be read or is refused, or the load is cancelled through `progress`.
 pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError> {
+    load_with(paths, progress, Detail::All)
+}
+
+/// [`load`] of what somebody wants.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with(
+    paths: &[PathBuf],
+    progress: &Progress,
+    detail: Detail,
+) -> Result<Loaded, LoadError> {
     if paths.is_empty() {
         return demo::demo(progress);
     }
-    let mut meshes = MeshFiles::default();
+    let mut meshes = MeshFiles {
+        detail,
+        ..MeshFiles::default()
+    };
     let mut objects = Vec::new();
     let mut warnings = Vec::new();
     let mut camera = None;
@@ -102,7 +117,7 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
         camera: camera.unwrap_or_default(),
         camera_file,
         warnings,
-        meshes: meshes.0,
+        meshes: meshes.loaded,
         title: title(paths),
         exhibit: match paths {
             [only] => Exhibit::at(only)?,
@@ -131,12 +146,27 @@ fn text(path: &Path) -> Result<String, FileError> {
 
 /// Mesh files by their absolute paths, each loaded once however often it is named.
 #[derive(Debug, Default)]
-pub struct MeshFiles(Vec<(PathBuf, Arc<Mesh>)>);
+pub struct MeshFiles {
+    loaded: Vec<(PathBuf, Arc<Mesh>)>,
+    detail: Detail,
+}
+
+/// What is wanted of mesh files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Detail {
+    /// All that they hold.
+    #[default]
+    All,
+    /// And the normals that they do not, so that who draws them need not wait.
+    Drawn,
+    /// No colours of materials: MTL files are not read, and nothing is said of them.
+    Shapes,
+}
 
 impl MeshFiles {
     /// Takes a mesh as that of a file, which is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
-        self.0.push((absolute(path), mesh));
+        self.loaded.push((absolute(path), mesh));
     }
 
     /// The mesh of a file.
@@ -150,12 +180,12 @@ impl MeshFiles {
         warnings: &mut Vec<Warning>,
     ) -> Result<Arc<Mesh>, ObjError> {
         let path = absolute(as_named);
-        if let Some((_, mesh)) = self.0.iter().find(|(known, _)| *known == path) {
+        if let Some((_, mesh)) = self.loaded.iter().find(|(known, _)| *known == path) {
             return Ok(Arc::clone(mesh));
         }
-        let file = obj::load(as_named, progress)?;
+        let file = obj::load_with(as_named, progress, self.detail)?;
         warnings.extend(file.warnings);
-        self.0.push((path, Arc::clone(&file.mesh)));
+        self.loaded.push((path, Arc::clone(&file.mesh)));
         Ok(file.mesh)
     }
 }

@@ -1,5 +1,6 @@
 //! How far a load has come, and the way to stop it: shared between the thread that loads and the one that shows.
 
+use crate::geometry::shares::on_all_cores;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How far a load has come. Shared by reference; one side reports, the other reads or cancels.
@@ -8,6 +9,11 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
+    /// How often a load has reported; and the report, from 1, with which it is cancelled.
+    #[cfg(test)]
+    pub(super) reports: AtomicU64,
+    #[cfg(test)]
+    pub(super) cancelled_with: AtomicU64,
 }
 
 /// Somebody called [`Progress::cancel`].
@@ -27,11 +33,31 @@ impl Progress {
     /// When the load was cancelled and should stop.
     pub fn advance(&self, bytes: u64) -> Result<(), Cancelled> {
         self.done.fetch_add(bytes, Ordering::Relaxed);
+        #[cfg(test)]
+        if self.reports.fetch_add(1, Ordering::Relaxed) + 1
+            == self.cancelled_with.load(Ordering::Relaxed)
+        {
+            self.cancel();
+        }
         if self.cancelled.load(Ordering::Relaxed) {
             Err(Cancelled)
         } else {
             Ok(())
         }
+    }
+
+    /// The results of `work` on each item, in order, by all cores. Each counts for so many bytes.
+    ///
+    /// # Errors
+    /// When the load was cancelled.
+    pub(super) fn on_all_cores<T, R: Send>(
+        &self,
+        bytes: u64,
+        items: impl Iterator<Item = T> + Send,
+        work: impl Fn(T) -> R + Sync,
+    ) -> Result<Vec<R>, Cancelled> {
+        let done = on_all_cores(items, |item| self.advance(bytes).map(|()| work(item)));
+        done.into_iter().collect()
     }
 
     /// Asks the load to stop at its next step.

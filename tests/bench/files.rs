@@ -1,140 +1,195 @@
-//! How long an OBJ file takes until it can be picked and drawn, and how much memory, beside what `tobj` alone takes.
+//! How long an OBJ file takes until it is listed, picked from and drawn, and how much memory, beside what `tobj` alone
+//! takes; and a picture of it beside F3D's, where `f3d`, `xvfb-run` and GNU `time` are installed.
 //!
-//! `cargo bench --bench files`, or with `-- FILE.obj`. Each measurement is a process of its own, since its peak of
-//! memory counts; the contenders take turns. Peaks need Linux.
+//! `cargo bench --bench files` for 100 thousand, a million and 10 million triangles, or with `-- FILE.obj`. Each
+//! measurement is a process of its own; they take turns. Memory and `taskset` need Linux.
 
 mod terrain;
 
-use glam::DVec3;
-use sightline::{
-    geometry::Ray,
-    pick,
-    scene::{Progress, load},
-};
 use std::{
     env,
     error::Error,
     ffi::OsString,
     fs,
-    path::{Path, PathBuf},
+    path::Path,
     process::{Command, ExitCode},
     time::Instant,
 };
 
-const ROUNDS: usize = 7;
-/// Squares along a side of the file that is measured where none is named: twice its square is the triangle count.
-const SIDE: u32 = 708;
+const ROUNDS: usize = 5;
+/// Squares along a side of the files that are measured where none is named: twice its square is the triangle count.
+const SIDES: [u32; 3] = [224, 708, 2236];
+/// Of pictures, as `render` makes them.
+const SIZE: [u32; 2] = [1280, 720];
 
-/// Takes a file as far as it does, and returns how much it found there.
-type Contender = fn(&Path) -> Result<usize, Box<dyn Error>>;
+type Failure = Box<dyn Error>;
 
-/// What is measured, each in a process of its own. The first is what the others are compared with.
-const CONTENDERS: [(&str, Contender); 3] = [
-    ("tobj", tobj_alone),
-    ("first pick", first_pick),
-    ("render", render),
+/// What is measured, as a word for this program and what stands before its name. The first is what the others are
+/// compared with.
+const CONTENDERS: [(&str, &[&str]); 5] = [
+    ("tobj", &[]),
+    ("list", &[]),
+    ("pick", &[]),
+    ("pick, one core", &["taskset", "-c", "0"]),
+    ("render", &[]),
 ];
+const F3D: &str = "F3D";
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// What a process took.
+#[derive(Clone, Copy)]
+struct Cost {
+    ms: f64,
+    peak_mb: f64,
+}
+
+fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = env::args().skip(1).filter(|a| a != "--bench").collect();
     if let [contender, file] = &*arguments {
-        let (_, run) = CONTENDERS
-            .iter()
-            .find(|(name, _)| name == contender)
-            .ok_or("no such contender")?;
-        let triangles = run(Path::new(file))?;
-        println!("{} {triangles}", peak_mb());
+        run(contender, Path::new(file))?;
+        println!("{}", peak_mb());
         return Ok(());
     }
-    let folder = tempfile::tempdir()?;
-    let file = match arguments.first() {
-        Some(file) => PathBuf::from(file),
-        None => terrain::write(folder.path(), SIDE)?,
-    };
-    let mut measured = [const { Vec::new() }; CONTENDERS.len()];
-    for round in 0..=ROUNDS {
-        for ((name, _), all) in CONTENDERS.iter().zip(&mut measured) {
-            let start = Instant::now();
-            let run = Command::new(env::current_exe()?)
-                .args([name.as_ref(), file.as_os_str()])
-                .output()?;
-            let ms = start.elapsed().as_secs_f64() * 1e3;
-            let said = String::from_utf8(run.stdout)?;
-            let said = said.split_whitespace().map(str::parse);
-            let said = said.collect::<Result<Vec<f64>, _>>()?;
-            let &[mb, triangles] = &*said else {
-                return Err(String::from_utf8_lossy(&run.stderr).into());
-            };
-            // The first round brings the file into the system's cache.
-            if round > 0 {
-                all.push([ms, mb, triangles]);
-            }
-        }
+    if let Some(file) = arguments.first() {
+        return compare(Path::new(file));
     }
-    println!(
-        "{}: {} triangles, medians of {ROUNDS} rounds",
-        file.display(),
-        measured[0][0][2]
-    );
-    println!("              ms   ratio  peak MB   ratio");
-    for ((name, _), all) in CONTENDERS.iter().zip(&measured) {
-        let [ms, mb] = [0, 1].map(|what| median(all.iter().map(|one| one[what])));
-        // Per round: what else the machine does slows down both.
-        let [time, memory] = [0, 1].map(|what| {
-            median(
-                all.iter()
-                    .zip(&measured[0])
-                    .map(|(one, tobj)| one[what] / tobj[what]),
-            )
-        });
-        println!("{name:12} {ms:9.0} {time:7.2} {mb:9.0} {memory:7.2}");
+    let folder = tempfile::tempdir()?;
+    for side in SIDES {
+        compare(&terrain::write(folder.path(), side)?)?;
     }
     Ok(())
 }
 
-/// `tobj` as everybody calls it.
-fn tobj_alone(file: &Path) -> Result<usize, Box<dyn Error>> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ..tobj::LoadOptions::default()
-    };
-    let (models, _) = tobj::load_obj(file, &options)?;
-    Ok(models
-        .iter()
-        .map(|model| model.mesh.indices.len() / 3)
-        .sum())
+/// Measures everybody with a file, and prints it.
+fn compare(file: &Path) -> Result<(), Failure> {
+    let mut measured = [const { Vec::new() }; CONTENDERS.len()];
+    let mut f3d = Vec::new();
+    // The first round brings the file into the system's cache.
+    for round in 0..=ROUNDS {
+        for ((name, before), costs) in CONTENDERS.iter().zip(&mut measured) {
+            costs.push(cost_of(name, before, file)?);
+        }
+        f3d.extend(cost_of_f3d(file).ok());
+        if round == 0 {
+            measured.iter_mut().for_each(Vec::clear);
+            f3d.clear();
+        }
+    }
+    let [tobj, .., render] = &measured;
+    let bytes = fs::metadata(file)?.len() / 1_000_000;
+    println!(
+        "\n{} ({bytes} MB), medians of {ROUNDS} rounds",
+        file.display()
+    );
+    println!("                     ms  to tobj (all rounds)  peak MB  to tobj");
+    for ((name, _), costs) in CONTENDERS.iter().zip(&measured) {
+        print_row(name, costs, tobj);
+    }
+    if f3d.len() < ROUNDS {
+        println!("F3D: absent");
+    } else {
+        print_row(F3D, &f3d, tobj);
+        println!("                         to F3D                         to F3D");
+        print_row("render", render, &f3d);
+    }
+    Ok(())
 }
 
-/// From the file to the answer to a click in the middle of what it holds.
-fn first_pick(file: &Path) -> Result<usize, Box<dyn Error>> {
-    let scene = load(&[file.to_owned()], &Progress::default())?.scene;
-    let bounds = scene.bounds();
-    let (center, diagonal) = (0.5 * (bounds.min + bounds.max), bounds.max - bounds.min);
-    let toward = DVec3::new(0.3, 1.0, 0.2);
-    let ray = Ray {
-        origin: center + toward * diagonal.length(),
-        direction: -toward,
-        t_min: 0.0,
-        t_max: f64::INFINITY,
+/// A contender's medians, and of its ratios to another's costs in the same round: what else the machine does slows down
+/// both.
+fn print_row(name: &str, costs: &[Cost], others: &[Cost]) {
+    let ratios = |of: fn(&Cost) -> f64| {
+        let ratios = costs
+            .iter()
+            .zip(others)
+            .map(|(one, other)| of(one) / of(other));
+        sorted(ratios)
     };
-    pick::closest(&scene, ray, sightline::geometry::Sides::Both).ok_or("nothing there")?;
-    Ok(scene.triangle_count())
+    let [time, memory] = [ratios(|cost| cost.ms), ratios(|cost| cost.peak_mb)];
+    println!(
+        "{name:14} {:8.0} {:8.2} ({:.2} to {:.2}) {:8.0} {:8.2}",
+        median(&sorted(costs.iter().map(|cost| cost.ms))),
+        median(&time),
+        time[0],
+        time[time.len() - 1],
+        median(&sorted(costs.iter().map(|cost| cost.peak_mb))),
+        median(&memory),
+    );
 }
 
-/// The whole of `sightline render`.
-fn render(file: &Path) -> Result<usize, Box<dyn Error>> {
+/// What this program takes for a file in a process of its own.
+fn cost_of(name: &str, before: &[&str], file: &Path) -> Result<Cost, Failure> {
+    let mut words: Vec<OsString> = before.iter().map(OsString::from).collect();
+    words.push(env::current_exe()?.into());
+    words.extend([name.into(), file.into()]);
+    let start = Instant::now();
+    let run = Command::new(&words[0]).args(&words[1..]).output()?;
+    let ms = start.elapsed().as_secs_f64() * 1e3;
+    let said = String::from_utf8(run.stdout)?;
+    let Some(Ok(peak_mb)) = said.lines().last().map(str::parse) else {
+        return Err(String::from_utf8_lossy(&run.stderr).into());
+    };
+    Ok(Cost { ms, peak_mb })
+}
+
+/// What F3D takes for a picture of a file, drawn in software as ours is; without what its display takes.
+fn cost_of_f3d(file: &Path) -> Result<Cost, Failure> {
     let folder = tempfile::tempdir()?;
     let picture = folder.path().join("picture.png");
-    let arguments = ["sightline".as_ref(), "render".as_ref(), file.as_os_str()];
-    let output = ["-o".as_ref(), picture.as_os_str()];
-    let arguments = arguments.into_iter().chain(output).map(OsString::from);
-    if sightline::cli::run(arguments) != ExitCode::SUCCESS {
-        return Err("no picture".into());
-    }
-    Ok(usize::try_from(fs::metadata(picture)?.len())?)
+    let [width, height] = SIZE;
+    let run = Command::new("xvfb-run")
+        .env("LIBGL_ALWAYS_SOFTWARE", "1")
+        .args(["-a", "-s", &format!("-screen 0 {width}x{height}x24")])
+        .args(["time", "--format", "%e %M", "f3d"])
+        .args([file.as_os_str(), "--output".as_ref(), picture.as_os_str()])
+        .args(["--resolution", &format!("{width},{height}")])
+        .output()?;
+    fs::metadata(picture)?;
+    let said = [run.stdout, run.stderr].concat();
+    let said = String::from_utf8(said)?;
+    let line = said.lines().last().and_then(|line| line.split_once(' '));
+    let (seconds, peak_kb) = line.ok_or("no times")?;
+    Ok(Cost {
+        ms: seconds.parse::<f64>()? * 1e3,
+        peak_mb: peak_kb.parse::<f64>()? / 1024.0,
+    })
 }
 
-/// The most memory that this process had, in MB.
+/// Does what a contender does.
+fn run(contender: &str, file: &Path) -> Result<(), Failure> {
+    let folder = tempfile::tempdir()?;
+    let [width, height] = SIZE.map(f64::from);
+    let size = format!("--size={}x{}", SIZE[0], SIZE[1]);
+    let center = format!("--at={},{}", 0.5 * width, 0.5 * height);
+    let picture = folder.path().join("picture.png");
+    let arguments: &[OsString] = match contender {
+        "tobj" => return tobj_alone(file),
+        "list" => &["list".into(), file.into()],
+        "render" => &[
+            "render".into(),
+            file.into(),
+            size.into(),
+            "-o".into(),
+            picture.into(),
+        ],
+        _ => &["pick".into(), file.into(), size.into(), center.into()],
+    };
+    let arguments = [OsString::from("sightline")]
+        .into_iter()
+        .chain(arguments.iter().cloned());
+    match sightline::cli::run(arguments) {
+        ExitCode::SUCCESS => Ok(()),
+        _ => Err("it failed".into()),
+    }
+}
+
+/// `tobj` as the loader calls it, with all of a file at once.
+fn tobj_alone(file: &Path) -> Result<(), Failure> {
+    let (models, _) = tobj::load_obj(file, &tobj::LoadOptions::default())?;
+    println!("{} models", models.len());
+    Ok(())
+}
+
+/// The most memory that this process had.
 fn peak_mb() -> f64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let peak = status.lines().find_map(|line| {
@@ -147,8 +202,12 @@ fn peak_mb() -> f64 {
     peak.map_or(f64::NAN, |kb| kb / 1024.0)
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    values
+}
+
+fn median(sorted: &[f64]) -> f64 {
+    sorted[sorted.len() / 2]
 }

@@ -267,6 +267,16 @@ fn lists_have_a_line_an_object() {
 }
 
 #[test]
+fn a_list_reads_no_more_than_it_prints() {
+    let folder = Folder::new();
+    let model = "mtllib no.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(folder.path("model.obj"), model).unwrap();
+    let said = |args| String::from_utf8(folder.run(args).stderr).unwrap();
+    assert!(said("pick model.obj --at 1,1").contains("no.mtl does not exist"));
+    assert_eq!(said("list model.obj"), "");
+}
+
+#[test]
 fn the_demo_is_there_without_a_scene() {
     let lines = Folder::new().json("pick --at 640,360");
     assert_ne!(lines[0]["hit"], Value::Null);

@@ -257,6 +257,13 @@ fn pictures_of_any_shape_are_drawn_or_refused_in_a_line() {
         );
     }
     let limit = gpu.device.limits().max_texture_dimension_2d;
+    let view = overview([97, 61]);
+    let (_, colours) = sightline::render::render(&gpu, &scene, &view, None).expect("fits");
+    let alone = sightline::render::picture(&gpu, &scene, &view).expect("fits");
+    assert!(
+        alone.pixels() == colours.pixels(),
+        "the same without ids to the last bit"
+    );
     let view = overview([limit + 1, 3]);
     let error = sightline::render::render(&gpu, &scene, &view, None).expect_err("too large");
     assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");

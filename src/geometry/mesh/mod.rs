@@ -2,10 +2,13 @@
 
 mod rays;
 
-use super::{Aabb, Bvh, CornerNormals, OnTriangle, crease_normals};
+use super::{
+    Aabb, Bvh, CornerNormals, OnTriangle, normals::crease_normals_while, shares::in_shares,
+};
 use crate::colour::Srgb;
 use glam::DVec3;
 use std::{
+    convert::Infallible,
     ops::Range,
     sync::{Arc, OnceLock},
 };
@@ -66,6 +69,12 @@ pub enum MeshError {
 }
 
 /// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
+///
+/// # Memory
+/// A vertex takes 12 bytes, and 3 where the file has colours; a triangle 12: what picks and a saved scene are made of, which
+/// is all that lists and single picks need. Once it is drawn, there are 12 bytes a normal, mostly one a vertex, and 12 a
+/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do. Of the file's
+/// text, and of what was read of it in `f64`, nothing stays.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
@@ -82,16 +91,7 @@ impl Mesh {
     /// When it is not a mesh; see [`MeshError`].
     pub fn new(data: MeshData) -> Result<Self, MeshError> {
         check(&data)?;
-        let bounds = data
-            .parts
-            .iter()
-            .map(|part| {
-                let triangles =
-                    &data.triangles[part.triangles.start as usize..part.triangles.end as usize];
-                let used = triangles.as_flattened().iter();
-                Aabb::around(used.map(|&i| data.origin + wide(data.positions[i as usize])))
-            })
-            .collect();
+        let bounds = bounds_of_parts(&data).into();
         Ok(Self {
             data: Arc::new(data),
             bounds,
@@ -133,6 +133,16 @@ impl Mesh {
     /// lists and picks never do.
     #[must_use]
     pub fn normals(&self) -> &CornerNormals {
+        let Ok(normals) = self.normals_while(|_| Ok::<(), Infallible>(()));
+        normals
+    }
+
+    /// [`Mesh::normals`], computed for as long as `go_on` lets it. That is told of each share of the work; all of them
+    /// are 1, or none where there is nothing to compute.
+    pub(crate) fn normals_while<E: Send>(
+        &self,
+        go_on: impl Fn(f64) -> Result<(), E> + Sync,
+    ) -> Result<&CornerNormals, E> {
         let MeshData {
             positions,
             triangles,
@@ -140,11 +150,14 @@ impl Mesh {
             crease,
             ..
         } = &*self.data;
-        match *crease {
-            None => given,
-            Some(crease) => (self.normals)
-                .get_or_init(|| given.completed_by(crease_normals(positions, triangles, crease))),
+        let Some(crease) = *crease else {
+            return Ok(given);
+        };
+        if let Some(known) = self.normals.get() {
+            return Ok(known);
         }
+        let computed = crease_normals_while(positions, triangles, crease, go_on)?;
+        Ok(self.normals.get_or_init(|| given.completed_by(computed)))
     }
 
     /// The interpolated shading normal at a point of a triangle, in object space and of any length; `None` where
@@ -206,24 +219,50 @@ fn wide(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
+/// The box about the triangles of each part.
+fn bounds_of_parts(data: &MeshData) -> Vec<Aabb> {
+    let of_shares = in_shares(data.triangles.len(), |share| {
+        let first = data
+            .parts
+            .partition_point(|part| part.triangles.end as usize <= share.start);
+        let parts = data.parts[first..]
+            .iter()
+            .take_while(|part| (part.triangles.start as usize) < share.end);
+        let bounds = parts.map(|part| {
+            let from = share.start.max(part.triangles.start as usize);
+            let to = share.end.min(part.triangles.end as usize);
+            let used = data.triangles[from..to].as_flattened().iter();
+            Aabb::around(used.map(|&i| data.origin + wide(data.positions[i as usize])))
+        });
+        (first, bounds.collect::<Vec<_>>())
+    });
+    let mut all = vec![Aabb::EMPTY; data.parts.len()];
+    for (first, bounds) in of_shares {
+        for (part, bounds) in all[first..].iter_mut().zip(bounds) {
+            *part = part.union(bounds);
+        }
+    }
+    all
+}
+
+/// The first of so many that is not as it should be.
+fn first_without(count: usize, is_right: impl Fn(usize) -> bool + Sync) -> Option<usize> {
+    let found = in_shares(count, |mut share| share.find(|&i| !is_right(i)));
+    found.into_iter().flatten().next()
+}
+
 fn check(data: &MeshData) -> Result<(), MeshError> {
     if !data.origin.is_finite() {
         return Err(MeshError::NotFinite(0));
     }
-    if let Some(bad) = data
-        .positions
-        .iter()
-        .position(|p| !p.iter().all(|c| c.is_finite()))
-    {
+    let is_finite = |i: usize| data.positions[i].iter().all(|c| c.is_finite());
+    if let Some(bad) = first_without(data.positions.len(), is_finite) {
         return Err(MeshError::NotFinite(bad));
     }
     let vertices = data.positions.len();
     let in_range = |corners: &[u32; 3], limit: usize| corners.iter().all(|&i| (i as usize) < limit);
-    if let Some(bad) = data
-        .triangles
-        .iter()
-        .position(|corners| !in_range(corners, vertices))
-    {
+    let are_there = |i: usize| in_range(&data.triangles[i], vertices);
+    if let Some(bad) = first_without(data.triangles.len(), are_there) {
         return Err(MeshError::NoSuchVertex(bad));
     }
     let triangles = data.triangles.len();

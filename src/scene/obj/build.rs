@@ -1,16 +1,20 @@
-//! From what `tobj` read and the [`Outline`] to one mesh.
+//! From what `tobj` made of the pieces of a file, and what their other lines say, to one mesh.
 
 use super::{
-    ObjError, ObjFile, material, notes,
-    outline::{Name, Outline},
+    ObjError, ObjFile,
+    block::{Block, Faces},
+    material::{self, Material, Materials},
+    names::Names,
+    notes,
+    outline::Outline,
     polygon::Splitter,
+    vertices::Stored,
 };
 use crate::{
-    colour::Srgb,
-    geometry::{Aabb, ColourRun, CornerNormals, Mesh, MeshData, Part},
-    scene::Progress,
+    geometry::{ColourRun, CornerNormals, Mesh, MeshData, Part},
+    scene::{Cancelled, Detail, Progress},
 };
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use std::{
     collections::{HashMap, HashSet},
     path::Path,
@@ -23,52 +27,54 @@ const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
 /// A face with more than this many corners of which half are repeats is left out, too.
 const MOST_REPEATS: usize = 1 << 5;
 
-/// Puts a file's mesh together. `models` is one, since the washer hides what begins others.
+/// Puts a file's mesh together. All of it counts for so many bytes.
 pub(super) fn build(
     path: &Path,
-    models: Vec<tobj::Model>,
-    outline: &Outline,
-    progress: &Progress,
+    blocks: Vec<Block>,
+    mut outline: Outline,
+    detail: Detail,
+    (progress, bytes): (&Progress, u64),
 ) -> Result<ObjFile, ObjError> {
-    let model = models.into_iter().next();
-    let model = model.ok_or_else(|| notes::nothing(path, outline, &LeftOut::default()))?;
-    let materials = material::read_libraries(path, &outline.libraries, progress)?;
-
-    let mut builder = Builder::new(path, &model.mesh)?;
-    let mut objects = outline.objects.iter().peekable();
-    let mut uses = outline.materials.iter().peekable();
-    let names = object_names(path, &outline.objects);
-    let mut names = names.into_iter();
-    let mut corners = 0;
-    for (face, &with_normals) in outline.with_normals.iter().enumerate() {
-        if objects.next_if(|(first, _)| *first == face).is_some() {
-            builder.begin_part(names.next().unwrap_or_default());
-        }
-        while let Some((_, material)) = uses.next_if(|(first, _)| *first <= face) {
-            let (name, _) = &outline.material_names[*material];
-            builder.begin_colour(
-                materials
-                    .by_name
-                    .get(name)
-                    .and_then(|material| material.colour),
-            );
-        }
-        let arity = model.mesh.face_arities.get(face).map_or(3, |&n| n as usize);
-        if arity > 4 {
-            progress.advance(0)?;
-        }
-        builder.face(corners..corners + arity, with_normals);
-        corners += arity;
+    let names = Names::new(path, std::mem::take(&mut outline.said), outline.faces);
+    let materials = match detail {
+        Detail::All | Detail::Drawn => material::read_libraries(path, &names.libraries, progress)?,
+        Detail::Shapes => Materials::default(),
+    };
+    let steps = (Stored::STEPS + 1) * blocks.len().max(1) as u64;
+    progress.advance(bytes % steps)?;
+    let bytes = bytes / steps;
+    let (vertices, faces): (Vec<_>, Vec<_>) = (blocks.into_iter())
+        .map(|block| (block.vertices, block.faces))
+        .unzip();
+    let vertices = Stored::new(path, vertices, &faces, (progress, bytes))?;
+    let cuts = names.cuts();
+    let (mut first, mut rest) = (0, &*cuts);
+    let with_cuts: Vec<_> = (faces.into_iter())
+        .map(|faces| {
+            let next = first + faces.count();
+            let (cuts, others) = rest.split_at(rest.partition_point(|&cut| cut < next));
+            let cuts: Vec<usize> = cuts.iter().map(|cut| cut - first).collect();
+            (first, rest) = (next, others);
+            (faces, cuts)
+        })
+        .collect();
+    let split = progress.on_all_cores(bytes, with_cuts.into_iter(), |(faces, cuts)| {
+        Triangles::of(&faces, &cuts, &vertices, progress)
+    })?;
+    let mut all = Triangles::default();
+    split
+        .into_iter()
+        .try_for_each(|next| next.map(|next| all.append(next)))?;
+    if all.corners.is_empty() {
+        return Err(notes::nothing(path, &outline, &all.left_out));
     }
-    if builder.data.triangles.is_empty() {
-        return Err(notes::nothing(path, outline, &builder.left_out));
-    }
-    let mut warnings: Vec<_> = notes::about_lines(path, outline).collect();
-    warnings.extend(notes::about_geometry(path, outline, &builder.left_out));
-    warnings.extend(notes::about_materials(path, outline, &materials.by_name));
+    let mut warnings: Vec<_> = notes::about_lines(path, &outline).collect();
+    warnings.extend(notes::about_geometry(path, &outline, &all.left_out));
+    warnings.extend(notes::about_materials(path, &names, &materials.by_name));
     warnings.extend(materials.warnings);
 
-    let mesh = Mesh::new(builder.finish()).map_err(|source| ObjError::NoMesh {
+    let mesh = Mesh::new(all.mesh(vertices, names, &cuts, &materials.by_name));
+    let mesh = mesh.map_err(|source| ObjError::NoMesh {
         file: path.to_owned(),
         source,
     })?;
@@ -76,18 +82,14 @@ pub(super) fn build(
     Ok(ObjFile { mesh, warnings })
 }
 
-/// A mesh in the making, face by face.
-struct Builder<'a> {
-    from: &'a tobj::Mesh,
-    /// Vertices that are not three finite numbers.
-    nowhere: HashSet<u32>,
-    data: MeshData,
-    /// The file's normals at unit length; zero where they have no direction.
-    normals: Vec<[f32; 3]>,
-    /// For each triangle, indices into `normals` or [`CornerNormals::NONE`]; empty while all are computed.
+/// Triangles of faces, in order.
+#[derive(Default)]
+struct Triangles {
+    corners: Vec<[u32; 3]>,
+    /// For each, indices into the file's normals or [`CornerNormals::NONE`]; empty while all are computed.
     shading: Vec<[u32; 3]>,
-    splitter: Splitter,
-    polygon: Vec<DVec3>,
+    /// How many come before each cut.
+    before_cuts: Vec<u32>,
     left_out: LeftOut,
 }
 
@@ -102,222 +104,170 @@ pub(super) struct LeftOut {
     pub repetitive: usize,
 }
 
-impl<'a> Builder<'a> {
-    fn new(path: &Path, from: &'a tobj::Mesh) -> Result<Self, ObjError> {
-        let (vertices, _) = from.positions.as_chunks::<3>();
-        let is_somewhere = |v: &DVec3| v.is_finite();
-        let all = vertices.iter().map(|&v| DVec3::from_array(v));
-        let bounds = Aabb::around(all.clone().filter(is_somewhere));
-        let extent = (bounds.max - bounds.min).max_element();
-        if extent > f64::from(f32::MAX) {
-            return Err(ObjError::TooLarge {
-                file: path.to_owned(),
-                extent,
-            });
-        }
-        let origin = origin(bounds);
-        // No face uses those that are nowhere.
-        let nowhere = (0..)
-            .zip(all.clone())
-            .filter_map(|(i, v)| (!is_somewhere(&v)).then_some(i));
-        let positions = all.map(|v| {
-            if is_somewhere(&v) {
-                narrow(v - origin)
-            } else {
-                [0.0; 3]
+impl Triangles {
+    /// Of the faces of a block, cut before some of them.
+    fn of(
+        faces: &Faces,
+        cuts: &[usize],
+        vertices: &Stored,
+        progress: &Progress,
+    ) -> Result<Self, Cancelled> {
+        let mut all = Self::default();
+        all.corners.reserve_exact(faces.corners.len() / 3);
+        let mut cuts = cuts.iter().peekable();
+        let mut splitter = Splitter::default();
+        let mut polygon = Vec::new();
+        let mut places = Vec::new();
+        let mut at = 0;
+        for (face, &with_normals) in faces.with_normals.iter().enumerate() {
+            if cuts.next_if_eq(&&face).is_some() {
+                all.before_cuts.push(all.count());
             }
-        });
-        let (colours, _) = from.vertex_color.as_chunks::<3>();
-        let (normals, _) = from.normals.as_chunks::<3>();
-        Ok(Self {
-            from,
-            nowhere: nowhere.collect(),
-            data: MeshData {
-                origin,
-                positions: positions.collect(),
-                vertex_colours: colours.iter().map(|&c| Srgb::from_unit(c)).collect(),
-                triangles: Vec::with_capacity(from.indices.len() / 3),
-                ..MeshData::default()
-            },
-            normals: normals
-                .iter()
-                .map(|&n| unit(DVec3::from_array(n)))
-                .collect(),
-            shading: Vec::new(),
-            splitter: Splitter::default(),
-            polygon: Vec::new(),
-            left_out: LeftOut::default(),
-        })
-    }
-
-    fn end(&self) -> u32 {
-        u32::try_from(self.data.triangles.len()).unwrap_or(u32::MAX)
-    }
-
-    fn begin_part(&mut self, name: String) {
-        self.end_part();
-        let triangles = self.end()..self.end();
-        self.data.parts.push(Part { name, triangles });
-    }
-
-    fn end_part(&mut self) {
-        let end = self.end();
-        if let Some(part) = self.data.parts.last_mut() {
-            part.triangles.end = end;
-        }
-        self.data.parts.pop_if(|part| part.triangles.is_empty());
-    }
-
-    fn begin_colour(&mut self, colour: Option<Srgb>) {
-        self.end_colour();
-        let start = self.end();
-        if self
-            .data
-            .colours
-            .last()
-            .is_none_or(|run| run.colour != colour)
-        {
-            let triangles = start..start;
-            self.data.colours.push(ColourRun { triangles, colour });
-        }
-    }
-
-    /// Closes the run in progress. Triangles before the first have no colour.
-    fn end_colour(&mut self) {
-        let end = self.end();
-        let runs = &mut self.data.colours;
-        match runs.last_mut() {
-            Some(run) => run.triangles.end = end,
-            None if end > 0 => runs.push(ColourRun {
-                triangles: 0..end,
-                colour: None,
-            }),
-            None => {}
-        }
-        runs.pop_if(|run| run.triangles.is_empty());
-    }
-
-    /// Adds the face that has these places in `tobj`'s lists of corners.
-    fn face(&mut self, corners: std::ops::Range<usize>, with_normals: bool) {
-        let from = self.from;
-        let vertices = &from.indices[corners.clone()];
-        if !self.nowhere.is_empty() && vertices.iter().any(|i| self.nowhere.contains(i)) {
-            self.left_out.nowhere += 1;
-            return;
-        }
-        let normals = Some(&from.normal_indices)
-            .filter(|_| with_normals)
-            .and_then(|indices| indices.get(corners))
-            .filter(|indices| {
-                indices
+            let arity = faces.arities.get(face).map_or(3, |&arity| arity as usize);
+            let corners = at..at + arity;
+            at += arity;
+            places.clear();
+            places.extend(
+                faces.corners[corners.clone()]
                     .iter()
-                    .all(|&i| Vec3::from_array(self.normals[i as usize]) != Vec3::ZERO)
-            });
-        if let [_, _, _] = vertices {
-            self.triangle(vertices, normals, [0, 1, 2]);
-            return;
+                    .map(|&v| vertices.place(v)),
+            );
+            if vertices.any_nowhere(&places) {
+                all.left_out.nowhere += 1;
+                continue;
+            }
+            let normals = Some(&faces.normals)
+                .filter(|_| with_normals)
+                .and_then(|normals| normals.get(corners))
+                .filter(|normals| normals.iter().all(|&i| vertices.has_normal(i)));
+            if arity == 3 {
+                all.add(&places, normals, [0, 1, 2], vertices);
+                continue;
+            }
+            if is_repetitive(&places) {
+                all.left_out.repetitive += 1;
+                continue;
+            }
+            if arity > 4 {
+                progress.advance(0)?;
+            }
+            polygon.clear();
+            polygon.extend(places.iter().map(|&place| vertices.position(place)));
+            for &corners in splitter.split(&polygon) {
+                all.add(&places, normals, corners, vertices);
+            }
         }
-        if is_repetitive(vertices) {
-            self.left_out.repetitive += 1;
-            return;
-        }
-        let mut polygon = std::mem::take(&mut self.polygon);
-        polygon.clear();
-        polygon.extend(vertices.iter().map(|&i| self.position(i)));
-        let mut splitter = std::mem::take(&mut self.splitter);
-        for &corners in splitter.split(&polygon) {
-            self.triangle(vertices, normals, corners);
-        }
-        self.splitter = splitter;
-        self.polygon = polygon;
+        Ok(all)
     }
 
-    fn triangle(&mut self, vertices: &[u32], normals: Option<&[u32]>, corners: [u32; 3]) {
-        let vertices = corners.map(|i| vertices[i as usize]);
-        let [a, b, c] = vertices.map(|i| self.position(i));
+    fn count(&self) -> u32 {
+        u32::try_from(self.corners.len()).unwrap_or(u32::MAX)
+    }
+
+    /// Adds the triangle that has these corners of a face, if it has an area.
+    fn add(&mut self, face: &[u32], normals: Option<&[u32]>, corners: [u32; 3], vertices: &Stored) {
+        let triangle = corners.map(|i| face[i as usize]);
+        let [a, b, c] = triangle.map(|place| vertices.position(place));
         if (b - a).cross(c - a) == DVec3::ZERO {
             self.left_out.without_area += 1;
             return;
         }
-        if normals.is_some() && self.shading.is_empty() {
-            self.shading = vec![CornerNormals::NONE; self.data.triangles.len()];
+        if normals.is_some() {
+            self.begin_shading();
         }
-        if normals.is_some() || !self.shading.is_empty() {
+        if !self.shading.is_empty() || normals.is_some() {
             let shading = normals.map(|normals| corners.map(|i| normals[i as usize]));
             self.shading.push(shading.unwrap_or(CornerNormals::NONE));
         }
-        self.data.triangles.push(vertices);
+        self.corners.push(triangle);
     }
 
-    /// A vertex as it is stored, about the origin: what rays will meet.
-    fn position(&self, vertex: u32) -> DVec3 {
-        DVec3::from_array(self.data.positions[vertex as usize].map(f64::from))
+    /// Sees to it that what was added so far has its place in `shading`.
+    fn begin_shading(&mut self) {
+        self.shading.resize(self.corners.len(), CornerNormals::NONE);
     }
 
-    fn finish(mut self) -> MeshData {
-        self.end_part();
-        self.end_colour();
-        let corners = self.shading;
-        if corners.is_empty() {
-            self.normals.clear();
+    fn append(&mut self, mut next: Self) {
+        if !self.shading.is_empty() || !next.shading.is_empty() {
+            self.begin_shading();
+            next.begin_shading();
         }
-        let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
-        self.data.crease = (!is_complete).then_some(CREASE);
-        self.data.normals = CornerNormals {
-            normals: self.normals,
-            corners,
+        let before = self.count();
+        let before_cuts = next.before_cuts.iter();
+        self.before_cuts
+            .extend(before_cuts.map(|count| before + count));
+        self.corners.extend(next.corners);
+        self.shading.extend(next.shading);
+        self.left_out.without_area += next.left_out.without_area;
+        self.left_out.nowhere += next.left_out.nowhere;
+        self.left_out.repetitive += next.left_out.repetitive;
+    }
+
+    /// All of a file as a mesh.
+    fn mesh(
+        self,
+        vertices: Stored,
+        names: Names,
+        cuts: &[usize],
+        materials: &HashMap<String, Material>,
+    ) -> MeshData {
+        let end = self.count();
+        // After the last triangle are cuts before which no face comes any more.
+        let start_of = |face: usize| {
+            let cut = cuts.binary_search(&face).unwrap_or(cuts.len());
+            self.before_cuts.get(cut).copied().unwrap_or(end)
         };
-        self.data
-    }
-}
-
-/// Where `f32` positions are counted from. On an axis where the box reaches as near to 0 as it is large, 0: nothing
-/// would be won. Otherwise the box's centre, rounded to a power of two near a sixteenth of the box, so that taking it
-/// off is exact and the sum of both has the digits of the file.
-fn origin(bounds: Aabb) -> DVec3 {
-    let size = (bounds.max - bounds.min).max_element();
-    let step = (size.log2().floor() - 4.0).exp2();
-    let center = 0.5 * (bounds.min + bounds.max);
-    DVec3::from_array(center.to_array().map(|c| {
-        if c.abs() <= size || !step.is_normal() {
-            0.0
-        } else {
-            (c / step).round() * step
+        let mut parts: Vec<Part> = Vec::new();
+        for (face, name) in names.objects {
+            let triangles = start_of(face)..end;
+            if let Some(last) = parts.last_mut() {
+                last.triangles.end = triangles.start;
+            }
+            parts.pop_if(|part| part.triangles.is_empty());
+            parts.push(Part { name, triangles });
         }
-    }))
+        parts.pop_if(|part| part.triangles.is_empty());
+        // Triangles before the first use of a material have no colour.
+        let mut colours = vec![ColourRun {
+            triangles: 0..end,
+            colour: None,
+        }];
+        for (face, material) in names.uses {
+            let (name, _) = &names.materials[material];
+            let colour = materials.get(name).and_then(|known| known.colour);
+            let triangles = start_of(face)..end;
+            if let Some(last) = colours.last_mut() {
+                last.triangles.end = triangles.start;
+            }
+            colours.pop_if(|run| run.triangles.is_empty());
+            match colours.last_mut() {
+                Some(last) if last.colour == colour => last.triangles.end = end,
+                _ => colours.push(ColourRun { triangles, colour }),
+            }
+        }
+        colours.pop_if(|run| run.triangles.is_empty());
+
+        let corners = self.shading;
+        let is_complete = !corners.is_empty() && !corners.contains(&CornerNormals::NONE);
+        let normals = if corners.is_empty() {
+            Vec::new()
+        } else {
+            vertices.normals
+        };
+        MeshData {
+            origin: vertices.origin,
+            positions: vertices.positions,
+            triangles: self.corners,
+            parts,
+            colours,
+            vertex_colours: vertices.colours,
+            normals: CornerNormals { normals, corners },
+            crease: (!is_complete).then_some(CREASE),
+        }
+    }
 }
 
 fn is_repetitive(vertices: &[u32]) -> bool {
     vertices.len() > MOST_REPEATS
         && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
-}
-
-fn unit(normal: DVec3) -> [f32; 3] {
-    let scaled = normal / normal.abs().max_element();
-    narrow(scaled.normalize_or_zero())
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "positions about an origin, unit vectors"
-)]
-fn narrow(v: DVec3) -> [f32; 3] {
-    v.to_array().map(|c| c as f32)
-}
-
-/// What each object is called; see the module's rules.
-fn object_names(path: &Path, objects: &[(usize, Name)]) -> Vec<String> {
-    let mut groups = HashMap::<usize, usize>::new();
-    for (_, name) in objects {
-        *groups.entry(name.object_number).or_default() += 1;
-    }
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let name_of = |(_, name): &(usize, Name)| match (&*name.object, &*name.group) {
-        ("", "") => stem.to_string(),
-        ("", group) => group.to_owned(),
-        (object, "") => object.to_owned(),
-        (object, _) if groups[&name.object_number] == 1 => object.to_owned(),
-        (object, group) => format!("{object}/{group}"),
-    };
-    objects.iter().map(name_of).collect()
 }

@@ -3,7 +3,6 @@
 //! Read here and not by `tobj`, which panics on `Kd 0.5` and drops a whole library for one bad line.
 
 use super::{
-    Stop,
     lines::{Lines, decode},
     notes::list,
 };
@@ -14,7 +13,7 @@ use crate::{
 use std::{
     collections::{HashMap, HashSet},
     fs::{self, File},
-    io::{self, BufReader, ErrorKind},
+    io::{self, BufRead, BufReader, ErrorKind, Read},
     path::{Path, PathBuf},
 };
 
@@ -67,14 +66,11 @@ pub(super) fn read_libraries(
             continue;
         }
         let read = open(&file, &mut bytes_left)
-            .and_then(|input| decode(input).map_err(|error| cannot_be_read(&error)))
-            .map(|input| materials.add(&file, Lines::new(input, progress)));
+            .and_then(|input| text(input).map_err(|error| cannot_be_read(&error)))
+            .map(|text| materials.add(&file, Lines::new(&text, 0), progress));
         let why = match read {
-            Ok(Ok(0)) => "has no materials in it".to_owned(),
-            // Of colours only vertices have too few.
-            Ok(Ok(_) | Err(Stop::ColoursComeLate)) => continue,
-            Ok(Err(Stop::Cancelled(cancelled))) => return Err(cancelled),
-            Ok(Err(Stop::Unreadable(error))) => cannot_be_read(&error),
+            Ok(count) if count? == 0 => "has no materials in it".to_owned(),
+            Ok(_) => continue,
             Err(why) => why,
         };
         match unread.iter_mut().find(|other| other.why == why) {
@@ -137,7 +133,8 @@ fn files(folder: &Path, named: &str) -> Vec<(String, PathBuf)> {
     }
 }
 
-fn open(file: &Path, bytes_left: &mut u64) -> Result<BufReader<File>, String> {
+/// No more of a file than it had when it was opened: it may grow without end.
+fn open(file: &Path, bytes_left: &mut u64) -> Result<impl BufRead + Send, String> {
     let about = fs::metadata(file).map_err(|error| match error.kind() {
         ErrorKind::NotFound => "does not exist".to_owned(),
         _ => cannot_be_read(&error),
@@ -148,7 +145,13 @@ fn open(file: &Path, bytes_left: &mut u64) -> Result<BufReader<File>, String> {
     let left = bytes_left.checked_sub(about.len());
     *bytes_left = left.ok_or("is too large")?;
     let opened = File::open(file).map_err(|error| cannot_be_read(&error))?;
-    Ok(BufReader::new(opened))
+    Ok(BufReader::new(opened).take(about.len()))
+}
+
+fn text(input: impl BufRead + Send) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    decode(input)?.read_to_end(&mut text)?;
+    Ok(text)
 }
 
 fn cannot_be_read(error: &io::Error) -> String {
@@ -157,13 +160,18 @@ fn cannot_be_read(error: &io::Error) -> String {
 
 impl Materials {
     /// Adds what a file says, and returns how many materials that is.
-    fn add(&mut self, file: &Path, mut lines: Lines) -> Result<usize, Stop> {
+    fn add(
+        &mut self,
+        file: &Path,
+        mut lines: Lines,
+        progress: &Progress,
+    ) -> Result<usize, Cancelled> {
         let mut current: Option<(String, Material)> = None;
         let mut bad_colours = Vec::new();
-        let mut line = Vec::new();
         let mut count = 0;
-        while lines.next(&mut line)? {
-            let text = String::from_utf8_lossy(&line);
+        while let Some((number, line)) = lines.next() {
+            progress.advance(0)?;
+            let text = String::from_utf8_lossy(line);
             let text = text.trim();
             let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
             let rest = rest.split_once(" #").map_or(rest, |(rest, _)| rest).trim();
@@ -179,7 +187,7 @@ impl Materials {
             match keyword {
                 "Kd" => match colour(rest) {
                     Some(colour) => material.colour = Some(colour),
-                    None => bad_colours.push(lines.number),
+                    None => bad_colours.push(number),
                 },
                 "d" => {
                     let opacity = rest.split_whitespace().last().and_then(|d| d.parse().ok());

@@ -1,7 +1,9 @@
 //! OBJ and MTL files: `tobj` reads the numbers, this module decides what they mean.
 //!
-//! Lines (`lines`) reach `tobj` washed (`wash`); polygons become triangles (`polygon`, `delaunay`); colours come from the MTL files
-//! (`material`); `build` puts the mesh together. The rules:
+//! A file is read in pieces (`pieces`), on all cores. The lines (`lines`, `words`) of each are washed and made a file by
+//! themselves (`wash`, `places`), of which `tobj` makes vertices and faces (`block`); what their other lines say
+//! (`outline`, `names`) is put in order. Then vertices are narrowed (`vertices`), polygons become triangles (`polygon`,
+//! `delaunay`), colours come from the MTL files (`material`), and `build` puts the mesh together. The rules:
 //!
 //! - **What is valid loads.** A face that names a vertex which is not there, or one without three finite coordinates, is
 //!   left out, which a warning says with the first such line. A file is refused when no triangle is left.
@@ -13,37 +15,45 @@
 //! - **Normals** are the file's on faces that have a usable one at each corner; others are computed from a crease angle.
 //! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown, which a warning says once.
 
+mod block;
 mod build;
 mod delaunay;
 mod lines;
 mod material;
+mod names;
 mod notes;
 mod outline;
+mod pieces;
+mod places;
 mod polygon;
+#[cfg(test)]
+mod tests;
+mod vertices;
 mod wash;
+mod words;
 pub(super) mod write;
 
-use super::{Cancelled, FileError, Progress, Warning, file};
-use crate::geometry::{Mesh, MeshError};
-use lines::{Blocks, Lines, decode, is_utf16};
+use super::{Cancelled, Detail, FileError, Progress, Warning, file};
+use crate::geometry::{Mesh, MeshError, shares::on_all_cores};
+use block::Block;
+use lines::{decode, is_utf16};
 use outline::Outline;
+use pieces::Pieces;
 use std::{
-    fs::File,
-    io::{self, BufRead, BufReader, Cursor},
-    panic::resume_unwind,
+    io::{self, BufRead, BufReader, Cursor, Read},
     path::{Path, PathBuf},
-    sync::{Arc, mpsc::sync_channel},
-    thread,
+    sync::{
+        Arc,
+        atomic::{AtomicU64, Ordering::Relaxed},
+    },
     time::Instant,
 };
-use wash::{Foresight, Washer};
 
 /// A larger file is refused: its triangles could be more than 32 bits count.
 const MOST_BYTES: u64 = 1 << 32;
-/// Files are read, and washed lines handed on, by this many bytes.
-const BLOCK: usize = 1 << 16;
-/// How many blocks of washed lines may wait for `tobj`.
-const BLOCKS: usize = 8;
+/// `tobj` gets files by about so many bytes: enough that few faces name vertices of other pieces, and so few that what
+/// it makes of them stays in the processor's cache.
+const PIECE: usize = 1 << 18;
 
 /// What an OBJ file holds.
 #[derive(Debug)]
@@ -144,8 +154,18 @@ enum Stop {
     Cancelled(Cancelled),
     /// The system says so.
     Unreadable(io::Error),
-    /// A vertex has a colour after others that have none.
-    ColoursComeLate,
+}
+
+impl Stop {
+    fn at(self, path: &Path) -> ObjError {
+        match self {
+            Self::Cancelled(cancelled) => cancelled.into(),
+            Self::Unreadable(source) => ObjError::File(FileError::Unreadable {
+                file: path.to_owned(),
+                source,
+            }),
+        }
+    }
 }
 
 /// Loads an OBJ file and the MTL files it names.
@@ -154,34 +174,44 @@ enum Stop {
 /// When it cannot be read or holds nothing to show; see [`ObjError`]. What else is wrong with it or with its MTL files
 /// is a warning.
 pub fn load(path: &Path, progress: &Progress) -> Result<ObjFile, ObjError> {
-    read(path, progress, || open(path))
+    load_with(path, progress, Detail::All)
+}
+
+/// Loads what somebody wants of an OBJ file.
+pub(super) fn load_with(
+    path: &Path,
+    progress: &Progress,
+    detail: Detail,
+) -> Result<ObjFile, ObjError> {
+    read(path, progress, (PIECE, detail), || open(path))
 }
 
 /// [`load`] from the bytes of a file in memory; errors name it by `path`.
 pub(crate) fn from_bytes(
-    bytes: &(impl AsRef<[u8]> + Clone + Send + 'static),
+    bytes: &(impl AsRef<[u8]> + Clone + Send),
     path: &Path,
     progress: &Progress,
 ) -> Result<ObjFile, ObjError> {
     let size = bytes.as_ref().len() as u64;
-    read(path, progress, || Ok((Cursor::new(bytes.clone()), size)))
+    read(path, progress, (PIECE, Detail::All), || {
+        Ok((Cursor::new(bytes.clone()), size))
+    })
 }
 
-fn read<R: BufRead + Send + 'static>(
+/// Reads in pieces of about so many bytes.
+fn read<R: BufRead + Send>(
     path: &Path,
     progress: &Progress,
+    (piece, detail): (usize, Detail),
     open: impl Fn() -> Result<(R, u64), ObjError>,
 ) -> Result<ObjFile, ObjError> {
     let start = Instant::now();
-    let unreadable = |source| FileError::Unreadable {
-        file: path.to_owned(),
-        source,
-    };
-    let mut foresight = Foresight::default();
-    let (parsed, outline, looks_like, bytes) = loop {
+    let mut known = None;
+    let (blocks, outline, looks_like, bytes) = loop {
         let (mut input, bytes) = open()?;
-        // Putting the mesh together takes about half as long as reading.
-        progress.expect(bytes + bytes / 2);
+        // Putting the mesh together, and normals, take about a quarter as long as reading, each; once.
+        let more = if detail == Detail::Drawn { 2 } else { 1 };
+        progress.expect(bytes + known.map_or(more * (bytes / 4), |_| 0));
         let looks_like = looks_like(&mut input);
         if let Some(Look::Archive(looks_like)) = looks_like {
             return Err(ObjError::NotObj {
@@ -189,22 +219,18 @@ fn read<R: BufRead + Send + 'static>(
                 looks_like,
             });
         }
-        let lines = Lines::new(decode(input).map_err(unreadable)?, progress);
-        let (parsed, outline, stop) = parse(Washer::new(lines, foresight));
-        match stop {
-            Some(Stop::Cancelled(cancelled)) => return Err(cancelled.into()),
-            Some(Stop::Unreadable(source)) => return Err(unreadable(source).into()),
-            Some(Stop::ColoursComeLate) => foresight.coloured = true,
-            None if outline.highest_vertex > outline.vertices => {
-                foresight.vertices = Some(outline.vertices);
-            }
-            None => break (parsed, outline, looks_like, bytes),
+        let (blocks, outline) = decode(input)
+            .map_err(Stop::Unreadable)
+            .and_then(|input| read_pieces(Pieces::new(input, piece, progress), known))
+            .map_err(|stop| stop.at(path))?;
+        // Only the end of a file tells which vertices there are. Where faces name others, it is read again.
+        if outline.highest_vertex <= outline.vertices {
+            break (blocks, outline, looks_like, bytes / 4);
         }
+        known = Some(outline.vertices);
     };
-    progress.advance(bytes / 4)?;
-    let (models, _) = parsed.map_err(|error| unreadable(io::Error::other(error)))?;
     let (read, start) = (start.elapsed(), Instant::now());
-    let built = build::build(path, models, &outline, progress);
+    let built = build::build(path, blocks, outline, detail, (progress, bytes));
     let built = built.map_err(|error| match (error, looks_like) {
         (
             ObjError::NotObj { file, .. }
@@ -214,7 +240,9 @@ fn read<R: BufRead + Send + 'static>(
         ) => ObjError::NotObj { file, looks_like },
         (error, _) => error,
     })?;
-    progress.advance(bytes.div_ceil(4))?;
+    if detail == Detail::Drawn {
+        compute_normals(&built.mesh, progress, bytes)?;
+    }
     log::info!(
         "read {} in {read:.1?}, built in {:.1?}",
         path.display(),
@@ -223,44 +251,47 @@ fn read<R: BufRead + Send + 'static>(
     Ok(built)
 }
 
-/// The file, when it is one and not empty, and its size.
-fn open(path: &Path) -> Result<(BufReader<File>, u64), ObjError> {
+/// Computes the normals that a mesh has not. That counts for so many bytes.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "a share of the bytes"
+)]
+fn compute_normals(mesh: &Mesh, progress: &Progress, bytes: u64) -> Result<(), Cancelled> {
+    let left = AtomicU64::new(bytes);
+    mesh.normals_while(|share| {
+        let done = (share * bytes as f64) as u64;
+        left.fetch_sub(done, Relaxed);
+        progress.advance(done)
+    })?;
+    progress.advance(left.into_inner())
+}
+
+/// What `tobj` makes of the pieces of a file, on all cores, and what it did not see.
+fn read_pieces(pieces: Pieces, known: Option<usize>) -> Result<(Vec<Block>, Outline), Stop> {
+    let read = on_all_cores(pieces, |piece| {
+        let block = Block::read(piece?, known);
+        block.map_err(|error| Stop::Unreadable(io::Error::other(error)))
+    });
+    let mut blocks = Vec::with_capacity(read.len());
+    let mut outline = Outline::default();
+    for piece in read {
+        let (block, next) = piece?;
+        blocks.push(block);
+        outline.append(next);
+    }
+    Ok((blocks, outline))
+}
+
+/// The file, when it is one and not empty, and its size. What is added to it later is not read: that may be without end.
+fn open(path: &Path) -> Result<(impl BufRead + Send + use<>, u64), ObjError> {
     match file::open(path, MOST_BYTES)? {
         (_, 0) => Err(ObjError::Empty {
             file: path.to_owned(),
         }),
-        (opened, bytes) => Ok((BufReader::with_capacity(BLOCK, opened), bytes)),
+        (opened, bytes) => Ok((BufReader::new(opened).take(bytes), bytes)),
     }
-}
-
-/// Lets `tobj` read what is washed on a thread beside it. What it makes of that, what it did not see, and why the
-/// lines ended early.
-fn parse(mut washer: Washer) -> (tobj::LoadResult, Outline, Option<Stop>) {
-    let (sender, receiver) = sync_channel(BLOCKS);
-    thread::scope(|scope| {
-        let washing = scope.spawn(move || {
-            let stop = loop {
-                match washer.block() {
-                    Ok(block) => {
-                        if block.is_empty() || sender.send(Some(block)).is_err() {
-                            break None;
-                        }
-                    }
-                    Err(stop) => {
-                        // If nobody takes it, nobody needs to know.
-                        let _ = sender.send(None);
-                        break Some(stop);
-                    }
-                }
-            };
-            (washer.outline, stop)
-        });
-        let mut blocks = Blocks::new(receiver);
-        let parsed = tobj::load_obj_buf(&mut blocks, &tobj::LoadOptions::default(), no_materials);
-        drop(blocks);
-        let (outline, stop) = washing.join().unwrap_or_else(|panic| resume_unwind(panic));
-        (parsed, outline, stop)
-    })
 }
 
 /// What a file is by its first bytes, if not an OBJ.
@@ -292,9 +323,4 @@ fn looks_like(input: &mut impl BufRead) -> Option<Look> {
     } else {
         None
     }
-}
-
-/// `tobj` never sees an `mtllib` line.
-fn no_materials(_: &Path) -> tobj::MTLLoadResult {
-    Err(tobj::LoadError::GenericFailure)
 }

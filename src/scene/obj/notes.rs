@@ -1,6 +1,8 @@
 //! What people are told of a file: what it asks for that is not shown, and what was mended.
 
-use super::{BadLine, ObjError, build::LeftOut, material::Material, outline::Outline};
+use super::{
+    BadLine, ObjError, build::LeftOut, material::Material, names::Names, outline::Outline,
+};
 use crate::scene::Warning;
 use std::{
     collections::{HashMap, HashSet},
@@ -104,11 +106,11 @@ fn about(path: &Path, message: String) -> Warning {
 /// What the materials in use ask for that is not shown, and those that no file defines.
 pub(super) fn about_materials(
     path: &Path,
-    outline: &Outline,
+    names: &Names,
     materials: &HashMap<String, Material>,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let used = outline.material_names.iter();
+    let used = names.materials.iter();
     let (defined, unknown): (Vec<_>, Vec<_>) =
         used.partition(|(name, _)| materials.contains_key(name));
     // Where there is no material file at all, nothing is amiss with the one name; a missing file has been told of.

@@ -1,24 +1,18 @@
-//! What the lines of a file say that `tobj` does not see.
+//! What the lines of a file, or of a piece of it, say that `tobj` does not see.
 
-use super::BadLine;
+use super::{BadLine, names::Said};
 
-/// What a file says beside its vertices and faces. Faces are numbered from 0, as `tobj` sees them.
+/// What lines say beside vertices and faces. Faces are numbered from 0, as `tobj` sees them.
 #[derive(Default)]
 pub(super) struct Outline {
     /// How many vertices there are.
     pub vertices: usize,
-    /// For each face, whether every corner names a normal.
-    pub with_normals: Vec<bool>,
+    /// How many faces there are.
+    pub faces: usize,
     /// The largest vertex number that a face names, from 1.
     pub highest_vertex: usize,
-    /// The objects, by the face that each begins with.
-    pub objects: Vec<(usize, Name)>,
-    /// The `usemtl` lines: the face that comes next, and an index into `material_names`.
-    pub materials: Vec<(usize, usize)>,
-    /// The materials that `usemtl` names, each once, and the line where it first does.
-    pub material_names: Vec<(String, usize)>,
-    /// What `mtllib` lines say, each once, and the line of the first.
-    pub libraries: Vec<(String, usize)>,
+    /// What is said of the faces that follow, by the face that comes next.
+    pub said: Vec<(usize, Said)>,
     /// Points, lines, and faces of less than three corners.
     pub points_and_lines: usize,
     /// Free-form curves and surfaces.
@@ -42,33 +36,34 @@ pub(super) struct Fault {
 }
 
 impl Outline {
-    /// How many faces there are.
-    pub fn faces(&self) -> usize {
-        self.with_normals.len()
-    }
-
     /// Takes down a line that breaks the format.
     pub fn note(&mut self, line: usize, what: BadLine) {
-        let kind = std::mem::discriminant(&what);
+        let count = 1;
+        self.add(Fault { what, line, count });
+    }
+
+    fn add(&mut self, fault: Fault) {
+        let kind = std::mem::discriminant(&fault.what);
         let mut faults = self.faults.iter_mut();
-        match faults.find(|fault| std::mem::discriminant(&fault.what) == kind) {
-            Some(known) => known.count += 1,
-            None => self.faults.push(Fault {
-                what,
-                line,
-                count: 1,
-            }),
+        match faults.find(|known| std::mem::discriminant(&known.what) == kind) {
+            Some(known) => known.count += fault.count,
+            None => self.faults.push(fault),
         }
     }
-}
 
-/// What the `o` and `g` lines in force say. Equal names are one object.
-#[derive(Clone, Default, PartialEq)]
-pub(super) struct Name {
-    /// Which `o` line of the file it is under, from 1; 0 before the first.
-    pub object_number: usize,
-    /// What that says.
-    pub object: String,
-    /// What the last `g` line since says.
-    pub group: String,
+    /// Adds what the lines say that come next.
+    pub fn append(&mut self, next: Self) {
+        let before = self.faces;
+        let said = next.said.into_iter();
+        self.said
+            .extend(said.map(|(face, said)| (before + face, said)));
+        self.vertices += next.vertices;
+        self.faces += next.faces;
+        self.highest_vertex = self.highest_vertex.max(next.highest_vertex);
+        self.points_and_lines += next.points_and_lines;
+        self.free_form += next.free_form;
+        self.oversized += next.oversized;
+        self.bad_normals += next.bad_normals;
+        next.faults.into_iter().for_each(|fault| self.add(fault));
+    }
 }

@@ -1,19 +1,24 @@
-//! The lines of an OBJ file on their way to `tobj`: washed, counted, and relieved of what it would get wrong.
+//! The lines of a piece on their way to `tobj`: washed, counted, and made a file by themselves.
 //!
-//! `tobj` sees vertices, normals and faces, all under one name and without materials, so that it hands back one model
-//! in which each vertex of the file is there once. What the other lines say is kept in the [`Outline`], by face number.
-//! It sees no line that it would refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep
-//! their numbers, and a face that cannot is left out.
+//! `tobj` sees vertices, normals and faces, all under one name and without materials. It sees no line that it would
+//! refuse: a vertex or a normal that cannot be read becomes NaN, so that the others keep their numbers, and a face that
+//! cannot is left out. What the other lines say is kept in the [`Outline`], by face number.
+//!
+//! A face names vertices by their number in the file, where `tobj` gets a piece of it. So it is handed their places in
+//! the piece ([`Places`]), and for vertices of other pieces stand-ins at its end; what those stand for is kept beside the
+//! text. Before all others comes a face that names every vertex and every normal of the piece: `tobj` hands back what
+//! faces use, in the order of its use.
 
 use super::{
-    BLOCK, BadLine, Stop,
+    BadLine,
     lines::Lines,
-    outline::{Name, Outline},
+    names::Said,
+    outline::Outline,
+    pieces::{Counts, Piece},
+    places::Places,
+    words::{Number, fields, index, integer},
 };
-use std::{
-    collections::{HashMap, HashSet},
-    ops::Range,
-};
+use std::ops::Range;
 
 /// A face with more corners is left out: no modeller writes one.
 const MOST_CORNERS: usize = 1 << 16;
@@ -21,265 +26,253 @@ const MOST_CORNERS: usize = 1 << 16;
 /// A longer name of an object or group is cut, in characters.
 const LONGEST_NAME: usize = 120;
 
-/// What only the end of a file tells about its beginning. Where it matters, the file is read again.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Foresight {
-    /// How many vertices there will be. Faces that name others are left out.
-    pub vertices: Option<usize>,
-    /// Vertices without a colour are white from the first on; otherwise from the first one with a colour on.
-    pub coloured: bool,
-}
-
-/// What washes a file's lines.
-pub(super) struct Washer<'a> {
-    lines: Lines<'a>,
-    foresight: Foresight,
-    line: Vec<u8>,
-    /// What was found.
+/// What the lines of a piece come to.
+pub(super) struct Washed {
+    /// A file for `tobj`.
+    pub text: Vec<u8>,
+    /// How many corners its first face has, which is none of the file's.
+    pub naming_corners: usize,
+    /// Where vertices are in it.
+    pub vertices: Places,
+    /// Where normals are in it.
+    pub normals: Places,
+    /// For each face of the file, whether every corner names a normal.
+    pub with_normals: Vec<bool>,
+    /// What the other lines say.
     pub outline: Outline,
-    name: Name,
-    renamed: bool,
-    known_materials: HashMap<String, usize>,
-    known_libraries: HashSet<String>,
-    normals: usize,
-    coloured: usize,
 }
 
-impl<'a> Washer<'a> {
-    /// Begins with the next of `lines`, which should be the first.
-    pub fn new(lines: Lines<'a>, foresight: Foresight) -> Self {
-        Self {
-            lines,
-            foresight,
-            line: Vec::new(),
+/// Washes the lines of a piece. `known` is how many vertices the file has, where that is known: faces that name others
+/// are left out.
+pub(super) fn wash(piece: &Piece, known: Option<usize>) -> Washed {
+    let Piece { before, after, .. } = piece;
+    let mut washer = Washer {
+        before: *before,
+        known,
+        coloured: false,
+        washed: Washed {
+            text: Vec::with_capacity(piece.text.len() + piece.text.len() / 2),
+            naming_corners: 0,
+            vertices: Places::new(1, before.vertices, after.vertices),
+            normals: Places::new(0, before.normals, after.normals),
+            with_normals: Vec::new(),
             outline: Outline::default(),
-            name: Name::default(),
-            renamed: true,
-            known_materials: HashMap::new(),
-            known_libraries: HashSet::new(),
-            normals: 0,
-            coloured: 0,
+        },
+        corners: Vec::new(),
+    };
+    washer.name_all();
+    let mut lines = Lines::new(&piece.text, before.lines);
+    while let Some((number, line)) = lines.next() {
+        washer.before.lines = number - 1;
+        washer.sort(line);
+    }
+    washer.stand_in();
+    let mut washed = washer.washed;
+    washed.outline.faces = washed.with_normals.len();
+    washed
+}
+
+/// What washes the lines of a piece.
+struct Washer {
+    /// What stands before the line under way.
+    before: Counts,
+    /// How many vertices the file has, where that is known.
+    known: Option<usize>,
+    /// Whether vertices have colours, which they have all or none. White where the file gives none.
+    coloured: bool,
+    washed: Washed,
+    /// The vertex and the normal of each corner of the face under way.
+    corners: Vec<(usize, Normal)>,
+}
+
+/// The coordinates of what cannot be read.
+const NOWHERE: &[u8] = b" nan nan nan";
+/// The coordinates of what another piece has.
+const STAND_IN: &[u8] = b" 0 0 0";
+/// The colour of a vertex without one.
+const WHITE: &[u8] = b" 1 1 1";
+
+impl Washer {
+    /// Writes the face that names all of the piece, and the vertex that nobody names but it.
+    fn name_all(&mut self) {
+        self.write_vertex(STAND_IN, false);
+        let Washed {
+            text,
+            vertices,
+            normals,
+            ..
+        } = &mut self.washed;
+        text.push(b'f');
+        if normals.own() == 0 {
+            write_corner(text, 1, None);
+        }
+        for normal in normals.of_own() {
+            write_corner(text, 1, Some(normal));
+        }
+        for vertex in vertices.of_own() {
+            write_corner(text, vertex, None);
+        }
+        text.push(b'\n');
+        self.washed.naming_corners = normals.own().max(1) + vertices.own();
+    }
+
+    /// Writes the vertices and normals that stand in for those of other pieces.
+    fn stand_in(&mut self) {
+        for _ in 0..self.washed.vertices.stand_ins() {
+            self.write_vertex(STAND_IN, false);
+        }
+        for _ in 0..self.washed.normals.stand_ins() {
+            self.write_normal(STAND_IN);
         }
     }
 
-    /// The next lines that are for `tobj`; none at the end of the file.
-    pub fn block(&mut self) -> Result<Vec<u8>, Stop> {
-        let mut block = Vec::with_capacity(BLOCK + 1024);
-        while block.len() < BLOCK && self.lines.next(&mut self.line)? {
-            self.sort()?;
-            if !self.line.is_empty() {
-                block.extend_from_slice(&self.line);
-                block.push(b'\n');
-            }
-        }
-        Ok(block)
-    }
-
-    /// Takes the line by its keyword; clears it where it is not for `tobj`.
-    fn sort(&mut self) -> Result<(), Stop> {
-        let keyword = fields(&self.line).next().unwrap_or_default();
+    /// Takes a line by its keyword.
+    fn sort(&mut self, line: &[u8]) {
+        let keyword = fields(line).next().unwrap_or_default();
         let end = keyword.end;
-        match self.line[keyword] {
-            [b'v'] => {
-                self.cut_comment();
-                self.vertex()?;
-            }
-            [b'v', b'n'] => {
-                self.cut_comment();
-                self.normal();
-            }
-            [b'f'] => {
-                self.cut_comment();
-                self.face(end);
-            }
-            _ => {
-                self.outline_line(end);
-                self.line.clear();
-            }
-        }
-        Ok(())
-    }
-
-    /// Keeps what a line says that `tobj` does not see.
-    fn outline_line(&mut self, keyword_end: usize) {
-        let keyword = self.line[..keyword_end].trim_ascii_start();
-        match keyword {
-            b"o" => {
-                self.renamed = true;
-                self.name = Name {
-                    object_number: self.name.object_number + 1,
-                    object: self.short_rest(keyword_end),
-                    group: String::new(),
-                };
-            }
-            b"g" => {
-                self.renamed = true;
-                self.name.group = self.short_rest(keyword_end);
-            }
-            b"usemtl" => self.use_material(keyword_end),
-            b"mtllib" => {
-                let library = self.rest(keyword_end);
-                if self.known_libraries.insert(library.clone()) {
-                    self.outline.libraries.push((library, self.lines.number));
-                }
-            }
-            b"l" | b"p" => self.outline.points_and_lines += 1,
-            b"curv" | b"curv2" | b"surf" => self.outline.free_form += 1,
+        match &line[keyword] {
+            b"v" => self.vertex(without_comment(&line[end..])),
+            b"vn" => self.normal(without_comment(&line[end..])),
+            b"f" => self.face(without_comment(&line[end..])),
+            b"o" => self.say(Said::Object(short_rest(&line[end..]))),
+            b"g" => self.say(Said::Group(short_rest(&line[end..]))),
+            b"usemtl" => self.say(Said::Material(rest(&line[end..]), self.number())),
+            b"mtllib" => self.say(Said::Library(rest(&line[end..]), self.number())),
+            b"l" | b"p" => self.washed.outline.points_and_lines += 1,
+            b"curv" | b"curv2" | b"surf" => self.washed.outline.free_form += 1,
             _ => {}
         }
     }
 
-    fn cut_comment(&mut self) {
-        if self.line.contains(&b'#') {
-            let end = self.line.iter().position(|&b| b == b'#');
-            self.line.truncate(end.unwrap_or(self.line.len()));
-        }
+    /// The number of the line under way, from 1.
+    fn number(&self) -> usize {
+        self.before.lines + 1
     }
 
-    /// What stands after the keyword: a name, in which a `#` begins a comment only where it stands alone.
-    fn rest(&self, keyword_end: usize) -> String {
-        let text = String::from_utf8_lossy(&self.line[keyword_end..]);
-        let text = text.replace('\t', " ");
-        let name = text.split_once(" # ").map_or(&*text, |(name, _)| name);
-        name.trim().trim_end_matches(" #").to_owned()
+    fn say(&mut self, said: Said) {
+        let face = self.washed.with_normals.len();
+        self.washed.outline.said.push((face, said));
     }
 
-    /// The name of an object or group. Each face may have another, so that only the start of an endless one is kept.
-    fn short_rest(&self, keyword_end: usize) -> String {
-        let mut name = self.rest(keyword_end);
-        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
-            name.truncate(end);
-            name.push('…');
-            name.shrink_to_fit();
-        }
-        name
-    }
-
-    fn use_material(&mut self, keyword_end: usize) {
-        let name = self.rest(keyword_end);
-        let names = &mut self.outline.material_names;
-        let material = *self.known_materials.entry(name).or_insert_with_key(|name| {
-            names.push((name.clone(), self.lines.number));
-            names.len() - 1
-        });
-        let face = self.outline.faces();
-        self.outline.materials.push((face, material));
+    fn note(&mut self, what: BadLine) {
+        self.washed.outline.note(self.number(), what);
     }
 
     /// Leaves three coordinates, and a colour where the vertex has one or others have. A fourth coordinate is a weight
     /// for free-form curves.
-    fn vertex(&mut self) -> Result<(), Stop> {
-        let mut values: [Range<usize>; 6] = Default::default();
+    fn vertex(&mut self, values: &[u8]) {
+        let mut words: [Range<usize>; 6] = Default::default();
         let mut count = 0;
-        for (value, field) in values.iter_mut().zip(fields(&self.line).skip(1)) {
-            *value = field;
+        for (word, found) in words.iter_mut().zip(fields(values)) {
+            *word = found;
             count += 1;
         }
-        let numbers = |values: &[Range<usize>], least| {
-            let mut kinds = values
-                .iter()
-                .map(|value| Number::of(&self.line[value.clone()]));
+        let are = |words: &[Range<usize>], least| {
+            let mut kinds = words.iter().map(|word| Number::of(&values[word.clone()]));
             kinds.all(|kind| kind >= least)
         };
-        let fault = if count < 3 || !numbers(&values[..3], Number::Endless) {
-            Some(BadLine::Vertex)
-        } else if !numbers(&values[..3], Number::Finite) {
-            Some(BadLine::NotFinite)
+        if count < 3 || !are(&words[..3], Number::Endless) {
+            self.note(BadLine::Vertex);
+            self.write_vertex(NOWHERE, false);
+        } else if !are(&words[..3], Number::Finite) {
+            self.note(BadLine::NotFinite);
+            self.write_vertex(NOWHERE, false);
+        } else if count == 6 && are(&words[3..], Number::Endless) {
+            self.write_vertex(&values[..words[5].end], true);
         } else {
-            None
-        };
-        let coloured = count == 6 && numbers(&values[3..], Number::Endless);
-        if coloured && self.coloured < self.outline.vertices && !self.foresight.coloured {
-            return Err(Stop::ColoursComeLate);
+            self.write_vertex(&values[..words[2].end], false);
         }
-        let with_colour = coloured && fault.is_none();
-        if let Some(fault) = fault {
-            self.outline.note(self.lines.number, fault);
-            self.line.clear();
-            self.line.extend_from_slice(b"v nan nan nan");
-        } else {
-            self.line.truncate(values[if coloured { 5 } else { 2 }].end);
-        }
-        if with_colour || self.coloured > 0 || self.foresight.coloured {
-            if !with_colour {
-                self.line.extend_from_slice(b" 1 1 1");
-            }
-            self.coloured += 1;
-        }
-        self.outline.vertices += 1;
-        Ok(())
+        self.before.vertices += 1;
+        self.washed.outline.vertices += 1;
     }
 
-    fn normal(&mut self) {
-        let values = fields(&self.line).skip(1).take(3);
-        let ends: Vec<usize> = values
-            .filter(|value| Number::of(&self.line[value.clone()]) >= Number::Endless)
-            .map(|value| value.end)
-            .collect();
-        if let [_, _, end] = *ends {
-            self.line.truncate(end);
-        } else {
-            self.outline.note(self.lines.number, BadLine::Normal);
-            self.line.clear();
-            self.line.extend_from_slice(b"vn nan nan nan");
+    fn write_vertex(&mut self, values: &[u8], have_colour: bool) {
+        if have_colour && !self.coloured {
+            self.coloured = true;
+            self.washed.text = whitened(&self.washed.text);
         }
-        self.normals += 1;
+        let text = &mut self.washed.text;
+        text.push(b'v');
+        text.extend_from_slice(values);
+        if self.coloured && !have_colour {
+            text.extend_from_slice(WHITE);
+        }
+        text.push(b'\n');
+    }
+
+    fn normal(&mut self, values: &[u8]) {
+        let words = fields(values).take(3);
+        let numbers = words.filter(|word| Number::of(&values[word.clone()]) >= Number::Endless);
+        let ends: Vec<usize> = numbers.map(|word| word.end).collect();
+        if let [_, _, end] = *ends {
+            self.write_normal(&values[..end]);
+        } else {
+            self.note(BadLine::Normal);
+            self.write_normal(NOWHERE);
+        }
+        self.before.normals += 1;
+    }
+
+    fn write_normal(&mut self, values: &[u8]) {
+        let text = &mut self.washed.text;
+        text.extend_from_slice(b"vn");
+        text.extend_from_slice(values);
+        text.push(b'\n');
     }
 
     /// Checks the corners, of which `tobj` would refuse the bad ones without saying where, and read absent normals as
     /// those of the corner before.
-    fn face(&mut self, keyword_end: usize) {
-        let corners = &self.line[keyword_end..];
-        let (mut count, mut highest) = (0, 0);
-        let (mut with_normals, mut bad_normals) = (true, false);
-        let checked = fields(corners).try_for_each(|at| {
-            let (vertex, normal) = self.corner(&corners[at])?;
-            highest = highest.max(vertex);
-            with_normals &= normal == Normal::There;
-            bad_normals |= normal == Normal::Nowhere;
-            count += 1;
-            Ok(())
-        });
-        if let Err(fault) = checked {
-            self.outline.note(self.lines.number, fault);
-            self.line.clear();
-            return;
-        }
-        if count < 3 {
-            self.outline.points_and_lines += 1;
-            self.line.clear();
-            return;
-        }
-        if count > MOST_CORNERS {
-            self.outline.oversized += 1;
-            self.line.clear();
-            return;
-        }
-        self.outline.highest_vertex = self.outline.highest_vertex.max(highest);
-        if bad_normals {
-            self.outline.bad_normals += 1;
-            self.drop_normals(keyword_end);
-        }
-        if std::mem::take(&mut self.renamed) {
-            let last = self.outline.objects.last();
-            if last.is_none_or(|(_, name)| *name != self.name) {
-                let face = self.outline.faces();
-                self.outline.objects.push((face, self.name.clone()));
+    fn face(&mut self, corners: &[u8]) {
+        self.corners.clear();
+        for at in fields(corners) {
+            match self.corner(&corners[at]) {
+                Ok(corner) => self.corners.push(corner),
+                Err(fault) => return self.note(fault),
             }
         }
-        self.outline.with_normals.push(with_normals);
+        let Washed {
+            text,
+            vertices,
+            normals,
+            outline,
+            with_normals,
+            ..
+        } = &mut self.washed;
+        if self.corners.len() < 3 {
+            outline.points_and_lines += 1;
+            return;
+        }
+        if self.corners.len() > MOST_CORNERS {
+            outline.oversized += 1;
+            return;
+        }
+        let all_there = (self.corners.iter()).all(|(_, normal)| matches!(normal, Normal::There(_)));
+        let bad_normals = self.corners.iter().any(|(_, n)| *n == Normal::Nowhere);
+        outline.bad_normals += usize::from(bad_normals);
+        text.push(b'f');
+        for (vertex, normal) in &self.corners {
+            outline.highest_vertex = outline.highest_vertex.max(*vertex);
+            let normal = match normal {
+                Normal::There(normal) if all_there => Some(normals.of(*normal)),
+                _ => None,
+            };
+            write_corner(text, vertices.of(*vertex), normal);
+        }
+        text.push(b'\n');
+        with_normals.push(all_there);
     }
 
     /// The vertex, from 1, and the normal that a corner of a face names. Its texture coordinate need only look like one.
     fn corner(&self, corner: &[u8]) -> Result<(usize, Normal), BadLine> {
         let slash = corner.iter().position(|&b| b == b'/');
         let (vertex, others) = corner.split_at(slash.unwrap_or(corner.len()));
-        let known = self.foresight.vertices.unwrap_or(usize::MAX);
-        let Some(number) = index(vertex, self.outline.vertices).filter(|&i| i <= known) else {
+        let before = self.before;
+        let is_there = |&number: &usize| self.known.is_none_or(|known| number <= known);
+        let Some(number) = index(vertex, before.vertices).filter(is_there) else {
             let named = String::from_utf8_lossy(&vertex[..vertex.len().min(24)]);
             return Err(BadLine::NoSuchVertex {
                 vertex: named.escape_debug().to_string(),
-                vertices: self.foresight.vertices.unwrap_or(self.outline.vertices),
+                vertices: self.known.unwrap_or(before.vertices),
             });
         };
         if others.is_empty() {
@@ -290,36 +283,57 @@ impl<'a> Washer<'a> {
         if !(texture.is_empty() || integer(texture).is_some()) || others.next().is_some() {
             return Err(BadLine::Corner);
         }
-        let normal = match index(normal, self.normals) {
+        let normal = match index(normal, before.normals) {
             _ if normal.is_empty() => Normal::Absent,
-            Some(normal) if normal <= self.normals => Normal::There,
+            Some(normal) if normal <= before.normals => Normal::There(normal),
             _ => Normal::Nowhere,
         };
         Ok((number, normal))
     }
+}
 
-    /// Leaves only the vertex of each corner.
-    fn drop_normals(&mut self, keyword_end: usize) {
-        let mut plain = self.line[..keyword_end].to_vec();
-        for corner in fields(&self.line).skip(1) {
-            let vertex = self.line[corner].split(|&b| b == b'/').next();
-            plain.push(b' ');
-            plain.extend_from_slice(vertex.unwrap_or_default());
-        }
-        self.line = plain;
+/// A text whose vertices have no colours, with white ones.
+fn whitened(text: &[u8]) -> Vec<u8> {
+    let lines = text.split_inclusive(|&b| b == b'\n');
+    let white = lines.flat_map(|line| match line {
+        [b'v', next, ..] if *next != b'n' => [&line[..line.len() - 1], WHITE, b"\n"],
+        _ => [line, b"", b""],
+    });
+    white.collect::<Vec<_>>().concat()
+}
+
+/// Writes a corner of a face by the places of its vertex and its normal.
+fn write_corner(text: &mut Vec<u8>, vertex: usize, normal: Option<usize>) {
+    let mut digits = itoa::Buffer::new();
+    text.push(b' ');
+    text.extend_from_slice(digits.format(vertex).as_bytes());
+    if let Some(normal) = normal {
+        text.extend_from_slice(b"//");
+        text.extend_from_slice(digits.format(normal).as_bytes());
     }
 }
 
-/// Where the words of a line stand.
-pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
-    let mut at = 0;
-    std::iter::from_fn(move || {
-        let start = at + line[at..].iter().position(|b| !b.is_ascii_whitespace())?;
-        let rest = &line[start..];
-        let length = rest.iter().position(u8::is_ascii_whitespace);
-        at = start + length.unwrap_or(rest.len());
-        Some(start..at)
-    })
+fn without_comment(line: &[u8]) -> &[u8] {
+    let end = memchr::memchr(b'#', line);
+    &line[..end.unwrap_or(line.len())]
+}
+
+/// What stands after the keyword: a name, in which a `#` begins a comment only where it stands alone.
+fn rest(line: &[u8]) -> String {
+    let text = String::from_utf8_lossy(line).replace('\t', " ");
+    let name = text.split_once(" # ").map_or(&*text, |(name, _)| name);
+    name.trim().trim_end_matches(" #").to_owned()
+}
+
+/// The name of an object or group. Each face may have another, so that only the start of an endless one is kept.
+fn short_rest(line: &[u8]) -> String {
+    let mut name = rest(line);
+    if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
+        name.truncate(end);
+        name.push('…');
+        name.shrink_to_fit();
+    }
+    name
 }
 
 /// What a corner says of its normal.
@@ -327,69 +341,8 @@ pub(super) fn fields(line: &[u8]) -> impl Iterator<Item = Range<usize>> {
 enum Normal {
     /// Nothing.
     Absent,
-    /// Which it is.
-    There,
+    /// Which it is, from 1.
+    There(usize),
     /// One that does not exist.
     Nowhere,
-}
-
-/// What a word is as a number.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Number {
-    /// None.
-    Not,
-    /// `nan`, `inf` or too large for `f64`.
-    Endless,
-    /// A finite one.
-    Finite,
-}
-
-impl Number {
-    /// As `tobj` reads it.
-    fn of(word: &[u8]) -> Self {
-        let unsigned = word.strip_prefix(b"-").unwrap_or(word);
-        let point = unsigned.iter().position(|&b| b == b'.');
-        let (whole, part) = unsigned.split_at(point.unwrap_or(unsigned.len()));
-        let mut digits = whole.iter().chain(part.iter().skip(1));
-        // Nearly all of them; without an exponent, so few digits are finite.
-        let few = whole.len() < 300 && whole.len() + part.len() > usize::from(point.is_some());
-        if few && digits.all(u8::is_ascii_digit) {
-            return Self::Finite;
-        }
-        match std::str::from_utf8(word).map(str::parse::<f64>) {
-            Ok(Ok(value)) if value.is_finite() => Self::Finite,
-            Ok(Ok(_)) => Self::Endless,
-            _ => Self::Not,
-        }
-    }
-}
-
-/// An index of a face, from 1, where negative ones count back from `count`; `None` for what cannot be one. May be
-/// greater than `count`.
-fn index(text: &[u8], count: usize) -> Option<usize> {
-    match integer(text)? {
-        (0, _) => None,
-        (value, false) => Some(value),
-        (value, true) => (count + 1).checked_sub(value).filter(|&i| i > 0),
-    }
-}
-
-/// An integer's magnitude, and whether it is negative.
-fn integer(text: &[u8]) -> Option<(usize, bool)> {
-    let (digits, negative) = match text {
-        [b'-', digits @ ..] => (digits, true),
-        [b'+', digits @ ..] | digits => (digits, false),
-    };
-    // 18 digits: beyond them tobj's own arithmetic overflows.
-    if !(1..=18).contains(&digits.len()) {
-        return None;
-    }
-    let mut value = 0;
-    for digit in digits {
-        if !digit.is_ascii_digit() {
-            return None;
-        }
-        value = 10 * value + usize::from(digit - b'0');
-    }
-    Some((value, negative))
 }

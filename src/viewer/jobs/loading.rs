@@ -1,6 +1,6 @@
 //! Files in the background: the window answers while they load.
 
-use crate::scene::{self, LoadError, Loaded, Progress};
+use crate::scene::{self, Detail, LoadError, Loaded, Progress};
 use std::{
     path::PathBuf,
     sync::{
@@ -23,11 +23,7 @@ impl Loading {
         let (sender, result) = channel();
         let shared = Arc::clone(&progress);
         thread::spawn(move || {
-            let loaded = scene::load(&paths, &shared);
-            // Drawing asks for them, and here nobody waits.
-            for mesh in loaded.iter().flat_map(|loaded| loaded.scene.meshes()) {
-                let _ = mesh.normals();
-            }
+            let loaded = scene::load_with(&paths, &shared, Detail::Drawn);
             // The receiver is gone when the load was cancelled; then nobody wants the result.
             let _ = sender.send(loaded);
             wake();

@@ -1,0 +1,120 @@
+//! Objects, groups and materials: what the lines that name them come to.
+
+use std::{
+    collections::{HashMap, HashSet},
+    path::Path,
+};
+
+/// What a line says of the faces after it.
+pub(super) enum Said {
+    /// `o`.
+    Object(String),
+    /// `g`.
+    Group(String),
+    /// `usemtl`, in this line.
+    Material(String, usize),
+    /// `mtllib`, in this line.
+    Library(String, usize),
+}
+
+/// What the `o` and `g` lines in force say. Equal names are one object.
+#[derive(Clone, Default, PartialEq)]
+struct Name {
+    /// Which `o` line of the file it is under, from 1; 0 before the first.
+    object_number: usize,
+    /// What that says.
+    object: String,
+    /// What the last `g` line since says.
+    group: String,
+}
+
+/// What a file names.
+#[derive(Default)]
+pub(super) struct Names {
+    /// The objects, by the face that each begins with.
+    pub objects: Vec<(usize, String)>,
+    /// The `usemtl` lines: the face that comes next, and an index into `materials`.
+    pub uses: Vec<(usize, usize)>,
+    /// The materials that `usemtl` names, each once, and the line where it first does.
+    pub materials: Vec<(String, usize)>,
+    /// What `mtllib` lines say, each once, and the line of the first.
+    pub libraries: Vec<(String, usize)>,
+}
+
+impl Names {
+    /// Of a file with so many faces, from what its lines say in order, with the face that comes next.
+    pub fn new(path: &Path, said: Vec<(usize, Said)>, faces: usize) -> Self {
+        let mut names = Self::default();
+        let mut objects: Vec<(usize, Name)> = Vec::new();
+        let mut begin = |face: usize, name: &Name| {
+            if objects.last().is_none_or(|(_, last)| last != name) {
+                objects.push((face, name.clone()));
+            }
+        };
+        let (mut face, mut name) = (0, Name::default());
+        let mut known_materials = HashMap::new();
+        let mut known_libraries = HashSet::new();
+        for (next, said) in said {
+            // Only what is in force when a face comes names an object.
+            if next > face {
+                begin(face, &name);
+                face = next;
+            }
+            match said {
+                Said::Object(object) => {
+                    name = Name {
+                        object_number: name.object_number + 1,
+                        object,
+                        group: String::new(),
+                    }
+                }
+                Said::Group(group) => name.group = group,
+                Said::Material(material, line) => {
+                    let index = *known_materials.entry(material).or_insert_with_key(|name| {
+                        names.materials.push((name.clone(), line));
+                        names.materials.len() - 1
+                    });
+                    names.uses.push((face, index));
+                }
+                Said::Library(library, line) => {
+                    if known_libraries.insert(library.clone()) {
+                        names.libraries.push((library, line));
+                    }
+                }
+            }
+        }
+        if faces > face {
+            begin(face, &name);
+        }
+        names.objects = called(path, objects);
+        names
+    }
+
+    /// The faces before which an object or a material begins, in order.
+    pub fn cuts(&self) -> Vec<usize> {
+        let objects = self.objects.iter().map(|&(face, _)| face);
+        let uses = self.uses.iter().map(|&(face, _)| face);
+        let mut cuts: Vec<usize> = objects.chain(uses).collect();
+        cuts.sort_unstable();
+        cuts.dedup();
+        cuts
+    }
+}
+
+/// What each object is called; see the rules in [`super`].
+fn called(path: &Path, objects: Vec<(usize, Name)>) -> Vec<(usize, String)> {
+    let mut groups = HashMap::<usize, usize>::new();
+    for (_, name) in &objects {
+        *groups.entry(name.object_number).or_default() += 1;
+    }
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let call = |name: Name| match (&*name.object, &*name.group) {
+        ("", "") => stem.to_string(),
+        ("", _) => name.group,
+        (_, "") => name.object,
+        _ if groups[&name.object_number] == 1 => name.object,
+        (object, group) => format!("{object}/{group}"),
+    };
+    let objects = objects.into_iter();
+    objects.map(|(face, name)| (face, call(name))).collect()
+}

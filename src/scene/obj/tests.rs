@@ -1,0 +1,325 @@
+//! A file in pieces is what it is in one, wherever the pieces end; and what `tobj` alone makes of it.
+
+use super::{ObjError, ObjFile, PIECE, open, read};
+use crate::{
+    geometry::random::Random,
+    scene::{Detail, Progress},
+};
+use glam::{DVec3, Vec3};
+use std::{
+    env,
+    fmt::Write as _,
+    fs,
+    io::{Cursor, Read, Write as _},
+    path::{Path, PathBuf},
+    sync::atomic::Ordering::Relaxed,
+};
+
+fn read_in(piece: usize, path: &Path, bytes: &[u8]) -> Result<ObjFile, ObjError> {
+    read(path, &Progress::default(), (piece, Detail::All), || {
+        Ok((Cursor::new(bytes), bytes.len() as u64))
+    })
+}
+
+/// All that a file comes to, as text.
+fn outcome(piece: usize, path: &Path, bytes: &[u8]) -> String {
+    match read_in(piece, path, bytes) {
+        Ok(file) => format!("{:?}{:?}", file.mesh.data(), file.warnings),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// Compares what a file is in pieces of each size with what it is in one; counts how often.
+fn assert_same(path: &Path, bytes: &[u8], pieces: impl IntoIterator<Item = usize>) -> usize {
+    let whole = outcome(bytes.len() + 1, path, bytes);
+    let mut count = 0;
+    for piece in pieces {
+        let parted = outcome(piece, path, bytes);
+        assert!(parted == whole, "{} by {piece} bytes", path.display());
+        count += 1;
+    }
+    count
+}
+
+/// Numbers below a limit.
+struct Dice(Random);
+
+impl Dice {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "below the limit"
+    )]
+    fn below(&mut self, limit: usize) -> usize {
+        let limit_f64 = f64::from(u32::try_from(limit).expect("a small limit"));
+        ((0.5 + 0.5 * self.0.next()) * limit_f64) as usize
+    }
+
+    fn of<'a>(&mut self, all: &[&'a str]) -> &'a str {
+        all[self.below(all.len())]
+    }
+}
+
+/// A vertex or normal of `count`, from the front or the back; now and then one that is not there, or not yet.
+fn index(dice: &mut Dice, count: usize, wild: bool) -> String {
+    match dice.below(if wild { 40 } else { 36 }) {
+        0..24 => (1 + dice.below(count.max(1))).to_string(),
+        24..36 => format!("-{}", 1 + dice.below(count.max(1))),
+        36 => (count + 1 + dice.below(4)).to_string(),
+        37 => format!("-{}", count + 1 + dice.below(2)),
+        38 => "0".to_owned(),
+        _ => dice
+            .of(&["x", "", "1.5", "99999999999999999999"])
+            .to_owned(),
+    }
+}
+
+fn face(dice: &mut Dice, [vertices, normals]: [usize; 2], wild: bool) -> String {
+    let mut face = String::from("f");
+    let form = dice.below(4);
+    let corners = if wild { dice.below(7) } else { 3 };
+    for _ in 0..corners {
+        let vertex = index(dice, vertices, wild);
+        let normal = index(dice, normals, wild);
+        let form = if wild && dice.below(20) == 0 {
+            dice.below(4)
+        } else {
+            form
+        };
+        let corner = match form {
+            _ if normals == 0 => vertex,
+            0 => vertex,
+            1 => format!("{vertex}/1"),
+            2 => format!("{vertex}//{normal}"),
+            _ => format!("{vertex}/1/{normal}"),
+        };
+        write!(face, " {corner}").expect("text");
+    }
+    face
+}
+
+/// A file of every kind of line, in any order.
+fn any_file(seed: u64) -> String {
+    let mut dice = Dice(Random(seed));
+    let coloured = dice.below(3);
+    let ends = ["\n", "\r\n", "\r", " \\\n", "\n\n", " # words\n"];
+    let mut text = String::new();
+    let mut counts = [0, 0];
+    for _ in 0..60 {
+        let line = match dice.below(24) {
+            0..9 => {
+                counts[0] += 1;
+                let p = dice.0.point();
+                let colour = match dice.below(4 + 4 * coloured) {
+                    0..4 => "",
+                    4 => " 0.25",
+                    _ => " 0.5 0 1",
+                };
+                format!("v {} {} {}{colour}", p.x, p.y, p.z)
+            }
+            9 => {
+                counts[0] += 1;
+                dice.of(&["v 1 2", "v nan 0 0", "v a b c", "v 1 2 1e999"])
+                    .to_owned()
+            }
+            10 | 11 => {
+                counts[1] += 1;
+                let n = dice.0.point();
+                format!("vn {} {} {}", n.x, n.y, n.z)
+            }
+            12 => {
+                counts[1] += 1;
+                dice.of(&["vn 0 0 0", "vn 1", "vn inf 1 1"]).to_owned()
+            }
+            13..20 => face(&mut dice, counts, true),
+            20 => format!("o {}", dice.of(&["one", "two", ""])),
+            21 => format!("g {}", dice.of(&["left", "right", ""])),
+            22 => format!("usemtl {}", dice.of(&["red", "blue", "grey"])),
+            _ => dice
+                .of(&[
+                    "mtllib none.mtl",
+                    "l 1 2",
+                    "p 1",
+                    "# f 1 2 3",
+                    "s 1",
+                    "vt 0 0",
+                    "curv 0 1 1 2",
+                ])
+                .to_owned(),
+        };
+        text += &line;
+        text += if dice.below(4) > 0 {
+            "\n"
+        } else {
+            dice.of(&ends)
+        };
+    }
+    text
+}
+
+#[test]
+fn a_file_is_the_same_in_pieces_of_any_size() {
+    let path = Path::new("any.obj");
+    let (mut count, mut meshes) = (0, 0);
+    for seed in 0..40 {
+        let text = any_file(seed);
+        meshes += usize::from(read_in(text.len() + 1, path, text.as_bytes()).is_ok());
+        // Each size ends pieces elsewhere; the smallest at every line.
+        let sizes = (1..40).chain((40..text.len() + 2).step_by(37));
+        count += assert_same(path, text.as_bytes(), sizes);
+    }
+    assert!(count > 2_500 && meshes > 30, "{count}, {meshes}");
+}
+
+#[test]
+fn files_from_elsewhere_are_the_same_in_pieces() {
+    let Some(shared) = env::var_os("SIGHTLINE_SHARED") else {
+        println!("real files: absent");
+        return;
+    };
+    let folders = ["models", "hostile"].map(|name| PathBuf::from(&shared).join(name));
+    let files = folders
+        .iter()
+        .flat_map(|folder| fs::read_dir(folder).expect("a folder"));
+    let mut count = 0;
+    for file in files {
+        let path = file.expect("an entry").path();
+        let is_obj = path.extension().is_some_and(|extension| extension == "obj");
+        if !is_obj || !path.is_file() {
+            continue;
+        }
+        let bytes = fs::read(&path).expect("a file");
+        let sizes: &[usize] = match bytes.len() {
+            0..10_000 => &[1, 7, 64, 333, 1024],
+            10_000..3_000_000 => &[5_000, 99_999],
+            _ => continue,
+        };
+        count += assert_same(&path, &bytes, sizes.iter().copied());
+    }
+    assert!(count > 200, "{count}");
+}
+
+#[test]
+fn a_file_in_pieces_is_what_tobj_reads_at_once() {
+    let mut triangles = 0;
+    for seed in 0..200 {
+        let mut dice = Dice(Random(1000 + seed));
+        let mut text = String::from("v 0 0 0\nvn 0 0 1\n");
+        let mut counts = [1, 1];
+        for _ in 0..80 {
+            let p = dice.0.point().as_vec3();
+            text += &match dice.below(4) {
+                0 | 1 => {
+                    counts[0] += 1;
+                    format!("v {} {} {}\n", p.x, p.y, p.z)
+                }
+                2 => {
+                    counts[1] += 1;
+                    format!("vn {} {} {}\n", p.x, p.y, p.z)
+                }
+                _ => face(&mut dice, counts, false) + "\n",
+            };
+        }
+        let none = |_: &Path| Err(tobj::LoadError::GenericFailure);
+        // As everybody calls it.
+        let (models, _) =
+            tobj::load_obj_buf(&mut text.as_bytes(), &tobj::LoadOptions::default(), none)
+                .expect("tobj reads it");
+        let mesh = &models[0].mesh;
+        let (positions, _) = mesh.positions.as_chunks::<3>();
+        let expected = mesh
+            .indices
+            .chunks(3)
+            .map(|t| [0, 1, 2].map(|i| DVec3::from_array(positions[t[i] as usize]).as_vec3()));
+        let has_area = |t: &[Vec3; 3]| {
+            let [a, b, c] = t.map(Vec3::as_dvec3);
+            (b - a).cross(c - a) != DVec3::ZERO
+        };
+        let expected: Vec<_> = expected.filter(has_area).collect();
+        for piece in [1, 100, 1000] {
+            let Ok(file) = read_in(piece, Path::new("some.obj"), text.as_bytes()) else {
+                assert!(expected.is_empty());
+                continue;
+            };
+            let found = 0..u32::try_from(file.mesh.data().triangles.len()).expect("few");
+            let found = found.map(|t| file.mesh.corners(t).map(|corner| corner.as_vec3()));
+            assert_eq!(found.collect::<Vec<_>>(), expected, "{text}");
+        }
+        triangles += expected.len();
+    }
+    assert!(triangles > 1000, "{triangles}");
+}
+
+/// Rolling ground of so many squares along a side.
+fn terrain(side: usize) -> String {
+    let mut text = String::new();
+    for (z, x) in (0..=side).flat_map(|z| (0..=side).map(move |x| (z, x))) {
+        writeln!(text, "v {x} {} {z}", (x * z) % 7).expect("text");
+    }
+    for a in (0..side).flat_map(|z| (1..=side).map(move |x| z * (side + 1) + x)) {
+        let (b, c, d) = (a + 1, a + side + 1, a + side + 2);
+        writeln!(text, "f {a} {c} {b}\nf {b} {c} {d}").expect("text");
+    }
+    text
+}
+
+/// Between two reports lies the work on one piece, at every step of a load. Each may be the last.
+#[test]
+fn every_step_of_a_load_reports_and_can_be_the_last() {
+    let text = terrain(160);
+    let load = |cancelled_with: u64| {
+        let progress = Progress::default();
+        progress.cancelled_with.store(cancelled_with, Relaxed);
+        let options = (PIECE, Detail::Drawn);
+        let loaded = read(Path::new("some.obj"), &progress, options, || {
+            Ok((Cursor::new(text.as_bytes()), text.len() as u64))
+        });
+        (loaded, progress)
+    };
+    let (loaded, progress) = load(0);
+    let mesh = loaded.expect("it loads").mesh;
+    assert!((progress.fraction() - 1.0).abs() < f32::EPSILON);
+    let reports = progress.reports.into_inner();
+    let pieces = text.len().div_ceil(PIECE);
+    let of_normals = |count: usize| count.div_ceil(1 << 15);
+    let [triangles, vertices] = [mesh.data().triangles.len(), mesh.data().positions.len()];
+    // Reading, and four steps of building; four of computing normals.
+    let least = 5 * pieces + 3 * of_normals(triangles) + 2 * of_normals(vertices);
+    assert!(reports >= least as u64, "{reports} of {least}");
+    for last in 1..=reports {
+        let (stopped, progress) = load(last);
+        assert!(matches!(stopped, Err(ObjError::Cancelled(_))), "at {last}");
+        assert!(progress.fraction() <= 1.0);
+    }
+}
+
+/// A file of which any part is missing is read or refused, in a line.
+#[test]
+fn a_file_that_ends_anywhere_is_read_or_refused() {
+    let text = terrain(12);
+    let (mut read, mut refused) = (0, 0);
+    for end in 0..text.len() {
+        match read_in(64, Path::new("some.obj"), &text.as_bytes()[..end]) {
+            Ok(file) => {
+                read += 1;
+                assert!(file.warnings.len() < 3);
+            }
+            Err(error) => {
+                refused += 1;
+                assert!(!error.to_string().contains('\n'));
+            }
+        }
+    }
+    assert!(read > 1000 && refused > 1000, "{read}, {refused}");
+}
+
+#[test]
+fn what_is_added_to_a_file_while_it_is_read_is_not() {
+    let mut file = tempfile::NamedTempFile::new().expect("a file");
+    file.write_all(b"v 0 0 0\n").expect("written");
+    let (mut input, bytes) = open(file.path()).expect("a file");
+    file.write_all(b"v 1 1 1\n").expect("written");
+    let mut text = String::new();
+    input.read_to_string(&mut text).expect("read");
+    assert_eq!((&*text, bytes), ("v 0 0 0\n", 8));
+}

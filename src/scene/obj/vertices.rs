@@ -1,0 +1,212 @@
+//! The vertices of a file as a mesh stores them: those that faces use, as `f32` about one origin.
+
+use super::{
+    ObjError,
+    block::{Faces, Vertices},
+};
+use crate::{
+    colour::Srgb,
+    geometry::Aabb,
+    scene::{Cancelled, Progress},
+};
+use glam::DVec3;
+use std::{
+    collections::HashSet,
+    path::Path,
+    sync::atomic::{AtomicBool, Ordering::Relaxed},
+};
+
+/// Vertices as a mesh stores them.
+#[derive(Default)]
+pub(super) struct Stored {
+    pub origin: DVec3,
+    /// About the origin.
+    pub positions: Vec<[f32; 3]>,
+    /// Of every vertex, or none at all.
+    pub colours: Vec<Srgb>,
+    /// The file's normals at unit length; zero where they have no direction.
+    pub normals: Vec<[f32; 3]>,
+    /// Those that are not three finite numbers, which are stored as zeros.
+    nowhere: HashSet<u32>,
+    /// For each vertex of the file which one it is here, where faces do not use all.
+    places: Option<Vec<u32>>,
+}
+
+/// The vertices of a block, and whether a face uses them.
+type Block<'a> = (Vertices, &'a [bool]);
+
+impl Stored {
+    /// How often work on all blocks reports progress for each.
+    pub const STEPS: u64 = 3;
+
+    /// Takes vertices that faces use. Each block counts for so many bytes a step.
+    pub fn new(
+        path: &Path,
+        blocks: Vec<Vertices>,
+        faces: &[Faces],
+        (progress, bytes): (&Progress, u64),
+    ) -> Result<Self, ObjError> {
+        let coloured = blocks.iter().any(|block| !block.colours.is_empty());
+        let used = used(&blocks, faces, (progress, bytes))?;
+        let mut unread = &*used;
+        let mut blocks: Vec<Block> = (blocks.into_iter())
+            .map(|block| {
+                let (used, rest) = unread.split_at(block.positions.len());
+                unread = rest;
+                (block, used)
+            })
+            .collect();
+        let bounds = progress.on_all_cores(bytes, blocks.iter(), |block| {
+            Aabb::around(used_of(block, &block.0.positions).filter(|p| p.is_finite()))
+        })?;
+        let bounds = bounds.into_iter().fold(Aabb::EMPTY, Aabb::union);
+        let extent = (bounds.max - bounds.min).max_element();
+        if extent > f64::from(f32::MAX) {
+            return Err(ObjError::TooLarge {
+                file: path.to_owned(),
+                extent,
+            });
+        }
+        let origin = origin(bounds);
+        let stored = progress.on_all_cores(bytes, blocks.drain(..), |block| {
+            Self::of_block(&block, origin, coloured)
+        })?;
+        let all_used = !used.contains(&false);
+        let mut all = Self {
+            origin,
+            places: (!all_used).then(|| places(&used)),
+            ..Self::default()
+        };
+        stored.into_iter().for_each(|block| all.append(block));
+        Ok(all)
+    }
+
+    fn of_block(block: &Block, origin: DVec3, coloured: bool) -> Self {
+        let Vertices {
+            positions,
+            colours,
+            normals,
+        } = &block.0;
+        let mut nowhere = HashSet::new();
+        let positions = (0..).zip(used_of(block, positions)).map(|(index, v)| {
+            if v.is_finite() {
+                narrow(v - origin)
+            } else {
+                nowhere.insert(index);
+                [0.0; 3]
+            }
+        });
+        let positions: Vec<_> = positions.collect();
+        let colours = if coloured && colours.is_empty() {
+            vec![Srgb::WHITE; positions.len()]
+        } else {
+            used_of(block, colours)
+                .map(|colour| Srgb::from_unit(colour.to_array()))
+                .collect()
+        };
+        Self {
+            positions,
+            colours,
+            normals: (normals.iter())
+                .map(|&n| unit(DVec3::from_array(n)))
+                .collect(),
+            nowhere,
+            ..Self::default()
+        }
+    }
+
+    fn append(&mut self, next: Self) {
+        let before = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+        self.nowhere
+            .extend(next.nowhere.into_iter().map(|i| before + i));
+        self.positions.extend(next.positions);
+        self.colours.extend(next.colours);
+        self.normals.extend(next.normals);
+    }
+
+    /// Which one a vertex of the file is.
+    pub fn place(&self, vertex: u32) -> u32 {
+        match &self.places {
+            Some(places) => places[vertex as usize],
+            None => vertex,
+        }
+    }
+
+    /// Where one is, about the origin: what rays will meet.
+    pub fn position(&self, place: u32) -> DVec3 {
+        DVec3::from_array(self.positions[place as usize].map(f64::from))
+    }
+
+    /// Whether a normal has a direction.
+    pub fn has_normal(&self, normal: u32) -> bool {
+        self.normals[normal as usize] != [0.0; 3]
+    }
+
+    /// Whether one of them is not three finite numbers.
+    pub fn any_nowhere(&self, places: &[u32]) -> bool {
+        !self.nowhere.is_empty() && places.iter().any(|place| self.nowhere.contains(place))
+    }
+}
+
+/// Of each vertex whether a face uses it.
+fn used(
+    blocks: &[Vertices],
+    faces: &[Faces],
+    (progress, bytes): (&Progress, u64),
+) -> Result<Vec<bool>, Cancelled> {
+    let count = blocks.iter().map(|block| block.positions.len()).sum();
+    let used: Vec<_> = std::iter::repeat_with(AtomicBool::default)
+        .take(count)
+        .collect();
+    progress.on_all_cores(bytes, faces.iter(), |faces| {
+        for &vertex in &faces.corners {
+            used[vertex as usize].store(true, Relaxed);
+        }
+    })?;
+    Ok(used.into_iter().map(AtomicBool::into_inner).collect())
+}
+
+/// Of values for each vertex of a block those that are used.
+fn used_of<'a>((_, used): &'a Block, values: &'a [[f64; 3]]) -> impl Iterator<Item = DVec3> + 'a {
+    let used = values.iter().zip(*used).filter(|(_, used)| **used);
+    used.map(|(&value, _)| DVec3::from_array(value))
+}
+
+/// How many are used before each.
+fn places(used: &[bool]) -> Vec<u32> {
+    let before = used.iter().scan(0, |before, &used| {
+        let place = *before;
+        *before += u32::from(used);
+        Some(place)
+    });
+    before.collect()
+}
+
+/// Where `f32` positions are counted from. On an axis where the box reaches as near to 0 as it is large, 0: nothing
+/// would be won. Otherwise the box's centre, rounded to a power of two near a sixteenth of the box, so that taking it
+/// off is exact and the sum of both has the digits of the file.
+fn origin(bounds: Aabb) -> DVec3 {
+    let size = (bounds.max - bounds.min).max_element();
+    let step = (size.log2().floor() - 4.0).exp2();
+    let center = 0.5 * (bounds.min + bounds.max);
+    DVec3::from_array(center.to_array().map(|c| {
+        if c.abs() <= size || !step.is_normal() {
+            0.0
+        } else {
+            (c / step).round() * step
+        }
+    }))
+}
+
+fn unit(normal: DVec3) -> [f32; 3] {
+    let scaled = normal / normal.abs().max_element();
+    narrow(scaled.normalize_or_zero())
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "positions about an origin, unit vectors"
+)]
+fn narrow(v: DVec3) -> [f32; 3] {
+    v.to_array().map(|c| c as f32)
+}
