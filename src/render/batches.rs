@@ -69,13 +69,13 @@ pub(super) struct Batch {
 /// What batches of triangles and spheres have besides.
 #[derive(Clone, Debug)]
 pub(super) enum Own {
-    Triangles(Triangles),
+    Triangles(TriangleBatch),
     Sphere { object: u32 },
 }
 
 /// What a batch of triangles has.
 #[derive(Clone, Debug)]
-pub(super) struct Triangles {
+pub(super) struct TriangleBatch {
     /// Of vertex space in object space.
     pub origin: DVec3,
     /// Vertex space.
@@ -128,7 +128,7 @@ impl Batch {
     }
 }
 
-impl Triangles {
+impl TriangleBatch {
     fn seen_in(&self, space: &ViewSpace, placement: &Placement) -> layout::Batch {
         let to_view = VertexToView::new(space, placement, self.origin, &self.bounds);
         let numbers = u32::from(self.numbers_triangles) * layout::Batch::NUMBERS_TRIANGLES;

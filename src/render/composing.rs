@@ -40,8 +40,8 @@ impl ToDraw {
         let mut all = Self {
             kinds,
             batches,
-            blocks,
             order,
+            blocks,
             twins,
         };
         all.renew_blocks(0..all.order.len());

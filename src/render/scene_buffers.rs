@@ -1,7 +1,7 @@
 //! The scene in graphics memory: meshes once, objects as rows of small tables.
 
 use super::{
-    batches::{Batch, DrawnShape, Kind, Own, Triangles},
+    batches::{Batch, DrawnShape, Kind, Own, TriangleBatch},
     composing::{Draw, ToDraw},
     gpu::{Gpu, GpuError},
     layout::ObjectState,
@@ -174,22 +174,22 @@ impl SceneBuffers {
             let is_sphere = matches!(object.shape, Shape::Sphere);
             let mirrors = object.placement.mirrors() && !is_sphere;
             let key = (address, triangles.clone(), mirrors);
-            let kind = match known.get(&key) {
-                Some(kind) => *kind,
-                None => {
-                    let buffers = match &object.shape {
-                        Shape::Sphere => None,
-                        Shape::Cube => Some(cube.clone()),
-                        Shape::Square => Some(square.clone()),
-                        Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
-                    };
-                    let triangles = triangles.clone();
-                    let shape = buffers.map_or(DrawnShape::Spheres, |buffers| {
-                        DrawnShape::Triangles { buffers, triangles }
-                    });
-                    kinds.push(Kind { shape, mirrors });
-                    *known.entry(key).or_insert(index(kinds.len() - 1))
-                }
+            let kind = if let Some(kind) = known.get(&key) {
+                *kind
+            } else {
+                let buffers = match &object.shape {
+                    Shape::Sphere => None,
+                    Shape::Cube => Some(cube.clone()),
+                    Shape::Square => Some(square.clone()),
+                    Shape::Mesh { mesh, .. } => Some(meshes.buffers(gpu, mesh)?),
+                };
+                let triangles = triangles.clone();
+                let shape = buffers.map_or(DrawnShape::Spheres, |buffers| DrawnShape::Triangles {
+                    buffers,
+                    triangles,
+                });
+                kinds.push(Kind { shape, mirrors });
+                *known.entry(key).or_insert(index(kinds.len() - 1))
             };
             rows[usize::from(is_sphere)] += 1;
             whole.work += work(&triangles);
@@ -279,7 +279,7 @@ fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u
                 Shape::Mesh { part, .. } => *part,
                 _ => 0,
             };
-            Own::Triangles(Triangles {
+            Own::Triangles(TriangleBatch {
                 origin,
                 bounds,
                 object_of_part_0: index(range.start).wrapping_sub(index(first_part)),

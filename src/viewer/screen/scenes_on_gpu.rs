@@ -72,12 +72,11 @@ impl ScenesOnGpu {
                 if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                     return Err(error.clone());
                 }
-                let buffers = match self.known(state.scene()) {
-                    Some(buffers) => Ok(buffers),
-                    None => {
-                        taken = state.scene().objects().len() + state.scene().triangle_count();
-                        SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes)
-                    }
+                let buffers = if let Some(buffers) = self.known(state.scene()) {
+                    Ok(buffers)
+                } else {
+                    taken = state.scene().objects().len() + state.scene().triangle_count();
+                    SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes)
                 };
                 let buffers = buffers.inspect_err(|error| {
                     self.unfit = Some((revision, error.clone()));
