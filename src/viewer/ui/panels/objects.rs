@@ -111,7 +111,7 @@ fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let objects = count(scene.objects().len(), "object");
     ui.weak(format!("{objects}, {} triangles", scene.triangle_count()))
         .hint("of all objects, hidden ones too; spheres have no triangles");
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let selected = state.selection().is_some();
         for (enabled, name, hint, action) in [
             (
