@@ -7,6 +7,7 @@ use super::{
 };
 use crate::{
     camera::{Orbit, UpAxis, View},
+    geometry::Aabb,
     scene::Scene,
 };
 use glam::DVec3;
@@ -118,6 +119,17 @@ impl State {
             self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
         }
         self.frame(self.shown_bounds());
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let frozen = self.frozen();
+        let frustum = frozen
+            .into_iter()
+            .flat_map(|frozen| frozen.view.frustum_corners());
+        let eye = frozen.map(|frozen| frozen.view.camera.eye());
+        frustum.chain(eye).fold(bounds, Aabb::including)
     }
 
     pub(super) fn toggle_freeze(&mut self) {

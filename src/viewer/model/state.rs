@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Aabb, Mesh, Placement},
+    geometry::{Mesh, Placement},
     pick::PickLine,
     scene::Scene,
     study::swap::Swap,
@@ -367,17 +367,6 @@ impl State {
             selection: self.selection.clone(),
             hits: self.hits.clone(),
         }
-    }
-
-    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
-    pub(super) fn shown_bounds(&self) -> Aabb {
-        let bounds = self.scene.visible_bounds();
-        let frozen = self.frozen();
-        let frustum = frozen
-            .into_iter()
-            .flat_map(|frozen| frozen.view.frustum_corners());
-        let eye = frozen.map(|frozen| frozen.view.camera.eye());
-        frustum.chain(eye).fold(bounds, Aabb::including)
     }
 
     /// Every surface on the last click's ray.
