@@ -1,5 +1,7 @@
 //! Colours as files and screens write them, and as light adds up.
 
+use std::sync::LazyLock;
+
 /// An sRGB colour, 8 bits a channel: what MTL's `Kd`, scene files and pictures hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Srgb(pub [u8; 3]);
@@ -21,26 +23,90 @@ impl Srgb {
         Self(channels.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8))
     }
 
-    /// From linear light in `[0, 1]`, clamped.
+    /// From linear light in `[0, 1]`, clamped; NaN becomes 0.
     #[must_use]
     pub fn from_linear(channels: [f32; 3]) -> Self {
-        Self::from_unit(channels.map(|c| f64::from(encode(c.clamp(0.0, 1.0)))))
+        let steps = &*STEPS;
+        Self(channels.map(|c| steps.value(c)))
     }
 
     /// As linear light, in `[0, 1]`.
     #[must_use]
     pub fn to_linear(self) -> [f32; 3] {
-        self.0.map(|c| decode(f32::from(c) / 255.0))
+        self.0.map(|c| LIGHT[usize::from(c)])
     }
 }
 
-/// IEC 61966-2-1, from linear light.
-fn encode(c: f32) -> f32 {
-    if c <= 0.003_130_8 {
-        12.92 * c
-    } else {
-        1.055 * c.powf(1.0 / 2.4) - 0.055
+/// The linear light of each value of a channel.
+static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
+    let mut values = 0_u8..=255;
+    [(); 256].map(|()| {
+        values
+            .next()
+            .map_or(1.0, |value| decode(f32::from(value) / 255.0))
+    })
+});
+
+/// See [`Steps`].
+static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
+
+/// Where the value of a channel changes as light grows: [`encode`] takes a power, which is most of what a ray costs.
+struct Steps {
+    /// The least light of each value, and none of what would be the next.
+    least: [f32; 257],
+    /// The value at so many 4096ths of light, which is as finely as values change.
+    values: [u8; 4097],
+}
+
+impl Steps {
+    const BINS: f32 = 4096.0;
+
+    fn new() -> Self {
+        let mut least = [f32::INFINITY; 257];
+        for (value, least) in (0..=255).zip(&mut least) {
+            // Positive floats are ordered as their bits are.
+            let (mut low, mut high) = (0, 1.0_f32.to_bits());
+            while low < high {
+                let middle = low.midpoint(high);
+                if encode(f32::from_bits(middle)) < value {
+                    low = middle + 1;
+                } else {
+                    high = middle;
+                }
+            }
+            *least = f32::from_bits(low);
+        }
+        let mut bins = 0_u16..;
+        let values = [(); 4097].map(|()| {
+            let light = bins.next().map_or(1.0, f32::from) / Self::BINS;
+            encode(light)
+        });
+        Self { least, values }
     }
+
+    /// The channel's value for light.
+    fn value(&self, light: f32) -> u8 {
+        // Written so that NaN is dark.
+        let light = if light > 0.0 { light.min(1.0) } else { 0.0 };
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most 4096"
+        )]
+        let value = self.values[(light * Self::BINS) as usize];
+        value + u8::from(light >= self.least[usize::from(value) + 1])
+    }
+}
+
+/// IEC 61966-2-1, from linear light in `[0, 1]` to the nearest value.
+fn encode(light: f32) -> u8 {
+    let encoded = if light <= 0.003_130_8 {
+        12.92 * light
+    } else {
+        1.055 * light.powf(1.0 / 2.4) - 0.055
+    };
+    let [value, ..] = Srgb::from_unit([f64::from(encoded); 3]).0;
+    value
 }
 
 /// IEC 61966-2-1, to linear light.
@@ -49,5 +115,45 @@ fn decode(c: f32) -> f32 {
         c / 12.92
     } else {
         ((c + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Around each step, and for light in between.
+    #[test]
+    fn values_are_those_of_the_formula() {
+        let mut steps = 0;
+        for (value, least) in (1_u8..=255).zip(&STEPS.least[1..]) {
+            for bits in least.to_bits() - 2_000..least.to_bits() + 2_000 {
+                let light = f32::from_bits(bits).min(1.0);
+                let [found, ..] = Srgb::from_linear([light; 3]).0;
+                assert_eq!(found, encode(light), "{light:e}");
+                steps += u32::from(found == value);
+            }
+        }
+        assert!(steps >= 255 * 2_000);
+        for i in 0_u16..=u16::MAX {
+            let light = f32::from(i) / f32::from(u16::MAX);
+            assert_eq!(Srgb::from_linear([light; 3]).0, [encode(light); 3]);
+        }
+    }
+
+    #[test]
+    fn light_beyond_the_range_is_clamped() {
+        let dark = [f32::NAN, -1.0, f32::NEG_INFINITY];
+        assert_eq!(Srgb::from_linear(dark), Srgb([0; 3]));
+        let bright = [1.0, 7.0, f32::INFINITY];
+        assert_eq!(Srgb::from_linear(bright), Srgb::WHITE);
+    }
+
+    #[test]
+    fn every_value_is_its_own_light() {
+        for value in 0..=255 {
+            let grey = Srgb([value; 3]);
+            assert_eq!(Srgb::from_linear(grey.to_linear()), grey);
+        }
     }
 }

@@ -12,6 +12,7 @@
 //! a frame:  viewer::app -> State -> View -> render::Renderer -> colour, ids, selection -> window, picture
 //! a pixel:  View::ray -> WorldRay -> Scene::visit_batches -> Placement::local_ray -> PlacedRay, LocalRay -> shape or Mesh (Bvh)
 //!           -> Hit -> Pick; what f64 leaves open: WorldRay, Placement -> geometry::exact -> Hit
+//! a picture by rays: View::rays -> pick::Beam, one a tile -> as a pixel's, from the batches and tree nodes that the tile may meet
 //! a check:  Scene, View -> render::render, pick::ids -> verify::compare -> Report -> text, JSON, picture
 //!           Scene, View, pixel -> pick::all -> verify::Places -> pick::InOnePlace -> panel, JSON; a check's tint
 //! ```

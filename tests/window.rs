@@ -78,6 +78,8 @@ impl Viewer {
             .args(arguments)
             .current_dir(folder)
             .env("DISPLAY", &screen.display)
+            // A desktop is what a test puts there.
+            .env("PATH", folder)
             // What it remembers is not the user's.
             .env("XDG_STATE_HOME", folder)
             .env("WINIT_X11_SCALE_FACTOR", scale)
@@ -291,6 +293,49 @@ fn the_key_v_compares_what_is_on_screen() {
         }
         assert_eq!(said as u64, count("pixels") - count("same"), "{line}");
     }
+}
+
+/// winit is not told by desktops on Linux: their portal is asked whenever the window is come back to.
+#[test]
+#[cfg(unix)]
+fn panels_follow_the_desktop() {
+    use std::{fs, os::unix::fs::PermissionsExt};
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = scene(folder.path());
+    let is_now = |scheme: u32| {
+        let asked = folder.path().join("busctl");
+        fs::write(&asked, format!("#!/bin/sh\necho v v u {scheme}\n")).expect("written");
+        fs::set_permissions(&asked, fs::Permissions::from_mode(0o755)).expect("runs");
+    };
+    let screen = Screen::new(1280, 720);
+    is_now(2);
+    let viewer = Viewer::open(&screen, "1", folder.path(), &[&path.display().to_string()]);
+    let focus = "search --sync --onlyvisible --name Sightline windowfocus --sync";
+    screen.xdotool(focus);
+    viewer.wait_for("the desktop is Light");
+    let shot = |number: usize| {
+        screen.xdotool("key F12");
+        viewer.wait_for("saved");
+        let file = folder.path().join(format!("sightline-{number}.png"));
+        let file = fs::File::open(file).expect("saved");
+        let mut reader = png::Decoder::new(BufReader::new(file))
+            .read_info()
+            .expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+        reader.next_frame(&mut pixels).expect("whole");
+        // In the panel at the right.
+        let at = 3 * (500 * 1280 + 1270);
+        pixels[at..at + 3].iter().copied().max().expect("three")
+    };
+    let light = shot(1);
+    assert!(light > 200, "{light}");
+    is_now(1);
+    // To nobody, and back.
+    screen.xdotool("search --maxdepth 0 .* windowfocus");
+    screen.xdotool(focus);
+    viewer.wait_for("the desktop is Dark");
+    let dark = shot(2);
+    assert!(dark < 60, "{dark}");
 }
 
 #[test]

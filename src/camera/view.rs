@@ -1,7 +1,7 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
-use super::{Camera, CameraError, Projected};
-use crate::geometry::{Aabb, Sides, WorldRay, clip};
+use super::{Camera, CameraError, Lens, Projected};
+use crate::geometry::{Aabb, PixelRays, Sides, WorldRay, clip};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -106,6 +106,13 @@ impl View {
     #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay {
         self.camera.ray(self.viewport, px)
+    }
+
+    /// The world-space rays through all pixels; each is [`View::ray`]'s.
+    #[must_use]
+    pub fn rays(&self) -> PixelRays {
+        let Lens { near, far, .. } = *self.camera.lens();
+        self.camera.pixel_grid(self.viewport).rays([near, far])
     }
 
     /// From the eye to the point at view depth `t` on the ray through a pixel position, in world space.

@@ -39,6 +39,7 @@ mod vertex_ray;
 
 pub use bounds::Aabb;
 pub(crate) use bounds::entry;
+pub(crate) use bvh::Entry;
 pub use bvh::{Bvh, Simd, Visit};
 pub(crate) use clip::clip;
 pub use cuboid::Cuboid;

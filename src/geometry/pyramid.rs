@@ -73,17 +73,19 @@ impl Pyramid {
         }
     }
 
-    /// Whether some of the convex hull of points may be inside; false only when all of them are beyond one plane.
+    /// Whether some of the convex hull of points may be inside; false only when all of them are beyond one plane,
+    /// and never by NaN.
     pub fn may_hold(&self, points: &[DVec3]) -> bool {
         (self.planes.iter())
-            .all(|(normal, on)| points.iter().any(|point| normal.dot(*point - *on) >= 0.0))
+            .all(|(normal, on)| points.iter().any(|point| !(normal.dot(*point - *on) < 0.0)))
     }
 
-    /// Whether some of a box may be inside; false only when all of it is beyond one plane.
+    /// Whether some of a box may be inside; false only when all of it is beyond one plane,
+    /// and never by NaN.
     pub fn may_meet(&self, bounds: &Aabb) -> bool {
         (self.planes.iter()).all(|(normal, on)| {
             let [to_min, to_max] = [bounds.min, bounds.max].map(|corner| *normal * (corner - *on));
-            to_min.max(to_max).element_sum() >= 0.0
+            !(to_min.max(to_max).element_sum() < 0.0)
         })
     }
 }

@@ -1,27 +1,24 @@
 //! The rays about a position of the picture.
 
+use super::beam;
 use crate::{
     camera::View,
-    geometry::{LocalRay, Placement, Pyramid, WorldRay},
+    geometry::{Placement, Pyramid, WorldRay},
     scene::Scene,
 };
 use glam::DVec2;
 
 /// How far, in pixels, to look for a pixel with another answer.
 pub(super) const REACH: f64 = 8.0;
-/// From a position to the sides of a square that holds all centres within reach, and a pixel of room.
-const ASIDE: f64 = REACH + 1.0;
 
 /// The rays through the corners of a square about a position that holds all centres within reach.
 pub(super) fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
-    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(x, y)| view.ray(px + ASIDE * DVec2::new(x, y)))
+    beam::corners([px - REACH, px + REACH]).map(|px| view.ray(px))
 }
 
 /// About these rays, in the object space of a placement; `None` where rounding leaves none.
 pub(super) fn pyramid(corners: &[WorldRay; 4], placement: &Placement) -> Option<Pyramid> {
-    let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-    Pyramid::new(&local.each_ref().map(LocalRay::from), 2.0 * ASIDE)
+    beam::pyramid(corners, placement, 2.0 * (REACH + beam::ROOM))
 }
 
 /// The scene for [`pick`](super::pick) and [`pick_all`](super::pick_all) at one position, without trees: each triangle is

@@ -164,8 +164,8 @@ fn rivals(
     let mut rivals = Vec::new();
     let mut is_complete = true;
     scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
-        if rivals.len() > most || !is_complete {
-            return;
+        if rivals.len() > most {
+            return ControlFlow::Break(());
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
@@ -174,11 +174,11 @@ fn rivals(
                 object: batch.start,
                 triangle: None,
             }));
-            return;
+            return ControlFlow::Continue(());
         };
         let Some(pyramid) = pyramid_in(&first.placement) else {
             is_complete = false;
-            return;
+            return ControlFlow::Break(());
         };
         mesh.within(&pyramid, |triangle, corners| {
             let part_hit = mesh.part_of(triangle);
@@ -197,6 +197,7 @@ fn rivals(
                 ControlFlow::Continue(())
             }
         });
+        ControlFlow::Continue(())
     });
     (is_complete && rivals.len() <= most).then_some(rivals)
 }

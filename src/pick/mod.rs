@@ -54,6 +54,7 @@
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
 mod around;
+mod beam;
 mod differs;
 mod edge;
 mod nearest;
@@ -64,9 +65,11 @@ mod record;
 mod selection;
 
 pub use around::narrowed;
+pub(crate) use beam::Beam;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
+pub(crate) use picture::each_ray;
 pub use picture::{each_pixel, ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
@@ -118,8 +121,9 @@ impl SceneHit {
 #[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let ray = view.ray(px);
-    let hit = nearest(scene, &ray, view.sides, None)?;
-    let next = nearest(scene, &ray, view.sides, Some(&hit));
+    let beam = &Beam::whole(scene);
+    let hit = nearest(beam, &ray, view.sides, None)?;
+    let next = nearest(beam, &ray, view.sides, Some(&hit));
     let exact = next.is_some_and(|next| next.overlaps(&hit))
         || is_tied(scene, &ray, view.sides, &hit)
         || is_in_doubt(scene, &ray, hit.limit());

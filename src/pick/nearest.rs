@@ -2,13 +2,13 @@
 //! hover.
 
 use super::{
-    SceneHit,
+    Beam, SceneHit,
     order::{by_name, is_same_place, order},
 };
 use crate::{
     geometry::{
-        Cuboid, HALF_OF_THE_DIGITS, Hit, LocalRay, Placement, Sides, Sphere, Square, TriangleTest,
-        VertexRay, WorldRay,
+        Cuboid, Entry, HALF_OF_THE_DIGITS, Hit, LocalRay, Placement, Sides, Sphere, Square,
+        TriangleTest, VertexRay, WorldRay,
     },
     scene::{Object, Scene, Shape},
 };
@@ -18,21 +18,32 @@ use std::ops::Range;
 /// The nearest hit of a world-space ray on the visible objects.
 #[must_use]
 pub fn closest(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Option<SceneHit> {
-    nearest(scene, &ray.into(), sides, None)
+    nearest(&Beam::whole(scene), &ray.into(), sides, None)
 }
 
 /// The nearest hit that comes after `after`, or of all.
 pub(super) fn nearest(
-    scene: &Scene,
+    beam: &Beam,
     ray: &WorldRay,
     sides: Sides,
     after: Option<&SceneHit>,
 ) -> Option<SceneHit> {
-    least(scene, ray, |batch, local| {
-        in_batch(scene, batch, local, sides, |found| {
+    let scene = beam.scene();
+    let mut best: Option<SceneHit> = None;
+    let mut limit = ray.t_max;
+    beam.visit(ray, |batch, entry| {
+        let placement = &scene.objects()[batch.start].placement;
+        let local = &placement.local_ray(ray);
+        let found = in_batch(scene, batch, entry, &local.until(limit), sides, |found| {
             after.is_none_or(|after| order(scene, ray, found, after).is_gt())
-        })
-    })
+        });
+        best = lesser(scene, ray, best, found);
+        if let Some(best) = &best {
+            limit = best.limit();
+        }
+        limit
+    });
+    best
 }
 
 /// [`closest`] by another triangle test.
@@ -56,7 +67,7 @@ pub fn closest_by(
                 let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
-            _ => in_batch(scene, batch, &local, sides, |_| true),
+            _ => in_batch(scene, batch, None, &local, sides, |_| true),
         };
         best = lesser(scene, ray, best, found);
     }
@@ -66,19 +77,19 @@ pub fn closest_by(
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
 pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHit> {
-    all_near(scene, ray, sides, |_, _| true)
+    all_near(&Beam::whole(scene), &ray.into(), sides, |_, _| true)
 }
 
 /// Of [`all`] hits the nearest one, and what `is_near` says to be so of a hit when it is told the nearest.
 #[must_use]
 pub(crate) fn all_near(
-    scene: &Scene,
-    ray: impl Into<WorldRay>,
+    beam: &Beam,
+    ray: &WorldRay,
     sides: Sides,
     is_near: impl Fn(&SceneHit, &SceneHit) -> bool,
 ) -> Vec<SceneHit> {
-    let ray = &ray.into();
-    let mut all = unordered(scene, ray, sides);
+    let scene = beam.scene();
+    let mut all = unordered(beam, ray, sides);
     let Some(first) = all.iter().copied().min_by(|a, b| order(scene, ray, a, b)) else {
         return all;
     };
@@ -94,16 +105,17 @@ pub(crate) fn all_near(
     here
 }
 
-fn unordered(scene: &Scene, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
+fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
+    let scene = beam.scene();
     let mut all = Vec::new();
-    scene.visit_batches(ray, |batch| {
+    beam.visit(ray, |batch, entry| {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
         let local = LocalRay::from(&placed);
         match &first.shape {
             Shape::Mesh { mesh, part } => {
                 let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
-                let hits = mesh.each(&local, sides, accept).into_iter();
+                let hits = mesh.each(&local, entry, sides, accept).into_iter();
                 all.extend(hits.map(|hit| of_mesh(scene, batch, hit)));
             }
             shape if first.visible => {
@@ -185,30 +197,10 @@ pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHi
         let placed = placement.local_ray(ray);
         let local = placed.until(limit);
         let overlaps = |other: &SceneHit| other != hit && other.overlaps(hit);
-        found = found || in_batch(scene, batch, &local, sides, overlaps).is_some();
+        found = found || in_batch(scene, batch, None, &local, sides, overlaps).is_some();
         if found { f64::NEG_INFINITY } else { limit }
     });
     found
-}
-
-/// The least of what batches answer, each of which is told how far to look.
-fn least(
-    scene: &Scene,
-    ray: &WorldRay,
-    mut of_batch: impl FnMut(&Range<usize>, &LocalRay) -> Option<SceneHit>,
-) -> Option<SceneHit> {
-    let mut best: Option<SceneHit> = None;
-    let mut limit = ray.t_max;
-    scene.visit_batches(ray, |batch| {
-        let placement = &scene.objects()[batch.start].placement;
-        let found = of_batch(batch, &placement.local_ray(ray).until(limit));
-        best = lesser(scene, ray, best, found);
-        if let Some(best) = &best {
-            limit = best.limit();
-        }
-        limit
-    });
-    best
 }
 
 fn lesser(
@@ -227,6 +219,7 @@ fn lesser(
 fn in_batch(
     scene: &Scene,
     batch: &Range<usize>,
+    entry: Option<&Entry>,
     local: &LocalRay,
     sides: Sides,
     accept: impl Fn(&SceneHit) -> bool,
@@ -234,7 +227,7 @@ fn in_batch(
     let first = &scene.objects()[batch.start];
     match &first.shape {
         Shape::Mesh { mesh, part } => {
-            let hit = mesh.closest_of(local, sides, |part_hit, hit| {
+            let hit = mesh.closest_of(local, entry, sides, |part_hit, hit| {
                 shows_part(scene, batch, *part, part_hit) && accept(&of_mesh(scene, batch, *hit))
             });
             hit.map(|hit| of_mesh(scene, batch, hit))

@@ -1,10 +1,10 @@
 //! A whole picture by casting a ray a pixel: needs no graphics driver.
 
-use super::{SceneHit, closest};
+use super::{Beam, SceneHit, nearest::nearest};
 use crate::{
     camera::View,
     colour::Srgb,
-    geometry::Ray,
+    geometry::{Ray, WorldRay},
     image::{Id, Image, Rgb},
     look,
     scene::Scene,
@@ -12,11 +12,14 @@ use crate::{
 use glam::DVec2;
 use std::{num::NonZero, thread};
 
+/// Pixels to a side of the tiles whose rays go through the scene together.
+const TILE: u32 = 16;
+
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
 #[must_use]
 pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
-    let pixels = each_pixel(view, |px| cast(scene, view, px));
+    let pixels = each_ray(scene, view, |beam, ray, px| cast(beam, view, ray, px));
     let (ids, colours) = pixels.into_iter().unzip();
     (
         Image::new(view.viewport, ids),
@@ -27,7 +30,10 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
 #[must_use]
 pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
-    ids_by(scene, view, |px| closest(scene, view.ray(px), view.sides))
+    let ids = each_ray(scene, view, |beam, ray, _| {
+        id_or_none(scene, nearest(beam, ray, view.sides, None))
+    });
+    Image::new(view.viewport, ids)
 }
 
 /// [`ids`] by another way to pick at a pixel position.
@@ -37,8 +43,8 @@ pub fn ids_by(
     view: &View,
     pick: impl Fn(DVec2) -> Option<SceneHit> + Sync,
 ) -> Image<Id> {
-    let id_at = |px| pick(px).map_or(Id::default(), |hit| id(scene, &hit));
-    Image::new(view.viewport, each_pixel(view, id_at))
+    let ids = each_pixel(view, |px| id_or_none(scene, pick(px)));
+    Image::new(view.viewport, ids)
 }
 
 /// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
@@ -47,21 +53,54 @@ pub fn each_pixel<T: Clone + Default + Send>(
     view: &View,
     cast: impl Fn(DVec2) -> T + Sync,
 ) -> Vec<T> {
+    each_in_tiles(view, |_| &cast)
+}
+
+/// What `cast` says about the ray through the centre of each pixel, row by row from the top, on all cores.
+pub(crate) fn each_ray<T: Clone + Default + Send>(
+    scene: &Scene,
+    view: &View,
+    cast: impl Fn(&Beam, &WorldRay, DVec2) -> T + Sync,
+) -> Vec<T> {
+    let (rays, cast) = (&view.rays(), &cast);
+    each_in_tiles(view, |tile| {
+        let beam = Beam::of_tile(scene, rays, tile);
+        move |px| cast(&beam, &rays.ray(px), px)
+    })
+}
+
+/// What is said about the centre of each pixel by what `of_tile` makes for the tile about it, which is given by its corners.
+fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
+    view: &View,
+    of_tile: impl Fn([DVec2; 2]) -> C + Sync,
+) -> Vec<T> {
     let (width, height) = (view.viewport.width(), view.viewport.height());
     let mut pixels = vec![T::default(); width as usize * height as usize];
     let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    // Every thread takes each n-th row: neighbouring rows cost alike.
+    // Every thread takes each n-th row of tiles: neighbouring rows cost alike.
     let mut shares: Vec<Vec<_>> = (0..threads).map(|_| Vec::new()).collect();
-    for (y, row) in (0..height).zip(pixels.chunks_mut(width as usize)) {
-        shares[y as usize % threads].push((y, row));
+    let tops = (0..height).step_by(TILE as usize);
+    for (top, rows) in tops.zip(pixels.chunks_mut((width * TILE) as usize)) {
+        shares[(top / TILE) as usize % threads].push((top, rows));
     }
+    let corner = |x: u32, y: u32| DVec2::new(x.into(), y.into());
+    let in_row = |top: u32, rows: &mut [T]| {
+        let bottom = (top + TILE).min(height);
+        for left in (0..width).step_by(TILE as usize) {
+            let right = (left + TILE).min(width);
+            let cast = of_tile([corner(left, top), corner(right, bottom)]);
+            for (y, row) in (top..bottom).zip(rows.chunks_mut(width as usize)) {
+                for (x, pixel) in (left..right).zip(&mut row[left as usize..]) {
+                    *pixel = cast(corner(x, y) + 0.5);
+                }
+            }
+        }
+    };
     thread::scope(|scope| {
         for share in shares {
             scope.spawn(|| {
-                for (y, row) in share {
-                    for (x, pixel) in (0..width).zip(row) {
-                        *pixel = cast(DVec2::new(f64::from(x), f64::from(y)) + 0.5);
-                    }
+                for (top, rows) in share {
+                    in_row(top, rows);
                 }
             });
         }
@@ -69,14 +108,19 @@ pub fn each_pixel<T: Clone + Default + Send>(
     pixels
 }
 
-fn cast(scene: &Scene, view: &View, px: DVec2) -> (Id, Rgb) {
-    let ray = view.ray(px);
-    if let Some(hit) = closest(scene, ray, view.sides) {
-        return (id(scene, &hit), colour(scene, view, &ray, &hit).0);
+/// The object and triangle, and the colour, of what a ray hits.
+fn cast(beam: &Beam, view: &View, ray: &WorldRay, px: DVec2) -> (Id, Rgb) {
+    let scene = beam.scene();
+    if let Some(hit) = nearest(beam, ray, view.sides, None) {
+        return (id(scene, &hit), colour(scene, view, ray, &hit).0);
     }
     #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]
     let down = (px.y / f64::from(view.viewport.height())) as f32;
     (Id::default(), Srgb::from_linear(look::background(down)).0)
+}
+
+fn id_or_none(scene: &Scene, hit: Option<SceneHit>) -> Id {
+    hit.map_or(Id::default(), |hit| id(scene, &hit))
 }
 
 /// The id that a picture holds for a hit.

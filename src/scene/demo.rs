@@ -28,6 +28,7 @@ pub(super) fn demo(progress: &Progress) -> Result<Loaded, LoadError> {
         camera_file: None,
         warnings,
         meshes: Vec::new(),
+        materials: Vec::new(),
         title: "demo".to_owned(),
         exhibit: None,
     })

@@ -32,6 +32,8 @@ pub struct Loaded {
     pub warnings: Vec<Warning>,
     /// The meshes' files, by their absolute paths: what saving the scene needs.
     pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    /// The MTL files that those name, by their absolute paths, also those that are not there.
+    pub materials: Vec<PathBuf>,
     /// A name for all of it, for the window's title.
     pub title: String,
     /// The scene of the gallery that all of it is.
@@ -118,6 +120,7 @@ pub fn load_with(
         camera_file,
         warnings,
         meshes: meshes.loaded,
+        materials: meshes.materials,
         title: title(paths),
         exhibit: match paths {
             [only] => Exhibit::at(only)?,
@@ -148,6 +151,8 @@ fn text(path: &Path) -> Result<String, FileError> {
 #[derive(Debug, Default)]
 pub struct MeshFiles {
     loaded: Vec<(PathBuf, Arc<Mesh>)>,
+    /// The MTL files that they name.
+    materials: Vec<PathBuf>,
     detail: Detail,
 }
 
@@ -185,6 +190,7 @@ impl MeshFiles {
         }
         let file = obj::load_with(as_named, progress, self.detail)?;
         warnings.extend(file.warnings);
+        self.materials.extend(file.materials);
         self.loaded.push((path, Arc::clone(&file.mesh)));
         Ok(file.mesh)
     }

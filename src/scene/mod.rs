@@ -36,7 +36,7 @@ use changes::Changes;
 use extent::Extent;
 use std::{
     collections::HashSet,
-    ops::Range,
+    ops::{ControlFlow, Range},
     sync::{Arc, OnceLock, Weak, atomic::AtomicBool},
 };
 use sums::Sums;
@@ -274,16 +274,14 @@ impl Scene {
         }
     }
 
-    /// Calls `visit` with every batch that may be inside a world-space pyramid.
-    pub(crate) fn visit_batches_within(
-        &self,
+    /// Calls `visit` with every batch that may be inside a world-space pyramid, until it answers that it has enough.
+    pub(crate) fn visit_batches_within<'a>(
+        &'a self,
         pyramid: &Pyramid,
-        mut visit: impl FnMut(&Range<usize>),
+        mut visit: impl FnMut(&'a Range<usize>) -> ControlFlow<()>,
     ) {
         if self.tree.is_empty() {
-            for batch in self.batches.iter() {
-                visit(batch);
-            }
+            let _ = self.batches.iter().try_for_each(visit);
         } else {
             self.tree
                 .visit_within(pyramid, |batch| visit(&self.batches[batch]));

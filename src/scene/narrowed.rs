@@ -3,7 +3,7 @@
 use super::{Object, Scene, Shape};
 use crate::geometry::{LocalRay, Mesh, Placement, Pyramid, VertexRay, WorldRay};
 use glam::DVec3;
-use std::{collections::HashMap, sync::Arc};
+use std::{collections::HashMap, ops::ControlFlow, sync::Arc};
 
 impl Scene {
     /// The same scene for a ray and others within a pyramid about it only, which is given in the object space of each
@@ -31,6 +31,7 @@ impl Scene {
                 let of_mesh = pyramids.entry(Arc::as_ptr(mesh)).or_default();
                 of_mesh.extend(pyramid);
             }
+            ControlFlow::Continue(())
         });
         if !is_complete {
             return None;

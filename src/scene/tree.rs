@@ -16,6 +16,7 @@
 use super::{Object, Scene};
 use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
 use glam::{DMat3, DVec3};
+use std::ops::ControlFlow;
 
 /// Fewer batches are asked one after the other.
 const WORTH_A_TREE: usize = 8;
@@ -126,8 +127,8 @@ impl SceneTree {
         self.grow(place, second);
     }
 
-    /// Calls `visit` with every batch that may be inside a world-space pyramid.
-    pub fn visit_within(&self, pyramid: &Pyramid, mut visit: impl FnMut(usize)) {
+    /// Calls `visit` with every batch that may be inside a world-space pyramid, until it answers that it has enough.
+    pub fn visit_within(&self, pyramid: &Pyramid, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let mut open = vec![0];
         while let Some(place) = open.pop() {
             let node: &Node = &self.nodes[place];
@@ -138,7 +139,11 @@ impl SceneTree {
                 continue;
             }
             match node.content {
-                Content::Batch(batch) => visit(batch),
+                Content::Batch(batch) => {
+                    if visit(batch).is_break() {
+                        return;
+                    }
+                }
                 Content::Second(second) => open.extend([second, place + 1]),
             }
         }

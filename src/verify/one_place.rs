@@ -25,7 +25,7 @@ use crate::{
     camera::View,
     geometry::{Sphere, WorldRay},
     image::Image,
-    pick::{self, InOnePlace, SceneHit},
+    pick::{self, Beam, InOnePlace, SceneHit},
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -68,11 +68,17 @@ impl<'a> Places<'a> {
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
-        let reach = Reach::new(&self.surfaces, px);
+        self.on_ray(&Beam::whole(scene), &view.ray(px), px)
+    }
+
+    /// [`Places::at`] by the ray through the position, one of a beam's.
+    fn on_ray(&self, beam: &Beam, ray: &WorldRay, px: DVec2) -> Vec<SceneHit> {
+        let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
+        let reach = Reach::new(&self.surfaces, ray, px);
         // Most lie too far behind, which is cheap to tell.
         let is_near =
             |hit: &SceneHit, first: &SceneHit| reach.nearness(hit)[0] >= reach.nearness(first)[1];
-        let hits = pick::all_near(scene, view.ray(px), view.sides, is_near);
+        let hits = pick::all_near(beam, ray, view.sides, is_near);
         let Some((first, near)) = hits.split_first() else {
             return Vec::new();
         };
@@ -117,8 +123,10 @@ impl<'a> Places<'a> {
     #[must_use]
     pub fn pixels(&self, stop: impl Fn() -> bool + Sync) -> Vec<[u32; 2]> {
         let view = self.surfaces.space.view();
-        let is_one = |px| !stop() && !self.at(px).is_empty();
-        let marked = Image::new(view.viewport, pick::each_pixel(view, is_one));
+        let marked = pick::each_ray(self.surfaces.scene, view, |beam, ray, px| {
+            !stop() && !self.on_ray(beam, ray, px).is_empty()
+        });
+        let marked = Image::new(view.viewport, marked);
         let marked = marked.positions().filter(|&(x, y)| marked.at(x, y));
         marked.map(|(x, y)| [x, y]).collect()
     }
@@ -161,18 +169,18 @@ struct Reach<'a> {
     view: &'a View,
     depths: Depths,
     ray: ViewRay,
-    ray_world: WorldRay,
+    ray_world: &'a WorldRay,
 }
 
 impl<'a> Reach<'a> {
-    fn new(surfaces: &'a Surfaces, px: DVec2) -> Self {
+    fn new(surfaces: &'a Surfaces, ray_world: &'a WorldRay, px: DVec2) -> Self {
         let view = surfaces.space.view();
         Self {
             scene: surfaces.scene,
             view,
             depths: Depths::new(&surfaces.space),
             ray: ViewRay::new(view, px),
-            ray_world: view.ray(px),
+            ray_world,
         }
     }
 
@@ -181,7 +189,7 @@ impl<'a> Reach<'a> {
         let object = &self.scene.objects()[*object];
         let aside = if matches!(object.shape, Shape::Sphere) {
             // No more than its radius.
-            let ray = object.placement.ray_to_object(&self.ray_world);
+            let ray = object.placement.ray_to_object(self.ray_world);
             Sphere::RADIUS / ray.direction.abs().max_element()
         } else {
             self.aside(hit.t, object.placement.normal_to_world(hit.normal))

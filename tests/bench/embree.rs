@@ -1,5 +1,5 @@
-//! Embree 3, where its library is installed (Debian, Ubuntu: `libembree3-3`). Layouts and constants are those of its
-//! `embree3/rtcore*.h`.
+//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree but
+//! for how a ray is asked.
 #![allow(unsafe_code, reason = "a library in C++")]
 
 use crate::{
@@ -35,8 +35,11 @@ struct RayHit {
     triangle: u32,
     geometry: u32,
     instance: u32,
+    /// Of Embree 4 only, which writes it.
+    instance_primitive: u32,
 }
 
+/// What Embree 3 asks a ray with. Embree 4 has arguments in its place, which may be left out.
 #[repr(C)]
 struct Context {
     flags: u32,
@@ -53,24 +56,42 @@ extern "C" fn monitor(memory: Handle, bytes: isize, _: bool) -> bool {
 /// Medium quality, or medium with its robust mode.
 pub struct Embree {
     library: &'static Library,
+    version: Version,
     robust: bool,
 }
 
-/// Both kinds; none where the library is not.
+#[derive(Clone, Copy, PartialEq)]
+enum Version {
+    Four,
+    Three,
+}
+
+/// Both kinds of each version that is found, the newer first.
 pub fn installed() -> Vec<Embree> {
-    // SAFETY: loading Embree runs only its own set-up.
-    let library = ["libembree3.so.3", "libembree3.dylib", "embree3.dll"]
-        .iter()
-        .find_map(|name| unsafe { Library::new(name) }.ok());
-    // Never unloaded: its threads outlive its scenes.
-    let library = library.map(|library| &*Box::leak(Box::new(library)));
-    let kinds = [false, true].map(|robust| {
-        Some(Embree {
-            library: library?,
+    let four = std::env::var("EMBREE4").unwrap_or_else(|_| "libembree4.so.4".into());
+    let versions = [
+        (
+            Version::Four,
+            vec![&*four, "libembree4.dylib", "embree4.dll"],
+        ),
+        (
+            Version::Three,
+            vec!["libembree3.so.3", "libembree3.dylib", "embree3.dll"],
+        ),
+    ];
+    let each = versions.into_iter().filter_map(|(version, names)| {
+        let mut names = names.into_iter();
+        // SAFETY: loading Embree runs only its own set-up.
+        let library = names.find_map(|name| unsafe { Library::new(name) }.ok())?;
+        // Never unloaded: its threads outlive its scenes.
+        let library: &_ = Box::leak(Box::new(library));
+        Some([false, true].map(|robust| Embree {
+            library,
+            version,
             robust,
-        })
+        }))
     });
-    kinds.into_iter().flatten().collect()
+    each.flatten().collect()
 }
 
 macro_rules! call {
@@ -85,10 +106,11 @@ macro_rules! call {
 
 impl Rival for Embree {
     fn name(&self) -> &'static str {
-        if self.robust {
-            "Embree robust"
-        } else {
-            "Embree"
+        match (self.version, self.robust) {
+            (Version::Four, false) => "Embree 4",
+            (Version::Four, true) => "Embree 4 robust",
+            (Version::Three, false) => "Embree 3",
+            (Version::Three, true) => "Embree 3 robust",
         }
     }
 
@@ -107,6 +129,7 @@ impl Rival for Embree {
         positions.push([0.0; 3]);
         let mut scene = EmbreeScene {
             library,
+            version: self.version,
             device: null_mut(),
             scene: null_mut(),
             memory: Box::default(),
@@ -179,11 +202,9 @@ impl Rival for Embree {
         call!(library, "rtcReleaseGeometry", (Handle), geometry);
         call!(library, "rtcCommitScene", (Handle), scene.scene);
         let seconds = start.elapsed().as_secs_f64();
-        let [held, peak] = scene.memory.held_and_peak();
         let cost = Cost {
             seconds,
-            held,
-            peak,
+            memory: Some(scene.memory.held_and_peak()),
         };
         (Box::new(scene), cost)
     }
@@ -192,6 +213,7 @@ impl Rival for Embree {
 /// A scene with what it was made from.
 struct EmbreeScene {
     library: &'static Library,
+    version: Version,
     device: Handle,
     scene: Handle,
     memory: Box<Count>,
@@ -201,36 +223,57 @@ struct EmbreeScene {
 
 impl Built for EmbreeScene {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
-        type Intersect = unsafe extern "C" fn(Handle, *mut Context, *mut RayHit);
-        // SAFETY: the signature is the header's.
-        let intersect: Symbol<Intersect> =
-            unsafe { self.library.get(b"rtcIntersect1") }.expect("rtcIntersect1");
+        type By3 = unsafe extern "C" fn(Handle, *mut Context, *mut RayHit);
+        type By4 = unsafe extern "C" fn(Handle, *mut RayHit, Handle);
+        const NAME: &str = "rtcIntersect1";
         let mut context = Context {
             flags: 0,
             filter: null_mut(),
             instance: u32::MAX,
         };
-        for (ray, answer) in rays.iter().zip(answers) {
-            #[expect(clippy::cast_possible_truncation, reason = "f32 holds it")]
-            let mut hit = RayHit {
-                origin: ray.origin.as_vec3().to_array(),
-                near: ray.t_min as f32,
-                direction: ray.direction.as_vec3().to_array(),
-                time: 0.0,
-                far: ray.t_max as f32,
-                mask: u32::MAX,
-                id: 0,
-                flags: 0,
-                normal: [0.0; 3],
-                uv: [0.0; 2],
-                triangle: u32::MAX,
-                geometry: u32::MAX,
-                instance: u32::MAX,
-            };
-            // SAFETY: the scene is committed; context and hit are as the header has them.
-            unsafe { intersect(self.scene, &raw mut context, &raw mut hit) };
-            *answer = (hit.geometry != u32::MAX).then(|| (f64::from(hit.far), hit.triangle));
+        match self.version {
+            Version::Three => {
+                // SAFETY: the signature is the header's.
+                let by: Symbol<By3> = unsafe { self.library.get(NAME.as_bytes()) }.expect(NAME);
+                // SAFETY: the scene is committed; context and hit are as the header has them.
+                ask(rays, answers, |hit| unsafe {
+                    by(self.scene, &raw mut context, hit);
+                });
+            }
+            Version::Four => {
+                // SAFETY: the signature is the header's.
+                let by: Symbol<By4> = unsafe { self.library.get(NAME.as_bytes()) }.expect(NAME);
+                // SAFETY: the scene is committed; the hit is as the header has it.
+                ask(rays, answers, |hit| unsafe {
+                    by(self.scene, hit, null_mut());
+                });
+            }
         }
+    }
+}
+
+#[inline]
+fn ask(rays: &[Ray], answers: &mut [Answer], mut intersect: impl FnMut(&mut RayHit)) {
+    for (ray, answer) in rays.iter().zip(answers) {
+        #[expect(clippy::cast_possible_truncation, reason = "f32 holds it")]
+        let mut hit = RayHit {
+            origin: ray.origin.as_vec3().to_array(),
+            near: ray.t_min as f32,
+            direction: ray.direction.as_vec3().to_array(),
+            time: 0.0,
+            far: ray.t_max as f32,
+            mask: u32::MAX,
+            id: 0,
+            flags: 0,
+            normal: [0.0; 3],
+            uv: [0.0; 2],
+            triangle: u32::MAX,
+            geometry: u32::MAX,
+            instance: u32::MAX,
+            instance_primitive: u32::MAX,
+        };
+        intersect(&mut hit);
+        *answer = (hit.geometry != u32::MAX).then(|| (f64::from(hit.far), hit.triangle));
     }
 }
 

@@ -33,12 +33,12 @@ impl Count {
     }
 }
 
-/// Seconds, bytes held and most bytes held while at work.
+/// What a build takes.
 #[derive(Clone, Copy)]
 pub struct Cost {
     pub seconds: f64,
-    pub held: isize,
-    pub peak: isize,
+    /// Bytes held, and the most held while at work; `None` where nobody counts them.
+    pub memory: Option<[isize; 2]>,
 }
 
 /// Does `work` and says what it cost.
@@ -48,13 +48,12 @@ pub fn cost_of<T>(work: impl FnOnce() -> T) -> (T, Cost) {
     let start = Instant::now();
     let made = work();
     let seconds = start.elapsed().as_secs_f64();
-    let [held, peak] = COUNTING.0.held_and_peak().map(|bytes| bytes - before);
+    let memory = COUNTING.0.held_and_peak().map(|bytes| bytes - before);
     (
         made,
         Cost {
             seconds,
-            held,
-            peak,
+            memory: Some(memory),
         },
     )
 }

@@ -37,7 +37,7 @@ pub trait Built {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]);
 }
 
-/// All that there are; Embree, where it is installed, comes second and third.
+/// All that there are; Embree, where it is installed, comes behind Sightline.
 pub fn all() -> Vec<Box<dyn Rival>> {
     let mut all: Vec<Box<dyn Rival>> = vec![Box::new(Sightline)];
     for embree in embree::installed() {
@@ -48,6 +48,8 @@ pub fn all() -> Vec<Box<dyn Rival>> {
         Box::new(Obvhs::Two) as _,
         Box::new(Parry) as _,
     ]);
+    #[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
+    all.push(Box::new(TinyBvh));
     all
 }
 
@@ -155,6 +157,55 @@ impl Built for ObvhsBuilt {
             };
             let triangle = |id: u32| tree.order()[id as usize];
             *answer = found.then(|| (f64::from(hit.t), triangle(hit.primitive_id)));
+        }
+    }
+}
+
+/// tinybvh's tree of eight for processors, which its crate has only where the whole program is compiled for AVX2.
+#[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
+struct TinyBvh;
+
+#[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
+impl Rival for TinyBvh {
+    fn name(&self) -> &'static str {
+        "tinybvh BVH8"
+    }
+
+    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+        let corner = |i: u32| {
+            let [x, y, z] = sample.positions[i as usize];
+            [x, y, z, 0.0]
+        };
+        let corners: Vec<_> = sample
+            .triangles
+            .iter()
+            .flat_map(|t| t.map(corner))
+            .collect();
+        let (built, cost) = cost_of(|| {
+            let mut two = tinybvh_rs::bvh::BVH::new(corners.as_slice().into()).expect("triangles");
+            two.split_leaves(4);
+            let wide = tinybvh_rs::mbvh::BVH::new(&two);
+            tinybvh_rs::bvh8_cpu::BVH::new(&wide).expect("leaves of four")
+        });
+        // C++ allocates by itself.
+        let cost = Cost {
+            memory: None,
+            ..cost
+        };
+        (Box::new(built), cost)
+    }
+}
+
+#[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
+impl Built for tinybvh_rs::bvh8_cpu::BVH {
+    fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
+        use tinybvh_rs::Intersector;
+        let narrow = |v: DVec3| v.as_vec3().to_array();
+        for (ray, answer) in rays.iter().zip(answers) {
+            let mut asked = tinybvh_rs::Ray::new(narrow(ray.origin), narrow(ray.direction));
+            self.intersect(&mut asked);
+            let hit = asked.hit;
+            *answer = (hit.t < tinybvh_rs::INFINITE).then(|| (f64::from(hit.t), hit.prim));
         }
     }
 }

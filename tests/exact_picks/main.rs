@@ -2,7 +2,7 @@
 //! oracle that makes them from the stored numbers by brute force and shares nothing with the program.
 //!
 //! Each position is asked before there are trees and with them, and the trees by every set of instructions that this
-//! processor has. Some are asked once more from the scene narrowed to the position.
+//! processor has. Some are asked once more from the scene narrowed to the position, and of each view a whole picture is cast.
 //!
 //! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
 //! positions of each family and prints a line for each.
@@ -26,6 +26,7 @@ mod program;
 mod rays;
 mod tally;
 mod ties;
+mod together;
 
 use blocks::{Layout, Sample};
 use common::Random;
@@ -66,6 +67,10 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeas
     }
     println!("{name:16} {}", tally.row());
     let per_mille = |count: usize| count * 1000 / tally.positions;
+    assert!(
+        per_mille(tally.together) >= 1_500,
+        "{name}: few triangles in whole pictures"
+    );
     for (what, seen, least) in [
         ("hits", tally.hits, at_least.hits),
         ("ties", tally.ties, at_least.ties),
@@ -105,6 +110,7 @@ fn ask(sample: &Sample, tally: &mut Tally) {
     }
     instructions::check(sample, tally);
     narrowed::check(sample, tally);
+    together::check(sample, tally);
     match sample.layout {
         Layout::Anywhere => {}
         Layout::Pairs => tally.steps += case.steps(&sample.positions),

@@ -30,6 +30,10 @@ pub struct Tally {
     pub walks: usize,
     /// Positions that were asked from a narrowed scene.
     pub narrowed: usize,
+    /// Whole pictures that were cast.
+    pub pictures: usize,
+    /// Pixels of these that show a triangle.
+    pub together: usize,
     /// Positions with a wrong answer.
     pub wrong: usize,
     /// Positions with a wrong answer once trees are built, or narrowed.
@@ -50,7 +54,7 @@ impl Tally {
 
     pub fn row(&self) -> String {
         format!(
-            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  narrowed {:6}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  narrowed {:6}  together {:7}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
             self.positions,
             self.hits,
             self.ties,
@@ -60,6 +64,7 @@ impl Tally {
             self.steps,
             self.walks,
             self.narrowed,
+            self.together,
             self.worst_t,
             self.wrong,
             self.wrong_with_trees

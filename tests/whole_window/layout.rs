@@ -219,3 +219,33 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     click_on(&mut window, "Look");
     assert_eq!(panel(&mut window), light);
 }
+
+/// What is read from the left, keys before words and numbers beside their names, is not cut off at either side.
+#[test]
+fn small_windows_cut_nothing_off_at_their_sides() {
+    for points in [[640, 400], [800, 600], [1000, 650], [1280, 720]] {
+        let mut window = Offscreen::open(Options::default(), px(points, 1.0), 1.0);
+        let right = f32::from(u16::try_from(points[0]).expect("small"));
+        if !control(&window, "right side").is_on {
+            click_on(&mut window, "right side");
+        }
+        let is_within = |window: &Offscreen, name: &str| {
+            let rect = control(window, name).rect;
+            assert!(
+                rect.left() >= 0.0 && rect.right() <= right,
+                "{name} at {points:?}: {rect}"
+            );
+        };
+        for name in ["fov", "near", "eye z", "target z", "up z"] {
+            is_within(&window, name);
+        }
+        press_key(&mut window, Modifiers::NONE, Key::H);
+        for name in [
+            "left drag",
+            "orbit about the point under the cursor",
+            "right, middle, Shift+left drag",
+        ] {
+            is_within(&window, name);
+        }
+    }
+}

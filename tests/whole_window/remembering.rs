@@ -2,6 +2,7 @@
 //! names in any script.
 
 use super::*;
+use sightline::{colour::Srgb, scene::Shape};
 use std::{fs, thread, time::Duration};
 
 fn remembering(memory: &Path, paths: Vec<PathBuf>) -> Offscreen {
@@ -123,6 +124,35 @@ fn a_file_that_changes_is_read_again() {
     thread::sleep(Duration::from_millis(800));
     window.send([]);
     assert_eq!(window.messages().count(), 0);
+}
+
+#[test]
+fn a_material_that_changes_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write =
+        |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("written");
+    write(
+        "triangle.obj",
+        "mtllib here.mtl\nmtllib later.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+    );
+    write("here.mtl", "newmtl a\nKd 1 0 0\n");
+    let mut window = open(vec![folder.path().join("triangle.obj")], 1.0);
+    let colour = |window: &Offscreen| {
+        let Shape::Mesh { mesh, .. } = &window.state().scene().objects()[0].shape else {
+            panic!("a mesh");
+        };
+        mesh.triangle_colour(0)
+    };
+    assert_eq!(colour(&window), Some(Srgb([255, 0, 0])));
+    write("here.mtl", "newmtl a\nKd 0 1 0\n");
+    wait_until(&mut window, |window| {
+        colour(window) == Some(Srgb([0, 255, 0]))
+    });
+    // One that was not there.
+    write("later.mtl", "newmtl a\nKd 0 0 1\n");
+    wait_until(&mut window, |window| {
+        colour(window) == Some(Srgb([0, 0, 255]))
+    });
 }
 
 /// Debian's and Ubuntu's `fonts-dejavu-core` has both scripts, egui's own typefaces have neither.

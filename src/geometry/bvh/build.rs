@@ -258,15 +258,8 @@ impl<'a> Site<'a> {
 
 /// A node with the boxes of `parts`, of which nothing is known yet but that.
 fn node_of(parts: &[Range]) -> Node {
-    let mut node = Node::EMPTY;
-    for (lane, part) in parts.iter().enumerate() {
-        for (axes, corner) in node.corners.iter_mut().zip(part.bounds()) {
-            for (lanes, x) in axes.iter_mut().zip(corner.to_array()) {
-                lanes[lane] = x;
-            }
-        }
-    }
-    node
+    let bounds = parts.iter().map(Range::bounds);
+    Node::about(bounds.map(|corners| corners.map(|corner| corner.to_array())))
 }
 
 /// Vertices in the tree's lengths.

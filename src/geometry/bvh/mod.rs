@@ -22,7 +22,7 @@ pub use simd::Simd;
 
 use super::{Aabb, LocalRay, Pyramid};
 use glam::{DVec3, Vec3};
-use node::{Line, Node, Packet, Place};
+use node::{Child, Line, Node, Packet, Place, WIDTH};
 use ray::Frame;
 use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
@@ -41,6 +41,11 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64> Visit for F {
         self(triangle, corners)
     }
 }
+
+/// Where rays that stay together enter a tree: a node in place of the root, of what all of them may meet. (Entry points, after
+/// Reshetov, Soupikov & Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.)
+#[derive(Debug)]
+pub(crate) struct Entry(Node);
 
 /// A tree over triangles, in the vertices' own space.
 #[derive(Debug)]
@@ -75,8 +80,21 @@ impl Bvh {
     /// Which triangles are visited beyond those that are hit may differ between processors.
     #[inline]
     pub fn visit(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
+        self.visit_from(None, ray, center, visit);
+    }
+
+    /// [`Bvh::visit`] for a ray of which it is known where it may begin.
+    #[inline]
+    pub(crate) fn visit_from(
+        &self,
+        entry: Option<&Entry>,
+        ray: &LocalRay,
+        center: &DVec3,
+        visit: &mut impl Visit,
+    ) {
         self.instructions.run(Walk::<_, true> {
             tree: self,
+            from: entry.map_or_else(|| self.root(), |Entry(node)| node),
             ray,
             center,
             visit,
@@ -89,6 +107,7 @@ impl Bvh {
     pub fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         self.instructions.run(Walk::<_, false> {
             tree: self,
+            from: self.root(),
             ray,
             center,
             visit,
@@ -122,6 +141,46 @@ impl Bvh {
             max: max * unscale,
         });
         unscaled.collect()
+    }
+
+    /// Where rays within a pyramid, which is about the vertices' origin, may begin; `None` where they meet nothing.
+    pub(crate) fn entry(&self, pyramid: &Pyramid) -> Option<Entry> {
+        let unscale = self.frame.unscale;
+        let children_met = |place: Place| {
+            let node = Node::at(&self.lines, place);
+            node.children().filter_map(move |(lane, child)| {
+                let bounds = node.bounds(lane);
+                let [min, max] = bounds.map(|corner| Vec3::from(corner).as_dvec3() * unscale);
+                let is_met = pyramid.may_meet(&Aabb { min, max });
+                is_met.then_some((place.of(child), bounds))
+            })
+        };
+        // As far down as they fit into one node.
+        let mut met: Vec<_> = children_met(Place::ROOT).collect();
+        let mut next = 0;
+        while let Some(&(place, _)) = met.get(next) {
+            let room = WIDTH + 1 - met.len();
+            let below: Vec<_> = if place.is_packet() {
+                Vec::new()
+            } else {
+                children_met(place).take(room + 1).collect()
+            };
+            if place.is_packet() || below.len() > room {
+                next += 1;
+            } else {
+                met.swap_remove(next);
+                met.extend(below);
+            }
+        }
+        let mut node = Node::about(met.iter().map(|&(_, bounds)| bounds));
+        for (child, &(place, _)) in node.children.iter_mut().zip(&met) {
+            *child = Child::between(Place::ROOT, place);
+        }
+        (!met.is_empty()).then_some(Entry(node))
+    }
+
+    fn root(&self) -> &Node {
+        Node::at(&self.lines, Place::ROOT)
     }
 
     /// Calls `visit` with every triangle that may be inside a pyramid, which is about the vertices' origin, and its corners,

@@ -98,6 +98,19 @@ impl Node {
     /// Lines that it takes.
     pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
 
+    /// With these boxes, the least and the greatest corner of each, and nothing in them yet.
+    pub fn about(boxes: impl Iterator<Item = [[f32; 3]; 2]>) -> Self {
+        let mut node = Self::EMPTY;
+        for (lane, bounds) in boxes.enumerate() {
+            for (axes, corner) in node.corners.iter_mut().zip(bounds) {
+                for (lanes, x) in axes.iter_mut().zip(corner) {
+                    lanes[lane] = x;
+                }
+            }
+        }
+        node
+    }
+
     /// The node in this place.
     #[inline(always)]
     pub fn at(lines: &[Line], place: Place) -> &Self {

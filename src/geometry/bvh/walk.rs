@@ -15,6 +15,8 @@ use glam::DVec3;
 /// Where `SIFT` is false, triangles are judged by their boxes alone.
 pub(super) struct Walk<'a, V, const SIFT: bool> {
     pub tree: &'a Bvh,
+    /// Where it begins: the root, or a node that stands for it.
+    pub from: &'a Node,
     pub ray: &'a LocalRay<'a>,
     /// Where the vertices' (0, 0, 0) lies for the ray.
     pub center: &'a DVec3,
@@ -28,6 +30,7 @@ impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
     fn run<L: Lanes>(self, lanes: L) {
         let Self {
             tree,
+            from,
             ray,
             center,
             visit,
@@ -70,7 +73,11 @@ impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
                     end = ray.end(lanes.apart(found));
                 }
             } else {
-                let node = Node::at(lines, place);
+                let node = if place == Place::ROOT {
+                    from
+                } else {
+                    Node::at(lines, place)
+                };
                 let (hit, enter) = boxes.may_hit(lanes, node, end);
                 if hit != 0 {
                     let open = Open {

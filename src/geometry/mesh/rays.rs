@@ -6,8 +6,8 @@
 
 use super::{Mesh, MeshData};
 use crate::geometry::{
-    Aabb, Bvh, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay, Visit,
-    guarded_volume,
+    Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
+    Visit, guarded_volume,
     shares::in_shares,
     triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
 };
@@ -50,6 +50,11 @@ impl Mesh {
             // Whoever else may have built one meanwhile has built the same.
             let _ = self.tree.set(tree);
         }
+    }
+
+    /// The tree, once it is built.
+    pub(crate) fn tree(&self) -> Option<&Bvh> {
+        self.tree.get()
     }
 
     /// The object-space boxes of its tree at a level, 0 being the box about everything: at most `most` of them. None
@@ -108,7 +113,7 @@ impl Mesh {
         sides: Sides,
         accept: impl Fn(usize) -> bool,
     ) -> Option<Hit> {
-        self.closest_of(&ray.into(), sides, |part, _: &Hit| accept(part))
+        self.closest_of(&ray.into(), None, sides, |part, _: &Hit| accept(part))
     }
 
     /// [`Mesh::closest`] of the hits that `accept` takes, each with its part.
@@ -116,6 +121,7 @@ impl Mesh {
     pub(crate) fn closest_of(
         &self,
         ray: &LocalRay,
+        entry: Option<&Entry>,
         sides: Sides,
         accept: impl Fn(usize, &Hit) -> bool,
     ) -> Option<Hit> {
@@ -123,7 +129,7 @@ impl Mesh {
         match self.tree.get() {
             // What the tree has filtered need not be filtered again.
             Some(tree) => Nearest::of(self, ray, sides, Settled, accept, |nearest| {
-                tree.visit(ray, center, nearest);
+                tree.visit_from(entry, ray, center, nearest);
             }),
             None => Nearest::of(self, ray, sides, guarded_volume, accept, |nearest| {
                 self.every_triangle(nearest);
@@ -143,7 +149,7 @@ impl Mesh {
         let ray = &ray.into();
         let accept = |part, _: &Hit| accept(part);
         Nearest::of(self, ray, sides, test, accept, |nearest| {
-            self.visit::<false>(ray, nearest);
+            self.visit::<false>(ray, None, nearest);
         })
     }
 
@@ -157,7 +163,7 @@ impl Mesh {
     ) -> Vec<Hit> {
         let ray = &ray.into();
         let local = VertexRay::new(ray, &self.data.origin);
-        let mut all = self.each(ray, sides, accept);
+        let mut all = self.each(ray, None, sides, accept);
         all.sort_by(|a, b| self.order(a, b, &local));
         all
     }
@@ -166,12 +172,13 @@ impl Mesh {
     pub(crate) fn each(
         &self,
         ray: &LocalRay,
+        entry: Option<&Entry>,
         sides: Sides,
         accept: impl Fn(usize) -> bool,
     ) -> Vec<Hit> {
         let local = VertexRay::new(ray, &self.data.origin);
         let mut all = Vec::new();
-        self.visit::<true>(ray, &mut |triangle, corners| {
+        self.visit::<true>(ray, entry, &mut |triangle, corners| {
             if let Some(hit) = guarded_volume(&local, corners)
                 && (sides == Sides::Both || hit.front)
                 && accept(self.part_of(triangle))
@@ -232,7 +239,7 @@ impl Mesh {
             if found { f64::NEG_INFINITY } else { ray.limit }
         };
         if local.is_bounded() {
-            self.visit::<false>(ray, &mut visit);
+            self.visit::<false>(ray, None, &mut visit);
         } else {
             self.every_triangle(&mut visit);
         }
@@ -253,10 +260,15 @@ impl Mesh {
     /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
     /// false, a tree leaves out none whose box the ray may meet.
     #[inline]
-    fn visit<const SIFT: bool>(&self, ray: &LocalRay, visit: &mut impl Visit) {
+    fn visit<const SIFT: bool>(
+        &self,
+        ray: &LocalRay,
+        entry: Option<&Entry>,
+        visit: &mut impl Visit,
+    ) {
         let center = &self.data.origin;
         match self.tree.get() {
-            Some(tree) if SIFT => tree.visit(ray, center, visit),
+            Some(tree) if SIFT => tree.visit_from(entry, ray, center, visit),
             Some(tree) => tree.visit_boxes(ray, center, visit),
             None => self.every_triangle(visit),
         }

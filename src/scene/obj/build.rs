@@ -79,7 +79,11 @@ pub(super) fn build(
         source,
     })?;
     let mesh = Arc::new(mesh);
-    Ok(ObjFile { mesh, warnings })
+    Ok(ObjFile {
+        mesh,
+        warnings,
+        materials: materials.files,
+    })
 }
 
 /// Triangles of faces, in order.

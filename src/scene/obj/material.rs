@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    scene::{Cancelled, Progress, Warning},
+    scene::{Cancelled, Progress, Warning, load::absolute},
 };
 use std::{
     collections::{HashMap, HashSet},
@@ -42,6 +42,8 @@ pub(super) struct Materials {
     pub by_name: HashMap<String, Material>,
     /// What could not be read.
     pub warnings: Vec<Warning>,
+    /// The files, also those that are not there.
+    pub files: Vec<PathBuf>,
 }
 
 /// Reads the files that `mtllib` lines name (with the line of each), from the folder of `obj`: each once, wherever the
@@ -65,6 +67,7 @@ pub(super) fn read_libraries(
         if !known.insert(file.canonicalize().unwrap_or_else(|_| file.clone())) {
             continue;
         }
+        materials.files.push(absolute(&file));
         let read = open(&file, &mut bytes_left)
             .and_then(|input| text(input).map_err(|error| cannot_be_read(&error)))
             .map(|text| materials.add(&file, Lines::new(&text, 0), progress));

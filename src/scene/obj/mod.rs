@@ -62,6 +62,8 @@ pub struct ObjFile {
     pub mesh: Arc<Mesh>,
     /// What was left out or mended.
     pub warnings: Vec<Warning>,
+    /// The MTL files that it names, by their absolute paths, also those that are not there.
+    pub materials: Vec<PathBuf>,
 }
 
 /// Why a file was refused.

@@ -174,6 +174,7 @@ impl App {
                 let source = Source {
                     paths: vec![saved.path],
                     meshes: saved.meshes,
+                    ..Source::default()
                 };
                 self.remember_opened(&source.paths);
                 self.state.saved(&saved.snapshot, source);

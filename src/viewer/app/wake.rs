@@ -11,6 +11,8 @@ pub(in crate::viewer) enum Wake {
     Answered(Answer),
     /// egui wants a frame then.
     RepaintAt(Instant),
+    /// The desktop is so.
+    Desktop(egui::Theme),
 }
 
 /// How background work and egui wake whoever shows the program.

@@ -17,6 +17,7 @@ impl App {
             .paths
             .iter()
             .chain(meshes)
+            .chain(&source.materials)
             .filter(is_file)
             .cloned()
             .collect();

@@ -3,6 +3,7 @@
 use super::shell::Shell;
 use crate::viewer::{
     app::{App, Extent, Host, Wake, Waker},
+    jobs::ask_theme,
     options::{Options, ViewerError},
     ui::Command,
 };
@@ -132,6 +133,13 @@ impl ApplicationHandler<Wake> for Program {
                 self.app.answered(answer);
                 self.request_redraw();
             }
+            Wake::Desktop(theme) => {
+                if let Some(shell) = &mut self.shell {
+                    shell.egui.egui_input_mut().system_theme = Some(theme);
+                    log::info!("the desktop is {theme:?}");
+                }
+                self.request_redraw();
+            }
             Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
             Wake::RepaintAt(time) => match event_loop.control_flow() {
                 // Something comes before that.
@@ -162,6 +170,11 @@ impl ApplicationHandler<Wake> for Program {
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
                 self.app.memory.window = shell.stands(self.app.memory.window);
+            }
+            // Whoever changes the desktop's look comes back from somewhere else.
+            WindowEvent::Focused(true) if shell.window.theme().is_none() => {
+                let wake = Arc::clone(&self.app.wake);
+                ask_theme(move |theme| wake(Wake::Desktop(theme)));
             }
             WindowEvent::Moved(_) => {
                 self.app.memory.window = shell.stands(self.app.memory.window);

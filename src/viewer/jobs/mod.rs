@@ -1,6 +1,7 @@
 //! What takes long, each a thread and a receiver: it knows no window, and who began it is told when it is done.
 
 mod check;
+mod desktop;
 mod dialogs;
 mod keeping;
 mod loading;
@@ -13,6 +14,7 @@ mod uploading;
 mod watching;
 
 pub(super) use check::{Check, Checked, Checking};
+pub(super) use desktop::ask_theme;
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use keeping::{keep, keep_beside};
 pub(super) use loading::Loading;

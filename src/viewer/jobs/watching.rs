@@ -46,7 +46,9 @@ impl Watching {
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
                 let now = stamps(&files);
-                let is_whole = now.iter().all(Option::is_some);
+                // What is gone may be on its way back; what never was, as an MTL file, need not come.
+                let mut both = known.iter().zip(&now);
+                let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
                 if is_whole && now != known {
                     known = now;
                     if sender.send(()).is_err() {

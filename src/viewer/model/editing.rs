@@ -95,6 +95,7 @@ impl State {
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
         source.meshes.extend(loaded.meshes);
+        source.materials.extend(loaded.materials);
         if source.paths.is_empty() {
             // No command opens the demo with something beside it.
             edits = Edits {

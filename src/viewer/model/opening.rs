@@ -62,6 +62,7 @@ impl State {
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,
+                materials: loaded.materials,
             },
             document: 0,
             edits: Edits::default(),
@@ -181,6 +182,7 @@ impl State {
         self.hits = None;
         self.landmarks.clear();
         self.source.meshes = loaded.meshes;
+        self.source.materials = loaded.materials;
         self.edits.matrices = self.filed.matrices;
         if self.source.paths.is_empty() {
             self.edits.objects = self.filed.objects;
@@ -226,7 +228,11 @@ impl State {
         };
         state.name = scene::title(&source.paths);
         state.filed = snapshot.edits;
-        state.source = source;
+        let materials = mem::take(&mut state.source.materials);
+        state.source = Source {
+            materials,
+            ..source
+        };
     }
 }
 

@@ -128,6 +128,8 @@ pub struct Source {
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
     pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    /// The MTL files that those name.
+    pub materials: Vec<PathBuf>,
 }
 
 /// The window's state.

@@ -15,7 +15,7 @@ pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(in crate::viewer) enum Look {
-    /// As the desktop has it; dark where that does not tell.
+    /// As the desktop has it; dark where that does not say.
     #[default]
     Desktop,
     Light,

@@ -14,6 +14,24 @@ fn coplanar_squares_seen_from_the_side() {
     assert_eq!(unexplained, 0);
 }
 
+/// Two meshes that are worth a tree, in which the rays of a picture go together.
+#[test]
+fn a_ball_and_its_copy() {
+    let (points, triangles) = icosphere(3);
+    let positions = points.iter().map(|p| p.as_vec3().to_array()).collect();
+    let ball = one_mesh(positions, triangles, DVec3::ZERO);
+    let larger = DAffine3::from_scale(DVec3::splat(1.0 + 1e-9));
+    let scene = Scene::new(vec![
+        object("A", ball.clone(), DAffine3::IDENTITY),
+        object("B", ball, larger),
+    ]);
+    let lens = perspective(45.0, 0.1, 10.0);
+    let view = view([0.3, 0.2, 3.0], [0.0; 3], lens, [160, 120]);
+    let [_, marked, unexplained] = counts(&scene, &view);
+    assert_eq!(unexplained, 0);
+    assert!(marked > 5_000, "{marked}");
+}
+
 /// `f32` takes both for one and draws the first: that is no defect, and the pick names both.
 #[test]
 fn a_mesh_nearer_by_a_hair() {

@@ -5,7 +5,7 @@ mod surfaces;
 
 use crate::{
     blocks::one_mesh,
-    common::{box_triangles, orthographic, perspective, view},
+    common::{box_triangles, icosphere, orthographic, perspective, view},
     drawn_once,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2, dvec3};
@@ -113,6 +113,12 @@ fn counts(scene: &Scene, view: &View) -> [usize; 3] {
         }
     }
     let marked = places.pixels(|| false);
+    let alone = centres(view).filter(|px| !places.at(*px).is_empty());
+    assert!(
+        alone.eq(marked
+            .iter()
+            .map(|pixel| DVec2::from(pixel.map(f64::from)) + 0.5))
+    );
     [
         report.count(Class::Depth),
         marked.len(),

@@ -202,6 +202,8 @@ fn depth(ui: &mut Ui, next: &mut LensControls) {
     ui.end_row();
 }
 
+/// Room in points for the longest name of [`POSE`].
+const NAME: f32 = 42.0;
 const POSE: [(&str, &str); 3] = [
     ("eye", "where the camera stands, in the world"),
     ("target", "the point that the camera looks at"),
@@ -211,6 +213,8 @@ const POSE: [(&str, &str); 3] = [
 fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let camera = &state.view().camera;
     let pose = [camera.eye(), camera.target(), camera.up()];
+    // In a small window they share what there is beside their name.
+    let width = ((ui.available_width() - NAME) / 3.0 - ui.spacing().item_spacing.x).min(WIDTH);
     Grid::new("pose").num_columns(4).show(ui, |ui| {
         ui.label("");
         for axis in AXES {
@@ -235,7 +239,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     hint,
                     of: state.scene_revision(),
                     value: pose[row][axis],
-                    width: WIDTH,
+                    width,
                     step: if row == 2 {
                         0.01
                     } else {

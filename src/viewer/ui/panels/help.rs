@@ -1,13 +1,27 @@
 //! Keys and mouse, from the very table that works them.
 
 use crate::viewer::ui::{command::Command, keys};
-use egui::{Align2, Context, Grid, Window};
+use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
+
+/// In points: what stands around the rows, and how wide keys with their words are where nothing is broken.
+const MARGIN: Vec2 = vec2(60.0, 90.0);
+const ROW: f32 = 620.0;
+/// So narrow that two columns of rows are one above the other.
+const NARROW: f32 = 500.0;
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     let mut open = true;
+    let room = ctx.content_rect().size() - MARGIN;
+    // Side by side, where they fit: one above the other they do not fit a small screen.
+    let (columns, width) = if room.x >= 2.0 * NARROW {
+        (2, (0.5 * room.x).min(ROW))
+    } else {
+        (1, room.x.min(ROW))
+    };
     Window::new("Keys and mouse")
         .open(&mut open)
         .collapsible(false)
+        .default_height(room.y)
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ctx, |ui| {
@@ -16,23 +30,31 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 .map(|binding| (binding.keys, binding.does));
             let all = keys::MOUSE.iter().copied().chain(bindings);
             let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
-            // Side by side: one above the other they do not fit a small screen.
-            ui.horizontal_top(|ui| {
-                for (column, rows) in rows.chunks(rows.len().div_ceil(2)).enumerate() {
-                    Grid::new(column)
-                        .num_columns(2)
-                        .striped(true)
-                        .show(ui, |ui| {
-                            for (input, does) in rows {
-                                ui.monospace(*input);
-                                ui.label(*does);
-                                ui.end_row();
-                            }
+            ScrollArea::vertical().max_height(room.y).show(ui, |ui| {
+                ui.horizontal_top(|ui| {
+                    for (column, rows) in rows.chunks(rows.len().div_ceil(columns)).enumerate() {
+                        ui.vertical(|ui| {
+                            ui.set_width(width);
+                            table(ui, column, rows);
                         });
-                }
+                    }
+                });
             });
         });
     if !open {
         commands.push(Command::ToggleHelp);
     }
+}
+
+fn table(ui: &mut Ui, column: usize, rows: &[(&str, &str)]) {
+    Grid::new(column)
+        .num_columns(2)
+        .striped(true)
+        .show(ui, |ui| {
+            for (input, does) in rows {
+                ui.monospace(*input);
+                ui.label(*does);
+                ui.end_row();
+            }
+        });
 }
