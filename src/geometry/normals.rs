@@ -84,7 +84,7 @@ pub(super) fn crease_normals_while<E: Send>(
     for of_piece in of_faces {
         faces.extend(of_piece?);
     }
-    let around = corners_by_vertex(positions.len(), triangles, &go_on)?;
+    let around = corners_by_vertex(positions.len(), triangles, go_on)?;
     let fans = Fans {
         positions,
         triangles,

@@ -208,17 +208,19 @@ fn a_file_in_pieces_is_what_tobj_reads_at_once() {
         let mut counts = [1, 1];
         for _ in 0..80 {
             let p = dice.0.point().as_vec3();
-            text += &match dice.below(4) {
+            let line = match dice.below(4) {
                 0 | 1 => {
                     counts[0] += 1;
-                    format!("v {} {} {}\n", p.x, p.y, p.z)
+                    format!("v {} {} {}", p.x, p.y, p.z)
                 }
                 2 => {
                     counts[1] += 1;
-                    format!("vn {} {} {}\n", p.x, p.y, p.z)
+                    format!("vn {} {} {}", p.x, p.y, p.z)
                 }
-                _ => face(&mut dice, counts, false) + "\n",
+                _ => face(&mut dice, counts, false),
             };
+            text += &line;
+            text.push('\n');
         }
         let none = |_: &Path| Err(tobj::LoadError::GenericFailure);
         // As everybody calls it.
@@ -242,7 +244,7 @@ fn a_file_in_pieces_is_what_tobj_reads_at_once() {
                 continue;
             };
             let found = 0..u32::try_from(file.mesh.data().triangles.len()).expect("few");
-            let found = found.map(|t| file.mesh.corners(t).map(|corner| corner.as_vec3()));
+            let found = found.map(|t| file.mesh.corners(t).map(DVec3::as_vec3));
             assert_eq!(found.collect::<Vec<_>>(), expected, "{text}");
         }
         triangles += expected.len();

@@ -9,7 +9,7 @@ use crate::{
     geometry::Aabb,
     scene::{Cancelled, Progress},
 };
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::{
     collections::HashSet,
     path::Path,
@@ -77,7 +77,9 @@ impl Stored {
             places: (!all_used).then(|| places(&used)),
             ..Self::default()
         };
-        stored.into_iter().for_each(|block| all.append(block));
+        for block in stored {
+            all.append(block);
+        }
         Ok(all)
     }
 
@@ -139,7 +141,7 @@ impl Stored {
 
     /// Whether a normal has a direction.
     pub fn has_normal(&self, normal: u32) -> bool {
-        self.normals[normal as usize] != [0.0; 3]
+        Vec3::from_array(self.normals[normal as usize]) != Vec3::ZERO
     }
 
     /// Whether one of them is not three finite numbers.
