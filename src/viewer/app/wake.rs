@@ -11,8 +11,11 @@ pub(in crate::viewer) enum Wake {
     Answered(Answer),
     /// egui wants a frame then.
     RepaintAt(Instant),
-    /// The desktop is so.
-    Desktop(egui::Theme),
+    /// The desktop is dark, or light.
+    Desktop {
+        /// Whether it is dark.
+        is_dark: bool,
+    },
 }
 
 /// How background work and egui wake whoever shows the program.

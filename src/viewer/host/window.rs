@@ -3,10 +3,11 @@
 use super::shell::Shell;
 use crate::viewer::{
     app::{App, Extent, Host, Wake, Waker},
-    jobs::ask_theme,
+    jobs::ask_darkness,
     options::{Options, ViewerError},
     ui::Command,
 };
+use egui::Theme;
 use std::{
     mem,
     sync::Arc,
@@ -133,7 +134,8 @@ impl ApplicationHandler<Wake> for Program {
                 self.app.answered(answer);
                 self.request_redraw();
             }
-            Wake::Desktop(theme) => {
+            Wake::Desktop { is_dark } => {
+                let theme = if is_dark { Theme::Dark } else { Theme::Light };
                 if let Some(shell) = &mut self.shell {
                     shell.egui.egui_input_mut().system_theme = Some(theme);
                     log::info!("the desktop is {theme:?}");
@@ -174,7 +176,7 @@ impl ApplicationHandler<Wake> for Program {
             // Whoever changes the desktop's look comes back from somewhere else.
             WindowEvent::Focused(true) if shell.window.theme().is_none() => {
                 let wake = Arc::clone(&self.app.wake);
-                ask_theme(move |theme| wake(Wake::Desktop(theme)));
+                ask_darkness(move |is_dark| wake(Wake::Desktop { is_dark }));
             }
             WindowEvent::Moved(_) => {
                 self.app.memory.window = shell.stands(self.app.memory.window);

@@ -1,7 +1,6 @@
 //! Whether a desktop is light or dark, where the window is not told, as on Linux: its settings portal knows.
 //! (`org.freedesktop.portal.Settings`, version 1: `color-scheme` is 1 for dark, 2 for light, 0 for either.)
 
-use egui::Theme;
 use std::{
     process::{Command, Stdio},
     thread,
@@ -35,29 +34,29 @@ const ASKERS: [&[&str]; 2] = [
     ],
 ];
 
-/// Asks beside the window; calls `tell` if the desktop answers.
-pub(in crate::viewer) fn ask_theme(tell: impl FnOnce(Theme) + Send + 'static) {
+/// Asks beside the window whether the desktop is dark; calls `tell` if it answers.
+pub(in crate::viewer) fn ask_darkness(tell: impl FnOnce(bool) + Send + 'static) {
     thread::spawn(move || {
-        if let Some(theme) = ASKERS.into_iter().find_map(answer) {
-            tell(theme);
+        if let Some(is_dark) = ASKERS.into_iter().find_map(answer) {
+            tell(is_dark);
         }
     });
 }
 
-fn answer(asker: &[&str]) -> Option<Theme> {
+fn answer(asker: &[&str]) -> Option<bool> {
     let (program, arguments) = asker.split_first()?;
     let mut command = Command::new(program);
     let command = command.args(arguments).stdin(Stdio::null());
     let output = command.stderr(Stdio::null()).output().ok()?;
-    theme(&String::from_utf8_lossy(&output.stdout))
+    is_dark(&String::from_utf8_lossy(&output.stdout))
 }
 
 /// What `v v u 1` or `(<<uint32 1>>,)` says.
-fn theme(answer: &str) -> Option<Theme> {
+fn is_dark(answer: &str) -> Option<bool> {
     let mut words = answer.split(|c: char| !c.is_ascii_alphanumeric());
     match words.rfind(|word| !word.is_empty())? {
-        "1" => Some(Theme::Dark),
-        "2" => Some(Theme::Light),
+        "1" => Some(true),
+        "2" => Some(false),
         _ => None,
     }
 }
@@ -68,11 +67,11 @@ mod tests {
 
     #[test]
     fn answers_of_both_programs_are_read() {
-        assert_eq!(theme("v v u 1\n"), Some(Theme::Dark));
-        assert_eq!(theme("v v u 2\n"), Some(Theme::Light));
-        assert_eq!(theme("(<<uint32 2>>,)\n"), Some(Theme::Light));
-        assert_eq!(theme("(<<uint32 0>>,)\n"), None);
-        assert_eq!(theme(""), None);
-        assert_eq!(theme("Call failed: no such interface"), None);
+        assert_eq!(is_dark("v v u 1\n"), Some(true));
+        assert_eq!(is_dark("v v u 2\n"), Some(false));
+        assert_eq!(is_dark("(<<uint32 2>>,)\n"), Some(false));
+        assert_eq!(is_dark("(<<uint32 0>>,)\n"), None);
+        assert_eq!(is_dark(""), None);
+        assert_eq!(is_dark("Call failed: no such interface"), None);
     }
 }

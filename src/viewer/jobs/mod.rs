@@ -15,7 +15,7 @@ mod uploading;
 mod watching;
 
 pub(super) use check::{Check, Checked, Checking};
-pub(super) use desktop::ask_theme;
+pub(super) use desktop::ask_darkness;
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
 pub(super) use keeping::{keep, keep_beside};
 pub(super) use letting_go::let_go;
