@@ -13,10 +13,14 @@
 //! Seen from the eye that is as large as the nearest edge is near.
 
 use super::{
+    methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
-    step::Precision::{self, F32},
+    scene_rays::{SceneRays, px_angle},
+    step::{
+        Case,
+        Precision::{self, F32},
+    },
     truth::{UNIT, UNIT_F32},
-    workloads::{px_angle, scene::SceneRays},
 };
 use crate::{camera::View, scene::Shape};
 use glam::DVec3;
@@ -78,7 +82,7 @@ pub fn estimates(
             .iter()
             .filter(own)
             .filter(|row| row.ours && row.step.key == step);
-        let bounds = ours.filter_map(|row| Some(row.bound?.error));
+        let bounds = ours.filter_map(|row| Some(row.bound?));
         bounds.fold(0.0, f64::max) * u / UNIT
     };
     let of = |(step, method): (&'static str, &'static str)| {
@@ -184,7 +188,7 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
 }
 
 fn triangles(rays: &SceneRays, u: f64) -> f64 {
-    let each = rays.triangles().into_iter().map(|case| {
+    let each = TriangleCase::of_scene(rays).into_iter().map(|case| {
         let from = DVec3::from(case.wide.origin);
         let corners = case.wide.corners.map(DVec3::from);
         let furthest = corners

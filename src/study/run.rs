@@ -3,10 +3,10 @@
 use super::{
     methods::{Visitor, each_step},
     random::Random,
-    step::{About, Bound, Case, Family, Precision, Verdict},
+    scene_rays::SceneRays,
+    step::{About, Case, Family, Precision, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
-    workloads::scene::SceneRays,
 };
 use std::{
     num::NonZero,
@@ -92,7 +92,7 @@ pub struct Row {
     /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
-    pub bound: Option<Bound>,
+    pub bound: Option<f64>,
     /// Where another method is faster and no more often wrong: what the difference buys.
     pub reason: Option<&'static str>,
     /// How long it took for these cases, where it was timed.
@@ -349,7 +349,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 p999_error: 0.0,
                 worst_error: 0.0,
                 of_bound: method.ours.then_some(0.0),
-                bound: method.ours.then_some(Bound::NONE),
+                bound: method.ours.then_some(0.0),
                 reason: method.reason,
                 time: None,
             };
@@ -361,7 +361,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                     Verdict::Agreed => 0.0,
                     Verdict::Right(error) => {
                         errors.push(error);
-                        share(error, bound.error)
+                        share(error, bound)
                     }
                     Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
                         let is_missed = matches!(verdict, Verdict::Missed(_));
@@ -370,7 +370,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                         let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
                         row.ties += usize::from(is_tie);
                         row.worst_wrong = row.worst_wrong.max(wrong);
-                        share(wrong, bound.wrong)
+                        share(wrong, 0.0)
                     }
                     Verdict::Other => {
                         row.others += 1;

@@ -16,8 +16,8 @@ use super::{
     },
     real::V3,
     run::{self, Effort, Row},
+    scene_rays::SceneRays,
     step::{About, Case},
-    workloads::scene::SceneRays,
 };
 use crate::{
     camera::View,

@@ -20,7 +20,7 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
             .rows
             .iter()
             .filter(|row| row.ours && row.step == step && wanted(row));
-        let pairs = ours.filter_map(|row| Some((row.bound?.error, row.worst_error)));
+        let pairs = ours.filter_map(|row| Some((row.bound?, row.worst_error)));
         let pairs: Vec<(f64, f64)> = pairs.filter(|(bound, _)| *bound > 0.0).collect();
         let share = report
             .rows

@@ -8,8 +8,8 @@ use super::{
 use crate::study::{
     methods::triangles::{RayTriangle, TriangleCase},
     real::V3,
+    scene_rays::PX,
     step::{Case, Method, Precision, Verdict},
-    workloads::PX,
 };
 use glam::DVec3;
 use std::thread;

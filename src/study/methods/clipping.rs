@@ -4,15 +4,9 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
     geometry::Ray,
     study::{
-        exact::Exact,
-        random::Random,
-        real::{Real, V3, narrow},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        workloads::{TAN_30, scene::SceneRays},
+        prelude::*,
+        real::{Real, narrow},
+        scene_rays::TAN_30,
     },
 };
 use glam::{DVec2, DVec3};
@@ -144,7 +138,9 @@ impl Case for ClipCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.clips()
+        let camera = &scene.world.view.camera;
+        let case = |(ray, hit): &(Ray, SceneHit)| Self::of_camera(camera, *ray, hit.hit.t);
+        scene.hits.iter().map(case).collect()
     }
 
     fn truth(&self) -> Truth {
@@ -153,11 +149,6 @@ impl Case for ClipCase {
 
     fn judge(&self, truth: &Truth, answer: &bool) -> Verdict {
         truth.judge(*answer)
-    }
-
-    /// Nothing is computed, and nothing rounds.
-    fn bound(&self, _: &Truth) -> Bound {
-        Bound::NONE
     }
 }
 

@@ -5,24 +5,16 @@
 
 use super::{
     from_start,
-    prepared::{Prepared, Shear},
+    object_space::turned,
+    picks::icosahedron,
     triangles::{
-        self, RayTriangle, areas, jimenez, moeller_trumbore, pluecker, shewchuk, signed_volumes,
+        self, Prepared, RayTriangle, Shear, areas, jimenez, moeller_trumbore, pluecker, shewchuk,
+        signed_volumes,
     },
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{
-        random::Random,
-        real::{Real, V3, narrow3},
-        run::Effort,
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        workloads::{object_space::turned, picks::icosahedron, scene::SceneRays},
-    },
+    study::{prelude::*, real::Real},
 };
 use glam::DVec3;
 use std::{
@@ -101,10 +93,13 @@ impl Case for ClosedCase {
             Prepared::pbrt
         ),
         &[
-            Method::new("Shewchuk's orient3d", Exact, triangles::SHEWCHUK, |c| {
-                nearest(&c.wide, |c| shewchuk(c))
-            }),
-            Method::ours("Sightline's", Exact, triangles::OURS, |c| {
+            Method::new(
+                "Shewchuk's orient3d",
+                Precision::Exact,
+                triangles::SHEWCHUK,
+                |c| nearest(&c.wide, |c| shewchuk(c)),
+            ),
+            Method::ours("Sightline's", Precision::Exact, triangles::OURS, |c| {
                 let hits = c.wide.body.iter().filter_map(|triangle| {
                     guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
                 });
@@ -142,10 +137,6 @@ impl Case for ClosedCase {
         10 * effort.cases
     }
 
-    fn of_scene(_: &SceneRays) -> Vec<Self> {
-        Vec::new()
-    }
-
     fn truth(&self) {}
 
     fn judge(&self, (): &(), answer: &Option<f64>) -> Verdict {
@@ -153,10 +144,6 @@ impl Case for ClosedCase {
             Some(t) if *t < 1.0 => Verdict::Agreed,
             _ => Verdict::Missed(0.0),
         }
-    }
-
-    fn bound(&self, (): &()) -> Bound {
-        Bound::NONE
     }
 }
 

@@ -1,18 +1,13 @@
 //! An object's outward normal in the world. The answer is about 1 long.
 
+use super::object_space::turned;
 use crate::{
     geometry::Placement,
     study::{
-        exact::{self, Exact, Exact3},
-        random::Random,
-        real::{M3, Real, V3, narrow3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        truth::{UNIT, cross_sizes},
-        workloads::{object_space::turned, scene::SceneRays},
+        exact,
+        prelude::*,
+        real::{M3, Real},
+        truth::cross_sizes,
     },
 };
 use glam::{DAffine3, DMat3, DVec3};
@@ -131,7 +126,11 @@ impl Case for NormalCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.normals()
+        let cases = scene.objects().filter_map(|(_, object, hit)| {
+            let linear = object.placement.model().matrix3.into();
+            Self::new(linear, hit.hit.normal.into())
+        });
+        cases.collect()
     }
 
     fn truth(&self) -> Exact3 {
@@ -142,7 +141,7 @@ impl Case for NormalCase {
         Verdict::Right(exact::angle(truth, *answer).to_degrees())
     }
 
-    fn bound(&self, _: &Exact3) -> Bound {
+    fn bound(&self, _: &Exact3) -> f64 {
         bound(&self.wide)
     }
 }
@@ -199,14 +198,10 @@ pub fn truth(case: &Tilted<f64>) -> Exact3 {
 
 /// Bound of the inverse transpose with the inverse by cofactors in `f64`: as for rays into object space, each entry
 /// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all alike and drops out.
-#[must_use]
-pub fn bound(case: &Tilted<f64>) -> Bound {
+fn bound(case: &Tilted<f64>) -> f64 {
     let M3([a, b, c]) = case.linear;
     let n = case.normal.abs();
     let magnitudes = cross_sizes(b, c) * n.x + cross_sizes(c, a) * n.y + cross_sizes(a, b) * n.z;
     let length = case.linear.cofactors().apply(case.normal).length();
-    Bound {
-        error: (16.0 * UNIT * magnitudes.length() / length).to_degrees(),
-        wrong: 0.0,
-    }
+    (16.0 * UNIT * magnitudes.length() / length).to_degrees()
 }
