@@ -2,7 +2,7 @@
 
 use super::{
     measure::Measure,
-    picture::{Anchor, FAINT, INK, Mark, Picture, QUIET},
+    picture::{Anchor, FAINT, INK, Picture, QUIET},
 };
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
@@ -154,19 +154,6 @@ pub struct Panel {
     pub to: [f64; 2],
 }
 
-/// What is written about a panel. An axis without words has no numbers either.
-#[derive(Clone, Copy, Debug)]
-pub struct Labels<'a> {
-    /// Above it.
-    pub title: &'a str,
-    /// Under the horizontal axis, with its unit.
-    pub x: &'a str,
-    /// Beside the vertical axis, with its unit.
-    pub y: &'a str,
-    /// At the place of 0.
-    pub none: &'a str,
-}
-
 /// Size of tick labels.
 const TICK: f64 = 14.0;
 
@@ -185,8 +172,15 @@ impl Panel {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Grid, ticks, frame and words.
-    pub fn draw(&self, picture: &mut Picture, labels: &Labels<'_>) {
+    /// Grid, ticks, frame and words: a title above, the axes' names with their units, and the word for 0. An axis without a name
+    /// has no numbers either.
+    pub fn draw(
+        &self,
+        picture: &mut Picture,
+        title: &str,
+        [x_name, y_name]: [&str; 2],
+        none: &str,
+    ) {
         let [left, top] = self.from;
         let [right, bottom] = self.to;
         if let Some(y) = self.y.none {
@@ -203,9 +197,9 @@ impl Panel {
             let y = self.y.at(value);
             picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
         }
-        if !labels.y.is_empty() {
+        if !y_name.is_empty() {
             let beside = [
-                (self.y.none, labels.none),
+                (self.y.none, none),
                 (self.y.ties, "ties"),
                 (self.y.fails, "fails"),
             ];
@@ -216,29 +210,23 @@ impl Panel {
                 picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
             }
         }
-        let ticks = if labels.x.is_empty() {
-            Vec::new()
-        } else {
-            self.x.ticks(6)
-        };
-        for (value, word) in ticks {
+        let ticks = (!x_name.is_empty()).then(|| self.x.ticks(6));
+        for (value, word) in ticks.into_iter().flatten() {
             let x = self.x.at(value);
             picture.line(vec![[x, top], [x, bottom]], FAINT, 1, false);
             picture.text([x, bottom + 12.0], Anchor::Middle, TICK, QUIET, word);
         }
         let frame = vec![[left, top], [left, bottom], [right, bottom]];
         picture.line(frame, INK, 1, false);
-        let middle = 0.5 * (left + right);
-        let title = [left - 40.0, top - 20.0];
-        picture.text(title, Anchor::Left, 18.0, INK, labels.title);
-        picture.text([middle, bottom + 31.0], Anchor::Middle, 15.0, INK, labels.x);
-        picture.marks.push(Mark::Text {
-            at: [left - 58.0, 0.5 * (top + bottom)],
-            anchor: Anchor::Middle,
-            size: 15.0,
-            colour: INK,
-            upwards: true,
-            text: labels.y.to_owned(),
-        });
+        let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
+        picture.text([left - 40.0, top - 20.0], Anchor::Left, 18.0, INK, title);
+        picture.text(
+            [middle[0], bottom + 31.0],
+            Anchor::Middle,
+            15.0,
+            INK,
+            x_name,
+        );
+        picture.text_upwards([left - 58.0, middle[1]], 15.0, INK, y_name);
     }
 }

@@ -18,7 +18,7 @@ mod tiles;
 pub use outlines::outlines;
 pub use stability::family;
 
-use super::run::{Report, Row, SCENE};
+use super::run::Report;
 use crate::{
     camera::{CameraError, Viewport},
     image::{Image, ImageError},
@@ -51,22 +51,22 @@ pub enum ChartError {
 /// Each chart of a report with its file's stem.
 #[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
-    let general = |row: &Row| row.family != SCENE;
+    let [general, own] = report.split();
+    let report = &general.unwrap_or_default();
     let all = "Speed against the worst error over every workload";
     let mut charts = vec![
-        ("front", front::chart(report, general)),
-        ("heat", heat::chart(report, general)),
+        ("front", front::chart(report)),
+        ("heat", heat::chart(report)),
         ("smallest_steps", tiles::chart()),
-        ("bounds", bounds::chart(report, general)),
+        ("bounds", bounds::chart(report)),
         ("depth", depth::chart()),
         ("stability", stability::chart(report)),
         ("hit_rates", stability::hit_rates(report)),
-        ("overview", overview::chart(report, all, general)),
+        ("overview", overview::chart(report, all)),
     ];
-    if report.has_scene {
-        let own = "Speed against the worst error on this scene's own rays";
-        let chart = overview::chart(report, own, |row| row.family == SCENE);
-        charts.push(("overview_scene", chart));
+    if let Some(own) = own {
+        let title = "Speed against the worst error on this scene's own rays";
+        charts.push(("overview_scene", overview::chart(&own, title)));
     }
     charts
 }

@@ -25,6 +25,17 @@ pub struct DepthCase {
 }
 
 impl DepthCase {
+    /// A view depth, as the graphics card gets it, between two planes in perspective.
+    #[must_use]
+    pub fn new(depth: f64, [near, far]: [f64; 2]) -> Self {
+        Self {
+            depth: f32::of(depth),
+            near,
+            far,
+            parallel: false,
+        }
+    }
+
     /// The depth of a hit at `t` on a ray that a camera cast.
     #[must_use]
     pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
@@ -239,12 +250,7 @@ fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
             depth *= 2.0;
         }
         if depth < 0.99 * far {
-            return DepthCase {
-                depth: f32::of(depth),
-                near,
-                far,
-                parallel: false,
-            };
+            return DepthCase::new(depth, [near, far]);
         }
     }
 }

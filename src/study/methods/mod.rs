@@ -156,15 +156,13 @@ pub fn each_step(visitor: &mut impl Visitor) {
 /// Every method of every step.
 #[must_use]
 pub fn registry() -> Vec<MethodInfo> {
-    let mut list = List(Vec::new());
+    let mut list = Vec::new();
     each_step(&mut list);
-    list.0
+    list
 }
 
-struct List(Vec<MethodInfo>);
-
-impl Visitor for List {
+impl Visitor for Vec<MethodInfo> {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::methods().map(MethodInfo::of));
+        self.extend(C::methods().map(MethodInfo::of));
     }
 }
