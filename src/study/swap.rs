@@ -13,6 +13,7 @@ use super::{
         spheres::SphereCase,
         squares::SquareCase,
         triangles::TriangleCase,
+        usual,
     },
     real::V3,
     run::{self, Effort, Row},
@@ -180,25 +181,10 @@ fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
 
 impl Step for PixelCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Sight) -> Option<Found> {
-        let sight = run(&Self::of_view(view, px));
-        let [origin, direction] = [sight.from, sight.along].map(DVec3::from);
-        let along = direction.dot(view.camera.forward());
-        if !(origin.is_finite() && direction.is_finite() && along > 0.0) {
-            return None;
+        let mut ray = run(&Self::of_view(view, px)).ray(view)?;
+        if !view.camera.lens().is_orthographic() {
+            ray.origin = view.camera.eye();
         }
-        let lens = view.camera.lens();
-        // In perspective rays start at the eye, whatever that is in the method's precision.
-        let (origin, start) = if lens.is_orthographic() {
-            (origin, view.camera.to_view(origin).z)
-        } else {
-            (view.camera.eye(), 0.0)
-        };
-        let ray = Ray {
-            origin,
-            direction,
-            t_min: (lens.near - start) / along,
-            t_max: (lens.far - start) / along,
-        };
         let hit = pick::closest(scene, ray, view.sides)?;
         Some(Found::of(scene, &ray, hit))
     }
@@ -267,18 +253,15 @@ impl Step for TriangleCase {
 
 /// The hit at `t` on a triangle that a method says is hit there.
 fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
-    let [a, b, c] = mesh.corners(triangle);
-    let normal = (b - a).cross(c - a);
-    let point = local.at(t);
-    let weight =
-        |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();
+    let corners = mesh.corners(triangle);
+    let [a, b, c] = corners;
     let on_triangle = OnTriangle {
         triangle,
-        barycentric: [weight(b, c), weight(c, a), weight(a, b)],
+        barycentric: usual::barycentric(local.at(t), corners),
     };
     Hit {
         on_triangle: Some(on_triangle),
-        ..analytic(local, t, normal)
+        ..analytic(local, t, (b - a).cross(c - a))
     }
 }
 

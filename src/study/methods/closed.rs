@@ -7,10 +7,7 @@ use super::{
     from_start,
     object_space::turned,
     picks::icosahedron,
-    triangles::{
-        self, Prepared, RayTriangle, Shear, areas, jimenez, moeller_trumbore, pluecker, shewchuk,
-        signed_volumes,
-    },
+    triangles::{self, Prepared, RayTriangle, Shear, in_both_precisions, shewchuk},
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
@@ -53,45 +50,8 @@ impl Case for ClosedCase {
         wrong_unit: "",
     };
 
-    const METHODS: Methods<Self> = &[
-        &both!("Moeller-Trumbore", triangles::MT, nearest, |c| {
-            moeller_trumbore(c, 0.0)
-        }),
-        &both!("Moeller-Trumbore, eps 1e-6", triangles::MT, nearest, |c| {
-            moeller_trumbore(c, 1e-6)
-        }),
-        &both!("areas, sum == 1", triangles::AREAS, nearest, |c| areas(
-            c, 0.0
-        )),
-        &both!("areas, within 1e-4", triangles::AREAS, nearest, |c| areas(
-            c, 1e-4
-        )),
-        &both!("signed volumes", triangles::KENSLER, nearest, |c| {
-            signed_volumes(c)
-        }),
-        &both!("Woop watertight", triangles::WOOP, nearest, Prepared::woop),
-        &both!(
-            "Baldwin-Weber",
-            triangles::BALDWIN,
-            nearest,
-            Prepared::baldwin_weber
-        ),
-        &both!("Pluecker, as Embree", triangles::EMBREE, nearest, |c| {
-            pluecker(c)
-        }),
-        &both!(
-            "Havel-Herout",
-            triangles::HAVEL,
-            nearest,
-            Prepared::havel_herout
-        ),
-        &both!("Jimenez", triangles::JIMENEZ, nearest, |c| jimenez(c)),
-        &both!(
-            "pbrt-v4, bounded t",
-            triangles::PBRT,
-            nearest,
-            Prepared::pbrt
-        ),
+    const METHODS: Methods<Self> = in_both_precisions!(
+        nearest,
         &[
             Method::new(
                 "Shewchuk's orient3d",
@@ -105,8 +65,8 @@ impl Case for ClosedCase {
                 });
                 hits.map(|hit| hit.t).reduce(f64::min)
             }),
-        ],
-    ];
+        ]
+    );
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| aim(random, None, 0.0, edge)),
         Family::new("vertices", "-", &[1.0], |random, _| {

@@ -12,14 +12,14 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{Mesh, Ray, Sides},
+    geometry::{Mesh, Sides},
     image::{Id, Image},
     pick::{self, SceneHit},
     render::{Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
     study::prelude::*,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use std::{sync::Arc, time::Instant};
 
 /// A scene as it is picked from.
@@ -265,23 +265,9 @@ impl PickCase {
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
     fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
-        let View { camera, sides, .. } = self.world.view;
+        let sides = self.world.view.sides;
         let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
-        // The planes are at view depths, which the method's direction need not be 1 long along.
-        let direction_world = DVec3::from(sight.along);
-        let depth_per_t = direction_world.dot(camera.forward());
-        let lens = camera.lens();
-        let start = if lens.is_orthographic() {
-            camera.to_view(sight.from.into()).z
-        } else {
-            0.0
-        };
-        let world = Ray {
-            origin: sight.from.into(),
-            direction: direction_world,
-            t_min: (lens.near - start) / depth_per_t,
-            t_max: (lens.far - start) / depth_per_t,
-        };
+        let world = sight.ray(&self.world.view)?;
         let mut best: Option<(f64, usize, Option<u32>)> = None;
         for (index, object) in &self.world.flat {
             let triangles = match object {

@@ -13,7 +13,7 @@ use crate::{
     geometry::{PixelGrid, PixelRays, Ray},
     study::{exact, prelude::*, real::Real},
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::hint::black_box;
 use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_less_eye};
 
@@ -66,6 +66,29 @@ pub struct Sight {
     pub from: V3<f64>,
     /// Where it goes; any length.
     pub along: V3<f64>,
+}
+
+impl Sight {
+    /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
+    #[must_use]
+    pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
+        let [origin, direction] = [self.from, self.along].map(DVec3::from);
+        let depth_per_t = direction.dot(camera.forward());
+        let lens = camera.lens();
+        // In perspective rays start at the eye, whatever that is in the method's precision.
+        let start = if lens.is_orthographic() {
+            camera.to_view(origin).z
+        } else {
+            0.0
+        };
+        let is_ray = origin.is_finite() && direction.is_finite() && depth_per_t > 0.0;
+        is_ray.then(|| Ray {
+            origin,
+            direction,
+            t_min: (lens.near - start) / depth_per_t,
+            t_max: (lens.far - start) / depth_per_t,
+        })
+    }
 }
 
 /// One pixel, as each kind of method wants it.

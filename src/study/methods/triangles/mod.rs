@@ -119,6 +119,41 @@ const DEKKER: &str = "Dekker, A floating-point technique for extending the avail
 const EXACT: &str = "no filter: integers as long as it takes (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
 pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
 
+/// The tests in both precisions, each given to a job, and a step's others.
+macro_rules! in_both_precisions {
+    ($job:expr, $others:expr) => {{
+        use $crate::study::methods::triangles::{
+            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, KENSLER, MT, PBRT, Prepared, WOOP, areas,
+            jimenez, moeller_trumbore, pluecker, signed_volumes,
+        };
+        &[
+            &both!("Moeller-Trumbore", MT, $job, |c| moeller_trumbore(c, 0.0)),
+            &both!(
+                "Moeller-Trumbore, eps 1e-6",
+                MT,
+                $job,
+                |c| moeller_trumbore(c, 1e-6)
+            ),
+            &both!("areas, sum == 1", AREAS, $job, |c| areas(c, 0.0)),
+            &both!("areas, within 1e-4", AREAS, $job, |c| areas(c, 1e-4)),
+            &both!("signed volumes", KENSLER, $job, |c| signed_volumes(c)),
+            &both!("Woop watertight", WOOP, $job, Prepared::woop),
+            &both!("Baldwin-Weber", BALDWIN, $job, Prepared::baldwin_weber),
+            &both!("Pluecker, as Embree", EMBREE, $job, |c| pluecker(c)),
+            &both!("Havel-Herout", HAVEL, $job, Prepared::havel_herout),
+            &both!("Jimenez", JIMENEZ, $job, |c| jimenez(c)),
+            &both!("pbrt-v4, bounded t", PBRT, $job, Prepared::pbrt),
+            $others,
+        ]
+    }};
+}
+pub(super) use in_both_precisions;
+
+/// What a test says of one triangle.
+fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
+    test(case)
+}
+
 impl Case for TriangleCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
@@ -130,18 +165,8 @@ impl Case for TriangleCase {
         wrong_unit: "px",
     };
 
-    const METHODS: Methods<Self> = &[
-        &both!("Moeller-Trumbore", MT, moeller_trumbore, 0.0),
-        &both!("Moeller-Trumbore, eps 1e-6", MT, moeller_trumbore, 1e-6),
-        &both!("areas, sum == 1", AREAS, areas, 0.0),
-        &both!("areas, within 1e-4", AREAS, areas, 1e-4),
-        &both!("signed volumes", KENSLER, signed_volumes),
-        &both!("Woop watertight", WOOP, Prepared::woop),
-        &both!("Baldwin-Weber", BALDWIN, Prepared::baldwin_weber),
-        &both!("Pluecker, as Embree", EMBREE, pluecker),
-        &both!("Havel-Herout", HAVEL, Prepared::havel_herout),
-        &both!("Jimenez", JIMENEZ, jimenez),
-        &both!("pbrt-v4, bounded t", PBRT, Prepared::pbrt),
+    const METHODS: Methods<Self> = in_both_precisions!(
+        one,
         &[
             Method::new("double-double volumes", F64, DEKKER, double_double),
             Method::new("Shewchuk's orient3d", Precision::Exact, SHEWCHUK, |c| {
@@ -153,8 +178,8 @@ impl Case for TriangleCase {
             Method::ours("Sightline's", Precision::Exact, OURS, |c| {
                 guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-        ],
-    ];
+        ]
+    );
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
 
     /// The triangle that is hit, those beside it in the file, and any other.
