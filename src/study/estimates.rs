@@ -69,20 +69,12 @@ pub fn estimates(
 ) -> Vec<Estimate> {
     let u = if precision == F32 { UNIT_F32 } else { UNIT };
     let own = |row: &&Row| row.family == SCENE && row.cases > 0;
-    let has = |step: &str| {
-        report
-            .rows
-            .iter()
-            .filter(own)
-            .any(|row| row.step.key == step)
+    let rows = |step: &'static str| {
+        let own = report.rows.iter().filter(own);
+        own.filter(move |row| row.step.key == step)
     };
-    let bound = |step: &str| {
-        let ours = report
-            .rows
-            .iter()
-            .filter(own)
-            .filter(|row| row.ours && row.step.key == step);
-        let bounds = ours.filter_map(|row| Some(row.bound?));
+    let bound = |step: &'static str| {
+        let bounds = rows(step).filter_map(|row| row.bound);
         bounds.fold(0.0, f64::max) * u / UNIT
     };
     let of = |(step, method): (&'static str, &'static str)| {
@@ -107,11 +99,10 @@ pub fn estimates(
             px_by_origin: by_origin,
         }
     };
-    SOUND
+    let taken = SOUND
         .into_iter()
-        .filter(|(step, _)| has(step))
-        .map(of)
-        .collect()
+        .filter(|(step, _)| rows(step).next().is_some());
+    taken.map(of).collect()
 }
 
 /// Parallel rays start at places in the world.
@@ -175,11 +166,7 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
                 "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
                 _ => {
                     let rim = rim(placement);
-                    let furthest = rim
-                        .map(|corner| corner.distance(ray.origin))
-                        .into_iter()
-                        .fold(0.0, f64::max);
-                    12.0 * furthest / nearest(ray.origin, &rim)
+                    12.0 * furthest(ray.origin, &rim) / nearest(ray.origin, &rim)
                 }
             };
             u * off / px
@@ -191,13 +178,16 @@ fn triangles(rays: &SceneRays, u: f64) -> f64 {
     let each = TriangleCase::of_scene(rays).into_iter().map(|case| {
         let from = DVec3::from(case.wide.origin);
         let corners = case.wide.corners.map(DVec3::from);
-        let furthest = corners
-            .map(|corner| corner.distance(from))
-            .into_iter()
-            .fold(0.0, f64::max);
-        u * (14.0 * furthest + 2.0 * from.length()) / nearest(from, &corners) / case.px
+        let off = 14.0 * furthest(from, &corners) + 2.0 * from.length();
+        u * off / nearest(from, &corners) / case.px
     });
     each.fold(0.0, f64::max)
+}
+
+/// From a point to the furthest of some corners.
+fn furthest(from: DVec3, corners: &[DVec3]) -> f64 {
+    let distances = corners.iter().map(|corner| corner.distance(from));
+    distances.fold(0.0, f64::max)
 }
 
 /// From a point to the nearest of a polygon's edges.

@@ -5,7 +5,7 @@ use sightline::study::{
     methods::{
         ObjectRay, ShapeCase,
         boxes::BoxCase,
-        clipping::{self, ClipCase},
+        clipping::ClipCase,
         normals::{NormalCase, Tilted},
         object_space::{self, Placed, PlacedCase},
         rays::PixelCase,
@@ -109,7 +109,7 @@ fn truth_agrees_with_hand_cases() {
 
     let clip = |depth: f64| {
         let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
-        clipping::truth(&case).inside
+        case.truth()
     };
     assert_eq!(
         [0.8, 0.8_f64.next_down(), 8.0, 8.0_f64.next_down()].map(clip),

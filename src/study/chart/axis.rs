@@ -29,7 +29,6 @@ const BEYOND: f64 = 22.0;
 impl Axis {
     /// A logarithmic scale that holds all values, between two pixel positions, in whole powers of ten. Places for 0, for
     /// [ties](Measure::TIE) and for what is infinite are kept where there are such values.
-    #[must_use]
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
             let scaled = |v: &&f64| v.is_finite() && **v > Measure::TIE;
@@ -62,7 +61,6 @@ impl Axis {
     }
 
     /// A scale of its own: `range` is what `scale` makes of the values at both ends.
-    #[must_use]
     pub fn between(scale: fn(f64) -> f64, range: [f64; 2], ends: [f64; 2]) -> Self {
         Self {
             scale,
@@ -75,13 +73,11 @@ impl Axis {
     }
 
     /// From 0 to a value in equal steps.
-    #[must_use]
     pub fn linear(most: f64, ends: [f64; 2]) -> Self {
         Self::between(|value| value, [0.0, most], ends)
     }
 
     /// The same scale from the other end.
-    #[must_use]
     pub fn reversed(self) -> Self {
         let [a, b] = self.ends;
         Self {
@@ -91,13 +87,11 @@ impl Axis {
     }
 
     /// The pixel positions between which the scale proper lies.
-    #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
 
     /// The pixel position of a value.
-    #[must_use]
     pub fn at(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let share = ((self.scale)(value) - low) / (high - low);
@@ -159,7 +153,6 @@ const TICK: f64 = 14.0;
 
 impl Panel {
     /// A panel in a frame that holds all values.
-    #[must_use]
     pub fn new(from: [f64; 2], to: [f64; 2], xs: &[f64], ys: &[f64]) -> Self {
         let x = Axis::new(xs, [from[0] + 10.0, to[0] - 10.0]);
         let y = Axis::new(ys, [to[1] - 6.0, from[1] + 8.0]);
@@ -167,7 +160,6 @@ impl Panel {
     }
 
     /// Where a pair of values is drawn.
-    #[must_use]
     pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }

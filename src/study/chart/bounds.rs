@@ -8,7 +8,6 @@ use super::{
 use crate::study::run::{Report, Row};
 
 /// The chart.
-#[must_use]
 pub fn chart(report: &Report) -> Picture {
     let title = "What the bounds allow, and what was found";
     let line = "Every workload of each step that Sightline rounds in. On the line an error would be all that its bound allows; the title \

@@ -42,7 +42,6 @@ const MARKS: [f64; 2] = [1.0, 10.0];
 const STEPS: [f64; 2] = [0.1, 1e6];
 
 /// The chart.
-#[must_use]
 pub fn chart() -> Picture {
     let title = "What the depth buffer tells apart";
     let line = "Above: every number of a float of 5 bits, and the view depth that it means. Below: the least step of real formats, near \

@@ -69,7 +69,6 @@ impl<'a> Point<'a> {
 }
 
 /// The chart.
-#[must_use]
 pub fn chart(report: &Report) -> Picture {
     let lines = [
         "Lower: more accurate; left: faster. Point: all workloads together, time on the ordinary one. Bars: from the middle workload to the \

@@ -46,7 +46,6 @@ impl<'a> Block<'a> {
 }
 
 /// The chart: of the steps whose answers are off by pixels.
-#[must_use]
 pub fn chart(report: &Report) -> Picture {
     let mut steps = report.steps();
     steps.retain(|step| [step.wrong_unit, step.error_unit].contains(&"px"));

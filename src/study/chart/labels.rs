@@ -18,7 +18,6 @@ const SIZE: f64 = 16.0;
 
 impl Places {
     /// A frame in which nothing is taken.
-    #[must_use]
     pub fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
         Self {
             frame: [left, top, right, bottom],

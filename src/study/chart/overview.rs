@@ -10,7 +10,6 @@ use super::{
 use crate::study::{run::Report, step::About, summary::Summary};
 
 /// The chart. Steps that nothing was timed of have no axis of time.
-#[must_use]
 pub fn chart(report: &Report, title: &str) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
                 rounds. The line is the front: for what lies above it, something is both faster and better. A thin line: moved aside.";

@@ -13,7 +13,6 @@ const PLOT_HEIGHT: f64 = 186.0;
 pub const ROWS_APART: f64 = 404.0;
 
 /// A page with a title and lines below it.
-#[must_use]
 pub fn page(height: f64, title: &str, lines: &[&str]) -> Picture {
     let mut picture = Picture::new(WIDTH, height);
     picture.text([24.0, 30.0], Anchor::Left, 30.0, INK, title);
@@ -33,7 +32,6 @@ pub fn places(columns: u32, apart: f64) -> impl Iterator<Item = [f64; 2]> {
 }
 
 /// A small panel from a top left corner, with its frame between two columns of pixels, that holds all values.
-#[must_use]
 pub fn small([left, top]: [f64; 2], frame: [f64; 2], xs: &[f64], ys: &[f64]) -> Panel {
     let [from, to] = frame.map(|x| left + x);
     let top = top + 28.0;
@@ -52,7 +50,6 @@ pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
 }
 
 /// How many, as a number of pixels counts.
-#[must_use]
 pub fn count(of: usize) -> f64 {
     u32::try_from(of).map_or(0.0, f64::from)
 }

@@ -26,7 +26,6 @@ const SHOWN: [(&str, &str); 8] = [
 ];
 
 /// The chart.
-#[must_use]
 pub fn chart(report: &Report) -> Picture {
     let title = "Where each method breaks";
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
@@ -36,7 +35,6 @@ pub fn chart(report: &Report) -> Picture {
 }
 
 /// How long each method takes, over the share of rays that hit.
-#[must_use]
 pub fn hit_rates(report: &Report) -> Picture {
     const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
     let line = "Medians of rounds in new orders. Rays that hit take longer, and branches that half of the rays take are foreseen worst. \

@@ -40,7 +40,6 @@ struct Tile {
 }
 
 /// The chart.
-#[must_use]
 pub fn chart() -> Picture {
     let tiles = tiles();
     let names = distinct(tiles.iter().map(|tile| tile.name));

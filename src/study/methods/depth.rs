@@ -115,8 +115,23 @@ impl Case for DepthCase {
         Verdict::Right(relative(*truth, *answer))
     }
 
+    /// Bound of reversed depth in `f32`.
+    ///
+    /// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
+    /// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
+    /// `z = b / (stored - a)`: relative to z that is the error over b / z.
     fn bound(&self, _: &f64) -> f64 {
-        bound(self)
+        if self.parallel {
+            // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
+            // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+            let depth = f64::from(self.depth);
+            return 4.0 * UNIT_F32 * (depth.abs() + self.far.abs()) / depth.abs();
+        }
+        let slope = self.near / (self.far - self.near);
+        let at = self.far * slope / f64::from(self.depth);
+        let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
+        let share = stored / at;
+        share / (1.0 - share)
     }
 }
 
@@ -253,23 +268,4 @@ fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
             return DepthCase::new(depth, [near, far]);
         }
     }
-}
-
-/// Bound of reversed depth in `f32`.
-///
-/// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
-/// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
-/// `z = b / (stored - a)`: relative to z that is the error over b / z.
-fn bound(case: &DepthCase) -> f64 {
-    if case.parallel {
-        // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
-        // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
-        let depth = f64::from(case.depth);
-        return 4.0 * UNIT_F32 * (depth.abs() + case.far.abs()) / depth.abs();
-    }
-    let slope = case.near / (case.far - case.near);
-    let at = case.far * slope / f64::from(case.depth);
-    let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
-    let share = stored / at;
-    share / (1.0 - share)
 }

@@ -175,8 +175,28 @@ impl Case for PlacedCase {
         Verdict::Right(aside(&self.wide, answer) / self.px)
     }
 
+    /// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`.
+    ///
+    /// With u = 2^-53: columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and
+    /// the product with a vector that carries u add 8u: below 16u of the magnitudes P = sum of |terms| of each cofactor
+    /// over the determinant, times the vector. The determinant's own error, below 16u of *its* terms' magnitudes over
+    /// itself, scales origin and direction alike. What is wrong in object space comes back to the world by |A|.
     fn bound(&self, (): &()) -> f64 {
-        bound(&self.wide) / self.px
+        let case = &self.wide;
+        let M3([a, b, c]) = case.linear;
+        let rows = [cross_sizes(b, c), cross_sizes(c, a), cross_sizes(a, b)];
+        let det = case.linear.determinant().abs();
+        let spread = rows[0].dot(a.abs()) / det;
+        let back = |v: V3<f64>| {
+            let local = rows.map(|row| row.dot(v.abs()) / det);
+            let world = a.abs() * local[0] + b.abs() * local[1] + c.abs() * local[2];
+            world.length()
+        };
+        let from = case.origin - case.translation;
+        let d = case.direction;
+        let t = from.dot(d).abs() / d.dot(d);
+        let error = 16.0 * UNIT * (back(from) + t * back(d) + spread * from.length());
+        error / (t * d.length()) / self.px
     }
 }
 
@@ -234,29 +254,6 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
         return f64::INFINITY;
     }
     (&off / &along).to_f64()
-}
-
-/// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`.
-///
-/// With u = 2^-53: columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and
-/// the product with a vector that carries u add 8u: below 16u of the magnitudes P = sum of |terms| of each cofactor
-/// over the determinant, times the vector. The determinant's own error, below 16u of *its* terms' magnitudes over
-/// itself, scales origin and direction alike. What is wrong in object space comes back to the world by |A|.
-fn bound(case: &Placed<f64>) -> f64 {
-    let M3([a, b, c]) = case.linear;
-    let rows = [cross_sizes(b, c), cross_sizes(c, a), cross_sizes(a, b)];
-    let det = case.linear.determinant().abs();
-    let spread = rows[0].dot(a.abs()) / det;
-    let back = |v: V3<f64>| {
-        let local = rows.map(|row| row.dot(v.abs()) / det);
-        let world = a.abs() * local[0] + b.abs() * local[1] + c.abs() * local[2];
-        world.length()
-    };
-    let from = case.origin - case.translation;
-    let d = case.direction;
-    let t = from.dot(d).abs() / d.dot(d);
-    let error = 16.0 * UNIT * (back(from) + t * back(d) + spread * from.length());
-    error / (t * d.length())
 }
 
 /// Three vectors of about length 1 at right angles: a rotation, or with its mirror image.

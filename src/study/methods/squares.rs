@@ -190,8 +190,23 @@ impl Case for SquareCase {
         truth::decide(*truth, *answer, truth::relative, off)
     }
 
+    /// Bound of the square under a model matrix, whose inverse's third row is the normal over a determinant; whether there is a
+    /// hit is decided exactly.
+    ///
+    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u), and with the
+    /// difference to the plane's point (u), product and sum (4u) and the given normal's own rounding (3u), numerator and
+    /// denominator each err by at most 15u times the sum of all magnitudes; the quotient by u. The determinant is in both
+    /// and drops out.
     fn bound(&self, _: &Option<f64>) -> f64 {
-        bound(&self.wide)
+        let case = &self.wide;
+        let [u, v] = case.sides;
+        let (sizes, normal) = (truth::cross_sizes(u, v), u.cross(v));
+        let share = |w: V3<f64>| 15.0 * UNIT * sizes.dot(w.abs()) / normal.dot(w).abs();
+        let (above, below) = (share(case.middle - case.origin), share(case.direction));
+        if !(below < 0.5) {
+            return truth::CERTAIN;
+        }
+        ((above + below + UNIT) / (1.0 - below)).min(truth::CERTAIN)
     }
 }
 
@@ -216,24 +231,6 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     let point = case.origin + case.direction * t - case.middle;
     let [x, y] = case.kept.duals.map(|dual| dual.dot(point).abs());
     (x <= half && y <= half).then(|| ahead(t)).flatten()
-}
-
-/// Bound of the square under a model matrix, whose inverse's third row is the normal over a determinant; whether there is a
-/// hit is decided exactly.
-///
-/// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u), and with the
-/// difference to the plane's point (u), product and sum (4u) and the given normal's own rounding (3u), numerator and
-/// denominator each err by at most 15u times the sum of all magnitudes; the quotient by u. The determinant is in both
-/// and drops out.
-fn bound(case: &RaySquare<f64>) -> f64 {
-    let [u, v] = case.sides;
-    let (sizes, normal) = (truth::cross_sizes(u, v), u.cross(v));
-    let share = |w: V3<f64>| 15.0 * UNIT * sizes.dot(w.abs()) / normal.dot(w).abs();
-    let (above, below) = (share(case.middle - case.origin), share(case.direction));
-    if !(below < 0.5) {
-        return truth::CERTAIN;
-    }
-    ((above + below + UNIT) / (1.0 - below)).min(truth::CERTAIN)
 }
 
 fn ordinary(random: &mut Random) -> SquareCase {
