@@ -206,6 +206,7 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
         Self::METHODS.iter().copied().flatten()
     }
     /// The cases that a scene's own rays make; none where it has nothing for this step.
+    #[must_use]
     fn of_scene(_: &SceneRays) -> Vec<Self> {
         Vec::new()
     }

@@ -13,7 +13,6 @@ use super::{
         spheres::SphereCase,
         squares::SquareCase,
         triangles::TriangleCase,
-        usual,
     },
     real::V3,
     run::{self, Effort, Row},
@@ -253,15 +252,18 @@ impl Step for TriangleCase {
 
 /// The hit at `t` on a triangle that a method says is hit there.
 fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
-    let corners = mesh.corners(triangle);
-    let [a, b, c] = corners;
+    let [a, b, c] = mesh.corners(triangle);
+    let normal = (b - a).cross(c - a);
+    let point = local.at(t);
+    let weight =
+        |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();
     let on_triangle = OnTriangle {
         triangle,
-        barycentric: usual::barycentric(local.at(t), corners),
+        barycentric: [weight(b, c), weight(c, a), weight(a, b)],
     };
     Hit {
         on_triangle: Some(on_triangle),
-        ..analytic(local, t, (b - a).cross(c - a))
+        ..analytic(local, t, normal)
     }
 }
 

@@ -5,49 +5,73 @@
 //! Near and far lie far apart in the world and close together in clip space, so the inverse is nearly singular: what
 //! `f32` rounds is the ray itself.
 
-use super::{
-    rays::{PixelCase, far_less_near},
-    triangles::{RayTriangle, moeller_trumbore},
-};
 use crate::{
     camera::View,
-    geometry::{TriangleHit, VertexRay},
+    geometry::{Ray, TriangleHit, VertexRay},
     pick::{self, SceneHit},
     scene::Scene,
-    study::real::V3,
 };
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// What the usual way picks at a pixel position. Spheres, cubes and squares are met in `f64`: it is the ray that
 /// differs.
 #[must_use]
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
-    let ray = far_less_near(&PixelCase::of_view(view, px).narrow).ray(view)?;
-    pick::closest_by(scene, ray, view.sides, hit)
+    pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
 }
 
-/// Moeller & Trumbore's test, without culling and without an epsilon.
-fn hit(VertexRay { ray, .. }: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    let narrow = |v: DVec3| V3::<f32>::of(v.into());
-    let case = RayTriangle {
-        origin: narrow(ray.origin),
-        direction: narrow(ray.direction),
-        corners: corners.map(narrow),
+/// The world-space ray from the near to the far plane; `None` where the inverse has no finite answer.
+#[must_use]
+pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
+    let camera = &view.camera;
+    let projection_view = camera.projection(view.viewport).as_mat4() * camera.view().as_mat4();
+    let inverse = projection_view.inverse();
+    let ndc = view.viewport.px_to_ndc(px).as_vec2();
+    let lens = camera.lens();
+    let on_plane = |depth: f64| inverse.project_point3(ndc.extend(narrow(lens.ndc_depth(depth))));
+    let [near, far] = [lens.near, lens.far].map(on_plane);
+    let along = far - near;
+    let ray = Ray {
+        origin: near.as_dvec3(),
+        direction: along.normalize().as_dvec3(),
+        t_min: 0.0,
+        t_max: f64::from(along.length()),
     };
-    let t = moeller_trumbore(&case, 0.0).filter(|t| ray.contains(*t))?;
-    let [a, b, c] = corners;
-    Some(TriangleHit {
+    (ray.origin.is_finite() && ray.direction.is_finite()).then_some(ray)
+}
+
+/// Moeller & Trumbore's test in `f32`, without culling and without an epsilon.
+#[must_use]
+pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    let ray = &ray.ray;
+    let [a, b, c] = corners.map(DVec3::as_vec3);
+    let (origin, direction): (Vec3, Vec3) = (ray.origin.as_vec3(), ray.direction.as_vec3());
+    let (edge_b, edge_c) = (b - a, c - a);
+    let p = direction.cross(edge_c);
+    let determinant = edge_b.dot(p);
+    if determinant == 0.0 {
+        return None;
+    }
+    let s = origin - a;
+    let v = s.dot(p) / determinant;
+    if !(0.0..=1.0).contains(&v) {
+        return None;
+    }
+    let q = s.cross(edge_b);
+    let w = direction.dot(q) / determinant;
+    if !(w >= 0.0 && v + w <= 1.0) {
+        return None;
+    }
+    let t = f64::from(edge_c.dot(q) / determinant);
+    ray.contains(t).then(|| TriangleHit {
         t,
         t_error: 0.0,
-        front: ray.direction.dot((b - a).cross(c - a)) < 0.0,
-        barycentric: barycentric(ray.at(t), corners),
+        front: determinant > 0.0,
+        barycentric: [1.0 - v - w, v, w].map(f64::from),
     })
 }
 
-/// The weights of a triangle's corners at a point of its plane.
-#[must_use]
-pub fn barycentric(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
-    let normal = (b - a).cross(c - a);
-    let weight = |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal);
-    [weight(b, c), weight(c, a), weight(a, b)].map(|w| w / normal.length_squared())
+#[expect(clippy::cast_possible_truncation, reason = "the usual way")]
+fn narrow(value: f64) -> f32 {
+    value as f32
 }

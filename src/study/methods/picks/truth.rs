@@ -50,19 +50,21 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
         };
         match &object.shape {
             Shape::Sphere => {
-                let met = local.line.sphere(&local.length(Sphere::RADIUS));
-                met.into_iter().for_each(|at| consider(at, None));
+                for at in local.line.sphere(&local.length(Sphere::RADIUS)) {
+                    consider(at, None);
+                }
             }
             Shape::Cube => {
-                let met = local.line.cube(&local.length(Cuboid::HALF_SIDE));
-                met.into_iter().for_each(|at| consider(at, None));
+                for at in local.line.cube(&local.length(Cuboid::HALF_SIDE)) {
+                    consider(at, None);
+                }
             }
             Shape::Square => {
                 let [middle, u, v] = [DVec3::ZERO, DVec3::X, DVec3::Y]
                     .map(|at| local.point(&exact(2.0 * Square::HALF_SIDE * at)));
-                let met = local.line.parallelogram(&middle, [&u, &v]);
-                met.into_iter()
-                    .for_each(|at| consider(local.turned(at), None));
+                if let Some(at) = local.line.parallelogram(&middle, [&u, &v]) {
+                    consider(local.turned(at), None);
+                }
             }
             Shape::Mesh { mesh, part } => {
                 let range = mesh.data().parts[*part].triangles.clone();
