@@ -1,7 +1,7 @@
 //! What a plain floating-point method of each step adds to a pick's error, in pixels: upper bounds over a scene's own rays.
 //!
 //! With u half an ulp of 1, in `f32` or `f64`. One method a step is sound: what it gets wrong is no further off than some
-//! roundings. The first two steps' bounds are those of what this program does ([`super::truth`]), which count roundings of
+//! roundings. The first two steps' bounds are those of what this program does ([`super::methods`]), which count roundings of
 //! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. Shapes decide
 //! as one would that is this far beside its ray:
 //!
