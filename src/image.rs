@@ -1,7 +1,7 @@
 //! Pictures in memory and as PNG files.
 
-use crate::camera::Viewport;
-use std::{fs::File, io::BufWriter, path::Path};
+use crate::{camera::Viewport, replace::replace};
+use std::path::Path;
 
 /// A picture: one value a pixel, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,7 +88,7 @@ impl<T: Copy> Image<T> {
 }
 
 impl Image<Rgb> {
-    /// Writes an 8-bit sRGB PNG.
+    /// Writes an 8-bit sRGB PNG, whole or not at all.
     ///
     /// # Errors
     /// When the file cannot be written.
@@ -131,20 +131,19 @@ fn write(
     depth: png::BitDepth,
     bytes: &[u8],
 ) -> Result<(), ImageError> {
-    let failed = |source| ImageError::Write {
+    let written = replace(path, |out| {
+        let mut encoder = png::Encoder::new(out, size.width(), size.height());
+        encoder.set_color(colour);
+        encoder.set_depth(depth);
+        if colour == png::ColorType::Rgb {
+            encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        }
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(bytes)?;
+        Ok(writer.finish()?)
+    });
+    written.map_err(|source| ImageError::Write {
         path: path.display().to_string(),
         source,
-    };
-    let file = File::create(path).map_err(failed)?;
-    let mut encoder = png::Encoder::new(BufWriter::new(file), size.width(), size.height());
-    encoder.set_color(colour);
-    encoder.set_depth(depth);
-    if colour == png::ColorType::Rgb {
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    }
-    let written = encoder.write_header().and_then(|mut writer| {
-        writer.write_image_data(bytes)?;
-        writer.finish()
-    });
-    written.map_err(|error| failed(error.into()))
+    })
 }

@@ -2,8 +2,8 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError,
-    study::chart::ChartError, viewer::ViewerError,
+    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, study::SaveError,
+    viewer::ViewerError,
 };
 use clap::CommandFactory;
 use std::{
@@ -55,7 +55,7 @@ pub enum CliError {
     },
     /// A chart could not be written.
     #[error(transparent)]
-    Chart(#[from] ChartError),
+    Chart(#[from] SaveError),
     /// Nothing to draw with.
     #[error(transparent)]
     Gpu(#[from] GpuError),

@@ -1,7 +1,7 @@
 //! `sightline study`: speed against accuracy.
 
 use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
-use crate::study::{self, Effort, SceneRays, chart};
+use crate::study::{self, Effort, SceneRays};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
 
@@ -87,20 +87,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         .write_all(study::table(&report).as_bytes())
         .map_err(CliError::stdout)?;
     if let Some(folder) = &args.out {
-        let [general, own] = report.split();
-        for (part, report) in [("", general), ("_scene", own)] {
-            let Some(report) = report else { continue };
-            for (name, text) in [
-                ("study", study::csv(&report)),
-                ("summary", study::summary_csv(&report)),
-            ] {
-                let file = folder.join(format!("{name}{part}.csv"));
-                std::fs::write(&file, text).map_err(|source| CliError::file(&file, source))?;
-            }
-        }
-        for (stem, picture) in chart::charts(&report) {
-            chart::write(folder, stem, &picture)?;
-        }
+        study::save(folder, &report)?;
     }
     Ok(())
 }

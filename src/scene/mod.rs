@@ -13,7 +13,6 @@ pub mod obj;
 mod object;
 mod problem;
 mod progress;
-mod replace;
 mod save;
 mod sums;
 mod tree;
@@ -28,7 +27,6 @@ pub use obj::{ObjError, ObjFile};
 pub use object::{Object, Shape};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
-pub(crate) use replace::replace;
 pub use save::save;
 pub use warning::Warning;
 

@@ -2,9 +2,8 @@
 
 use super::{
     MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute, obj::write,
-    replace::replace,
 };
-use crate::{camera::CameraChoice, geometry::Mesh};
+use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
 use std::{
     fs,
     io::Write,

@@ -3,9 +3,9 @@
 use super::{
     estimates::{Estimate, estimates},
     run::{Report, Row, SCENE},
+    scene_rays::SceneRays,
     step::Precision::{self, F32, F64},
     table::{number, short},
-    workloads::scene::SceneRays,
 };
 use crate::camera::View;
 

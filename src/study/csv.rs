@@ -38,12 +38,11 @@ pub fn csv(report: &Report) -> String {
 #[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let steps = report.steps().into_iter();
-    let rows = steps.flat_map(|step| {
-        let all = report.summaries(step, |_| true);
-        all.iter()
-            .map(|summary| of_method(summary, &all))
-            .collect::<Vec<_>>()
-    });
+    let steps = steps.map(|step| report.summaries(step));
+    let steps: Vec<Vec<Summary<'_>>> = steps.collect();
+    let rows = steps
+        .iter()
+        .flat_map(|all| all.iter().map(|summary| of_method(summary, all)));
     lines(SUMMARY_COLUMNS, rows)
 }
 

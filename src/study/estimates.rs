@@ -1,7 +1,7 @@
 //! What a plain floating-point method of each step adds to a pick's error, in pixels: upper bounds over a scene's own rays.
 //!
 //! With u half an ulp of 1, in `f32` or `f64`. One method a step is sound: what it gets wrong is no further off than some
-//! roundings. The first two steps' bounds are those of what this program does ([`super::truth`]), which count roundings of
+//! roundings. The first two steps' bounds are those of what this program does ([`super::methods`]), which count roundings of
 //! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. Shapes decide
 //! as one would that is this far beside its ray:
 //!
@@ -13,10 +13,14 @@
 //! Seen from the eye that is as large as the nearest edge is near.
 
 use super::{
+    methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
-    step::Precision::{self, F32},
+    scene_rays::{SceneRays, px_angle},
+    step::{
+        Case,
+        Precision::{self, F32},
+    },
     truth::{UNIT, UNIT_F32},
-    workloads::{px_angle, scene::SceneRays},
 };
 use crate::{camera::View, scene::Shape};
 use glam::DVec3;
@@ -65,20 +69,12 @@ pub fn estimates(
 ) -> Vec<Estimate> {
     let u = if precision == F32 { UNIT_F32 } else { UNIT };
     let own = |row: &&Row| row.family == SCENE && row.cases > 0;
-    let has = |step: &str| {
-        report
-            .rows
-            .iter()
-            .filter(own)
-            .any(|row| row.step.key == step)
+    let rows = |step: &'static str| {
+        let own = report.rows.iter().filter(own);
+        own.filter(move |row| row.step.key == step)
     };
-    let bound = |step: &str| {
-        let ours = report
-            .rows
-            .iter()
-            .filter(own)
-            .filter(|row| row.ours && row.step.key == step);
-        let bounds = ours.filter_map(|row| Some(row.bound?.error));
+    let bound = |step: &'static str| {
+        let bounds = rows(step).filter_map(|row| row.bound);
         bounds.fold(0.0, f64::max) * u / UNIT
     };
     let of = |(step, method): (&'static str, &'static str)| {
@@ -103,11 +99,10 @@ pub fn estimates(
             px_by_origin: by_origin,
         }
     };
-    SOUND
+    let taken = SOUND
         .into_iter()
-        .filter(|(step, _)| has(step))
-        .map(of)
-        .collect()
+        .filter(|(step, _)| rows(step).next().is_some());
+    taken.map(of).collect()
 }
 
 /// Parallel rays start at places in the world.
@@ -171,11 +166,7 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
                 "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
                 _ => {
                     let rim = rim(placement);
-                    let furthest = rim
-                        .map(|corner| corner.distance(ray.origin))
-                        .into_iter()
-                        .fold(0.0, f64::max);
-                    12.0 * furthest / nearest(ray.origin, &rim)
+                    12.0 * furthest(ray.origin, &rim) / nearest(ray.origin, &rim)
                 }
             };
             u * off / px
@@ -184,16 +175,19 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
 }
 
 fn triangles(rays: &SceneRays, u: f64) -> f64 {
-    let each = rays.triangles().into_iter().map(|case| {
+    let each = TriangleCase::of_scene(rays).into_iter().map(|case| {
         let from = DVec3::from(case.wide.origin);
         let corners = case.wide.corners.map(DVec3::from);
-        let furthest = corners
-            .map(|corner| corner.distance(from))
-            .into_iter()
-            .fold(0.0, f64::max);
-        u * (14.0 * furthest + 2.0 * from.length()) / nearest(from, &corners) / case.px
+        let off = 14.0 * furthest(from, &corners) + 2.0 * from.length();
+        u * off / nearest(from, &corners) / case.px
     });
     each.fold(0.0, f64::max)
+}
+
+/// From a point to the furthest of some corners.
+fn furthest(from: DVec3, corners: &[DVec3]) -> f64 {
+    let distances = corners.iter().map(|corner| corner.distance(from));
+    distances.fold(0.0, f64::max)
 }
 
 /// From a point to the nearest of a polygon's edges.

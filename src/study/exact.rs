@@ -17,7 +17,7 @@ const BITS: usize = 320;
 type Float = FBig<HalfEven, 2>;
 
 /// A real number: sums, differences, products and comparisons are exact, quotients and roots good to 320 bits.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Exact(Float);
 
 impl Exact {
@@ -110,23 +110,6 @@ impl Neg for Exact {
     type Output = Self;
     fn neg(self) -> Self {
         Self(-self.0)
-    }
-}
-
-impl PartialEq for Exact {
-    fn eq(&self, o: &Self) -> bool {
-        self.cmp(o).is_eq()
-    }
-}
-impl Eq for Exact {}
-impl PartialOrd for Exact {
-    fn partial_cmp(&self, o: &Self) -> Option<Ordering> {
-        Some(self.cmp(o))
-    }
-}
-impl Ord for Exact {
-    fn cmp(&self, o: &Self) -> Ordering {
-        self.0.cmp(&o.0)
     }
 }
 

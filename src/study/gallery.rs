@@ -7,9 +7,9 @@ use super::{
         triangles::TriangleCase,
     },
     run::{Effort, Row, SCENE},
+    scene_rays::{PX, SceneRays, px_angle},
     step::Precision::{self, F32, F64},
     swap::{AnyStep, Step, Swap},
-    workloads::{PX, px_angle, scene::SceneRays},
 };
 use crate::{camera::View, scene::Scene};
 

@@ -2,15 +2,18 @@
 //! exact truth and timed.
 //!
 //! ```text
-//! methods (the registry) + workloads -> run -> Report -> table, csv, chart
-//!                          truth (exact numbers) --^         its rays + Report -> estimates -> budget
+//! methods (the registry), their workloads -> run -> Report -> table, csv, chart
+//!                  truth (exact numbers) --^        its rays + Report -> estimates -> budget
 //! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
-//! Every method is one entry in its step's list under [`methods`]; every workload is a seeded family with one
-//! parameter under [`workloads`]; [`truth`] answers the same cases by numbers that know no rounding ([`exact`]) and
-//! shares no code with any method. Where all three are short they are one file under [`methods`]. To add a method is to
-//! add an entry: tests, tables and charts then have it.
+//! A step of a pick is one file or folder under [`methods`]: its methods, its workloads (seeded families with one parameter
+//! each) and what is so, by numbers that know no rounding ([`exact`], [`truth`]), which share no code with any method. To
+//! add a method is to add an entry to its step's list: tests, tables and charts then have it.
+//!
+//! All numbers of a workload come from additions, products, quotients and square roots, which every machine rounds alike, and
+//! are then rounded to `f32`, but for a camera's axes and what they make: the same seed is the same workload everywhere, and
+//! methods of both precisions get it.
 //!
 //! # What the charts teach
 //!
@@ -58,19 +61,40 @@ pub mod methods;
 pub mod random;
 pub mod real;
 mod run;
+mod save;
+mod scene_rays;
 pub mod step;
 mod summary;
 pub mod swap;
 mod table;
 mod timing;
 pub mod truth;
-pub mod workloads;
 
 pub use budget::{budget, measured};
 pub use csv::{COLUMNS, SUMMARY_COLUMNS, csv, summary_csv};
 pub use estimates::{Estimate, estimates};
 pub use run::{Effort, Report, Row, SCENE, run};
+pub use save::{SaveError, save, save_chart};
+pub use scene_rays::SceneRays;
 pub use summary::Summary;
 pub use table::table;
 pub use timing::{Time, processor};
-pub use workloads::scene::SceneRays;
+
+/// What each step's file is made of.
+mod prelude {
+    pub(in crate::study) use super::step::both;
+    pub use super::{
+        exact::{Exact, Exact3},
+        random::Random,
+        real::{V3, narrow3},
+        run::Effort,
+        scene_rays::{PX, SceneRays},
+        step::{
+            About, Case, Family, Method, Methods,
+            Precision::{self, F32, F64},
+            Verdict,
+        },
+        truth::{Line, UNIT},
+    };
+    pub use crate::pick::SceneHit;
+}

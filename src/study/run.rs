@@ -1,20 +1,19 @@
 //! Runs the study: every method of every step over every workload, held against truth and timed.
 
 use super::{
-    methods::{Visitor, each_step},
+    methods::{Visitor, each_step, registry},
     random::Random,
-    step::{About, Bound, Case, Family, Precision, Verdict},
+    scene_rays::SceneRays,
+    step::{About, Case, Family, Precision, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
-    workloads::scene::SceneRays,
 };
 use std::{
+    iter,
     num::NonZero,
-    sync::{
-        Mutex,
-        atomic::{AtomicUsize, Ordering},
-    },
-    thread,
+    panic::resume_unwind,
+    sync::atomic::{AtomicUsize, Ordering},
+    thread::{self, ScopedJoinHandle},
 };
 
 /// How much is run.
@@ -92,7 +91,7 @@ pub struct Row {
     /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
-    pub bound: Option<Bound>,
+    pub bound: Option<f64>,
     /// Where another method is faster and no more often wrong: what the difference buys.
     pub reason: Option<&'static str>,
     /// How long it took for these cases, where it was timed.
@@ -100,6 +99,12 @@ pub struct Row {
 }
 
 impl Row {
+    /// What tells methods of a step apart.
+    #[must_use]
+    pub fn method_key(&self) -> (&'static str, Precision) {
+        (self.method, self.precision)
+    }
+
     /// How many decisions were wrong.
     #[must_use]
     pub fn wrong(&self) -> usize {
@@ -133,11 +138,8 @@ impl Report {
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
         let part = |is_own: bool| {
-            let rows = self
-                .rows
-                .iter()
-                .filter(|row| (row.family == SCENE) == is_own);
-            let rows: Vec<Row> = rows.copied().collect();
+            let mut rows = self.rows.clone();
+            rows.retain(|row| (row.family == SCENE) == is_own);
             (!rows.is_empty()).then_some(Self {
                 rows,
                 has_scene: is_own,
@@ -161,27 +163,35 @@ pub fn run(
         effort,
         scene,
         progress,
-        steps: 0,
+        steps: registry().chunk_by(|a, b| a.step == b.step).count(),
         done: 0,
         report: Report {
             has_scene: scene.is_some(),
             ..Report::default()
         },
     };
-    let mut count = Count(0);
-    each_step(&mut count);
-    run.steps = count.0;
     each_step(&mut run);
     run.report
 }
 
-/// Counts steps.
-struct Count(u32);
-
-impl Visitor for Count {
-    fn visit<C: Case>(&mut self) {
-        self.0 += 1;
-    }
+/// The results of some work, each from whichever core is free next, in order.
+pub(super) fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let take = || {
+        let indices = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
+        let own = indices.take_while(|index| *index < count);
+        own.map(|index| (index, work(index))).collect::<Vec<_>>()
+    };
+    let threads = thread::available_parallelism().map_or(1, NonZero::get);
+    let mut found: Vec<(usize, T)> = thread::scope(|scope| {
+        let started: Vec<_> = (0..threads).map(|_| scope.spawn(take)).collect();
+        let finish = |thread: ScopedJoinHandle<_>| {
+            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+        };
+        started.into_iter().flat_map(finish).collect()
+    });
+    found.sort_by_key(|(index, _)| *index);
+    found.into_iter().map(|(_, result)| result).collect()
 }
 
 struct Run<'a> {
@@ -189,8 +199,8 @@ struct Run<'a> {
     scene: Option<&'a SceneRays>,
     progress: &'a (dyn Fn(f64, &str) + Sync),
     /// How many steps there are, and how many are done: for the progress.
-    steps: u32,
-    done: u32,
+    steps: usize,
+    done: usize,
     report: Report,
 }
 
@@ -220,34 +230,11 @@ impl Visitor for Run<'_> {
 impl Run<'_> {
     /// Every method's answers to every workload of a step, on all cores.
     fn judged<C: Case>(&self, workloads: &[Workload<'_, C>]) -> Vec<Vec<Row>> {
-        let next = AtomicUsize::new(0);
-        let found = Mutex::new(Vec::new());
-        let work = || {
-            while let index = next.fetch_add(1, Ordering::Relaxed)
-                && let Some(work) = workloads.get(index)
-            {
-                #[expect(clippy::cast_precision_loss, reason = "few workloads")]
-                let share = index as f64 / workloads.len() as f64;
-                (self.progress)(
-                    (f64::from(self.done) + share) / f64::from(self.steps),
-                    C::ABOUT.name,
-                );
-                let rows = judge(work, &(work.make)(usize::MAX));
-                // The lock is only ever lost to a panic, which ends the scope anyway.
-                if let Ok(mut found) = found.lock() {
-                    found.push((index, rows));
-                }
-            }
-        };
-        let threads = thread::available_parallelism().map_or(1, NonZero::get);
-        thread::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(work);
-            }
-        });
-        let mut found = found.into_inner().unwrap_or_default();
-        found.sort_by_key(|(index, _)| *index);
-        found.into_iter().map(|(_, rows)| rows).collect()
+        on_all_cores(workloads.len(), |index| {
+            let done = rate(self.done, 1) + rate(index, workloads.len());
+            (self.progress)(done / rate(self.steps, 1), C::ABOUT.name);
+            judge(&workloads[index])
+        })
     }
 
     /// Sets the times of a workload's rows: of the cases that were judged, or as many of them as do.
@@ -262,9 +249,8 @@ impl Run<'_> {
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
-            let is_it =
-                |row: &&mut Row| (row.method, row.precision) == (method.name, method.precision);
-            if let Some(row) = rows.iter_mut().find(is_it) {
+            let key = (method.name, method.precision);
+            if let Some(row) = rows.iter_mut().find(|row| row.method_key() == key) {
                 row.time = time;
             }
         }
@@ -313,7 +299,7 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
     let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
         .flat_map(|family| workloads(family, effort))
-        .flat_map(|work| judge(&work, &(work.make)(usize::MAX)))
+        .flat_map(|work| judge(&work))
         .collect()
 }
 
@@ -321,11 +307,12 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
 #[must_use]
 pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
     let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
-    own.map_or_else(Vec::new, |work| judge(&work, &(work.make)(usize::MAX)))
+    own.map_or_else(Vec::new, |work| judge(&work))
 }
 
 /// Every method's answers to the cases of one workload.
-fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
+fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
+    let cases = (work.make)(usize::MAX);
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
     let methods =
         C::methods().filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
@@ -349,19 +336,19 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                 p999_error: 0.0,
                 worst_error: 0.0,
                 of_bound: method.ours.then_some(0.0),
-                bound: method.ours.then_some(Bound::NONE),
+                bound: method.ours.then_some(0.0),
                 reason: method.reason,
                 time: None,
             };
             let mut errors = Vec::with_capacity(cases.len());
-            for (case, truth) in cases.iter().zip(&truths) {
+            for (case, truth) in iter::zip(&cases, &truths) {
                 let verdict = case.judge(truth, &(method.run)(case));
                 let bound = case.bound(truth);
                 let share = match verdict {
                     Verdict::Agreed => 0.0,
                     Verdict::Right(error) => {
                         errors.push(error);
-                        share(error, bound.error)
+                        share(error, bound)
                     }
                     Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
                         let is_missed = matches!(verdict, Verdict::Missed(_));
@@ -370,7 +357,7 @@ fn judge<C: Case>(work: &Workload<'_, C>, cases: &[C]) -> Vec<Row> {
                         let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
                         row.ties += usize::from(is_tie);
                         row.worst_wrong = row.worst_wrong.max(wrong);
-                        share(wrong, bound.wrong)
+                        share(wrong, 0.0)
                     }
                     Verdict::Other => {
                         row.others += 1;

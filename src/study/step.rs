@@ -1,6 +1,6 @@
 //! What is studied: the steps of a pick, and for each the methods, workloads, truth and verdict.
 
-use super::{random::Random, run::Effort, workloads::scene::SceneRays};
+use super::{random::Random, run::Effort, scene_rays::SceneRays};
 
 /// What a method's arithmetic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -206,7 +206,10 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
         Self::METHODS.iter().copied().flatten()
     }
     /// The cases that a scene's own rays make; none where it has nothing for this step.
-    fn of_scene(scene: &SceneRays) -> Vec<Self>;
+    #[must_use]
+    fn of_scene(_: &SceneRays) -> Vec<Self> {
+        Vec::new()
+    }
     /// Whether a method can be run here at all.
     fn can_run(&self, _: &Method<Self>) -> bool {
         true
@@ -220,33 +223,9 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn truth(&self) -> Self::Truth;
     /// Holds an answer against the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// The derived bound of this program's own method: its error, or the distance of a wrong decision, is at most the
-    /// first or second number. Derivations stand with the implementations.
-    fn bound(&self, truth: &Self::Truth) -> Bound;
-}
-
-/// What the errors of this program's own method cannot exceed, in the step's units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
-    /// Of a value.
-    pub error: f64,
-    /// Of the distance from where a wrong decision would be right; 0 where no decision is wrong.
-    pub wrong: f64,
-}
-
-impl Bound {
-    /// Nothing can be wrong.
-    pub const NONE: Self = Self {
-        error: 0.0,
-        wrong: 0.0,
-    };
-
-    /// The larger of both, each.
-    #[must_use]
-    pub fn max(self, other: Self) -> Self {
-        Self {
-            error: self.error.max(other.error),
-            wrong: self.wrong.max(other.wrong),
-        }
+    /// The derived bound of what this program's own method errs by, where its decision is right as all of them are: with the
+    /// derivation where there is one; 0 where nothing rounds.
+    fn bound(&self, _: &Self::Truth) -> f64 {
+        0.0
     }
 }

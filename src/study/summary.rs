@@ -112,28 +112,27 @@ impl Report {
         steps
     }
 
-    /// Each method of a step at its worst over the rows that `wanted` names.
+    /// The rows of a step.
+    pub(super) fn of_step(&self, step: About) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(move |row| row.step == step)
+    }
+
+    /// Each method of a step at its worst over all rows.
     #[must_use]
-    pub fn summaries(&self, step: About, wanted: impl Fn(&Row) -> bool) -> Vec<Summary<'_>> {
-        let rows: Vec<&Row> = self
-            .rows
-            .iter()
-            .filter(|row| row.step == step && wanted(row))
-            .collect();
+    pub fn summaries(&self, step: About) -> Vec<Summary<'_>> {
         let mut methods: Vec<&Row> = Vec::new();
-        for row in &rows {
-            let known =
-                |other: &&Row| (other.method, other.precision) == (row.method, row.precision);
-            if !methods.iter().any(known) {
+        for row in self.of_step(step) {
+            if !methods
+                .iter()
+                .any(|known| known.method_key() == row.method_key())
+            {
                 methods.push(row);
             }
         }
         let summary = |method: &'_ Row| {
-            let key = (method.method, method.precision);
             let own = || {
-                rows.iter()
-                    .copied()
-                    .filter(|row| (row.method, row.precision) == key)
+                self.of_step(step)
+                    .filter(|row| row.method_key() == method.method_key())
             };
             let worst = |of: fn(&Row) -> f64| own().max_by(|a, b| of(a).total_cmp(&of(b)));
             let timed = own().filter_map(|row| Some((row, row.time?)));

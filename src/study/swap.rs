@@ -16,8 +16,8 @@ use super::{
     },
     real::V3,
     run::{self, Effort, Row},
+    scene_rays::SceneRays,
     step::{About, Case},
-    workloads::scene::SceneRays,
 };
 use crate::{
     camera::View,
@@ -180,25 +180,10 @@ fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
 
 impl Step for PixelCase {
     fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Sight) -> Option<Found> {
-        let sight = run(&Self::of_view(view, px));
-        let [origin, direction] = [sight.from, sight.along].map(DVec3::from);
-        let along = direction.dot(view.camera.forward());
-        if !(origin.is_finite() && direction.is_finite() && along > 0.0) {
-            return None;
+        let mut ray = run(&Self::of_view(view, px)).ray(view)?;
+        if !view.camera.lens().is_orthographic() {
+            ray.origin = view.camera.eye();
         }
-        let lens = view.camera.lens();
-        // In perspective rays start at the eye, whatever that is in the method's precision.
-        let (origin, start) = if lens.is_orthographic() {
-            (origin, view.camera.to_view(origin).z)
-        } else {
-            (view.camera.eye(), 0.0)
-        };
-        let ray = Ray {
-            origin,
-            direction,
-            t_min: (lens.near - start) / along,
-            t_max: (lens.far - start) / along,
-        };
         let hit = pick::closest(scene, ray, view.sides)?;
         Some(Found::of(scene, &ray, hit))
     }

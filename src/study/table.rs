@@ -7,7 +7,7 @@ use super::{
         registry,
     },
     run::{Report, Row, SCENE},
-    step::{About, Case, Precision},
+    step::{About, Case},
     summary::{Summary, rate},
     timing::processor,
 };
@@ -17,22 +17,17 @@ use std::fmt::Write;
 #[must_use]
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
+    let [general, own] = report.split().map(Option::unwrap_or_default);
     for step in report.steps() {
-        if report.has_scene {
-            let own = report.summaries(step, |row| row.family == SCENE);
-            section(&mut text, &format!("{}, {SCENE}", step.name), step, &own);
-            if let Some(need) = need(step, &own) {
+        let summaries = own.summaries(step);
+        if !summaries.is_empty() {
+            section(&mut text, SCENE, step, &summaries);
+            if let Some(need) = need(step, &summaries) {
                 // Writing to a string cannot fail.
                 let _ = writeln!(text, "  {need}\n");
             }
         }
-        let all = report.summaries(step, |row| row.family != SCENE);
-        section(
-            &mut text,
-            &format!("{}, every workload", step.name),
-            step,
-            &all,
-        );
+        section(&mut text, "every workload", step, &general.summaries(step));
     }
     text
 }
@@ -58,7 +53,7 @@ fn header(step: About, decides: bool, measures: bool) -> Vec<String> {
     header
 }
 
-fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>]) {
+fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) {
     let Some(first) = summaries.first().map(Summary::ns) else {
         return;
     };
@@ -68,14 +63,8 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
     rows.extend(summaries.iter().map(|summary| {
         let method = summary.method;
         let mut cells = vec![method.method.to_owned(), method.precision.to_string()];
-        cells.push(
-            if summary.is_on_front(summaries) {
-                "yes"
-            } else {
-                ""
-            }
-            .to_owned(),
-        );
+        let is_on_front = summary.is_on_front(summaries);
+        cells.push(if is_on_front { "yes" } else { "" }.to_owned());
         cells.extend(match (method.time, summary.slowest) {
             (Some(of), Some((slowest, worst))) => [
                 time(of.ns),
@@ -115,26 +104,30 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
                 place(row, row.worst_error),
             ]);
         }
-        cells.push(
-            summary
-                .of_bound
-                .map_or("-".to_owned(), |share| format!("{share:.2}")),
-        );
+        let share = summary.of_bound.map(|share| format!("{share:.2}"));
+        cells.push(share.unwrap_or("-".to_owned()));
         cells
     }));
     let columns = rows[0].len();
     // What could not be run here.
-    rows.extend(missing(step, summaries).map(|(name, precision)| {
+    let known = |method: &MethodInfo| {
+        let mut known = summaries.iter().map(|summary| summary.method.method_key());
+        known.any(|known| known == (method.name, method.precision))
+    };
+    let mut methods = registry();
+    methods.retain(|method| method.step == step && !known(method));
+    rows.extend(methods.into_iter().map(|method| {
+        let precision = method.precision.to_string();
         let mut cells = vec![
-            name.to_owned(),
-            precision.to_string(),
+            method.name.to_owned(),
+            precision,
             "no graphics adapter".to_owned(),
         ];
         cells.resize(columns, String::new());
         cells
     }));
-    // Writing to a string cannot fail.
-    let _ = writeln!(text, "{title}\nEach method is given {}.", step.job);
+    let About { name, job, .. } = step;
+    let _ = writeln!(text, "{name}, {of}\nEach method is given {job}.");
     aligned(text, &rows);
     notes(text, step, summaries);
     text.push('\n');
@@ -142,24 +135,16 @@ fn section(text: &mut String, title: &str, step: About, summaries: &[Summary<'_>
 
 /// Rows of cells, words to the left and numbers to the right.
 fn aligned(text: &mut String, rows: &[Vec<String>]) {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
-    let widths: Vec<usize> = (0..rows[0].len())
-        .map(|column| width(column).unwrap_or(0))
-        .collect();
+    let lengths = |column: usize| rows.iter().map(move |row| row[column].chars().count());
     for row in rows {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .enumerate()
-            .map(|(column, (cell, &width))| {
-                // Words to the left, numbers to the right.
-                let words = column < 2 || rows[0][column] == "in";
-                if words {
-                    format!("{cell:<width$}")
-                } else {
-                    format!("{cell:>width$}")
-                }
-            });
+        let cells = row.iter().enumerate().map(|(column, cell)| {
+            let width = lengths(column).max().unwrap_or(0);
+            if column < 2 || rows[0][column] == "in" {
+                format!("{cell:<width$}")
+            } else {
+                format!("{cell:>width$}")
+            }
+        });
         let line = cells.collect::<Vec<_>>().join("  ");
         let _ = writeln!(text, "  {}", line.trim_end());
     }
@@ -170,14 +155,10 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     if step == FileCase::ABOUT {
         for summary in summaries {
             let Some(ns) = summary.ns() else { continue };
-            let name = summary.method.method;
+            let (name, precision) = summary.method.method_key();
             #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
             let speed = 1e3 * files::BYTES as f64 / ns;
-            let _ = writeln!(
-                text,
-                "  {name}, {}: {speed:.0} MB/s",
-                summary.method.precision
-            );
+            let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
         }
     }
     for summary in summaries {
@@ -198,34 +179,13 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let does = |summary: &&Summary<'_>| {
         summary.most_wrong.wrong_percent() == 0.0 && summary.worst_error.worst_error <= most
     };
-    let timed = summaries
-        .iter()
-        .filter(does)
-        .filter_map(|summary| Some((summary, summary.ns()?)));
+    let timed = summaries.iter().filter(does);
+    let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
     let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let Row {
-        method, precision, ..
-    } = fastest.method;
+    let (name, precision) = fastest.method_key();
     Some(format!(
-        "The fastest that is right here: {method}, {precision}."
+        "The fastest that is right here: {name}, {precision}."
     ))
-}
-
-/// Methods of a step that have no row.
-fn missing<'a>(
-    step: About,
-    summaries: &'a [Summary<'_>],
-) -> impl Iterator<Item = (&'static str, Precision)> + 'a {
-    let known = |method: &MethodInfo| {
-        let mut methods = summaries.iter().map(|summary| summary.method);
-        methods.any(|row| (row.method, row.precision) == (method.name, method.precision))
-    };
-    let of_step = registry()
-        .into_iter()
-        .filter(move |method| method.step == step);
-    of_step
-        .filter(move |method| !known(method))
-        .map(|method| (method.name, method.precision))
 }
 
 /// Where the worst was found; nothing where nothing was.
@@ -264,16 +224,9 @@ pub fn number(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),
         value if value.is_infinite() => "fails".to_owned(),
-        0.01..1000.0 => {
-            let places = if value >= 10.0 {
-                0
-            } else if value >= 1.0 {
-                1
-            } else {
-                3
-            };
-            format!("{value:.places$}")
-        }
+        10.0..1000.0 => format!("{value:.0}"),
+        1.0..10.0 => format!("{value:.1}"),
+        0.01..1.0 => format!("{value:.3}"),
         value => format!("{value:.1e}"),
     }
 }

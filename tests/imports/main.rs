@@ -10,23 +10,24 @@ use std::{
 };
 
 /// Each module and what it may name, as the map in `lib.rs` has it: only what stands in rows above it.
-const MAY_NAME: [(&str, &str); 13] = [
+const MAY_NAME: [(&str, &str); 14] = [
+    ("replace", ""),
     ("colour", ""),
     ("geometry", "colour"),
     ("look", "colour"),
     ("camera", "geometry"),
-    ("image", "camera"),
-    ("scene", "colour geometry camera"),
+    ("image", "replace camera"),
+    ("scene", "replace colour geometry camera"),
     ("pick", "colour geometry look camera image scene"),
     ("render", "colour geometry look camera image scene"),
     (
         "verify",
         "colour geometry look camera image scene pick render",
     ),
-    ("study", "geometry camera image scene pick render"),
+    ("study", "replace geometry camera image scene pick render"),
     (
         "viewer",
-        "colour geometry look camera image scene pick render verify study",
+        "replace colour geometry look camera image scene pick render verify study",
     ),
     (
         "cli",

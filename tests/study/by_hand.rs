@@ -5,11 +5,11 @@ use sightline::study::{
     methods::{
         ObjectRay, ShapeCase,
         boxes::BoxCase,
-        clipping::{self, ClipCase},
+        clipping::ClipCase,
         normals::{NormalCase, Tilted},
-        object_space::{Placed, PlacedCase},
+        object_space::{self, Placed, PlacedCase},
         rays::PixelCase,
-        spheres::SphereCase,
+        spheres::{SphereCase, outline_angle},
         squares::{RaySquare, SquareCase},
         triangles::{RayTriangle, TriangleCase},
     },
@@ -52,23 +52,25 @@ fn truth_agrees_with_hand_cases() {
         direction: v(0.0, 0.0, 2.0),
         corners,
     };
-    let t = |x: f64, y: f64| truth::triangles::truth(&triangle(x, y));
+    let t = |x: f64, y: f64| triangle(x, y).truth();
     assert_eq!(t(0.25, 0.25), Some(2.5));
     assert_eq!(t(0.5, 0.5), Some(2.5), "an edge belongs to it");
     assert_eq!(t(0.0, 0.0), Some(2.5), "a corner, too");
     assert_eq!(t(0.25, -1e-12), None);
-    let outside = truth::triangles::nearest_edge_angle(&triangle(0.25, -1e-12));
+    let outside = triangle(0.25, -1e-12).edge_angle();
     assert!((outside / 2e-13 - 1.0).abs() < 1e-9, "{outside:?}");
 
-    let ray = |origin: V3<f64>, direction: V3<f64>| ObjectRay { origin, direction };
-    let sphere = |y: f64| truth::spheres::truth(&ray(v(0.0, y, -2.0), v(0.0, 0.0, 0.5)));
+    let sphere = |y: f64| SphereCase::new(v(0.0, y, -2.0), v(0.0, 0.0, 0.5), 1.0).truth();
     assert_eq!(sphere(0.0), Some(3.0));
     assert_eq!(sphere(0.5), Some(4.0), "a touch is a hit");
     assert_eq!(sphere(0.5_f64.next_up()), None);
-    let beside = truth::spheres::outline_angle(&ray(v(0.0, 0.5 + 1e-9, -2.0), v(0.0, 0.0, 0.5)));
+    let beside = outline_angle(&ObjectRay {
+        origin: v(0.0, 0.5 + 1e-9, -2.0),
+        direction: v(0.0, 0.0, 0.5),
+    });
     assert!((beside / 5e-10 - 1.0).abs() < 1e-6, "{beside}");
 
-    let cube = |origin: V3<f64>, direction: V3<f64>| truth::boxes::truth(&ray(origin, direction));
+    let cube = |origin: V3<f64>, direction: V3<f64>| BoxCase::new(origin, direction, 1.0).truth();
     assert_eq!(cube(v(-1.5, 0.0, 0.0), v(1.0, 0.0, 0.0)), Some(1.0));
     assert_eq!(
         cube(v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0)),
@@ -91,18 +93,23 @@ fn truth_agrees_with_hand_cases() {
 
     // 4 wide and 2 high, facing -x and 6 away.
     let sides = [v(0.0, 0.0, 4.0), v(0.0, 2.0, 0.0)];
-    let square =
-        |y: f64, z: f64| RaySquare::new(v(1.0, y, z), v(2.0, 0.0, 0.0), v(7.0, 3.0, 1.0), sides);
-    let t = |y: f64, z: f64| truth::squares::truth(&square(y, z));
+    let square = |y: f64, z: f64| {
+        SquareCase::new(v(1.0, y, z), v(2.0, 0.0, 0.0), v(7.0, 3.0, 1.0), sides, 1.0)
+            .expect("a square")
+    };
+    let t = |y: f64, z: f64| square(y, z).truth();
     assert_eq!(t(3.5, 2.0), Some(3.0));
     assert_eq!(t(4.0, 3.0), Some(3.0), "its rim belongs to it");
     assert_eq!([t(4.0_f64.next_up(), 2.0), t(3.5, 3.5)], [None; 2]);
-    let beside = truth::squares::rim_angle(&square(4.0 + 6e-9, 2.0));
+    let RaySquare {
+        origin, direction, ..
+    } = square(4.0 + 6e-9, 2.0).wide;
+    let beside = truth::edge_angle(origin, direction, &square(4.0, 2.0).wide.rim());
     assert!((beside / 1e-9 - 1.0).abs() < 1e-6, "{beside}");
 
     let clip = |depth: f64| {
         let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
-        clipping::truth(&case).inside
+        case.truth()
     };
     assert_eq!(
         [0.8, 0.8_f64.next_down(), 8.0, 8.0_f64.next_down()].map(clip),
@@ -113,7 +120,7 @@ fn truth_agrees_with_hand_cases() {
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
     let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
     let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));
-    let aside = |x: f64| truth::object_space::aside(&placed, &[v(x, 0.0, -2.5), v(0.0, 0.0, 0.5)]);
+    let aside = |x: f64| object_space::aside(&placed, &[v(x, 0.0, -2.5), v(0.0, 0.0, 0.5)]);
     assert_eq!([aside(0.0), aside(0.5)], [0.0, 0.2]);
 }
 

@@ -3,7 +3,7 @@
 use sightline::study::{
     self, Effort, Report,
     chart::{
-        self, charts,
+        charts,
         picture::{Anchor, Mark, Picture, text_width},
     },
     methods::registry,
@@ -32,7 +32,7 @@ fn are_written_and_say_something() {
     every_formula_is_named(&charts[0].1);
     for (stem, picture) in charts {
         no_words_overlap(stem, &picture);
-        chart::write(folder.path(), stem, &picture).expect("written");
+        study::save_chart(folder.path(), stem, &picture).expect("written");
         let svg = std::fs::read_to_string(folder.path().join(stem).with_extension("svg"));
         let svg = svg.expect("an SVG file");
         assert!(
@@ -44,6 +44,38 @@ fn are_written_and_say_something() {
         assert!(colours.len() > 40, "{stem} has {} colours", colours.len());
         let png = std::fs::metadata(folder.path().join(stem).with_extension("png"));
         assert!(png.expect("a PNG file").len() > 10_000, "{stem}");
+    }
+}
+
+/// A file that was there is not written into: another takes its place once it is whole.
+#[test]
+fn what_an_earlier_run_left_is_replaced_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [out, kept] = ["out", "kept"].map(|name| folder.path().join(name));
+    std::fs::create_dir(&out).expect("a folder");
+    std::fs::create_dir(&kept).expect("a folder");
+    let report = timed();
+    study::save(&out, &report).expect("written");
+    let names = || {
+        let entries = std::fs::read_dir(&out).expect("a folder");
+        entries.map(|entry| entry.expect("a file").file_name())
+    };
+    for name in names() {
+        std::fs::write(out.join(&name), "earlier").expect("writable");
+        std::fs::hard_link(out.join(&name), kept.join(&name)).expect("a link");
+    }
+    study::save(&out, &report).expect("written");
+    assert_eq!(names().count(), 18, "two tables, eight charts twice");
+    for name in names() {
+        assert_eq!(
+            std::fs::read(kept.join(&name)).expect("a file"),
+            b"earlier",
+            "{name:?}"
+        );
+        assert!(
+            std::fs::metadata(out.join(&name)).expect("a file").len() > 1000,
+            "{name:?}"
+        );
     }
 }
 

@@ -11,7 +11,6 @@ use sightline::{
             Case,
             Precision::{Exact, F32, F64},
         },
-        truth,
     },
 };
 
@@ -88,7 +87,7 @@ fn rays_that_surely_enter_a_body_do() {
                 let hits = case
                     .wide
                     .triangles()
-                    .filter_map(|triangle: RayTriangle<f64>| truth::triangles::truth(&triangle));
+                    .filter_map(|triangle: RayTriangle<f64>| triangle.truth());
                 let first = hits.reduce(f64::min).expect("a hit");
                 assert!(
                     (0.0..0.95).contains(&first),

@@ -11,9 +11,9 @@ use sightline::{
         self, Effort, Row, SCENE, SceneRays,
         gallery::BREAKS,
         methods::MethodInfo,
+        methods::picks::ball_scene,
         step::Precision::F64,
         swap::{AnyStep, Found, Swap},
-        workloads::picks::ball_scene,
     },
 };
 use std::sync::Arc;

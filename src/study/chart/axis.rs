@@ -2,7 +2,7 @@
 
 use super::{
     measure::Measure,
-    picture::{Anchor, FAINT, INK, Mark, Picture, QUIET},
+    picture::{Anchor, FAINT, INK, Picture, QUIET},
 };
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
@@ -29,7 +29,6 @@ const BEYOND: f64 = 22.0;
 impl Axis {
     /// A logarithmic scale that holds all values, between two pixel positions, in whole powers of ten. Places for 0, for
     /// [ties](Measure::TIE) and for what is infinite are kept where there are such values.
-    #[must_use]
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
             let scaled = |v: &&f64| v.is_finite() && **v > Measure::TIE;
@@ -62,7 +61,6 @@ impl Axis {
     }
 
     /// A scale of its own: `range` is what `scale` makes of the values at both ends.
-    #[must_use]
     pub fn between(scale: fn(f64) -> f64, range: [f64; 2], ends: [f64; 2]) -> Self {
         Self {
             scale,
@@ -75,13 +73,11 @@ impl Axis {
     }
 
     /// From 0 to a value in equal steps.
-    #[must_use]
     pub fn linear(most: f64, ends: [f64; 2]) -> Self {
         Self::between(|value| value, [0.0, most], ends)
     }
 
     /// The same scale from the other end.
-    #[must_use]
     pub fn reversed(self) -> Self {
         let [a, b] = self.ends;
         Self {
@@ -91,13 +87,11 @@ impl Axis {
     }
 
     /// The pixel positions between which the scale proper lies.
-    #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
 
     /// The pixel position of a value.
-    #[must_use]
     pub fn at(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let share = ((self.scale)(value) - low) / (high - low);
@@ -154,25 +148,11 @@ pub struct Panel {
     pub to: [f64; 2],
 }
 
-/// What is written about a panel. An axis without words has no numbers either.
-#[derive(Clone, Copy, Debug)]
-pub struct Labels<'a> {
-    /// Above it.
-    pub title: &'a str,
-    /// Under the horizontal axis, with its unit.
-    pub x: &'a str,
-    /// Beside the vertical axis, with its unit.
-    pub y: &'a str,
-    /// At the place of 0.
-    pub none: &'a str,
-}
-
 /// Size of tick labels.
 const TICK: f64 = 14.0;
 
 impl Panel {
     /// A panel in a frame that holds all values.
-    #[must_use]
     pub fn new(from: [f64; 2], to: [f64; 2], xs: &[f64], ys: &[f64]) -> Self {
         let x = Axis::new(xs, [from[0] + 10.0, to[0] - 10.0]);
         let y = Axis::new(ys, [to[1] - 6.0, from[1] + 8.0]);
@@ -180,13 +160,19 @@ impl Panel {
     }
 
     /// Where a pair of values is drawn.
-    #[must_use]
     pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Grid, ticks, frame and words.
-    pub fn draw(&self, picture: &mut Picture, labels: &Labels<'_>) {
+    /// Grid, ticks, frame and words: a title above, the axes' names with their units, and the word for 0. An axis without a name
+    /// has no numbers either.
+    pub fn draw(
+        &self,
+        picture: &mut Picture,
+        title: &str,
+        [x_name, y_name]: [&str; 2],
+        none: &str,
+    ) {
         let [left, top] = self.from;
         let [right, bottom] = self.to;
         if let Some(y) = self.y.none {
@@ -203,9 +189,9 @@ impl Panel {
             let y = self.y.at(value);
             picture.line(vec![[left, y], [right, y]], FAINT, 1, false);
         }
-        if !labels.y.is_empty() {
+        if !y_name.is_empty() {
             let beside = [
-                (self.y.none, labels.none),
+                (self.y.none, none),
                 (self.y.ties, "ties"),
                 (self.y.fails, "fails"),
             ];
@@ -216,29 +202,23 @@ impl Panel {
                 picture.text([left - 6.0, y], Anchor::Right, TICK, QUIET, word);
             }
         }
-        let ticks = if labels.x.is_empty() {
-            Vec::new()
-        } else {
-            self.x.ticks(6)
-        };
-        for (value, word) in ticks {
+        let ticks = (!x_name.is_empty()).then(|| self.x.ticks(6));
+        for (value, word) in ticks.into_iter().flatten() {
             let x = self.x.at(value);
             picture.line(vec![[x, top], [x, bottom]], FAINT, 1, false);
             picture.text([x, bottom + 12.0], Anchor::Middle, TICK, QUIET, word);
         }
         let frame = vec![[left, top], [left, bottom], [right, bottom]];
         picture.line(frame, INK, 1, false);
-        let middle = 0.5 * (left + right);
-        let title = [left - 40.0, top - 20.0];
-        picture.text(title, Anchor::Left, 18.0, INK, labels.title);
-        picture.text([middle, bottom + 31.0], Anchor::Middle, 15.0, INK, labels.x);
-        picture.marks.push(Mark::Text {
-            at: [left - 58.0, 0.5 * (top + bottom)],
-            anchor: Anchor::Middle,
-            size: 15.0,
-            colour: INK,
-            upwards: true,
-            text: labels.y.to_owned(),
-        });
+        let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
+        picture.text([left - 40.0, top - 20.0], Anchor::Left, 18.0, INK, title);
+        picture.text(
+            [middle[0], bottom + 31.0],
+            Anchor::Middle,
+            15.0,
+            INK,
+            x_name,
+        );
+        picture.text_upwards([left - 58.0, middle[1]], 15.0, INK, y_name);
     }
 }

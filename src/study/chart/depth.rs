@@ -2,7 +2,7 @@
 //! 2015; and the steps of real formats against distance.
 
 use super::{
-    axis::{Axis, Labels, Panel},
+    axis::{Axis, Panel},
     page::page,
     picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET},
 };
@@ -42,43 +42,27 @@ const MARKS: [f64; 2] = [1.0, 10.0];
 const STEPS: [f64; 2] = [0.1, 1e6];
 
 /// The chart.
-#[must_use]
 pub fn chart() -> Picture {
     let title = "What the depth buffer tells apart";
     let line = "Above: every number of a float of 5 bits, and the view depth that it means. Below: the least step of real formats, near \
                 0.1, far 1e6; lower is finer.";
-    let mut picture = page(900, title, &[line]);
-    marks(
-        &mut picture,
-        "Standard: near is 0",
-        Mapping::STANDARD,
-        110.0,
-    );
-    marks(
-        &mut picture,
-        "Reversed: near is 1",
-        Mapping::REVERSED,
-        890.0,
-    );
+    let mut picture = page(900.0, title, &[line]);
+    let [standard, reversed] = ["Standard: near is 0", "Reversed: near is 1"];
+    marks(&mut picture, standard, Mapping::STANDARD, 110.0);
+    marks(&mut picture, reversed, Mapping::REVERSED, 890.0);
     steps(&mut picture);
     picture
 }
 
 /// Every number in \[0, 1\] of a float of two bits of exponent and three of fraction.
 fn small_floats() -> impl Iterator<Item = f32> {
-    let of = |exponent: u16| {
-        let (lowest, step) = if exponent == 0 {
-            (0.0, 0.125)
-        } else {
-            (1.0, 0.125)
-        };
-        let scale = 0.5_f32.powi(3 - i32::from(exponent.max(1)) + 1);
-        (0..8_u16).map(move |fraction| scale * (lowest + step * f32::from(fraction)))
+    let of = |exponent: u8| {
+        let lowest = f32::from(exponent.min(1));
+        let scale = 0.5_f32.powi(4 - i32::from(exponent.max(1)));
+        (0..8_u8).map(move |fraction| scale * (lowest + 0.125 * f32::from(fraction)))
     };
-    (0..4)
-        .flat_map(of)
-        .chain([1.0])
-        .filter(|number| *number <= 1.0)
+    let numbers = (0..4).flat_map(of).chain([1.0]);
+    numbers.filter(|number| *number <= 1.0)
 }
 
 fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
@@ -90,99 +74,57 @@ fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
         from,
         to,
     };
-    let labels = Labels {
+    panel.draw(
+        picture,
         title,
-        x: "view depth (near 1, far 10)",
-        y: "stored",
-        none: "",
-    };
-    panel.draw(picture, &labels);
-    let case = |depth: f64| DepthCase {
-        #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-        depth: depth as f32,
-        near,
-        far,
-        parallel: false,
-    };
+        ["view depth (near 1, far 10)", "stored"],
+        "",
+    );
+    let case = |depth: f64| DepthCase::new(depth, MARKS);
     let mut depths = Vec::new();
     for number in small_floats() {
         let depth = mapping.read(number, &case(near));
         let at = panel.at(depth, f64::from(number));
         depths.push(depth);
-        picture.line(
-            vec![[from[0], at[1]], at, [at[0], to[1]]],
-            [0xb8, 0xc6, 0xd6],
-            1,
-            false,
-        );
-        picture.line(
-            vec![[at[0], to[1] - 12.0], [at[0], to[1]]],
-            COLOURS[1],
-            3,
-            false,
-        );
+        let (foot, mark) = ([at[0], to[1]], [at[0], to[1] - 12.0]);
+        let guide = vec![[from[0], at[1]], at, foot];
+        picture.line(guide, [0xb8, 0xc6, 0xd6], 1, false);
+        picture.line(vec![mark, foot], COLOURS[1], 3, false);
     }
     let curve = (0..=180_u16).map(|i| near + (far - near) * f64::from(i) / 180.0);
     let curve = curve.map(|depth| panel.at(depth, f64::from(mapping.stored(&case(depth)))));
     picture.line(curve.collect(), INK, 3, false);
     depths.sort_by(f64::total_cmp);
-    let gap = depths
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(0.0, f64::max);
-    let words = format!("widest gap {gap:.1}");
-    picture.text(
-        [to[0] - 8.0, 0.5 * (from[1] + to[1])],
-        Anchor::Right,
-        20.0,
-        INK,
-        words,
-    );
+    let gaps = depths.windows(2).map(|pair| pair[1] - pair[0]);
+    let words = format!("widest gap {:.1}", gaps.fold(0.0, f64::max));
+    let at = [to[0] - 8.0, 0.5 * (from[1] + to[1])];
+    picture.text(at, Anchor::Right, 20.0, INK, words);
 }
 
 fn steps(picture: &mut Picture) {
     const PER_DECADE: i32 = 8;
-    let [near, far] = STEPS;
     let decades = -PER_DECADE + 1..6 * PER_DECADE;
-    let depths: Vec<f64> = decades
-        .map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)))
-        .collect();
+    let depths = decades.map(|i| 10_f64.powf(f64::from(i) / f64::from(PER_DECADE)));
+    let depths: Vec<f64> = depths.collect();
     let curves = MAPPINGS.map(|(name, mapping, colour, width)| {
-        let steps: Vec<f64> = depths
+        let steps = depths
             .iter()
-            .map(|z| resolution(mapping, *z, near, far))
-            .collect();
-        (name, colour, width, steps)
+            .filter_map(|z| Some((*z, resolution(mapping, *z)?)));
+        (name, colour, width, steps.collect::<Vec<_>>())
     });
-    let ys = curves
-        .iter()
-        .flat_map(|(_, _, _, steps)| steps)
-        .copied()
-        .filter(|y| y.is_finite());
-    let panel = Panel::new(
-        [110.0, 500.0],
-        [1180.0, 840.0],
-        &[depths[0], far],
-        &ys.collect::<Vec<_>>(),
-    );
-    let labels = Labels {
-        title: "",
-        x: "view depth",
-        y: "least step (same unit)",
-        none: "0",
-    };
-    panel.draw(picture, &labels);
+    let ys = curves.iter().flat_map(|(_, _, _, steps)| steps);
+    let ys: Vec<f64> = ys.map(|(_, step)| *step).collect();
+    let xs = [depths[0], STEPS[1]];
+    let panel = Panel::new([110.0, 500.0], [1180.0, 840.0], &xs, &ys);
+    panel.draw(picture, "", ["view depth", "least step (same unit)"], "0");
     let mut ends: Vec<(f64, f64, &str, Colour)> = Vec::new();
-    for (name, colour, width, steps) in &curves {
-        let points = depths
-            .iter()
-            .zip(steps)
-            .filter(|(_, step)| step.is_finite());
-        let points: Vec<[f64; 2]> = points.map(|(z, step)| panel.at(*z, *step)).collect();
+    for (name, colour, width, steps) in curves {
+        let points = steps.into_iter().map(|(z, step)| panel.at(z, step));
+        let points: Vec<[f64; 2]> = points.collect();
         if let Some(&[x, y]) = points.last() {
-            ends.push((y, x, name, *colour));
+            ends.push((y, x, name, colour));
         }
-        picture.line(points, *colour, *width, false);
+        picture.line(points, colour, width, false);
     }
     // Labels beside the lines' ends, from the top, moved apart where lines end together.
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -195,22 +137,12 @@ fn steps(picture: &mut Picture) {
     }
 }
 
-/// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye.
-fn resolution(mapping: Mapping, depth: f64, near: f64, far: f64) -> f64 {
-    #[expect(clippy::cast_possible_truncation, reason = "the card's input is f32")]
-    let case = DepthCase {
-        depth: depth as f32,
-        near,
-        far,
-        parallel: false,
-    };
+/// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye; none beyond the
+/// last number, where there is nothing left to tell apart.
+fn resolution(mapping: Mapping, depth: f64) -> Option<f64> {
+    let case = DepthCase::new(depth, STEPS);
     let stored = mapping.stored(&case);
     let next = mapping.next(stored);
     let step = mapping.read(next, &case) - mapping.read(stored, &case);
-    // Beyond the last number there is nothing left to tell apart.
-    if step > 0.0 && (0.0..=1.0).contains(&next) {
-        step
-    } else {
-        f64::INFINITY
-    }
+    (step > 0.0 && step.is_finite() && (0.0..=1.0).contains(&next)).then_some(step)
 }

@@ -1,9 +1,9 @@
 //! Speed against wrong answers for a triangle, a sphere and a whole pick: three large panels.
 
 use super::{
-    axis::{Axis, Labels, Panel},
+    axis::{Axis, Panel},
     labels::Places,
-    page::{WIDTH, page},
+    page::{WIDTH, count, distinct, page},
     picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
 };
 use crate::study::{
@@ -34,12 +34,12 @@ struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    fn new(report: &'a Report, of: &Summary<'a>, wanted: &impl Fn(&Row) -> bool) -> Option<Self> {
+    fn new(report: &'a Report, of: &Summary<'a>) -> Option<Self> {
         let row = of.method;
-        let key = |row: &Row| (row.step.key, row.method, row.precision);
         let own = || {
-            let own = report.rows.iter().filter(|other| key(other) == key(row));
-            own.filter(|row| wanted(row))
+            report
+                .of_step(row.step)
+                .filter(|other| other.method_key() == row.method_key())
         };
         let mut percents: Vec<f64> = own().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
@@ -54,11 +54,22 @@ impl<'a> Point<'a> {
             wrong: [all, percents[percents.len() / 2], apart, *percents.last()?],
         })
     }
+
+    fn is_never_wrong(&self) -> bool {
+        self.wrong[0] == 0.0
+    }
+
+    fn name(&self) -> &'a str {
+        if self.row.ours {
+            "Sightline"
+        } else {
+            self.row.method
+        }
+    }
 }
 
-/// The chart; `wanted` says which rows count.
-#[must_use]
-pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
+/// The chart.
+pub fn chart(report: &Report) -> Picture {
     let lines = [
         "Lower: more accurate; left: faster. Point: all workloads together, time on the ordinary one. Bars: from the middle workload to the \
          worst, and to the slowest.",
@@ -66,64 +77,43 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
          star: Sightline.",
     ];
     let title = "How often each method is wrong, and how long it takes";
-    let mut picture = page(900, title, &lines);
-    let mut panels: Vec<(&str, bool, Vec<Point<'_>>)> = Vec::new();
-    for (key, is_shared) in STEPS {
-        for step in report.steps().into_iter().filter(|step| step.key == key) {
-            let all = report.summaries(step, &wanted);
-            let points = all.iter().filter_map(|of| Point::new(report, of, &wanted));
-            panels.push((step.name, is_shared, points.collect()));
-        }
-    }
-    panels.retain(|(_, _, points)| !points.is_empty());
+    let mut picture = page(900.0, title, &lines);
+    let panels = STEPS.iter().filter_map(|(key, is_shared)| {
+        let step = report.steps().into_iter().find(|step| step.key == *key)?;
+        let all = report.summaries(step);
+        let mut points: Vec<_> = all.iter().filter_map(|of| Point::new(report, of)).collect();
+        points.sort_by(|a, b| a.ns.total_cmp(&b.ns));
+        (!points.is_empty()).then_some((step.name, *is_shared, points))
+    });
+    let panels: Vec<(&str, bool, Vec<Point<'_>>)> = panels.collect();
     let all = || panels.iter().flat_map(|(_, _, points)| points);
     let wrong = all().flat_map(|point| [point.wrong[0], point.wrong[3]]);
     let wrong: Vec<f64> = wrong.filter(|wrong| *wrong > 0.0).collect();
-    let rows = panels
-        .iter()
-        .map(|(_, _, points)| never(points).len())
-        .max();
-    #[expect(clippy::cast_precision_loss, reason = "a few methods")]
-    let band = BOTTOM - ROW * rows.unwrap_or(0) as f64 - 8.0;
+    let rows = panels.iter().map(|(_, _, points)| never(points).len());
+    let band = BOTTOM - ROW * count(rows.max().unwrap_or(0)) - 8.0;
     let y = Axis::new(&wrong, [band - 4.0, TOP + 6.0]);
-    let shared = span(
-        panels
-            .iter()
-            .filter(|(_, shared, _)| *shared)
-            .flat_map(|(_, _, points)| points),
-    );
+    let shared = panels.iter().filter(|(_, is_shared, _)| *is_shared);
+    let shared = span(shared.flat_map(|(_, _, points)| points));
     let width = (WIDTH - LEFT - 24.0 - 2.0 * GAP) / 3.0;
     for ((name, is_shared, points), place) in panels.iter().zip((0..).map(f64::from)) {
         let left = LEFT + place * (width + GAP);
-        let span = if *is_shared {
-            shared
-        } else {
-            span(points.iter())
-        };
+        let span = if *is_shared { shared } else { span(points) };
         let panel = Panel {
             x: Axis::between(f64::log10, span, [left, left + width]),
             y,
             from: [left, TOP],
             to: [left + width, BOTTOM],
         };
-        let words = if place == 0.0 {
-            ["wrong answers (%)", "never"]
+        let (y_name, never) = if place == 0.0 {
+            ("wrong answers (%)", "never")
         } else {
-            [""; 2]
+            ("", "")
         };
-        picture.rectangle([left, band], [left + width, BOTTOM], [0xe8, 0xf5, 0xee]);
-        panel.draw(
-            &mut picture,
-            &Labels {
-                title: "",
-                x: "time (ns)",
-                y: words[0],
-                none: "",
-            },
-        );
+        picture.rectangle([left, band], panel.to, [0xe8, 0xf5, 0xee]);
+        panel.draw(&mut picture, "", ["time (ns)", y_name], "");
         picture.text([left, TOP - 20.0], Anchor::Left, 24.0, INK, *name);
         let at = [left - 6.0, 0.5 * (band + BOTTOM)];
-        picture.text(at, Anchor::Right, 15.0, QUIET, words[1]);
+        picture.text(at, Anchor::Right, 15.0, QUIET, never);
         draw(&mut picture, &panel, band, points);
     }
     picture
@@ -131,65 +121,49 @@ pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
 
 /// The formulas that are never wrong.
 fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
-    let mut names: Vec<&str> = Vec::new();
-    for point in points.iter().filter(|point| point.wrong[0] == 0.0) {
-        if !names.contains(&point.row.method) {
-            names.push(point.row.method);
-        }
-    }
-    names
+    let never = points.iter().filter(|point| point.is_never_wrong());
+    distinct(never.map(|point| point.row.method))
 }
 
 /// The logarithms of the times that an axis shows. What takes many times as long as most stands at its end, with its time.
-fn span<'a>(points: impl Iterator<Item = &'a Point<'a>>) -> [f64; 2] {
-    let mut times: Vec<f64> = points.map(|point| point.ns.log10()).collect();
+fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
+    let mut times: Vec<f64> = points.into_iter().map(|point| point.ns.log10()).collect();
     times.sort_by(f64::total_cmp);
-    let [first, last] =
-        [0, times.len().saturating_sub(1)].map(|i| times.get(i).copied().unwrap_or(0.0));
-    let middle = times.get(times.len() / 2).copied().unwrap_or(0.0);
-    let is_wide = last - first > 3.0;
-    [
-        first - 0.2,
-        if is_wide {
-            last + 0.2
-        } else {
-            last.min(middle + 0.8) + 0.5
-        },
-    ]
+    let (Some(first), Some(last)) = (times.first(), times.last()) else {
+        return [0.0, 1.0];
+    };
+    let end = if last - first > 3.0 {
+        last + 0.2
+    } else {
+        last.min(times[times.len() / 2] + 0.8) + 0.5
+    };
+    [first - 0.2, end]
 }
 
 /// A point with its place and colour.
 type Placed<'a> = (&'a Point<'a>, [f64; 2], Colour);
 
+/// `points` from the fastest to the slowest.
 fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
-    let mut names: Vec<&str> = Vec::new();
     let never = never(points);
-    let mut places = Places::new(panel.from, [panel.to[0], band - 2.0]);
-    let mut sorted: Vec<&Point<'_>> = points.iter().collect();
-    sorted.sort_by(|a, b| a.ns.total_cmp(&b.ns));
-    let mut placed: Vec<Placed<'_>> = Vec::new();
-    for point in sorted {
-        let name = point.row.method;
-        if !names.contains(&name) {
-            names.push(name);
-        }
-        let index = names.iter().position(|known| *known == name).unwrap_or(0);
-        let colour = if point.row.ours {
-            [0; 3]
-        } else {
-            COLOURS[index % COLOURS.len()]
-        };
-        let mut at = panel.at(point.ns, point.wrong[0]);
-        if let Some(row) = never
+    let names = distinct(points.iter().map(|point| point.row.method));
+    let position = |names: &[&str], point: &Point<'_>| {
+        names
             .iter()
-            .position(|known| *known == name && point.wrong[0] == 0.0)
-        {
-            #[expect(clippy::cast_precision_loss, reason = "a few methods")]
-            let down = ROW * (row as f64 + 0.5);
-            at[1] = band + 4.0 + down;
+            .position(|name| *name == point.row.method)
+            .unwrap_or(0)
+    };
+    let mut places = Places::new(panel.from, [panel.to[0], band - 2.0]);
+    let placed = points.iter().map(|point| {
+        let colour = COLOURS[position(&names, point) % COLOURS.len()];
+        let colour = if point.row.ours { [0; 3] } else { colour };
+        let mut at = panel.at(point.ns, point.wrong[0]);
+        if point.is_never_wrong() {
+            at[1] = band + 4.0 + ROW * (count(position(&never, point)) + 0.5);
         }
-        placed.push((point, at, colour));
-    }
+        (point, at, colour)
+    });
+    let mut placed: Vec<Placed<'_>> = placed.collect();
     for each in &placed {
         bars(picture, panel, band, each, &mut places);
     }
@@ -213,15 +187,11 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     // The best that a formula can do bears its name.
     let mut named: Vec<&str> = Vec::new();
     for (point, at, colour) in placed.iter().rev() {
-        if named.contains(&point.row.method) {
+        let name = point.name();
+        if named.contains(&name) {
             continue;
         }
-        named.push(point.row.method);
-        let name = if point.row.ours {
-            "Sightline"
-        } else {
-            point.row.method
-        };
+        named.push(name);
         let is_off = |ns: f64| panel.x.at(ns) >= panel.to[0];
         let words = match (is_off(point.ns), is_off(point.slowest)) {
             (true, _) => format!("{name}, {}", time(point.ns)),
@@ -283,12 +253,8 @@ fn bars(
         if x < panel.to[0] {
             picture.line(vec![[x, y - 5.0], [x, y + 5.0]], *colour, 2, false);
         } else {
-            picture.line(
-                vec![[x - 8.0, y - 5.0], slowest, [x - 8.0, y + 5.0]],
-                *colour,
-                2,
-                false,
-            );
+            let tip = vec![[x - 8.0, y - 5.0], slowest, [x - 8.0, y + 5.0]];
+            picture.line(tip, *colour, 2, false);
         }
         places.take_line([*at, slowest]);
     }

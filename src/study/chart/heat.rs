@@ -1,7 +1,7 @@
 //! Where each method fails: methods by families, the colour how far off, the number how often.
 
 use super::{
-    page::{WIDTH, page},
+    page::{WIDTH, count, distinct, page},
     picture::{Anchor, Colour, INK, Picture, QUIET},
 };
 use crate::study::{
@@ -29,71 +29,47 @@ struct Block<'a> {
     methods: Vec<&'a str>,
 }
 
-impl Block<'_> {
-    #[expect(clippy::cast_precision_loss, reason = "a few methods")]
-    fn height(&self) -> f64 {
-        HEAD + ROW * self.methods.len() as f64 + 26.0
-    }
-}
-
-/// The chart: of the steps whose answers are off by pixels. `wanted` says which rows count.
-#[must_use]
-pub fn chart(report: &Report, wanted: impl Fn(&Row) -> bool) -> Picture {
-    let steps = report.steps().into_iter();
-    let steps = steps.filter(|step| [step.wrong_unit, step.error_unit].contains(&"px"));
-    let blocks = steps.map(|step| {
-        let rows = report
-            .rows
-            .iter()
-            .filter(|row| row.step == step && wanted(row));
-        let rows: Vec<&Row> = rows.collect();
-        let mut families: Vec<&str> = rows.iter().map(|row| row.family).collect();
-        families.dedup();
-        Block {
+impl<'a> Block<'a> {
+    fn new(report: &'a Report, step: About) -> Self {
+        let rows: Vec<&Row> = report.of_step(step).collect();
+        Self {
             step,
-            families,
+            families: distinct(rows.iter().map(|row| row.family)),
             methods: distinct(rows.iter().map(|row| row.method)),
             rows,
         }
-    });
-    let mut blocks: Vec<Block<'_>> = blocks.filter(|block| !block.rows.is_empty()).collect();
+    }
+
+    fn height(&self) -> f64 {
+        HEAD + ROW * count(self.methods.len()) + 26.0
+    }
+}
+
+/// The chart: of the steps whose answers are off by pixels.
+pub fn chart(report: &Report) -> Picture {
+    let mut steps = report.steps();
+    steps.retain(|step| [step.wrong_unit, step.error_unit].contains(&"px"));
+    let blocks = steps.into_iter().map(|step| Block::new(report, step));
+    let mut blocks: Vec<Block<'_>> = blocks.collect();
     // Each into the column that is shorter by then, the largest first.
     blocks.sort_by(|a, b| b.height().total_cmp(&a.height()));
-    let mut ends = [TOP; 2];
-    let mut places = Vec::new();
-    for block in &blocks {
-        let column = usize::from(ends[1] < ends[0]);
-        places.push([
-            24.0 + 0.5 * (WIDTH - 24.0) * f64::from(u8::from(column == 1)),
-            ends[column],
-        ]);
-        ends[column] += block.height();
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a page"
-    )]
-    let height = ends[0].max(ends[1]) as u32;
+    let mut ends = [(24.0, TOP), (0.5 * WIDTH + 12.0, TOP)];
+    let places = blocks.iter().map(|block| {
+        let column = usize::from(ends[1].1 < ends[0].1);
+        let (x, y) = ends[column];
+        ends[column].1 += block.height();
+        [x, y]
+    });
+    let places: Vec<[f64; 2]> = places.collect();
     let title = "Where each method fails";
     let line = "Colour: how far off at worst. Number: wrong answers in per cent; of rays, the power of ten of the error in px. Left f32, right f64 or \
                 exact; blank: never wrong.";
-    let mut picture = page(height, title, &[line]);
+    let mut picture = page(ends[0].1.max(ends[1].1), title, &[line]);
     legend(&mut picture);
     for (block, at) in blocks.iter().zip(places) {
         draw(&mut picture, block, at);
     }
     picture
-}
-
-fn distinct<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
-    let mut all: Vec<&str> = Vec::new();
-    for name in names {
-        if !all.contains(&name) {
-            all.push(name);
-        }
-    }
-    all
 }
 
 /// White for nothing, else the darker the further off.
@@ -140,58 +116,46 @@ fn legend(picture: &mut Picture) {
 
 fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
     picture.text([left, top + 12.0], Anchor::Left, 20.0, INK, block.step.name);
-    for (family, x) in block
-        .families
-        .iter()
-        .zip((0..).map(|i| left + NAMES + 2.0 * HALF * f64::from(i)))
-    {
+    let right = left + NAMES;
+    let columns = (0..).map(|i| right + 2.0 * HALF * f64::from(i));
+    let rows = || (0..).map(|i| top + HEAD + ROW * f64::from(i));
+    for (method, y) in block.methods.iter().zip(rows()) {
+        let at = [right - 8.0, y + 0.5 * ROW];
+        picture.text(at, Anchor::Right, 15.0, INK, *method);
+    }
+    for (family, x) in block.families.iter().zip(columns) {
         let lines = wrapped(family, 11);
         for (line, up) in lines.iter().rev().zip((0..).map(f64::from)) {
             let at = [x + HALF, top + HEAD - 10.0 - 14.0 * up];
             picture.text(at, Anchor::Middle, 13.5, QUIET, line);
         }
-        for (method, y) in block
-            .methods
-            .iter()
-            .zip((0..).map(|i| top + HEAD + ROW * f64::from(i)))
-        {
-            let own = || {
-                block
-                    .rows
-                    .iter()
-                    .filter(|row| (row.family, row.method) == (*family, *method))
-            };
-            for is_narrow in [true, false] {
-                let own = || own().filter(|row| (row.precision == Precision::F32) == is_narrow);
-                if own().next().is_some() {
-                    let x = x + if is_narrow { 0.0 } else { HALF };
-                    cell(picture, [x, y], own());
+        for (method, y) in block.methods.iter().zip(rows()) {
+            let own = block
+                .rows
+                .iter()
+                .copied()
+                .filter(|row| (row.family, row.method) == (*family, *method));
+            let (narrow, others): (Vec<&Row>, Vec<&Row>) =
+                own.partition(|row| row.precision == Precision::F32);
+            for (rows, x) in [(narrow, x), (others, x + HALF)] {
+                if !rows.is_empty() {
+                    cell(picture, [x, y], &rows);
                 }
             }
         }
     }
-    for (method, y) in block
-        .methods
-        .iter()
-        .zip((0..).map(|i| top + HEAD + ROW * (f64::from(i) + 0.5)))
-    {
-        picture.text([left + NAMES - 8.0, y], Anchor::Right, 15.0, INK, *method);
-    }
 }
 
 /// What a method in one precision did in one family.
-fn cell<'a>(picture: &mut Picture, [x, y]: [f64; 2], rows: impl Iterator<Item = &'a &'a Row>) {
-    let [mut px, mut wrong] = [0.0_f64; 2];
-    let mut decides = false;
-    for row in rows {
-        decides |= !row.step.wrong_unit.is_empty();
-        px = px.max(if decides {
-            row.worst_wrong
-        } else {
-            row.worst_error
-        });
-        wrong = wrong.max(row.wrong_percent());
-    }
+fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
+    let decides = !rows[0].step.wrong_unit.is_empty();
+    let most = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row)).fold(0.0, f64::max);
+    let wrong = most(Row::wrong_percent);
+    let px = if decides {
+        most(|row| row.worst_wrong)
+    } else {
+        most(|row| row.worst_error)
+    };
     let colour = colour(px);
     picture.rectangle([x, y], [x + HALF - 1.0, y + ROW - 1.0], [0xe4; 3]);
     picture.rectangle([x + 1.0, y + 1.0], [x + HALF - 2.0, y + ROW - 2.0], colour);

@@ -18,7 +18,6 @@ const SIZE: f64 = 16.0;
 
 impl Places {
     /// A frame in which nothing is taken.
-    #[must_use]
     pub fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
         Self {
             frame: [left, top, right, bottom],
@@ -28,15 +27,19 @@ impl Places {
     }
 
     /// A point is there.
-    pub fn take_point(&mut self, [x, y]: [f64; 2], radius: f64) {
-        let area = [x - radius, y - radius, x + radius, y + radius];
-        self.taken.push(area);
+    pub fn take_point(&mut self, at: [f64; 2], radius: f64) {
+        self.taken.push(about(at, radius));
     }
 
     /// An upright or level line is there.
     pub fn take_line(&mut self, [a, b]: [[f64; 2]; 2]) {
         let [low, high] = [f64::min, f64::max].map(|of| [of(a[0], b[0]), of(a[1], b[1])]);
         self.lines.push([low[0], low[1], high[0], high[1]]);
+    }
+
+    fn holds(&self, area: &[f64; 4]) -> bool {
+        let [left, top, right, bottom] = self.frame;
+        area[0] >= left && area[1] >= top && area[2] <= right && area[3] <= bottom
     }
 
     /// The nearest place to a point where no other point is.
@@ -46,20 +49,14 @@ impl Places {
             let away = 2.0 * radius * f64::from(i / 8 + 1);
             [at[0] + away * cos, at[1] - away * sin]
         };
-        let area = |[x, y]: [f64; 2]| [x - radius, y - radius, x + radius, y + radius];
         let is_free = |at: &[f64; 2]| {
-            let [x, y] = *at;
-            let [left, top, right, bottom] = self.frame;
-            let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
-            inside
-                && !self
-                    .taken
-                    .iter()
-                    .any(|other| meet(&area(*at), other, -0.5 * radius))
+            let area = about(*at, radius);
+            let is_taken = |other: &[f64; 4]| meet(&area, other, -0.5 * radius);
+            self.holds(&about(*at, 0.0)) && !self.taken.iter().any(is_taken)
         };
         let mut all = std::iter::once(at).chain((0..32).map(around));
         let spot = all.find(is_free).unwrap_or(at);
-        self.taken.push(area(spot));
+        self.take_point(spot, radius);
         spot
     }
 
@@ -82,10 +79,8 @@ impl Places {
             .flat_map(|distance| turns.map(|turn| (distance, turn)))
             .map(place)
             .collect();
-        let [left, top, right, bottom] = self.frame;
         let is_free = |area: &&[f64; 4]| {
-            let inside = area[0] >= left && area[1] >= top && area[2] <= right && area[3] <= bottom;
-            inside && !self.taken.iter().any(|other| meet(area, other, 2.0))
+            self.holds(area) && !self.taken.iter().any(|other| meet(area, other, 2.0))
         };
         let is_off_lines = |area: &&[f64; 4]| {
             is_free(area) && !self.lines.iter().any(|line| meet(area, line, 1.0))
@@ -105,6 +100,10 @@ impl Places {
         picture.text(from, Anchor::Left, SIZE, INK, words);
         self.taken.push(area);
     }
+}
+
+fn about([x, y]: [f64; 2], radius: f64) -> [f64; 4] {
+    [x - radius, y - radius, x + radius, y + radius]
 }
 
 /// Whether two areas come this close.

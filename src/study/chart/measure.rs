@@ -17,7 +17,6 @@ pub enum Measure {
 
 impl Measure {
     /// What tells a step's methods apart: decisions where it makes them.
-    #[must_use]
     pub fn of(step: About) -> Self {
         match (step.wrong_unit, step.error_unit) {
             ("", "") => Self::Percent,
@@ -28,7 +27,6 @@ impl Measure {
 
     /// What it says about a row. Wrong decisions at no distance at all, which only ties can be, are [`TIE`](Self::TIE), and
     /// so neither none nor taken for a distance.
-    #[must_use]
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
@@ -44,7 +42,6 @@ impl Measure {
     pub const TIE: f64 = f64::MIN_POSITIVE;
 
     /// For the axis.
-    #[must_use]
     pub fn label(self, step: About) -> String {
         match self {
             Self::Error => format!("worst error ({})", step.error_unit),
@@ -55,7 +52,6 @@ impl Measure {
     }
 
     /// The word for 0.
-    #[must_use]
     pub fn none(self) -> &'static str {
         match self {
             Self::Error | Self::Time => "0",
@@ -64,7 +60,6 @@ impl Measure {
     }
 
     /// A method at its worst over all rows of a summary.
-    #[must_use]
     pub fn worst(self, summary: &Summary<'_>) -> f64 {
         [summary.most_wrong, summary.worst_wrong, summary.worst_error]
             .map(|row| self.at(row))

@@ -1,48 +1,29 @@
 //! Speed against the worst error: a small panel a step.
 
 use super::{
-    axis::{Labels, Panel},
     labels::Places,
     measure::Measure,
-    page::{PLOT_HEIGHT, page, places},
+    page::{count, distinct, page, places, small},
     picture::{Anchor, INK, Picture},
     style::{Style, legend, styles},
 };
-use crate::study::{
-    run::{Report, Row},
-    step::About,
-    summary::Summary,
-};
+use crate::study::{run::Report, step::About, summary::Summary};
 
-/// The chart; `wanted` says which rows count. Steps that nothing was timed of have no axis of time.
-#[must_use]
-pub fn chart(report: &Report, title: &str, wanted: impl Fn(&Row) -> bool) -> Picture {
+/// The chart. Steps that nothing was timed of have no axis of time.
+pub fn chart(report: &Report, title: &str) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
                 rounds. The line is the front: for what lies above it, something is both faster and better. A thin line: moved aside.";
-    let has_times = report.rows.iter().any(|row| row.time.is_some());
-    let steps = report.steps().into_iter().filter_map(|step| {
-        let all = report.summaries(step, &wanted);
-        (has_times && !all.is_empty()).then_some((step, all))
-    });
-    let steps: Vec<(About, Vec<Summary<'_>>)> = steps.collect();
+    let mut steps = report.steps();
+    if report.rows.iter().all(|row| row.time.is_none()) {
+        steps.clear();
+    }
     // As far apart as the longest legend is long.
-    let formulas = |all: &[Summary<'_>]| {
-        let mut names: Vec<&str> = all.iter().map(|summary| summary.method.method).collect();
-        names.dedup();
-        names.len()
-    };
-    let formulas = steps.iter().map(|(_, all)| formulas(all)).max();
-    let count = |n: usize| u32::try_from(n).map_or(0.0, f64::from);
-    let apart = 310.0 + 16.5 * count(formulas.unwrap_or(0));
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a page"
-    )]
-    let height = (92.0 + apart * count(steps.len().div_ceil(5))) as u32;
+    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.method)).len();
+    let apart = 310.0 + 16.5 * count(steps.iter().map(formulas).max().unwrap_or(0));
+    let height = 92.0 + apart * count(steps.len().div_ceil(5));
     let mut picture = page(height, title, &[line]);
-    for ((step, all), at) in steps.iter().zip(places(5, apart)) {
-        panel(&mut picture, *step, all, at);
+    for (step, at) in steps.into_iter().zip(places(5, apart)) {
+        panel(&mut picture, step, &report.summaries(step), at);
     }
     picture
 }
@@ -56,45 +37,35 @@ struct Point {
     style: Style,
 }
 
-fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [f64; 2]) {
+fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) {
     let measure = Measure::of(step);
     let is_timed = all.iter().any(|summary| summary.ns().is_some());
     let styles = styles(all.iter().map(|summary| summary.method));
-    let points = all.iter().zip(styles).zip((0..).map(f64::from));
-    let point = |((summary, style), place): ((&Summary<'_>, Style), f64)| {
-        let time = summary.method.time;
-        let (x, quartiles) = match time {
+    let places = (0..).map(|i| 1.5 + f64::from(i));
+    let points = all.iter().zip(styles).zip(places);
+    let points = points.filter_map(|((summary, style), place)| {
+        let (x, quartiles) = match summary.method.time {
             Some(time) => (time.ns, time.quartiles),
             None if is_timed => return None,
-            None => (1.5 + place, [1.5 + place; 2]),
+            None => (place, [place; 2]),
         };
-        let y = measure.worst(summary);
         Some(Point {
             x,
             quartiles,
-            y,
+            y: measure.worst(summary),
             style,
         })
-    };
-    let mut points: Vec<Point> = points.filter_map(point).collect();
+    });
+    let mut points: Vec<Point> = points.collect();
     let mut xs: Vec<f64> = points.iter().flat_map(|point| point.quartiles).collect();
     if !is_timed {
         xs.extend([1.0, 10.0]);
     }
     let ys: Vec<f64> = points.iter().map(|point| point.y).collect();
-    let from = [left + 76.0, top + 28.0];
-    let to = [left + 308.0, top + 28.0 + PLOT_HEIGHT];
-    let panel = Panel::new(from, to, &xs, &ys);
-    let y = measure.label(step);
-    panel.draw(
-        picture,
-        &Labels {
-            title: step.name,
-            x: if is_timed { "time (ns)" } else { "" },
-            y: &y,
-            none: measure.none(),
-        },
-    );
+    let panel = small(at, [76.0, 308.0], &xs, &ys);
+    let x_name = if is_timed { "time (ns)" } else { "" };
+    let names = [x_name, &measure.label(step)];
+    panel.draw(picture, step.name, names, measure.none());
     if is_timed {
         let mut steps: Vec<[f64; 2]> = Vec::new();
         for (x, y) in front(&points) {
@@ -108,33 +79,22 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], [left, top]: [
     }
     // This program's first: it stays where it is, and what lies under it moves aside.
     points.sort_by_key(|point| !point.style.ours);
-    let mut places = Places::new(from, to);
-    for Point {
-        x,
-        quartiles,
-        y,
-        style,
-    } in &points
-    {
-        let bar = quartiles.map(|x| panel.at(x, *y));
-        picture.line(bar.to_vec(), style.colour, 1, false);
-        let at = panel.at(*x, *y);
-        let spot = places.spot(at, 6.0);
-        picture.line(vec![at, spot], style.colour, 1, false);
-        style.point(picture, spot);
+    let mut taken = Places::new(panel.from, panel.to);
+    for point in &points {
+        let (colour, at) = (point.style.colour, panel.at(point.x, point.y));
+        let bar = point.quartiles.map(|x| panel.at(x, point.y));
+        picture.line(bar.to_vec(), colour, 1, false);
+        let spot = taken.spot(at, 6.0);
+        picture.line(vec![at, spot], colour, 1, false);
+        point.style.point(picture, spot, 6.0);
     }
-    let mut at = [left + 22.0, to[1] + 50.0];
+    let mut at = [at[0] + 22.0, panel.to[1] + 50.0];
     let off = all
         .iter()
         .filter(|own| own.method.ours && !own.is_on_front(all));
     for reason in off.filter_map(|own| own.method.reason) {
-        picture.text(
-            at,
-            Anchor::Left,
-            14.0,
-            INK,
-            format!("The star buys: {reason}"),
-        );
+        let words = format!("The star buys: {reason}");
+        picture.text(at, Anchor::Left, 14.0, INK, words);
         at[1] += 20.0;
     }
     points.sort_by_key(|point| point.style.ours);

@@ -162,9 +162,15 @@ pub struct DrawError(String);
 const FONT: &str = "sans-serif";
 
 impl Picture {
-    /// An empty white picture.
+    /// An empty white picture of so many whole pixels.
     #[must_use]
-    pub fn new(width: u32, height: u32) -> Self {
+    pub fn new(width: f64, height: f64) -> Self {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a page"
+        )]
+        let [width, height] = [width, height].map(|side| side as u32);
         Self {
             width,
             height,
@@ -188,6 +194,18 @@ impl Picture {
             colour,
             upwards: false,
             text: text.into(),
+        });
+    }
+
+    /// Adds a line of text that reads upwards, about its middle.
+    pub fn text_upwards(&mut self, at: [f64; 2], size: f64, colour: Colour, text: &str) {
+        self.marks.push(Mark::Text {
+            at,
+            anchor: Anchor::Middle,
+            size,
+            colour,
+            upwards: true,
+            text: text.to_owned(),
         });
     }
 
@@ -258,20 +276,17 @@ impl Picture {
             let area = BitMapBackend::with_buffer(&mut fine, (width, height)).into_drawing_area();
             self.draw(&area, f64::from(FINER))?;
         }
-        let at = |x: u32, y: u32, channel: usize| {
-            u32::from(fine[(y as usize * width as usize + x as usize) * 3 + channel])
-        };
-        let pixel = |x: u32, y: u32| {
+        let (fine, _) = fine.as_chunks::<3>();
+        let pixel = |(x, y): (u32, u32)| {
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                .map(|(i, j)| fine[((FINER * y + j) * width + FINER * x + i) as usize]);
             std::array::from_fn(|channel| {
-                let block = (0..FINER).flat_map(|i| (0..FINER).map(move |j| (i, j)));
-                let sum: u32 = block
-                    .map(|(i, j)| at(x * FINER + i, y * FINER + j, channel))
-                    .sum();
-                u8::try_from(sum / (FINER * FINER)).unwrap_or(u8::MAX)
+                let sum: u16 = four.iter().map(|pixel| u16::from(pixel[channel])).sum();
+                u8::try_from(sum / 4).unwrap_or(u8::MAX)
             })
         };
-        let rows = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        Ok(rows.map(|(x, y)| pixel(x, y)).collect())
+        let all = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
+        Ok(all.map(pixel).collect())
     }
 
     fn draw<B: DrawingBackend>(

@@ -1,18 +1,17 @@
 //! A line a method: the worst error against what stresses it, and the time against how many rays hit.
 
 use super::{
-    axis::{Axis, Labels, Panel},
+    axis::Axis,
     measure::Measure,
-    page::{PLOT_HEIGHT, ROWS_APART, page, places},
+    page::{ROWS_APART, count, distinct, page, places, small},
     picture::{Anchor, INK, Picture},
     style::{Style, legend, styles},
 };
 use crate::study::{
     methods::triangles::TriangleCase,
     run::{Report, Row, SCENE},
-    step::{Family, Precision},
+    step::{About, Family, Precision},
 };
-use std::collections::BTreeSet;
 
 /// The families that are shown, by step and name.
 const SHOWN: [(&str, &str); 8] = [
@@ -26,59 +25,26 @@ const SHOWN: [(&str, &str); 8] = [
     ("depth", "far plane"),
 ];
 
-/// The family of growing shares of hits.
-const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
-
 /// The chart.
-#[must_use]
 pub fn chart(report: &Report) -> Picture {
     let title = "Where each method breaks";
     let line = "Each panel makes one thing worse from left to right. Dashed with hollow points: f32, solid: f64 or \
                 exact, black stars: Sightline's.";
-    let height = 372 + ROWS_APART + legends(report, SHOWN.into_iter().skip(4));
-    let mut picture = page(height, title, &[line]);
-    let mut last = "";
-    for ((key, family), at) in SHOWN.into_iter().zip(places(4, ROWS_APART.into())) {
-        let rows = rows_of(report, key, family);
-        let Some(first) = rows.first() else { continue };
-        // Neighbours of one step share a legend.
-        let measure = Measure::of(first.step);
-        let styles = panel(&mut picture, measure, &rows, at, None, None);
-        if last != key {
-            legend(&mut picture, styles.iter(), under(at), 16.0);
-        }
-        last = key;
-    }
-    picture
+    let panels = SHOWN.map(|(step, family)| rows_of(report, step, family));
+    panels_of(title, line, &panels, Measure::of)
 }
 
 /// How long each method takes, over the share of rays that hit.
-#[must_use]
 pub fn hit_rates(report: &Report) -> Picture {
+    const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
     let line = "Medians of rounds in new orders. Rays that hit take longer, and branches that half of the rays take are foreseen worst. \
                 Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
-    let steps = ["triangle", "sphere", "box", "square"];
-    let height = 372 + legends(report, steps.map(|key| (key, HIT_RATE)).into_iter());
-    let mut picture = page(height, "What hits cost", &[line]);
-    for (key, at) in steps.into_iter().zip(places(4, ROWS_APART.into())) {
-        let mut rows = rows_of(report, key, HIT_RATE);
+    let panels = ["triangle", "sphere", "box", "square"].map(|step| {
+        let mut rows = rows_of(report, step, HIT_RATE);
         rows.retain(|row| row.time.is_some());
-        if !rows.is_empty() {
-            let styles = panel(&mut picture, Measure::Time, &rows, at, None, None);
-            legend(&mut picture, styles.iter(), under(at), 16.0);
-        }
-    }
-    picture
-}
-
-/// How high the longest legend of some steps' families is.
-fn legends<'a>(report: &Report, of: impl Iterator<Item = (&'a str, &'a str)>) -> u32 {
-    let count = |(step, family)| {
-        let rows = rows_of(report, step, family);
-        let names: BTreeSet<_> = rows.iter().map(|row| row.method).collect();
-        u32::try_from(names.len()).unwrap_or(0)
-    };
-    16 * of.map(count).max().unwrap_or(0)
+        rows
+    });
+    panels_of("What hits cost", line, &panels, |_| Measure::Time)
 }
 
 fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
@@ -86,9 +52,39 @@ fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
     report.rows.iter().filter(is_wanted).collect()
 }
 
+/// A page of four panels a row, one for the rows of each family. Neighbours of one step share a legend.
+fn panels_of(
+    title: &str,
+    line: &str,
+    panels: &[Vec<&Row>],
+    measure: fn(About) -> Measure,
+) -> Picture {
+    let last = panels.chunks(4).next_back().unwrap_or_default();
+    let longest = last.iter().map(|rows| names(rows).len()).max().unwrap_or(0);
+    let above = ROWS_APART * count(panels.len().div_ceil(4) - 1);
+    let mut picture = page(372.0 + above + LINE * count(longest), title, &[line]);
+    let mut last = "";
+    for (rows, at) in panels.iter().zip(places(4, ROWS_APART)) {
+        let Some(first) = rows.first() else { continue };
+        let styles = panel(&mut picture, measure(first.step), rows, at, None, None);
+        if last != first.step.key {
+            legend(&mut picture, styles.iter(), under(at), LINE);
+        }
+        last = first.step.key;
+    }
+    picture
+}
+
+/// From a line of a legend to the next.
+const LINE: f64 = 16.0;
+
 /// Where a panel's legend begins.
 fn under([left, top]: [f64; 2]) -> [f64; 2] {
-    [left + 34.0, top + 28.0 + PLOT_HEIGHT + 52.0]
+    [left + 34.0, top + 266.0]
+}
+
+fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
+    distinct(rows.iter().map(|row| row.method))
 }
 
 /// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
@@ -96,28 +92,11 @@ fn under([left, top]: [f64; 2]) -> [f64; 2] {
 #[must_use]
 pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
-    let mut names: Vec<&str> = rows.iter().map(|row| row.method).collect();
-    names.sort_unstable();
-    names.dedup();
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "small"
-    )]
-    let height = (28.0 + PLOT_HEIGHT + 62.0) as u32 + 16 * u32::try_from(names.len()).unwrap_or(0);
-    let mut picture = Picture::new(400, height + 6);
+    let mut picture = Picture::new(400.0, 282.0 + LINE * count(names(&rows).len()));
     if let Some(first) = rows.first() {
-        let at = [0.0, 6.0];
-        let scene = Some((own.as_slice(), here));
-        let styles = panel(
-            &mut picture,
-            Measure::of(first.step),
-            &rows,
-            at,
-            wide,
-            scene,
-        );
-        legend(&mut picture, styles.iter(), under(at), 16.0);
+        let (at, measure) = ([0.0, 6.0], Measure::of(first.step));
+        let styles = panel(&mut picture, measure, &rows, at, wide, Some((&own, here)));
+        legend(&mut picture, styles.iter(), under(at), LINE);
     }
     picture
 }
@@ -127,38 +106,27 @@ fn panel(
     picture: &mut Picture,
     measure: Measure,
     rows: &[&Row],
-    [left, top]: [f64; 2],
+    at: [f64; 2],
     wide: Option<(&str, Precision)>,
     scene: Option<(&[&Row], f64)>,
 ) -> Vec<Style> {
-    let step = rows[0].step;
+    let first = rows[0];
+    let (own, here) = scene.unwrap_or_default();
     let xs: Vec<f64> = rows.iter().map(|row| row.value).collect();
-    let own = scene.map_or(&[][..], |(own, _)| own);
     let all = rows.iter().chain(own);
     let ys: Vec<f64> = all.map(|row| measure.at(row)).collect();
-    let from = [left + 82.0, top + 28.0];
-    let to = [left + 384.0, top + 28.0 + PLOT_HEIGHT];
+    let mut panel = small(at, [82.0, 384.0], &xs, &ys);
     // Harmless is on the left, whichever way the parameter grows.
-    let falls = xs.first() > xs.last();
-    let mut panel = Panel::new(from, to, &xs, &ys);
     if xs.contains(&0.0) {
         panel.x = Axis::linear(1.0, panel.x.ends());
-    } else if falls {
+    } else if xs.first() > xs.last() {
         panel.x = panel.x.reversed();
     }
-    let title = format!("{}: {}", step.name, rows[0].family);
-    let y = measure.label(step);
-    panel.draw(
-        picture,
-        &Labels {
-            title: &title,
-            x: rows[0].parameter,
-            y: &y,
-            none: measure.none(),
-        },
-    );
-    if let Some((_, here)) = scene {
-        let x = panel.x.at(here);
+    let title = format!("{}: {}", first.step.name, first.family);
+    let names = [first.parameter, &measure.label(first.step)];
+    panel.draw(picture, &title, names, measure.none());
+    if scene.is_some() {
+        let (x, [from, to]) = (panel.x.at(here), [panel.from, panel.to]);
         picture.line(vec![[x, from[1]], [x, to[1]]], INK, 1, true);
         let (anchor, away) = if x > 0.5 * (from[0] + to[0]) {
             (Anchor::Right, -6.0)
@@ -167,48 +135,29 @@ fn panel(
         };
         picture.text([x + away, from[1] + 8.0], anchor, 15.0, INK, SCENE);
     }
-    let first_value = rows[0].value.to_bits();
-    let methods = rows
-        .iter()
-        .copied()
-        .filter(|row| row.value.to_bits() == first_value);
-    let styles = styles(methods);
+    let is_first = |row: &&&Row| row.value.to_bits() == first.value.to_bits();
+    let styles = styles(rows.iter().filter(is_first).copied());
     // This program's over all others, but for the one that is wide.
     let is_wide = |style: &Style| wide == Some((style.name, style.precision));
     let mut ordered: Vec<&Style> = styles.iter().collect();
     ordered.sort_by_key(|style| (is_wide(style), style.ours));
     for style in ordered {
         let is_own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
-        let points = rows
-            .iter()
-            .filter(is_own)
-            .map(|row| panel.at(row.value, measure.at(row)));
+        let points = rows.iter().filter(is_own);
+        let points = points.map(|row| panel.at(row.value, measure.at(row)));
+        let points: Vec<[f64; 2]> = points.collect();
         let width = match (is_wide(style), style.ours) {
             (true, _) => 5,
             (false, true) => 3,
             (false, false) => 2,
         };
-        line(picture, style, width, points.collect());
-        let here = scene.map(|(_, here)| here);
-        for (row, here) in own.iter().filter(is_own).zip(here) {
-            let filled = style.precision != Precision::F32 || style.ours;
-            picture.point(
-                panel.at(here, measure.at(row)),
-                style.shape,
-                7.0,
-                style.colour,
-                filled,
-            );
+        picture.line(points.clone(), style.colour, width, style.is_faint());
+        for at in points {
+            style.point(picture, at, 4.0);
+        }
+        for row in own.iter().filter(is_own) {
+            style.point(picture, panel.at(here, measure.at(row)), 7.0);
         }
     }
     styles
-}
-
-fn line(picture: &mut Picture, style: &Style, width: u32, points: Vec<[f64; 2]>) {
-    let dashed = style.precision == Precision::F32 && !style.ours;
-    picture.line(points.clone(), style.colour, width, dashed);
-    for at in points {
-        let filled = !dashed;
-        picture.point(at, style.shape, 4.0, style.colour, filled);
-    }
 }

@@ -1,6 +1,9 @@
 //! How methods look: a colour and a shape a formula, hollow in `f32`, filled in `f64`; this program's is a black star.
 
-use super::picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape};
+use super::{
+    page::distinct,
+    picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape},
+};
 use crate::study::{run::Row, step::Precision};
 
 /// How a method is drawn.
@@ -19,41 +22,33 @@ pub struct Style {
 }
 
 /// Styles for a step's methods, in their order.
-pub fn styles<'a>(methods: impl Iterator<Item = &'a Row>) -> Vec<Style> {
-    let mut names: Vec<&str> = Vec::new();
+pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> {
+    let others = methods.clone().filter(|row| !row.ours);
+    let names = distinct(others.map(|row| row.method));
     let style = |row: &Row| {
-        if row.ours {
-            return Style {
-                name: row.method,
-                precision: row.precision,
-                colour: [0, 0, 0],
-                shape: Shape::Star,
-                ours: true,
-            };
-        }
-        let index = names
-            .iter()
-            .position(|known| *known == row.method)
-            .unwrap_or_else(|| {
-                names.push(row.method);
-                names.len() - 1
-            });
+        let index = names.iter().position(|known| *known == row.method);
+        let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
+        let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
         Style {
             name: row.method,
             precision: row.precision,
-            colour: COLOURS[index % COLOURS.len()],
-            shape: SHAPES[index % SHAPES.len()],
-            ours: false,
+            colour,
+            shape,
+            ours: row.ours,
         }
     };
     methods.map(style).collect()
 }
 
 impl Style {
+    /// Whether its line is dashed and its points are hollow.
+    pub fn is_faint(&self) -> bool {
+        self.precision == Precision::F32 && !self.ours
+    }
+
     /// A data point.
-    pub fn point(&self, picture: &mut Picture, at: [f64; 2]) {
-        let filled = self.precision != Precision::F32 || self.ours;
-        picture.point(at, self.shape, 6.0, self.colour, filled);
+    pub fn point(&self, picture: &mut Picture, at: [f64; 2], radius: f64) {
+        picture.point(at, self.shape, radius, self.colour, !self.is_faint());
     }
 }
 
@@ -64,14 +59,10 @@ pub fn legend<'a>(
     [x, mut y]: [f64; 2],
     step: f64,
 ) {
-    let mut named: Vec<&str> = Vec::new();
-    for style in styles {
-        if named.contains(&style.name) {
-            continue;
-        }
-        named.push(style.name);
-        picture.point([x, y], style.shape, 5.0, style.colour, true);
-        picture.text([x + 13.0, y], Anchor::Left, 14.0, INK, style.name);
+    let looks = styles.map(|style| (style.name, style.shape, style.colour));
+    for (name, shape, colour) in distinct(looks) {
+        picture.point([x, y], shape, 5.0, colour, true);
+        picture.text([x + 13.0, y], Anchor::Left, 14.0, INK, name);
         y += step;
     }
 }

@@ -2,17 +2,21 @@
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
 use super::{
-    page::{WIDTH, page},
-    picture::{Anchor, Colour, INK, Mark, Picture, QUIET},
+    page::{WIDTH, count, distinct, page},
+    picture::{Anchor, Colour, INK, Picture, QUIET},
 };
 use crate::study::{
     methods::triangles::{RayTriangle, TriangleCase},
     real::V3,
-    step::{Case, Method, Precision, Verdict},
-    workloads::PX,
+    run::on_all_cores,
+    scene_rays::PX,
+    step::{
+        Case, Method,
+        Precision::{self, F32, F64},
+        Verdict,
+    },
 };
 use glam::DVec3;
-use std::thread;
 
 /// Neighbours in a row, and in a column.
 const SIDE: u32 = 256;
@@ -36,51 +40,31 @@ struct Tile {
 }
 
 /// The chart.
-#[must_use]
 pub fn chart() -> Picture {
     let tiles = tiles();
-    let mut names: Vec<&str> = Vec::new();
-    for tile in &tiles {
-        if !names.contains(&tile.name) {
-            names.push(tile.name);
-        }
-    }
+    let names = distinct(tiles.iter().map(|tile| tile.name));
     let blocks = names.len().div_ceil(COLUMNS);
     let columns = names.len().div_ceil(blocks);
-    let [blocks, per_row] = [blocks, columns].map(|n| u32::try_from(n).map_or(1.0, f64::from));
-    let pitch = (WIDTH - LEFT - 8.0) / per_row;
+    let pitch = (WIDTH - LEFT - 8.0) / count(columns);
     let side = pitch - 8.0;
     let block = 2.0 * (side + NAME) + NAME + 12.0;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a page"
-    )]
-    let height = (TOP + blocks * block) as u32;
     let title = "An edge, and the smallest steps across it";
     let line = "256 x 256 rays, each from its neighbour by the smallest step that its numbers can make; one triangle, below the edge.";
-    let mut picture = page(height, title, &[line]);
+    let mut picture = page(TOP + count(blocks) * block, title, &[line]);
     legend(&mut picture);
     for (names, row) in names.chunks(columns).zip((0..).map(f64::from)) {
         let top = TOP + row * block;
         for (is_narrow, y, words) in [(true, 0.0, "f32 steps"), (false, side + NAME, "f64 steps")] {
-            picture.marks.push(Mark::Text {
-                at: [34.0, top + NAME + y + 0.5 * side],
-                anchor: Anchor::Middle,
-                size: 17.0,
-                colour: QUIET,
-                upwards: true,
-                text: words.to_owned(),
-            });
+            let y = top + NAME + y;
+            picture.text_upwards([34.0, y + 0.5 * side], 17.0, QUIET, words);
             for (name, x) in names.iter().zip((0..).map(|i| LEFT + pitch * f64::from(i))) {
                 if is_narrow {
                     picture.text([x, top + 10.0], Anchor::Left, 15.0, INK, *name);
                 }
-                let is_own = |tile: &&Tile| {
-                    tile.name == *name && (tile.precision == Precision::F32) == is_narrow
-                };
+                let is_own =
+                    |tile: &&Tile| tile.name == *name && (tile.precision == F32) == is_narrow;
                 if let Some(tile) = tiles.iter().find(is_own) {
-                    draw(&mut picture, tile, [x, top + NAME + y], side);
+                    draw(&mut picture, tile, [x, y], side);
                 }
             }
         }
@@ -90,13 +74,11 @@ pub fn chart() -> Picture {
 
 fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2], side: f64) {
     picture.map(&tile.colours, SIDE as usize, [x, y], side / f64::from(SIDE));
-    let wrong = tile
-        .colours
-        .iter()
+    let wrong = tile.colours.iter();
+    let wrong = wrong
         .filter(|colour| [LOST, FALSE].contains(colour))
         .count();
-    let percent =
-        100.0 * f64::from(u32::try_from(wrong).unwrap_or(u32::MAX)) / f64::from(SIDE * SIDE);
+    let percent = 100.0 * count(wrong) / f64::from(SIDE * SIDE);
     let words = match (wrong, tile.name) {
         (0, TRUTH) => "what is so".to_owned(),
         (0, _) => "none wrong".to_owned(),
@@ -109,44 +91,33 @@ fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2], side: f64) {
 const TRUTH: &str = "exact";
 
 fn tiles() -> Vec<Tile> {
-    let [narrow, wide] = [Precision::F32, Precision::F64].map(cases);
-    let of = |precision: Precision| {
-        if precision == Precision::F32 {
-            &narrow
-        } else {
-            &wide
-        }
-    };
-    let truth = |precision| Tile {
-        name: TRUTH,
-        precision,
-        colours: of(precision)
-            .iter()
-            .map(|(_, truth)| if truth.is_some() { HIT } else { MISS })
-            .collect(),
-    };
-    let said = |method: &'static Method<TriangleCase>| Tile {
-        name: if method.ours {
-            "Sightline"
-        } else {
-            method.name
-        },
-        precision: method.precision,
-        colours: of(method.precision)
-            .iter()
-            .map(|(case, truth)| colour(case, *truth, method))
-            .collect(),
-    };
-    let mut tiles = vec![truth(Precision::F32), truth(Precision::F64)];
+    let all = [F32, F64].map(|precision| (precision, cases(precision)));
+    let mut tiles: Vec<Tile> = Vec::new();
+    for (precision, cases) in &all {
+        let so = cases.iter().map(|(_, truth)| truth.map_or(MISS, |_| HIT));
+        tiles.push(Tile {
+            name: TRUTH,
+            precision: *precision,
+            colours: so.collect(),
+        });
+    }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.ours);
-    thread::scope(|scope| {
-        let workers: Vec<_> = methods
-            .into_iter()
-            .map(|method| scope.spawn(move || said(method)))
-            .collect();
-        tiles.extend(workers.into_iter().filter_map(|worker| worker.join().ok()));
-    });
+    tiles.extend(on_all_cores(methods.len(), |index| {
+        let method = methods[index];
+        let (_, cases) = &all[usize::from(method.precision != F32)];
+        let said = cases.iter();
+        let said = said.map(|(case, truth)| colour(case, *truth, method));
+        Tile {
+            name: if method.ours {
+                "Sightline"
+            } else {
+                method.name
+            },
+            precision: method.precision,
+            colours: said.collect(),
+        }
+    }));
     tiles
 }
 
@@ -154,11 +125,8 @@ fn tiles() -> Vec<Tile> {
 /// edge of one triangle far from its corners, whose coordinates are what the precision makes of no round ones.
 fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     const DIRECTION: DVec3 = DVec3::new(0.25, -0.125, -1.0);
-    let step = if precision == Precision::F32 {
-        0.5_f64.powi(24)
-    } else {
-        0.5_f64.powi(53)
-    };
+    let bits = if precision == F32 { 24 } else { 53 };
+    let step = 0.5_f64.powi(bits);
     let middle = 0.5 + 0.5 * f64::from(SIDE) * step;
     let on_edge = DVec3::new(middle, middle, 3.0) + 2.75 * DIRECTION;
     let along = DVec3::new(1.0, 0.9, 0.3);
@@ -168,7 +136,7 @@ fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
         on_edge + DVec3::new(9.1, -8.3, 2.7),
     ];
     let corners = corners.map(|corner| match precision {
-        Precision::F32 => V3::from(corner.as_vec3().as_dvec3()),
+        F32 => V3::from(corner.as_vec3().as_dvec3()),
         _ => V3::from(corner),
     });
     let case = |i: u32| {

@@ -4,15 +4,9 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
     geometry::Ray,
     study::{
-        exact::Exact,
-        random::Random,
-        real::{Real, V3, narrow},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        workloads::{TAN_30, scene::SceneRays},
+        prelude::*,
+        real::{Real, narrow},
+        scene_rays::TAN_30,
     },
 };
 use glam::{DVec2, DVec3};
@@ -96,7 +90,7 @@ const DEPTH: &str = "the rasteriser's own: near <= t (d . F) < far";
 
 impl Case for ClipCase {
     type Answer = bool;
-    type Truth = Truth;
+    type Truth = bool;
     const ABOUT: About = About {
         name: "Near and far",
         key: "clip",
@@ -144,20 +138,28 @@ impl Case for ClipCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.clips()
+        let camera = &scene.world.view.camera;
+        let case = |(ray, hit): &(Ray, SceneHit)| Self::of_camera(camera, *ray, hit.hit.t);
+        scene.hits.iter().map(case).collect()
     }
 
-    fn truth(&self) -> Truth {
-        truth(self)
+    /// By the view depth, which is given.
+    fn truth(&self) -> bool {
+        self.wide.near <= self.depth && self.depth < self.wide.far
     }
 
-    fn judge(&self, truth: &Truth, answer: &bool) -> Verdict {
-        truth.judge(*answer)
-    }
-
-    /// Nothing is computed, and nothing rounds.
-    fn bound(&self, _: &Truth) -> Bound {
-        Bound::NONE
+    /// A wrong answer is as far off as the nearer of the planes is, relative to that plane's depth.
+    fn judge(&self, truth: &bool, answer: &bool) -> Verdict {
+        let off = |plane: f64| {
+            let plane = &Exact::new(plane);
+            (&(&Exact::new(self.depth) - plane) / plane).abs().to_f64()
+        };
+        let off = || off(self.wide.near).min(off(self.wide.far));
+        match (truth, answer) {
+            (true, false) => Verdict::Missed(off()),
+            (false, true) => Verdict::Phantom(off()),
+            _ => Verdict::Agreed,
+        }
     }
 }
 
@@ -182,41 +184,6 @@ fn make(random: &mut Random, tan: f64, off: f64) -> ClipCase {
         let depth = plane * (1.0 + off);
         if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {
             return case;
-        }
-    }
-}
-
-/// What is so about a hit.
-#[derive(Clone, Copy, Debug)]
-pub struct Truth {
-    /// Whether `near <= depth < far`.
-    pub inside: bool,
-    /// How far the depth is from the nearer of the planes, relative to that plane's.
-    pub off: f64,
-}
-
-/// By the view depth, which is given.
-#[must_use]
-pub fn truth(case: &ClipCase) -> Truth {
-    let Clip { near, far, .. } = case.wide;
-    let off = |plane: f64| {
-        let plane = &Exact::new(plane);
-        (&(&Exact::new(case.depth) - plane) / plane).abs().to_f64()
-    };
-    Truth {
-        inside: near <= case.depth && case.depth < far,
-        off: off(near).min(off(far)),
-    }
-}
-
-impl Truth {
-    /// Holds an answer against it.
-    #[must_use]
-    pub fn judge(&self, answer: bool) -> Verdict {
-        match (self.inside, answer) {
-            (true, false) => Verdict::Missed(self.off),
-            (false, true) => Verdict::Phantom(self.off),
-            _ => Verdict::Agreed,
         }
     }
 }

@@ -5,24 +5,13 @@
 
 use super::{
     from_start,
-    prepared::{Prepared, Shear},
-    triangles::{
-        self, RayTriangle, areas, jimenez, moeller_trumbore, pluecker, shewchuk, signed_volumes,
-    },
+    object_space::turned,
+    picks::icosahedron,
+    triangles::{self, Prepared, RayTriangle, Shear, in_both_precisions, shewchuk},
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{
-        random::Random,
-        real::{Real, V3, narrow3},
-        run::Effort,
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        workloads::{object_space::turned, picks::icosahedron, scene::SceneRays},
-    },
+    study::{prelude::*, real::Real},
 };
 use glam::DVec3;
 use std::{
@@ -61,57 +50,23 @@ impl Case for ClosedCase {
         wrong_unit: "",
     };
 
-    const METHODS: Methods<Self> = &[
-        &both!("Moeller-Trumbore", triangles::MT, nearest, |c| {
-            moeller_trumbore(c, 0.0)
-        }),
-        &both!("Moeller-Trumbore, eps 1e-6", triangles::MT, nearest, |c| {
-            moeller_trumbore(c, 1e-6)
-        }),
-        &both!("areas, sum == 1", triangles::AREAS, nearest, |c| areas(
-            c, 0.0
-        )),
-        &both!("areas, within 1e-4", triangles::AREAS, nearest, |c| areas(
-            c, 1e-4
-        )),
-        &both!("signed volumes", triangles::KENSLER, nearest, |c| {
-            signed_volumes(c)
-        }),
-        &both!("Woop watertight", triangles::WOOP, nearest, Prepared::woop),
-        &both!(
-            "Baldwin-Weber",
-            triangles::BALDWIN,
-            nearest,
-            Prepared::baldwin_weber
-        ),
-        &both!("Pluecker, as Embree", triangles::EMBREE, nearest, |c| {
-            pluecker(c)
-        }),
-        &both!(
-            "Havel-Herout",
-            triangles::HAVEL,
-            nearest,
-            Prepared::havel_herout
-        ),
-        &both!("Jimenez", triangles::JIMENEZ, nearest, |c| jimenez(c)),
-        &both!(
-            "pbrt-v4, bounded t",
-            triangles::PBRT,
-            nearest,
-            Prepared::pbrt
-        ),
+    const METHODS: Methods<Self> = in_both_precisions!(
+        nearest,
         &[
-            Method::new("Shewchuk's orient3d", Exact, triangles::SHEWCHUK, |c| {
-                nearest(&c.wide, |c| shewchuk(c))
-            }),
-            Method::ours("Sightline's", Exact, triangles::OURS, |c| {
+            Method::new(
+                "Shewchuk's orient3d",
+                Precision::Exact,
+                triangles::SHEWCHUK,
+                |c| nearest(&c.wide, |c| shewchuk(c)),
+            ),
+            Method::ours("Sightline's", Precision::Exact, triangles::OURS, |c| {
                 let hits = c.wide.body.iter().filter_map(|triangle| {
                     guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
                 });
                 hits.map(|hit| hit.t).reduce(f64::min)
             }),
-        ],
-    ];
+        ]
+    );
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| aim(random, None, 0.0, edge)),
         Family::new("vertices", "-", &[1.0], |random, _| {
@@ -142,10 +97,6 @@ impl Case for ClosedCase {
         10 * effort.cases
     }
 
-    fn of_scene(_: &SceneRays) -> Vec<Self> {
-        Vec::new()
-    }
-
     fn truth(&self) {}
 
     fn judge(&self, (): &(), answer: &Option<f64>) -> Verdict {
@@ -153,10 +104,6 @@ impl Case for ClosedCase {
             Some(t) if *t < 1.0 => Verdict::Agreed,
             _ => Verdict::Missed(0.0),
         }
-    }
-
-    fn bound(&self, (): &()) -> Bound {
-        Bound::NONE
     }
 }
 

@@ -5,11 +5,9 @@ use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
     study::{
-        random::Random,
+        prelude::*,
         real::Real,
-        step::{About, Bound, Case, Family, Method, Methods, Precision::F32, Verdict},
         truth::{UNIT_F32, relative},
-        workloads::scene::SceneRays,
     },
 };
 
@@ -27,6 +25,17 @@ pub struct DepthCase {
 }
 
 impl DepthCase {
+    /// A view depth, as the graphics card gets it, between two planes in perspective.
+    #[must_use]
+    pub fn new(depth: f64, [near, far]: [f64; 2]) -> Self {
+        Self {
+            depth: f32::of(depth),
+            near,
+            far,
+            parallel: false,
+        }
+    }
+
     /// The depth of a hit at `t` on a ray that a camera cast.
     #[must_use]
     pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
@@ -93,7 +102,9 @@ impl Case for DepthCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.depths()
+        let camera = &scene.world.view.camera;
+        let case = |(ray, hit): &(Ray, SceneHit)| Self::of_hit(camera, ray, hit.hit.t);
+        scene.hits.iter().map(case).collect()
     }
 
     fn truth(&self) -> f64 {
@@ -104,8 +115,23 @@ impl Case for DepthCase {
         Verdict::Right(relative(*truth, *answer))
     }
 
-    fn bound(&self, _: &f64) -> Bound {
-        bound(self)
+    /// Bound of reversed depth in `f32`.
+    ///
+    /// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
+    /// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
+    /// `z = b / (stored - a)`: relative to z that is the error over b / z.
+    fn bound(&self, _: &f64) -> f64 {
+        if self.parallel {
+            // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
+            // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
+            let depth = f64::from(self.depth);
+            return 4.0 * UNIT_F32 * (depth.abs() + self.far.abs()) / depth.abs();
+        }
+        let slope = self.near / (self.far - self.near);
+        let at = self.far * slope / f64::from(self.depth);
+        let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
+        let share = stored / at;
+        share / (1.0 - share)
     }
 }
 
@@ -239,36 +265,7 @@ fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
             depth *= 2.0;
         }
         if depth < 0.99 * far {
-            return DepthCase {
-                depth: f32::of(depth),
-                near,
-                far,
-                parallel: false,
-            };
+            return DepthCase::new(depth, [near, far]);
         }
-    }
-}
-
-/// Bound of reversed depth in `f32`.
-///
-/// With u = 2^-24 and depth z: `a z + b` is `n (f - z) / (f - n)`; matrix entries, product, sum, quotient and the
-/// buffer err together by at most 2u |a| + 4u (|a| + b / z) with |a| = n / (f - n) and b = f |a|. Read back,
-/// `z = b / (stored - a)`: relative to z that is the error over b / z.
-#[must_use]
-pub fn bound(case: &DepthCase) -> Bound {
-    if case.parallel {
-        // `a z + b` with |a| = 1 / (f - n) and b = f |a|, read back as `(stored - b) / a`: entries, product, sum and
-        // buffer err together by at most 4u (|a| z + b), which over |a| is a depth.
-        let depth = f64::from(case.depth);
-        let error = 4.0 * UNIT_F32 * (depth.abs() + case.far.abs()) / depth.abs();
-        return Bound { error, wrong: 0.0 };
-    }
-    let slope = case.near / (case.far - case.near);
-    let at = case.far * slope / f64::from(case.depth);
-    let stored = UNIT_F32 * (6.0 * slope + 4.0 * at);
-    let share = stored / at;
-    Bound {
-        error: share / (1.0 - share),
-        wrong: 0.0,
     }
 }

@@ -4,19 +4,7 @@
 use crate::{
     geometry::Mesh,
     scene::{Progress, obj},
-    study::{
-        exact::Exact,
-        random::Random,
-        real::Real,
-        run::Effort,
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict,
-        },
-        truth::UNIT_F32,
-        workloads::scene::SceneRays,
-    },
+    study::{prelude::*, real::Real, truth::UNIT_F32},
 };
 use std::{fmt::Write, path::Path, sync::Arc};
 
@@ -87,10 +75,6 @@ impl Case for FileCase {
         effort.picks.min(Self::TIMED)
     }
 
-    fn of_scene(_: &SceneRays) -> Vec<Self> {
-        Vec::new()
-    }
-
     fn truth(&self) {}
 
     fn judge(&self, (): &(), answer: &Option<Read>) -> Verdict {
@@ -115,7 +99,7 @@ impl Case for FileCase {
 
     /// A coordinate is at most 480 m from the middle, rounded, from which it rounds by `2^-24` of that; it, the middle and the
     /// difference each by `2^-53` of the largest.
-    fn bound(&self, (): &()) -> Bound {
+    fn bound(&self, (): &()) -> f64 {
         let largest = self
             .vertices
             .as_flattened()
@@ -124,10 +108,7 @@ impl Case for FileCase {
             .max();
         #[expect(clippy::cast_precision_loss, reason = "below 2^53")]
         let largest = largest.unwrap_or(0) as f64;
-        Bound {
-            error: 480e3 * UNIT_F32 + 2.0 * largest * f64::EPSILON,
-            wrong: 0.0,
-        }
+        480e3 * UNIT_F32 + 2.0 * largest * f64::EPSILON
     }
 }
 

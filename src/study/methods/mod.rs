@@ -11,16 +11,15 @@ pub mod normals;
 pub mod object_space;
 pub mod packets;
 pub mod picks;
-pub mod prepared;
 pub mod rays;
 pub mod spheres;
 pub mod squares;
 pub mod triangles;
-pub mod unproject;
 pub mod usual;
 
 use super::{
     real::{Real, V3},
+    scene_rays::SceneRays,
     step::{About, Case, Method, Precision},
 };
 use crate::geometry::Ray;
@@ -63,6 +62,13 @@ impl<Shape> ShapeCase<Shape> {
             px,
             shape: PhantomData,
         }
+    }
+
+    /// The cases of a scene's objects of this shape.
+    fn of_shapes(scene: &SceneRays, wanted: fn(&crate::scene::Shape) -> bool) -> Vec<Self> {
+        let rays = scene.rays_at(wanted).into_iter();
+        rays.map(|(placement, ray, px)| Self::of_object(&placement.ray_to_object(&ray), px))
+            .collect()
     }
 
     /// The case of an object and a ray in its space.
@@ -150,15 +156,13 @@ pub fn each_step(visitor: &mut impl Visitor) {
 /// Every method of every step.
 #[must_use]
 pub fn registry() -> Vec<MethodInfo> {
-    let mut list = List(Vec::new());
+    let mut list = Vec::new();
     each_step(&mut list);
-    list.0
+    list
 }
 
-struct List(Vec<MethodInfo>);
-
-impl Visitor for List {
+impl Visitor for Vec<MethodInfo> {
     fn visit<C: Case>(&mut self) {
-        self.0.extend(C::methods().map(MethodInfo::of));
+        self.extend(C::methods().map(MethodInfo::of));
     }
 }

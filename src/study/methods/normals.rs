@@ -1,18 +1,13 @@
 //! An object's outward normal in the world. The answer is about 1 long.
 
+use super::object_space::turned;
 use crate::{
     geometry::Placement,
     study::{
-        exact::{self, Exact, Exact3},
-        random::Random,
-        real::{M3, Real, V3, narrow3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        truth::{UNIT, cross_sizes},
-        workloads::{object_space::turned, scene::SceneRays},
+        exact,
+        prelude::*,
+        real::{M3, Real},
+        truth::cross_sizes,
     },
 };
 use glam::{DAffine3, DMat3, DVec3};
@@ -131,19 +126,42 @@ impl Case for NormalCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.normals()
+        let cases = scene.objects().filter_map(|(_, object, hit)| {
+            let linear = object.placement.model().matrix3.into();
+            Self::new(linear, hit.hit.normal.into())
+        });
+        cases.collect()
     }
 
+    /// The cofactors times the normal, with the determinant's sign: along the inverse transpose, without a quotient.
     fn truth(&self) -> Exact3 {
-        truth(&self.wide)
+        let case = &self.wide;
+        let [a, b, c] = case.linear.0.map(Exact3::new);
+        let columns = [b.cross(&c), c.cross(&a), a.cross(&b)];
+        let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
+        let [x, y, z] = Exact3::new(case.normal).0;
+        let normal = &columns[0].times(&x) + &(&columns[1].times(&y) + &columns[2].times(&z));
+        if mirrors {
+            normal.times(&Exact::int(-1))
+        } else {
+            normal
+        }
     }
 
     fn judge(&self, truth: &Exact3, answer: &[f64; 3]) -> Verdict {
         Verdict::Right(exact::angle(truth, *answer).to_degrees())
     }
 
-    fn bound(&self, _: &Exact3) -> Bound {
-        bound(&self.wide)
+    /// Bound of the inverse transpose with the inverse by cofactors in `f64`: as for rays into object space, each entry
+    /// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all alike and drops out.
+    fn bound(&self, _: &Exact3) -> f64 {
+        let case = &self.wide;
+        let M3([a, b, c]) = case.linear;
+        let n = case.normal.abs();
+        let magnitudes =
+            cross_sizes(b, c) * n.x + cross_sizes(c, a) * n.y + cross_sizes(a, b) * n.z;
+        let length = case.linear.cofactors().apply(case.normal).length();
+        (16.0 * UNIT * magnitudes.length() / length).to_degrees()
     }
 }
 
@@ -179,34 +197,5 @@ fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> Nor
         if let Some(case) = NormalCase::new(linear, narrow3(random.direction())) {
             return case;
         }
-    }
-}
-
-/// The cofactors times the normal, with the determinant's sign: along the inverse transpose, without a quotient.
-#[must_use]
-pub fn truth(case: &Tilted<f64>) -> Exact3 {
-    let [a, b, c] = case.linear.0.map(Exact3::new);
-    let columns = [b.cross(&c), c.cross(&a), a.cross(&b)];
-    let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
-    let [x, y, z] = Exact3::new(case.normal).0;
-    let normal = &columns[0].times(&x) + &(&columns[1].times(&y) + &columns[2].times(&z));
-    if mirrors {
-        normal.times(&Exact::int(-1))
-    } else {
-        normal
-    }
-}
-
-/// Bound of the inverse transpose with the inverse by cofactors in `f64`: as for rays into object space, each entry
-/// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all alike and drops out.
-#[must_use]
-pub fn bound(case: &Tilted<f64>) -> Bound {
-    let M3([a, b, c]) = case.linear;
-    let n = case.normal.abs();
-    let magnitudes = cross_sizes(b, c) * n.x + cross_sizes(c, a) * n.y + cross_sizes(a, b) * n.z;
-    let length = case.linear.cofactors().apply(case.normal).length();
-    Bound {
-        error: (16.0 * UNIT * magnitudes.length() / length).to_degrees(),
-        wrong: 0.0,
     }
 }

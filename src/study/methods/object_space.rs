@@ -5,14 +5,9 @@ use super::WITH_BOUNDS;
 use crate::{
     geometry::{LocalRay as PickRay, Placement, Ray, WorldRay},
     study::{
-        real::{M3, Real, V3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        truth::object_space as truth,
-        workloads::{self, scene::SceneRays},
+        prelude::*,
+        real::{M3, Real},
+        truth::cross_sizes,
     },
 };
 use glam::{DAffine3, DMat3};
@@ -134,20 +129,74 @@ impl Case for PlacedCase {
             ),
         ],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::object_space::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| {
+            let scale = [
+                random.within(0.5, 2.0),
+                random.within(0.5, 2.0),
+                random.within(0.5, 2.0),
+            ];
+            aim(random, scale, 3.0)
+        }),
+        Family::new(
+            "far from the origin",
+            "translation / distance",
+            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+            |random, ratio| aim(random, [1.0; 3], 5.0 * ratio),
+        ),
+        Family::new(
+            "flattened",
+            "least / largest scale",
+            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+            |random, least| {
+                let mut scale = [1.0, 1.0, least];
+                scale.rotate_left(random.below(3));
+                aim(random, scale, 3.0)
+            },
+        ),
+        Family::new(
+            "tiny and huge",
+            "scale",
+            &[1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12],
+            |random, scale| aim(random, [scale; 3], 3.0),
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.placed()
+        let cases = scene
+            .objects()
+            .map(|(ray, object, hit)| Self::of_object(&object.placement, ray, scene.px(hit.hit.t)));
+        cases.collect()
     }
 
     fn truth(&self) {}
 
     fn judge(&self, (): &(), answer: &LocalRay) -> Verdict {
-        Verdict::Right(truth::aside(&self.wide, answer) / self.px)
+        Verdict::Right(aside(&self.wide, answer) / self.px)
     }
 
-    fn bound(&self, (): &()) -> Bound {
-        truth::bound(&self.wide, self.px)
+    /// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`.
+    ///
+    /// With u = 2^-53: columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and
+    /// the product with a vector that carries u add 8u: below 16u of the magnitudes P = sum of |terms| of each cofactor
+    /// over the determinant, times the vector. The determinant's own error, below 16u of *its* terms' magnitudes over
+    /// itself, scales origin and direction alike. What is wrong in object space comes back to the world by |A|.
+    fn bound(&self, (): &()) -> f64 {
+        let case = &self.wide;
+        let M3([a, b, c]) = case.linear;
+        let rows = [cross_sizes(b, c), cross_sizes(c, a), cross_sizes(a, b)];
+        let det = case.linear.determinant().abs();
+        let spread = rows[0].dot(a.abs()) / det;
+        let back = |v: V3<f64>| {
+            let local = rows.map(|row| row.dot(v.abs()) / det);
+            let world = a.abs() * local[0] + b.abs() * local[1] + c.abs() * local[2];
+            world.length()
+        };
+        let from = case.origin - case.translation;
+        let d = case.direction;
+        let t = from.dot(d).abs() / d.dot(d);
+        let error = 16.0 * UNIT * (back(from) + t * back(d) + spread * from.length());
+        error / (t * d.length()) / self.px
     }
 }
 
@@ -171,4 +220,64 @@ pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> LocalRay {
 pub fn relative<T: Real>(case: &Placed<T>) -> LocalRay {
     let origin = case.inverse.apply(case.origin - case.translation);
     [origin.wide(), case.inverse.apply(case.direction).wide()]
+}
+
+/// How far, in radians seen from the world ray's origin, the object-space ray passes from the world ray when it is
+/// brought back without rounding: at the depth of the object's own origin, or where the ray starts when that lies
+/// behind. Infinite for what is no ray.
+#[must_use]
+pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
+    if !local
+        .iter()
+        .all(|v| v.array().iter().all(|c| c.is_finite()))
+    {
+        return f64::INFINITY;
+    }
+    let [x, y, z] = case.linear.0.map(Exact3::new);
+    let to_world = |v: V3<f64>| {
+        let [a, b, c] = Exact3::new(v).0;
+        &x.times(&a) + &(&y.times(&b) + &z.times(&c))
+    };
+    let d = Exact3::new(case.direction);
+    let to_object = &Exact3::new(case.translation) - &Exact3::new(case.origin);
+    let (start, step) = (&to_world(local[0]) + &to_object, to_world(local[1]));
+    // The point of the ray that came back at the object's depth: start + s step with (..) . d = to_object . d.
+    let fall = step.dot(&d);
+    if fall.is_zero() {
+        return f64::INFINITY;
+    }
+    let s = &(&to_object - &start).dot(&d) / &fall;
+    let point = &start + &step.times(&s);
+    let off = point.cross(&d).length();
+    let along = point.dot(&d).abs();
+    if along.is_zero() {
+        return f64::INFINITY;
+    }
+    (&off / &along).to_f64()
+}
+
+/// Three vectors of about length 1 at right angles: a rotation, or with its mirror image.
+pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
+    let [u, v] = random.directions();
+    [u, v, u.cross(v) * random.sign()]
+}
+
+/// An object about as large as its largest scale, so far from the world's origin, and a ray that passes it from 5
+/// units away (or 5 of its sizes where it is large).
+fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
+    loop {
+        // Scaled along axes of its own, then turned, so that neither space's axes are special.
+        let [u, v, w] = turned(random);
+        let scaled = M3([u * scale[0], v * scale[1], w * scale[2]]);
+        let own = turned(random);
+        let linear = M3(own.map(|axis| narrow3(scaled.apply(axis))));
+        let size = scale.into_iter().fold(0.0, f64::max);
+        let translation = narrow3(random.direction() * (offset * size.max(1.0)));
+        let origin = narrow3(translation + random.direction() * (5.0 * size.max(1.0)));
+        let target = translation + linear.apply(random.point(0.7));
+        let direction = narrow3((target - origin).normalize());
+        if let Some(case) = PlacedCase::new([origin, direction], linear, translation, PX) {
+            return case;
+        }
+    }
 }

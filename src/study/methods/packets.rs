@@ -7,15 +7,9 @@ use super::{
 use crate::{
     geometry::{VertexRay, guarded_volume},
     study::{
-        random::Random,
-        real::{Real, Ring, V3, narrow3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        truth::{relative, triangles as truth},
-        workloads::{PX, scene::SceneRays},
+        prelude::*,
+        real::{Real, Ring},
+        truth::relative,
     },
 };
 use glam::DVec3;
@@ -119,7 +113,7 @@ impl Case for PacketCase {
         &both!("signed volumes, packet", WALD, volumes_packet),
         &[Method::ours(
             "Sightline's, one by one",
-            Exact,
+            Precision::Exact,
             triangles::OURS,
             |c| {
                 let corners = c.wide.corners.map(DVec3::from);
@@ -146,18 +140,18 @@ impl Case for PacketCase {
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        let cases = scene.triangles();
+        let cases = TriangleCase::of_scene(scene);
         cases.iter().map(|case| Self::new(&case.wide)).collect()
     }
 
     fn truth(&self) -> Parameters {
-        array::from_fn(|i| truth::truth(&self.wide.ray(i)))
+        array::from_fn(|i| self.wide.ray(i).truth())
     }
 
     fn judge(&self, truth: &Parameters, answer: &Parameters) -> Verdict {
         let mut worst = 0.0_f64;
         for (i, (truth, answer)) in truth.iter().zip(answer).enumerate() {
-            let off = || truth::nearest_edge_angle(&self.wide.ray(i)) / PX;
+            let off = || self.wide.ray(i).edge_angle() / PX;
             match (truth, answer) {
                 (Some(truth), Some(answer)) => worst = worst.max(relative(*truth, *answer)),
                 (None, None) => {}
@@ -168,11 +162,10 @@ impl Case for PacketCase {
         Verdict::Right(worst)
     }
 
-    fn bound(&self, truth: &Parameters) -> Bound {
-        let bounds = (0..)
-            .zip(truth)
-            .map(|(i, truth)| truth::bound(&self.wide.ray(i), *truth));
-        bounds.fold(Bound::NONE, Bound::max)
+    fn bound(&self, truth: &Parameters) -> f64 {
+        let hits = (0..WIDTH).filter(|i| truth[*i].is_some());
+        let bounds = hits.map(|i| self.wide.ray(i).bound());
+        bounds.fold(0.0, f64::max)
     }
 }
 

@@ -3,16 +3,8 @@
 use super::{ObjectRay, ShapeCase, first_ahead};
 use crate::{
     geometry::Sphere,
-    study::{
-        real::Real,
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        truth::{decide, relative, spheres as truth},
-        workloads::{self, scene::SceneRays},
-    },
+    scene::Shape,
+    study::{prelude::*, real::Real, truth},
 };
 
 /// One ray and the sphere.
@@ -41,7 +33,7 @@ impl Case for SphereCase {
         &both!("Hearn & Baker", HEARN, hearn_baker),
         &[Method::ours(
             "Sightline's",
-            Exact,
+            Precision::Exact,
             "geometry::sphere: by the line's moment, which its bound decides, else exactly",
             |c| {
                 let [near, far] = Sphere::hits(&c.ray);
@@ -49,23 +41,72 @@ impl Case for SphereCase {
             },
         )],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::spheres::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| {
+            let past = random.within(0.0, 2.5);
+            aim(random, 5.0, past)
+        }),
+        Family::HIT_RATE,
+        Family::new(
+            "far away",
+            "distance / radius",
+            &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+            |random, distance| {
+                let past = random.within(0.0, 1.5);
+                aim(random, distance, past)
+            },
+        ),
+        Family::new(
+            "aimed at outlines",
+            "distance / radius",
+            &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5],
+            |random, distance| {
+                let past = 1.0 + random.sign() * random.decades(-8, -1);
+                aim(random, distance, past)
+            },
+        ),
+        Family::new(
+            "close to a large one",
+            "radius / height",
+            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
+            close,
+        ),
+        Family::new(
+            "direction of another length",
+            "length",
+            &[1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3],
+            |random, length| {
+                let past = random.within(0.0, 1.5);
+                let SphereCase { wide, px, .. } = aim(random, 5.0, past);
+                let direction = wide.direction * (length / wide.direction.length());
+                case(wide.origin, direction, px)
+            },
+        ),
+        Family::new(
+            "exactly touching",
+            "bits a coordinate",
+            &[4.0, 8.0, 12.0, 16.0],
+            touching,
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.spheres()
+        Self::of_shapes(scene, |shape| matches!(shape, Shape::Sphere))
     }
 
     fn truth(&self) -> Option<f64> {
-        truth::truth(&self.wide)
+        let ObjectRay { origin, direction } = self.wide;
+        let radius = Exact::new(Sphere::RADIUS);
+        truth::first_ahead(Line::new(origin, direction).sphere(&radius))
     }
 
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
-        let off = || truth::outline_angle(&self.wide) / self.px;
-        decide(*truth, *answer, relative, off)
+        let off = || outline_angle(&self.wide) / self.px;
+        truth::decide(*truth, *answer, truth::relative, off)
     }
 
-    fn bound(&self, truth: &Option<f64>) -> Bound {
-        truth::bound(&self.wide, *truth)
+    fn bound(&self, truth: &Option<f64>) -> f64 {
+        truth.map_or(0.0, |t| bound(&self.wide, t))
     }
 }
 
@@ -134,4 +175,86 @@ pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let c = from_center.dot(from_center) - r2();
     let q = b + (a * discriminant).sqrt().copysign(b);
     first(c / q, q / a)
+}
+
+/// How far the ray passes from the outline, in radians seen from its origin.
+///
+/// The line's distance from the centre less the radius is `(distance^2 - r^2) / (distance + r)`, with `distance^2 = m^2 / d^2` and m
+/// the moment `o x d`; the outline lies a tangent's length away.
+#[must_use]
+pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
+    let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
+    let (moment, r) = (o.cross(&d), Exact::new(Sphere::RADIUS));
+    let r2 = &r * &r;
+    let off = (&(&moment.dot(&moment) / &d.dot(&d)) - &r2).to_f64();
+    let distance = ray.origin.cross(ray.direction).length() / ray.direction.length();
+    let tangent = (&o.dot(&o) - &r2).to_f64().max(0.0).sqrt();
+    (off / (distance + Sphere::RADIUS) / tangent).abs()
+}
+
+/// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
+///
+/// With u = 2^-53 and m the moment `o x d`, whose components err by 5u O D (O and D the largest components of o and d): the
+/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by what m errs times `2.2 |m|_1`, its root by that over the
+/// root; `o.d` by 4u |o|_1 D; the quotient and the sum by a few u more.
+fn bound(ray: &ObjectRay<f64>, t: f64) -> f64 {
+    let (o, d) = (ray.origin, ray.direction);
+    let largest = |v: [f64; 3]| v.into_iter().fold(0.0, f64::max);
+    let sum = |v: [f64; 3]| v.into_iter().sum::<f64>();
+    let [sizes_o, sizes_d, sizes_m] = [o, d, o.cross(d)].map(|v| v.abs().array());
+    let (a, m2) = (d.dot(d), o.cross(d).dot(o.cross(d)));
+    let term = Sphere::RADIUS * Sphere::RADIUS * a;
+    let moment_error = 5.0 * UNIT * largest(sizes_o) * largest(sizes_d);
+    let error =
+        10.0 * UNIT * (term + m2) + 2.2 * (sum(sizes_m) + 2.0 * moment_error) * moment_error;
+    let root = (term - m2).max(0.0).sqrt();
+    let numerator = error / root
+        + 4.0 * UNIT * sum(sizes_o) * largest(sizes_d)
+        + 4.0 * UNIT * (o.dot(d).abs() + root);
+    (numerator / (a * t) + 12.0 * UNIT).min(truth::CERTAIN)
+}
+
+fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
+    SphereCase::new(narrow3(origin), narrow3(direction), px)
+}
+
+/// A ray that starts so many radii away and passes the centre at `past` radii. Directions are about 1 long.
+fn aim(random: &mut Random, distance: f64, past: f64) -> SphereCase {
+    let [back, aside] = random.directions();
+    // The point where a ray at this distance from the centre would touch, so that `past` is its distance.
+    let (s, c) = (
+        past / distance,
+        (1.0 - (past / distance).powi(2)).max(0.0).sqrt(),
+    );
+    let towards = aside * s - back * c;
+    case(back * (0.5 * distance), towards.normalize(), PX)
+}
+
+/// The eye a little above the surface, looking about and slightly down.
+fn close(random: &mut Random, ratio: f64) -> SphereCase {
+    let [up, along] = random.directions();
+    let dip = random.within(0.05, 1.0);
+    case(up * (0.5 + 0.5 / ratio), (along - up * dip).normalize(), PX)
+}
+
+/// A ray in whole numbers, over a power of two, that touches without any rounding.
+///
+/// With whole vectors u, v, w of one length n at right angles to each other, the line through `(h w + k u) / n` along u passes
+/// the origin at the distance h; k is such that the point is whole.
+fn touching(random: &mut Random, bits: f64) -> SphereCase {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
+    let h = f64::from(1_i32 << bits as i32);
+    loop {
+        let [w, u, _] = super::rays::turned(random, 3);
+        let n = u.length();
+        let point = |k: i32| V3::from((w * h + u * f64::from(k)).array().map(|c| c / n));
+        let whole = |v: &V3<f64>| v.array().iter().all(|c| c.fract() == 0.0);
+        let starts = (-999..0).map(point).filter(whole);
+        let starts: Vec<V3<f64>> = starts.collect();
+        if starts.is_empty() {
+            continue;
+        }
+        let start = starts[random.below(starts.len())];
+        return case(start * (0.5 / h), u, PX);
+    }
 }

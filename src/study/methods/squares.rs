@@ -3,17 +3,9 @@
 
 use super::ahead;
 use crate::{
-    geometry::{Placement, Ray, Square, WorldRay},
-    study::{
-        real::{Real, V3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        truth::{decide, relative, squares as truth},
-        workloads::{self, scene::SceneRays},
-    },
+    geometry::{Placement, Ray, Square, WorldRay, binary::power_of_two_below},
+    scene::Shape,
+    study::{prelude::*, real::Real, truth},
 };
 use glam::{DAffine3, DMat3};
 
@@ -60,6 +52,18 @@ impl<T: Real> RaySquare<T> {
                 duals: [v.cross(normal) * scale, normal.cross(u) * scale],
             },
         }
+    }
+
+    /// The square's corners, one after the other.
+    #[must_use]
+    pub fn rim(&self) -> [V3<T>; 4] {
+        let (middle, [u, v]) = (self.middle, self.sides.map(|side| side * T::of(0.5)));
+        [
+            middle - u - v,
+            middle + u - v,
+            middle + u + v,
+            middle - u + v,
+        ]
     }
 }
 
@@ -138,28 +142,71 @@ impl Case for SquareCase {
         &both!("D - N . o", CONSTANT, constant),
         &[Method::ours(
             "Sightline's",
-            Exact,
+            Precision::Exact,
             "geometry::square, under a model matrix: undivided, which its bound decides, else exactly",
             |c| Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t),
         )],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::squares::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = &[
+        Family::ordinary(|random, _| ordinary(random)),
+        Family::HIT_RATE,
+        Family::new(
+            "grazing",
+            "angle to the plane (rad)",
+            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
+            |random, angle| aim(random, angle, 1.0),
+        ),
+        Family::new(
+            "far from the origin",
+            "offset / size",
+            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
+            |random, offset| aim(random, 1.0, offset),
+        ),
+        Family::new(
+            "exactly through the rim",
+            "bits a coordinate",
+            &[4.0, 8.0, 12.0, 16.0],
+            through_the_rim,
+        ),
+    ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.squares()
+        let squares = scene.rays_at(|shape| matches!(shape, Shape::Square));
+        let case =
+            |(placement, ray, px): (&Placement, Ray, f64)| Self::of_object(placement, &ray, px);
+        squares.into_iter().map(case).collect()
     }
 
     fn truth(&self) -> Option<f64> {
-        truth::truth(&self.wide)
+        let case = &self.wide;
+        let [middle, u, v] = [case.middle, case.sides[0], case.sides[1]].map(Exact3::new);
+        let line = Line::new(case.origin, case.direction);
+        truth::first_ahead(line.parallelogram(&middle, [&u, &v]))
     }
 
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
-        let off = || truth::rim_angle(&self.wide) / self.px;
-        decide(*truth, *answer, relative, off)
+        let case = &self.wide;
+        let off = || truth::edge_angle(case.origin, case.direction, &case.rim()) / self.px;
+        truth::decide(*truth, *answer, truth::relative, off)
     }
 
-    fn bound(&self, _: &Option<f64>) -> Bound {
-        truth::bound(&self.wide)
+    /// Bound of the square under a model matrix, whose inverse's third row is the normal over a determinant; whether there is a
+    /// hit is decided exactly.
+    ///
+    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u), and with the
+    /// difference to the plane's point (u), product and sum (4u) and the given normal's own rounding (3u), numerator and
+    /// denominator each err by at most 15u times the sum of all magnitudes; the quotient by u. The determinant is in both
+    /// and drops out.
+    fn bound(&self, _: &Option<f64>) -> f64 {
+        let case = &self.wide;
+        let [u, v] = case.sides;
+        let (sizes, normal) = (truth::cross_sizes(u, v), u.cross(v));
+        let share = |w: V3<f64>| 15.0 * UNIT * sizes.dot(w.abs()) / normal.dot(w).abs();
+        let (above, below) = (share(case.middle - case.origin), share(case.direction));
+        if !(below < 0.5) {
+            return truth::CERTAIN;
+        }
+        ((above + below + UNIT) / (1.0 - below)).min(truth::CERTAIN)
     }
 }
 
@@ -184,4 +231,59 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     let point = case.origin + case.direction * t - case.middle;
     let [x, y] = case.kept.duals.map(|dual| dual.dot(point).abs());
     (x <= half && y <= half).then(|| ahead(t)).flatten()
+}
+
+fn ordinary(random: &mut Random) -> SquareCase {
+    aim(random, 1.0, 1.0)
+}
+
+/// Whole vectors at right angles, both at least 1 long, over a power of two that leaves them about that.
+fn sides(random: &mut Random) -> [V3<f64>; 2] {
+    loop {
+        let mut whole = || f64::from(random.integer(-15, 15));
+        let [a, b] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let across = a.cross(b);
+        if across.dot(across) > 0.0 {
+            return [a, across].map(|side| side * (1.0 / power_of_two_below(side.length())));
+        }
+    }
+}
+
+/// A square about 1 wide at an offset from the world's origin, and a ray that meets its plane, in it or beside it, about
+/// `t = 5` and at about this angle.
+fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
+    loop {
+        let [u, v] = sides(random);
+        let middle = narrow3(random.direction() * offset);
+        let [x, y] = [(); 2].map(|()| random.within(-0.75, 0.75));
+        let target = middle + u * x + v * y;
+        let [along, aside] = [(); 2].map(|()| random.within(-1.0, 1.0));
+        let within = (u.normalize() * along + v.normalize() * aside).normalize();
+        let tilt = angle * random.sign() * random.within(0.5, 1.0);
+        let direction = narrow3(within + u.cross(v).normalize() * tilt);
+        let origin = narrow3(target - direction * random.within(4.0, 6.0));
+        if let Some(case) = SquareCase::new(origin, direction, middle, [u, v], PX) {
+            return case;
+        }
+    }
+}
+
+/// A ray in whole numbers, over a power of two, exactly through a side or a corner.
+fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
+    let limit = 1_i32 << bits as i32;
+    loop {
+        let [u, v] = sides(random);
+        let mut whole = || f64::from(random.integer(-limit, limit));
+        let [middle, step] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let along = f64::from(random.integer(-2, 2)) * 0.25;
+        let (x, y) = (0.5 * random.sign(), along);
+        let target = middle + u * x + v * y;
+        let origin = target - step;
+        if narrow3(origin) == origin
+            && let Some(case) = SquareCase::new(origin, step, middle, [u, v], PX)
+        {
+            return case;
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! A small file that is kept from run to run: written whole, beside the window.
 
-use crate::scene::replace;
+use crate::replace::replace;
 use std::{fs, io, path::Path, thread};
 
 /// Writes it; a folder that is not there yet is made.

@@ -1,30 +1,25 @@
 //! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
 
+mod ball;
+mod truth;
+
+pub(super) use ball::icosahedron;
+pub use ball::{ball_scene, gpu};
+
 use super::{
-    rays::{PixelCase, Sight, course},
+    rays::{PixelCase, Sight, course, far_less_near},
     triangles::{RayTriangle, areas, moeller_trumbore},
-    unproject::far_less_near,
 };
 use crate::{
     camera::View,
-    geometry::{Mesh, Ray, Sides},
+    geometry::{Mesh, Sides},
     image::{Id, Image},
     pick::{self, SceneHit},
     render::{Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
-    study::{
-        real::V3,
-        run::Effort,
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32},
-            Verdict,
-        },
-        truth::picks as truth,
-        workloads::{picks::gpu, scene::SceneRays},
-    },
+    study::prelude::*,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use std::{sync::Arc, time::Instant};
 
 /// A scene as it is picked from.
@@ -163,18 +158,24 @@ impl Case for PickCase {
         Method::new(GPU_ID, F32, ID, PickCase::drawn),
         Method::new(
             "Sightline's without its tree",
-            Exact,
+            Precision::Exact,
             "pick::closest",
             |c| sightlines(&c.world.treeless, c),
         ),
-        Method::ours("Sightline's", Exact, "pick::closest, over trees", |c| {
-            sightlines(&c.world.scene, c)
-        }),
+        Method::ours(
+            "Sightline's",
+            Precision::Exact,
+            "pick::closest, over trees",
+            |c| sightlines(&c.world.scene, c),
+        ),
     ]];
-    const FAMILIES: &'static [Family<Self>] = crate::study::workloads::picks::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = ball::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.picks()
+        // The methods without a tree are slow, and so is truth.
+        const MOST: usize = 256;
+        let case = |px: &DVec2| Self::new(&scene.world, *px);
+        scene.at.iter().take(MOST).map(case).collect()
     }
 
     fn can_run(&self, method: &Method<Self>) -> bool {
@@ -200,13 +201,6 @@ impl Case for PickCase {
             (Some(_), None) => Verdict::Missed(0.0),
             (None, Some(_)) => Verdict::Phantom(0.0),
             _ => Verdict::Other,
-        }
-    }
-
-    fn bound(&self, _: &Picked) -> Bound {
-        Bound {
-            error: 0.0,
-            wrong: 0.0,
         }
     }
 }
@@ -271,23 +265,9 @@ impl PickCase {
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
     fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
-        let View { camera, sides, .. } = self.world.view;
+        let sides = self.world.view.sides;
         let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
-        // The planes are at view depths, which the method's direction need not be 1 long along.
-        let direction_world = DVec3::from(sight.along);
-        let depth_per_t = direction_world.dot(camera.forward());
-        let lens = camera.lens();
-        let start = if lens.is_orthographic() {
-            camera.to_view(sight.from.into()).z
-        } else {
-            0.0
-        };
-        let world = Ray {
-            origin: sight.from.into(),
-            direction: direction_world,
-            t_min: (lens.near - start) / depth_per_t,
-            t_max: (lens.far - start) / depth_per_t,
-        };
+        let world = sight.ray(&self.world.view)?;
         let mut best: Option<(f64, usize, Option<u32>)> = None;
         for (index, object) in &self.world.flat {
             let triangles = match object {

@@ -1,14 +1,14 @@
 //! Files that are written whole or not at all.
 
 use std::{
-    fs,
+    fs::{self, File},
     io::{self, BufWriter, ErrorKind, Write},
     path::Path,
 };
 
 /// Writes a file beside `path` and renames it to that once it is whole and on the disk. On any failure, that of `write`
 /// too, what `path` held before is untouched and nothing is left beside it. A link keeps its place: what it points to is
-/// written. A file that may not be written stays as it is.
+/// written. A file that may not be written stays as it is. What is no file, such as a pipe, is written as it goes.
 ///
 /// # Errors
 /// What the system says, or `write`.
@@ -25,11 +25,16 @@ pub(crate) fn replace(
     {
         return Err(ErrorKind::PermissionDenied.into());
     }
+    if before.as_ref().is_some_and(|old| !old.is_file()) {
+        let mut out = BufWriter::new(File::create(&target)?);
+        write(&mut out)?;
+        return out.flush();
+    }
     let folder = target
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());
     let mut beside = new_file(folder.unwrap_or(Path::new(".")))?;
-    if let Some(old) = before.filter(fs::Metadata::is_file) {
+    if let Some(old) = before {
         beside.as_file().set_permissions(old.permissions())?;
     }
     let mut out = BufWriter::new(beside.as_file_mut());
@@ -71,6 +76,20 @@ mod tests {
         replace(&path, |out| out.write_all(b"new")).expect("room");
         assert_eq!(fs::read(&path).expect("a file"), b"new");
         replace(folder.path(), |out| out.write_all(b"new")).expect_err("a folder");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_stays_one() {
+        use std::os::unix::fs::FileTypeExt;
+        let [null, full] = ["/dev/null", "/dev/full"].map(std::path::Path::new);
+        replace(null, |out| out.write_all(b"new")).expect("room");
+        let kind = fs::metadata(null).expect("a device").file_type();
+        assert!(kind.is_char_device());
+        if full.exists() {
+            let error = replace(full, |out| out.write_all(b"new")).expect_err("a full disk");
+            assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        }
     }
 
     #[cfg(unix)]

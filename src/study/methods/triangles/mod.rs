@@ -1,18 +1,15 @@
 //! Rays against one triangle. The answer is the ray parameter t of the hit, or none.
 
-use super::{ahead, prepared::Prepared};
+mod prepared;
+mod workloads;
+
+pub use prepared::{Prepared, Shear};
+
+use super::ahead;
 use crate::{
     geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, exact_volume, guarded_volume},
-    study::{
-        real::{Real, V3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{Exact, F32, F64},
-            Verdict, both,
-        },
-        truth::{decide, relative, triangles as truth},
-        workloads::{self, scene::SceneRays},
-    },
+    scene::Shape,
+    study::{prelude::*, real::Real, truth},
 };
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
@@ -27,6 +24,38 @@ pub struct RayTriangle<T> {
     pub direction: V3<T>,
     /// The triangle.
     pub corners: [V3<T>; 3],
+}
+
+impl RayTriangle<f64> {
+    /// The ray parameter of the hit without rounding; none where the ray misses, also when it runs within the plane.
+    #[must_use]
+    pub fn truth(&self) -> Option<f64> {
+        let line = Line::new(self.origin, self.direction);
+        truth::first_ahead(line.triangle(self.corners.map(Exact3::new)))
+    }
+
+    /// How far the ray passes from the triangle's nearest edge, in radians seen from its origin.
+    #[must_use]
+    pub fn edge_angle(&self) -> f64 {
+        truth::edge_angle(self.origin, self.direction, &self.corners)
+    }
+
+    /// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
+    ///
+    /// `t = N . a / N . d` with edges from corners: with u = 2^-53 each scalar product errs by at most 9u times its
+    /// magnitudes' sum (edges u, products and difference 3u, `a` u, product and sum 4u), the quotient by u.
+    pub(super) fn bound(&self) -> f64 {
+        let [a, b, c] = self.corners;
+        let (e1, e2) = (b - a, c - a);
+        let (sizes, normal) = (truth::cross_sizes(e1, e2), e1.cross(e2));
+        let share = |v: V3<f64>| 10.0 * UNIT * sizes.dot(v.abs()) / normal.dot(v).abs();
+        let (above, below) = (share(a - self.origin), share(self.direction));
+        if below < 0.5 {
+            (above + below + UNIT) / (1.0 - below)
+        } else {
+            f64::INFINITY
+        }
+    }
 }
 
 /// One ray and one triangle, as each kind of method wants them.
@@ -90,6 +119,41 @@ const DEKKER: &str = "Dekker, A floating-point technique for extending the avail
 const EXACT: &str = "no filter: integers as long as it takes (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
 pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
 
+/// The tests in both precisions, each given to a job, and a step's others.
+macro_rules! in_both_precisions {
+    ($job:expr, $others:expr) => {{
+        use $crate::study::methods::triangles::{
+            AREAS, BALDWIN, EMBREE, HAVEL, JIMENEZ, KENSLER, MT, PBRT, Prepared, WOOP, areas,
+            jimenez, moeller_trumbore, pluecker, signed_volumes,
+        };
+        &[
+            &both!("Moeller-Trumbore", MT, $job, |c| moeller_trumbore(c, 0.0)),
+            &both!(
+                "Moeller-Trumbore, eps 1e-6",
+                MT,
+                $job,
+                |c| moeller_trumbore(c, 1e-6)
+            ),
+            &both!("areas, sum == 1", AREAS, $job, |c| areas(c, 0.0)),
+            &both!("areas, within 1e-4", AREAS, $job, |c| areas(c, 1e-4)),
+            &both!("signed volumes", KENSLER, $job, |c| signed_volumes(c)),
+            &both!("Woop watertight", WOOP, $job, Prepared::woop),
+            &both!("Baldwin-Weber", BALDWIN, $job, Prepared::baldwin_weber),
+            &both!("Pluecker, as Embree", EMBREE, $job, |c| pluecker(c)),
+            &both!("Havel-Herout", HAVEL, $job, Prepared::havel_herout),
+            &both!("Jimenez", JIMENEZ, $job, |c| jimenez(c)),
+            &both!("pbrt-v4, bounded t", PBRT, $job, Prepared::pbrt),
+            $others,
+        ]
+    }};
+}
+pub(super) use in_both_precisions;
+
+/// What a test says of one triangle.
+fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
+    test(case)
+}
+
 impl Case for TriangleCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
@@ -101,48 +165,57 @@ impl Case for TriangleCase {
         wrong_unit: "px",
     };
 
-    const METHODS: Methods<Self> = &[
-        &both!("Moeller-Trumbore", MT, moeller_trumbore, 0.0),
-        &both!("Moeller-Trumbore, eps 1e-6", MT, moeller_trumbore, 1e-6),
-        &both!("areas, sum == 1", AREAS, areas, 0.0),
-        &both!("areas, within 1e-4", AREAS, areas, 1e-4),
-        &both!("signed volumes", KENSLER, signed_volumes),
-        &both!("Woop watertight", WOOP, Prepared::woop),
-        &both!("Baldwin-Weber", BALDWIN, Prepared::baldwin_weber),
-        &both!("Pluecker, as Embree", EMBREE, pluecker),
-        &both!("Havel-Herout", HAVEL, Prepared::havel_herout),
-        &both!("Jimenez", JIMENEZ, jimenez),
-        &both!("pbrt-v4, bounded t", PBRT, Prepared::pbrt),
+    const METHODS: Methods<Self> = in_both_precisions!(
+        one,
         &[
             Method::new("double-double volumes", F64, DEKKER, double_double),
-            Method::new("Shewchuk's orient3d", Exact, SHEWCHUK, |c| {
+            Method::new("Shewchuk's orient3d", Precision::Exact, SHEWCHUK, |c| {
                 shewchuk(&c.wide)
             }),
-            Method::new("exact everywhere", Exact, EXACT, |c| {
+            Method::new("exact everywhere", Precision::Exact, EXACT, |c| {
                 exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-            Method::ours("Sightline's", Exact, OURS, |c| {
+            Method::ours("Sightline's", Precision::Exact, OURS, |c| {
                 guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-        ],
-    ];
-    const FAMILIES: &'static [Family<Self>] = workloads::triangles::FAMILIES;
+        ]
+    );
+    const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
 
+    /// The triangle that is hit, those beside it in the file, and any other.
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.triangles()
+        let mut random = Random::named(scene.seed, &["triangles"]);
+        let mut cases = Vec::new();
+        for (ray, object, hit) in scene.objects() {
+            let (Shape::Mesh { mesh, .. }, Some(at)) = (&object.shape, hit.hit.on_triangle) else {
+                continue;
+            };
+            // As many as an index counts.
+            let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
+            let local = object.placement.ray_to_object(ray);
+            let others = [
+                at.triangle,
+                (at.triangle + 1) % count,
+                at.triangle.checked_sub(1).unwrap_or(count - 1),
+                u32::try_from(random.below(count as usize)).unwrap_or(0),
+            ];
+            let px = scene.px(hit.hit.t);
+            cases.extend(others.map(|other| Self::of_mesh(mesh, other, &local, px)));
+        }
+        cases
     }
 
     fn truth(&self) -> Option<f64> {
-        truth::truth(&self.wide)
+        self.wide.truth()
     }
 
     fn judge(&self, truth: &Option<f64>, answer: &Option<f64>) -> Verdict {
-        let off = || truth::nearest_edge_angle(&self.wide) / self.px;
-        decide(*truth, *answer, relative, off)
+        let off = || self.wide.edge_angle() / self.px;
+        truth::decide(*truth, *answer, truth::relative, off)
     }
 
-    fn bound(&self, truth: &Option<f64>) -> Bound {
-        truth::bound(&self.wide, *truth)
+    fn bound(&self, truth: &Option<f64>) -> f64 {
+        truth.map_or(0.0, |_| self.wide.bound())
     }
 }
 

@@ -1,6 +1,6 @@
 //! From a pixel to a ray through a matrix: what is projected, unprojected.
 
-use super::rays::{Picture, Pixel, Sight};
+use super::{Picture, Pixel, Sight};
 use crate::study::real::{Real, V3};
 use glam::{DMat4, DVec4, Mat4, Vec4};
 

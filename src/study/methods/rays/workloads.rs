@@ -1,12 +1,7 @@
 //! Cameras and pixels.
 
-use super::TAN_30;
-use crate::study::{
-    methods::rays::{Picture, PixelCase},
-    random::Random,
-    real::{V3, narrow, narrow3},
-    step::Family,
-};
+use super::{Picture, PixelCase};
+use crate::study::{prelude::*, real::narrow, scene_rays::TAN_30};
 
 /// What a family changes about an ordinary camera.
 #[derive(Clone, Copy)]
@@ -123,7 +118,7 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
 
 /// The axes of a random rotation from a quaternion with whole coordinates up to `most`: at right angles, of equal length and whole,
 /// so that truth knows them without rounding. Left-handed, as view space is: R, U, F with R = F x U.
-pub(super) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
+pub(crate) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
     let mut whole = || f64::from(random.integer(-most, most));
     let (a, b, c, d) = (whole(), whole(), whole(), whole());
     if a * a + b * b + c * c + d * d == 0.0 {

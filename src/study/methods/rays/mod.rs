@@ -1,29 +1,21 @@
 //! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
 //! what counts is the direction. What is the same for all pixels of a picture is made before.
 
-use super::{
-    WITH_BOUNDS,
-    unproject::{
-        Inverses, as_bevy, as_three, far_less_near, inverses_f32, inverses_f64, near_less_eye,
-    },
-};
+mod unproject;
+mod workloads;
+
+pub use unproject::far_less_near;
+pub(super) use workloads::turned;
+
+use super::WITH_BOUNDS;
 use crate::{
     camera::View,
     geometry::{PixelGrid, PixelRays, Ray},
-    study::{
-        exact,
-        real::{Real, V3},
-        step::{
-            About, Bound, Case, Family, Method, Methods,
-            Precision::{F32, F64},
-            Verdict, both,
-        },
-        truth::rays as truth,
-        workloads::{self, scene::SceneRays},
-    },
+    study::{exact, prelude::*, real::Real},
 };
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::hint::black_box;
+use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_less_eye};
 
 /// A camera and its picture.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +56,7 @@ pub struct Pixel<T> {
     /// R and U as long as half the picture is wide and high.
     basis: [V3<T>; 2],
     /// What programs unproject by.
-    pub(super) inverse: Inverses<T>,
+    inverse: Inverses<T>,
 }
 
 /// A ray in the world.
@@ -74,6 +66,29 @@ pub struct Sight {
     pub from: V3<f64>,
     /// Where it goes; any length.
     pub along: V3<f64>,
+}
+
+impl Sight {
+    /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
+    #[must_use]
+    pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
+        let [origin, direction] = [self.from, self.along].map(DVec3::from);
+        let depth_per_t = direction.dot(camera.forward());
+        let lens = camera.lens();
+        // In perspective rays start at the eye, whatever that is in the method's precision.
+        let start = if lens.is_orthographic() {
+            camera.to_view(origin).z
+        } else {
+            0.0
+        };
+        let is_ray = origin.is_finite() && direction.is_finite() && depth_per_t > 0.0;
+        is_ray.then(|| Ray {
+            origin,
+            direction,
+            t_min: (lens.near - start) / depth_per_t,
+            t_max: (lens.far - start) / depth_per_t,
+        })
+    }
 }
 
 /// One pixel, as each kind of method wants it.
@@ -169,7 +184,7 @@ const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P
 
 impl Case for PixelCase {
     type Answer = Sight;
-    type Truth = exact::Exact3;
+    type Truth = Exact3;
     const ABOUT: About = About {
         name: "Ray from pixel",
         key: "ray",
@@ -198,27 +213,43 @@ impl Case for PixelCase {
             ),
         ],
     ];
-    const FAMILIES: &'static [Family<Self>] = workloads::rays::FAMILIES;
+    const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        scene.pixels()
+        let case = |px: &DVec2| Self::of_view(&scene.world.view, *px);
+        scene.at.iter().map(case).collect()
     }
 
-    fn truth(&self) -> exact::Exact3 {
-        truth::truth(self)
+    /// `F + sx aspect tan R + sy tan U`, times width and height, so that nothing is divided. Where rays are parallel, how far
+    /// aside they run: the same without F.
+    fn truth(&self) -> Exact3 {
+        let (pixel, px) = (&self.wide.picture, self.wide.px);
+        let [right, up, forward] = self.exact_axes.map(Exact3::new);
+        let [width, height] = pixel.size.map(Exact::new);
+        let [x, y] = px.map(Exact::new);
+        let two = Exact::int(2);
+        let tan = Exact::new(pixel.tan);
+        let across = &(&(&two * &x) - &width) * &(&height * &(&Exact::new(pixel.aspect) * &tan));
+        let along = &(&height - &(&two * &y)) * &(&width * &tan);
+        let straight = if pixel.parallel {
+            Exact::int(0)
+        } else {
+            &width * &height
+        };
+        &forward.times(&straight) + &(&right.times(&across) + &up.times(&along))
     }
 
-    fn judge(&self, truth: &exact::Exact3, answer: &Sight) -> Verdict {
+    fn judge(&self, truth: &Exact3, answer: &Sight) -> Verdict {
         let error = if self.wide.picture.parallel {
-            truth::aside(self, truth, answer)
+            aside(self, truth, answer)
         } else {
             exact::angle(truth, answer.along.array())
         };
         Verdict::Right(error / self.px_angle())
     }
 
-    fn bound(&self, _: &exact::Exact3) -> Bound {
-        truth::bound(self)
+    fn bound(&self, _: &Exact3) -> f64 {
+        bound(self) / self.px_angle()
     }
 }
 
@@ -256,13 +287,13 @@ impl<T: Real> Pixel<T> {
     }
 
     /// From -1 to 1, y upwards.
-    pub(super) fn ndc(&self) -> [T; 2] {
+    fn ndc(&self) -> [T; 2] {
         let [x, y] = [0, 1].map(|axis| self.px[axis] * self.per_px[axis]);
         [x - T::one(), T::one() - y]
     }
 
     /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
-    pub(super) fn towards(&self, point: V3<T>) -> Sight {
+    fn towards(&self, point: V3<T>) -> Sight {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
             return Sight {
@@ -297,4 +328,51 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
         from: eye.wide(),
         along: (axes[2] + aside).wide(),
     }
+}
+
+/// How far a parallel ray runs beside the true one where the camera's target is, in world units.
+fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
+    let pixel = &case.wide.picture;
+    let numbers = [answer.from, answer.along].map(V3::array);
+    if !numbers.as_flattened().iter().all(|c| c.is_finite()) {
+        return f64::INFINITY;
+    }
+    let forward = Exact3::new(case.exact_axes[2]);
+    let start = &Exact3::new(answer.from) - &Exact3::new(pixel.eye);
+    let along = Exact3::new(answer.along);
+    let fall = along.dot(&forward);
+    if fall.is_zero() {
+        return f64::INFINITY;
+    }
+    let way = &(&Exact::new(pixel.length) * &forward.length()) / &fall;
+    let there = &start + &along.times(&way);
+    let scale = &Exact::new(pixel.size[0]) * &Exact::new(pixel.size[1]);
+    let off = &there.times(&scale) - truth;
+    // Along F it may be wherever it likes.
+    let deep = &off.dot(&forward) / &forward.dot(&forward);
+    let off = &off - &forward.times(&deep);
+    (&off.length() / &scale).to_f64()
+}
+
+/// Bound of the eye basis in `f64`.
+///
+/// Parallel rays: the shares of R and U as below, in world units; the sum with the eye rounds by u of what it is in
+/// each coordinate; and F, within 2u of its direction, runs aside by that much of the way to the target.
+///
+/// With u = 2^-53: axes that are given within 2u, a position in the picture and half extents within 6u, products and sums by 6u
+/// more: together below 20u for each of the shares 1, half the width and half the height at depth 1, in three coordinates; the
+/// sum's length divides them.
+fn bound(case: &PixelCase) -> f64 {
+    let (pixel, px) = (&case.wide.picture, case.wide.px);
+    if pixel.parallel {
+        let [x, y, z] = pixel.eye.abs().array();
+        let half = pixel.tan * (1.0 + pixel.aspect);
+        let place = x + y + z + 3.0 * half;
+        return 3.0_f64.sqrt() * UNIT * (20.0 * half + place + 2.0 * pixel.length);
+    }
+    let half = [pixel.aspect * pixel.tan, pixel.tan];
+    let sx = 2.0 * px[0] / pixel.size[0] - 1.0;
+    let sy = 1.0 - 2.0 * px[1] / pixel.size[1];
+    let length = (1.0 + (sx * half[0]).powi(2) + (sy * half[1]).powi(2)).sqrt();
+    20.0 * 3.0_f64.sqrt() * UNIT * (1.0 + half[0] + half[1]) / length
 }

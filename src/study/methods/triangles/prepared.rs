@@ -1,6 +1,6 @@
 //! Rays against triangles with what is made beforehand: once for the ray, or once for the triangle.
 
-use super::{ahead, triangles::RayTriangle};
+use super::{RayTriangle, ahead};
 use crate::study::real::{Real, V3};
 use std::ops::Deref;
 

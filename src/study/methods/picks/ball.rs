@@ -1,16 +1,13 @@
 //! Clicks on a scene that is hard everywhere: a closed, bumpy ball of many small triangles, far from the world's
 //! origin, with the eye close to it.
 
+use super::{PickCase, PickWorld};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
     render::{self, Gpu},
     scene::{Object, Scene, Shape},
-    study::{
-        methods::picks::{PickCase, PickWorld},
-        random::Random,
-        step::Family,
-    },
+    study::prelude::*,
 };
 use glam::{DVec2, DVec3};
 use std::sync::{Arc, OnceLock};
@@ -122,7 +119,7 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
 }
 
 /// Twelve corners, 1 from the origin, and twenty faces, counter-clockwise from outside.
-pub(in crate::study) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(crate) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let phi = 1.618_034;
     let mut points: Vec<DVec3> = Vec::new();
     for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {

@@ -1,12 +1,7 @@
 //! Rays and triangles.
 
-use super::PX;
-use crate::study::{
-    methods::triangles::{RayTriangle, TriangleCase},
-    random::Random,
-    real::{V3, narrow3},
-    step::Family,
-};
+use super::{RayTriangle, TriangleCase};
+use crate::study::prelude::*;
 
 /// Every family.
 pub const FAMILIES: &[Family<TriangleCase>] = &[

@@ -1,0 +1,73 @@
+//! The study as files in a folder.
+
+use super::{
+    chart::{
+        charts,
+        picture::{DrawError, Picture},
+    },
+    csv::{csv, summary_csv},
+    run::Report,
+};
+use crate::{
+    camera::{CameraError, Viewport},
+    image::{Image, ImageError},
+    replace::replace,
+};
+use std::path::{Path, PathBuf};
+
+/// Why a report was not written.
+#[derive(Debug, thiserror::Error)]
+pub enum SaveError {
+    /// The drawing library refused.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+    /// A text file could not be written.
+    #[error("cannot write {}: {source}", file.display())]
+    Write {
+        /// Which file.
+        file: PathBuf,
+        /// What the file system said.
+        source: std::io::Error,
+    },
+    /// A PNG file could not be written.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// A picture without a pixel.
+    #[error(transparent)]
+    Size(#[from] CameraError),
+}
+
+/// Writes a report's tables and charts into a folder, those of a scene's own rays apart. Each file is written whole or not at
+/// all, so that what an earlier run left stays where there is no room.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn save(folder: &Path, report: &Report) -> Result<(), SaveError> {
+    for (report, part) in report.split().into_iter().zip(["", "_scene"]) {
+        let Some(report) = report else { continue };
+        for (name, table) in [("study", csv(&report)), ("summary", summary_csv(&report))] {
+            text(folder.join(format!("{name}{part}.csv")), &table)?;
+        }
+    }
+    for (stem, picture) in charts(report) {
+        save_chart(folder, stem, &picture)?;
+    }
+    Ok(())
+}
+
+/// Writes a chart as `stem.svg` and `stem.png` into a folder.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn save_chart(folder: &Path, stem: &str, picture: &Picture) -> Result<(), SaveError> {
+    text(folder.join(stem).with_extension("svg"), &picture.svg()?)?;
+    let size = Viewport::new(picture.width, picture.height)?;
+    let image = Image::new(size, picture.pixels()?);
+    image.write_png(&folder.join(stem).with_extension("png"))?;
+    Ok(())
+}
+
+fn text(file: PathBuf, text: &str) -> Result<(), SaveError> {
+    let written = replace(&file, |out| out.write_all(text.as_bytes()));
+    written.map_err(|source| SaveError::Write { file, source })
+}

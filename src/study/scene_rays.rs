@@ -1,0 +1,97 @@
+//! A scene's own camera and rays as workloads: which method does *this* scene need?
+
+use super::{
+    methods::picks::{PickWorld, gpu},
+    random::Random,
+};
+use crate::{
+    camera::{Projection, View},
+    geometry::{Placement, Ray},
+    pick::{self, SceneHit},
+    render,
+    scene::{Object, Scene, Shape},
+};
+use glam::DVec2;
+use std::sync::Arc;
+
+/// Rays through random pixels of a scene's view, and what they hit.
+#[derive(Debug)]
+pub struct SceneRays {
+    pub(super) world: Arc<PickWorld>,
+    /// Pixel centres.
+    pub(super) at: Vec<DVec2>,
+    /// Rays through them with what each hits first.
+    pub(super) hits: Vec<(Ray, SceneHit)>,
+    pub(super) seed: u64,
+}
+
+impl SceneRays {
+    /// So many random pixels of a scene's view, and what a graphics adapter draws of it where there is one.
+    #[must_use]
+    pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
+        let ids = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
+        let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));
+        let mut random = Random::named(seed, &["scene"]);
+        let size = view.viewport;
+        let mut inside = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
+        let at: Vec<DVec2> = (0..count)
+            .map(|_| DVec2::new(inside(size.width()), inside(size.height())))
+            .collect();
+        let hit = |px: &DVec2| {
+            let ray = *view.ray(*px);
+            Some((ray, pick::closest(&world.scene, ray, view.sides)?))
+        };
+        let hits = at.iter().filter_map(hit).collect();
+        Self {
+            world,
+            at,
+            hits,
+            seed,
+        }
+    }
+
+    /// Width of a pixel in radians, seen from the eye at a distance.
+    pub(super) fn px(&self, distance: f64) -> f64 {
+        px_angle(&self.world.view, distance)
+    }
+
+    /// Every ray with the object that it hits.
+    pub(super) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
+        let objects = self.world.scene.objects();
+        self.hits
+            .iter()
+            .map(|(ray, hit)| (ray, &objects[hit.object], hit))
+    }
+
+    /// Rays in the world with an object of a kind each, hit or not, and the width of a pixel there.
+    pub(super) fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
+        let objects = self.world.scene.objects().iter();
+        let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
+        let mut random = Random::named(self.seed, &["objects"]);
+        let rays = self.at.iter().filter(|_| !objects.is_empty());
+        rays.map(|px| {
+            let object = objects[random.below(objects.len())];
+            let ray = self.world.view.ray(*px);
+            let distance = object.placement.model().translation.distance(ray.origin);
+            (&object.placement, *ray, self.px(distance))
+        })
+        .collect()
+    }
+}
+
+/// The width of a pixel in a view's middle, in radians seen from the eye at a distance, which in perspective does not
+/// matter.
+#[must_use]
+pub fn px_angle(view: &View, distance: f64) -> f64 {
+    let lens = view.camera.lens();
+    let height = 2.0 * lens.half_extent(1.0).y / f64::from(view.viewport.height());
+    match lens.projection {
+        Projection::Perspective { .. } => height,
+        Projection::Orthographic { .. } => height / distance,
+    }
+}
+
+/// The width of a pixel in radians where nothing else is said: 60 degrees over 1080 rows, `2 tan(30 deg) / 1080`.
+pub const PX: f64 = 2.0 * TAN_30 / 1080.0;
+/// tan(30 degrees).
+pub const TAN_30: f64 = 0.577_350_269_189_625_7;
