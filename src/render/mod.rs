@@ -17,7 +17,7 @@
 //! take long, [`Renderer::advance`] does them in pieces.
 //!
 //! What decides which surface a pixel shows follows the picker's rules: the same camera, near and far by view depth,
-//! of equal depths the lower object and triangle. Everything is composed in `f64` and rounded to `f32` once (see
+//! of equal depths the lower triangle, and the lower object of those that touch. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
 mod batches;

@@ -1,9 +1,9 @@
-//! In which order batches are drawn: those of a kind together, since each change of kind costs a draw call, as far as nobody
-//! can see that.
+//! In which order batches are drawn: those of a kind together, since each change of kind costs a draw call.
 //!
-//! Of two surfaces in one place the lower object's is seen, which is drawn first. Batches are therefore cut into *runs*: none
+//! Of two surfaces that touch, the lower object's is seen, which is drawn first. Batches are therefore cut into *runs*: none
 //! of a run touches another of it that is of another kind. Within a run those of a kind come together, in the order of
-//! their objects; runs follow each other.
+//! their objects; runs follow each other. Which is seen of surfaces that do not touch, but lie closer than the depth buffer
+//! tells apart, is therefore nobody's promise: a check calls such pixels *depth*.
 
 use super::batches::Batch;
 use crate::{geometry::Aabb, scene::Scene};
