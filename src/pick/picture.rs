@@ -4,13 +4,12 @@ use super::{Beam, SceneHit, nearest::nearest};
 use crate::{
     camera::View,
     colour::Srgb,
-    geometry::{Ray, WorldRay},
+    geometry::{Ray, WorldRay, shares::on_all_cores},
     image::{Id, Image, Rgb},
     look,
     scene::Scene,
 };
 use glam::DVec2;
-use std::{num::NonZero, thread};
 
 /// Pixels to a side of the tiles whose rays go through the scene together.
 const TILE: u32 = 16;
@@ -76,15 +75,8 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
 ) -> Vec<T> {
     let (width, height) = (view.viewport.width(), view.viewport.height());
     let mut pixels = vec![T::default(); width as usize * height as usize];
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    // Every thread takes each n-th row of tiles: neighbouring rows cost alike.
-    let mut shares: Vec<Vec<_>> = (0..threads).map(|_| Vec::new()).collect();
-    let tops = (0..height).step_by(TILE as usize);
-    for (top, rows) in tops.zip(pixels.chunks_mut((width * TILE) as usize)) {
-        shares[(top / TILE) as usize % threads].push((top, rows));
-    }
     let corner = |x: u32, y: u32| DVec2::new(x.into(), y.into());
-    let in_row = |top: u32, rows: &mut [T]| {
+    let in_rows = |(top, rows): (u32, &mut [T])| {
         let bottom = (top + TILE).min(height);
         for left in (0..width).step_by(TILE as usize) {
             let right = (left + TILE).min(width);
@@ -96,15 +88,11 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
             }
         }
     };
-    thread::scope(|scope| {
-        for share in shares {
-            scope.spawn(|| {
-                for (top, rows) in share {
-                    in_row(top, rows);
-                }
-            });
-        }
-    });
+    let tops = (0..height).step_by(TILE as usize);
+    on_all_cores(
+        tops.zip(pixels.chunks_mut((width * TILE) as usize)),
+        in_rows,
+    );
     pixels
 }
 

@@ -8,13 +8,8 @@ use super::{
     summary::{interval, quantile, rate},
     timing::{self, Time},
 };
-use std::{
-    iter,
-    num::NonZero,
-    panic::resume_unwind,
-    sync::atomic::{AtomicUsize, Ordering},
-    thread::{self, ScopedJoinHandle},
-};
+use crate::geometry::shares::on_all_cores;
+use std::iter;
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,26 +169,6 @@ pub fn run(
     run.report
 }
 
-/// The results of some work, each from whichever core is free next, in order.
-pub(super) fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let take = || {
-        let indices = iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
-        let own = indices.take_while(|index| *index < count);
-        own.map(|index| (index, work(index))).collect::<Vec<_>>()
-    };
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let mut found: Vec<(usize, T)> = thread::scope(|scope| {
-        let started: Vec<_> = (0..threads).map(|_| scope.spawn(take)).collect();
-        let finish = |thread: ScopedJoinHandle<_>| {
-            thread.join().unwrap_or_else(|panic| resume_unwind(panic))
-        };
-        started.into_iter().flat_map(finish).collect()
-    });
-    found.sort_by_key(|(index, _)| *index);
-    found.into_iter().map(|(_, result)| result).collect()
-}
-
 struct Run<'a> {
     effort: Effort,
     scene: Option<&'a SceneRays>,
@@ -230,7 +205,7 @@ impl Visitor for Run<'_> {
 impl Run<'_> {
     /// Every method's answers to every workload of a step, on all cores.
     fn judged<C: Case>(&self, workloads: &[Workload<'_, C>]) -> Vec<Vec<Row>> {
-        on_all_cores(workloads.len(), |index| {
+        on_all_cores(0..workloads.len(), |index| {
             let done = rate(self.done, 1) + rate(index, workloads.len());
             (self.progress)(done / rate(self.steps, 1), C::ABOUT.name);
             judge(&workloads[index])

@@ -5,15 +5,17 @@ use super::{
     page::{WIDTH, count, distinct, page},
     picture::{Anchor, Colour, INK, Picture, QUIET},
 };
-use crate::study::{
-    methods::triangles::{RayTriangle, TriangleCase},
-    real::V3,
-    run::on_all_cores,
-    scene_rays::PX,
-    step::{
-        Case, Method,
-        Precision::{self, F32, F64},
-        Verdict,
+use crate::{
+    geometry::shares::on_all_cores,
+    study::{
+        methods::triangles::{RayTriangle, TriangleCase},
+        real::V3,
+        scene_rays::PX,
+        step::{
+            Case, Method,
+            Precision::{self, F32, F64},
+            Verdict,
+        },
     },
 };
 use glam::DVec3;
@@ -103,7 +105,7 @@ fn tiles() -> Vec<Tile> {
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.ours);
-    tiles.extend(on_all_cores(methods.len(), |index| {
+    tiles.extend(on_all_cores(0..methods.len(), |index| {
         let method = methods[index];
         let (_, cases) = &all[usize::from(method.precision != F32)];
         let said = cases.iter();
