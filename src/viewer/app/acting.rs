@@ -13,13 +13,8 @@ use std::{io::Write, time::Instant};
 impl App {
     /// Does something to scene or view.
     pub fn act(&mut self, action: Action) {
-        if let Some(stage) = self.state.stage_after(action)
-            && self.begin_stage(stage, action)
-        {
-            return;
-        }
         let clicks = matches!(action, Action::Click(..));
-        if clicks && !self.state.rays_are_quick() {
+        if clicks && !self.state.rays_are_quick() && self.state.stages().is_empty() {
             self.waiting = Some((action, *self.state.view()));
             return;
         }

@@ -9,7 +9,7 @@ use crate::{
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
-        model::{Action, RayHits, view_command},
+        model::{Action, RayHits, Views, view_command},
         ui::{Command, Intent, Reply},
     },
 };
@@ -88,6 +88,9 @@ impl App {
             Command::Escape if matches!(self.checking, Checking::On(..)) => {
                 self.checking = Checking::Off;
             }
+            Command::Escape if self.state.selection().is_none() && !self.state.stages().is_empty() => {
+                self.toggle_four();
+            }
             Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
                 self.act(Action::LeaveGallery);
             }
@@ -96,14 +99,32 @@ impl App {
             Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
             // The gallery was opened first: what the program opens by itself is all that there is outside.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
-            Command::ToggleCheck => self.toggle_check(),
+            Command::ToggleCheck => {
+                // It is about the camera's picture.
+                self.act(Action::Views(Views::Picture));
+                self.toggle_check();
+            }
             Command::ToggleHelp => self.floating.help ^= true,
+            Command::ToggleFour => self.toggle_four(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);
             }
             Command::Quit => self.intend(Intent::Quit),
+        }
+    }
+
+    /// The four views, with the matrices beside them; and back to how it was.
+    fn toggle_four(&mut self) {
+        let opens = self.state.views() == Views::Picture;
+        if opens {
+            self.floating.pipeline_was = self.floating.pipeline;
+            self.floating.pipeline = true;
+            self.act(Action::Views(Views::Four));
+        } else {
+            self.floating.pipeline &= self.floating.pipeline_was;
+            self.act(Action::Views(Views::Picture));
         }
     }
 

@@ -61,6 +61,8 @@ pub(in crate::viewer) enum Command {
     ToggleHelp,
     /// Show or hide the matrices.
     TogglePipeline,
+    /// Show the four views with the matrices beside them, or the camera's picture again.
+    ToggleFour,
     /// Give the panels the next of the looks that they can have.
     NextLook,
     /// Close the window.

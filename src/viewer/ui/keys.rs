@@ -222,6 +222,12 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::Act(Action::ToggleFreeze),
     },
     Binding {
+        keys: "4",
+        does: "object, world, view and NDC side by side; the picture again",
+        shortcuts: &[(NONE, Key::Num4)],
+        command: Command::ToggleFour,
+    },
+    Binding {
         keys: "P",
         does: "the matrices, and the pick's way through them",
         shortcuts: &[(NONE, Key::P)],

@@ -5,7 +5,7 @@ use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S},
     screen::SceneRect,
 };
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use egui::{Event, Id, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::DVec2;
 
 /// A press that travels further than this, in points, is a drag.
@@ -27,23 +27,21 @@ pub(in crate::viewer) fn options(ctx: &egui::Context) {
 /// The drag that is under way on the scene: what it does and where the cursor was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct Drag {
+    of: Id,
     turns: bool,
     at: DVec2,
 }
 
-/// What the mouse did on the scene, which is returned too.
+/// What the mouse did on the scene, or on one of the views of it, which is returned too.
 pub(in crate::viewer) fn scene(
     ui: &mut Ui,
+    id: Id,
     rect: Rect,
     place: SceneRect,
     drag: &mut Option<Drag>,
 ) -> (Response, Vec<Action>) {
     // Tab does not stop here: there is nothing to type.
-    let response = ui.interact(
-        rect,
-        ui.scope_id().with("scene"),
-        Sense::CLICK | Sense::DRAG,
-    );
+    let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
     let mut actions = vec![Action::Resize(place.viewport)];
     let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
 
@@ -61,9 +59,10 @@ pub(in crate::viewer) fn scene(
         } else {
             Action::BeginPan(at)
         });
-        *drag = Some(Drag { turns, at });
+        *drag = Some(Drag { of: id, turns, at });
     }
-    if let (Some(moving), Some(pointer)) = (drag.as_mut(), response.interact_pointer_pos()) {
+    let own = drag.as_mut().filter(|drag| drag.of == id);
+    if let (Some(moving), Some(pointer)) = (own, response.interact_pointer_pos()) {
         let to = place.to_px(pointer);
         let by = to - moving.at;
         if by != DVec2::ZERO {
@@ -76,7 +75,7 @@ pub(in crate::viewer) fn scene(
         }
     }
     if !response.dragged() {
-        *drag = None;
+        drag.take_if(|drag| drag.of == id);
     }
     if response.clicked()
         && let Some(at) = released_at(ui).and_then(within)

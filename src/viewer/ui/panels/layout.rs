@@ -4,11 +4,12 @@
 use super::{
     axis_cross, banner, corners, differences,
     docks::{Section, Side, room},
-    help, marks, menu, question,
+    help, marks, menu, panes, question,
     shown::Shown,
     status, toolbar, wings,
 };
 use crate::viewer::{
+    model::{Action, Stage},
     screen::SceneRect,
     ui::{
         command::Command,
@@ -18,12 +19,18 @@ use crate::viewer::{
 };
 use egui::{CentralPanel, Panel, Rect, Ui};
 
-/// Lays out the window; returns the scene's rectangle and all that the user asks for.
-pub(in crate::viewer) fn show(
-    ui: &mut Ui,
-    shown: &mut Shown,
-    drag: &mut Option<Drag>,
-) -> (Option<SceneRect>, Vec<Command>) {
+/// What a pass over the panels comes to.
+pub(in crate::viewer) struct Asked {
+    /// The scene's rectangle, where there is room for it.
+    pub place: Option<SceneRect>,
+    /// Which stages show in it, and where.
+    pub panes: Vec<(Stage, SceneRect)>,
+    /// All that the user asks for.
+    pub commands: Vec<Command>,
+}
+
+/// Lays out the window.
+pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
     let mut commands = Vec::new();
     let window = ui.max_rect().size();
     let wanted = sections(shown);
@@ -46,7 +53,15 @@ pub(in crate::viewer) fn show(
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
-        let (response, actions) = mouse::scene(ui, rect, place, drag);
+        if !shown.state.stages().is_empty() {
+            // The picture that it stands for keeps its size.
+            commands.push(Command::Act(Action::Resize(place.viewport)));
+            let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
+            corners::messages(ui, rect, shown, &mut commands);
+            return Some((place, panes));
+        }
+        let id = ui.scope_id().with("scene");
+        let (response, actions) = mouse::scene(ui, id, rect, place, drag);
         let px = response.interact_pointer_pos().map(|at| place.to_px(at));
         menu::of_picture(&response, shown.state, px, &mut commands);
         commands.extend(actions.into_iter().map(Command::Act));
@@ -55,7 +70,7 @@ pub(in crate::viewer) fn show(
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
-        Some(place)
+        Some((place, Vec::new()))
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
         if let Some(rect) = edge {
@@ -69,7 +84,15 @@ pub(in crate::viewer) fn show(
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
-    (place.inner, commands)
+    let (place, panes) = match place.inner {
+        Some((place, panes)) => (Some(place), panes),
+        None => (None, Vec::new()),
+    };
+    Asked {
+        place,
+        panes,
+        commands,
+    }
 }
 
 /// The panels that there are: in the gallery its scene's in place of the list.

@@ -1,18 +1,22 @@
 //! The matrices, live, and the pick's point on its way through them.
 
 use super::{
+    camera::{FOV_RANGE, plane_range},
     field::{short, value_text},
-    names::{Hint, named},
+    gesture::Gesture,
+    names::{Hint, described, named},
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
+    look,
+    scene::Object,
     viewer::{
-        model::{Action, Matrices, Stage, State, Steps},
-        ui::command::Command,
+        model::{Action, Matrices, Matrix, Stage, State, Steps, Views},
+        ui::{command::Command, theme::color32},
     },
 };
-use egui::{Button, Ui};
-use glam::{DMat4, DVec2, DVec3};
+use egui::{Align, Button, Color32, Label, Response, RichText, Sense, Slider, Ui, vec2};
+use glam::{DMat4, DVec2};
 
 /// What closes the panel.
 pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -26,70 +30,72 @@ pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 1.0;
     ui.spacing_mut().interact_size.y = 14.0;
-    let (scene, view) = state.world();
-    stages(ui, state, commands);
-    let point = followed_point(state);
+    views(ui, state, commands);
+    sliders(ui, state, commands);
+    let (scene, view) = (state.scene(), state.view());
+    let followed = state.followed();
     let selected = state.selection().map(|selection| selection.object);
-    let object = point.map(|(object, _)| object).or(selected);
-    let object = object.map(|object| &scene.objects()[object]);
+    let object = followed.map(|followed| followed.object).or(selected);
+    let object = object.or(state.pane_object()).map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
-    matrix(ui, "P", "projection: view to clip", &matrices.projection);
-    ui.weak(mapping(state))
-        .hint("what the third row of P makes of a depth z in front of the eye");
-    matrix(ui, "V", "view: world to view", &matrices.view);
-    let hint = object.map_or("model: no object, so the identity".into(), |object| {
-        format!("model: object to world, of {}", object.name)
-    });
-    matrix(ui, "M", &hint, &matrices.model);
-    matrix(
-        ui,
-        "P V M",
-        "all of it: object to clip",
-        &matrices.product(),
-    );
+    for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
+        let (name, entries) = match matrix {
+            Matrix::Projection => ("P", &matrices.projection),
+            Matrix::View => ("V", &matrices.view),
+            Matrix::Model => ("M", &matrices.model),
+        };
+        let (title, hint) = title(matrix, object);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
+            ui.strong(name).hint(&hint);
+            ui.add(Label::new(RichText::new(title).weak()).truncate()).hint(hint);
+        });
+        rows(ui, name, entries, Some((matrix, state)), commands);
+        let (text, hint) = determinant(matrix, entries, state);
+        ui.weak(text).hint(hint);
+    }
+    ui.strong("P V M").hint("all of it: object to clip, the product of the three");
+    rows(ui, "P V M", &matrices.product(), None, commands);
     ui.separator();
-    let (title, values) = match (object, point, cursor(state)) {
-        (Some(object), Some((_, point)), _) => {
-            let title = if is_picked(state) {
-                "The pick"
-            } else {
-                "Under the cursor"
-            };
-            match Steps::follow(state.view(), object, point) {
-                Some(steps) => (title, followed(&steps)),
-                None => (
-                    "The picked point lies behind the eye now",
-                    Values::default(),
-                ),
+    let (title, values) = match (object, followed, state.cursor()) {
+        (Some(object), Some(followed), _) => {
+            let title = if followed.is_picked { "The pick" } else { "Under the cursor" };
+            match Steps::follow(view, object, followed.point_object) {
+                Some(steps) => (title, self::followed(&steps)),
+                None => ("The picked point lies behind the eye now", Values::default()),
             }
         }
-        (_, _, Some(px)) => ("Under the cursor", background(view, px)),
-        _ if in_world(state) => (
+        (_, _, Some(cursor)) => ("Under the cursor", background(view, cursor.px)),
+        _ => (
             "Point at a surface, or click it: its point is followed",
             Values::default(),
         ),
-        _ => (
-            "Points are followed where the scene is shown with M",
-            Values::default(),
-        ),
     };
-    ui.strong(title)
-        .hint("a point on its way through the matrices, step by step, and back as a ray");
+    ui.horizontal(|ui| {
+        let (_, dot) = ui.allocate_space(vec2(8.0, 8.0));
+        ui.painter().circle_filled(dot.center(), 4.0, color32(look::SELECTION));
+        ui.strong(title)
+            .hint("a point on its way through the matrices, step by step, and back as a ray; it is the dot of this colour in the views");
+    });
     table(ui, &values);
 }
 
-/// The scene with no matrix, with M, with V M, with P V M.
-fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
+/// What the window shows: the camera's picture, the four views, or one of them.
+fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        ui.spacing_mut().button_padding.x = 6.0;
-        ui.label("show with")
-            .hint("how many of the matrices move the scene that you see");
-        for (stage, name) in Stage::ALL {
-            let label = ui.selectable_label(state.stage() == stage, name);
-            named(&label, &format!("show with {name}"));
-            if label.hint(about(stage)).clicked() {
-                commands.push(Command::Act(Action::Stage(stage)));
+        ui.spacing_mut().button_padding.x = 5.0;
+        ui.label("show").hint("what stands in the window beside these numbers");
+        let stages = Stage::ALL.map(|(stage, name)| (Views::One(stage), name, about(stage)));
+        let all = [
+            (Views::Picture, "picture", "what the camera sees"),
+            (Views::Four, "four", "object, world, view and NDC side by side (4)"),
+        ];
+        for (views, name, hint) in all.into_iter().chain(stages) {
+            let label = ui.selectable_label(state.views() == views, name);
+            named(&label, &format!("show {name}"));
+            if label.hint(hint).clicked() {
+                commands.push(Command::Act(Action::Views(views)));
             }
         }
     });
@@ -97,8 +103,8 @@ fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 
 fn about(stage: Stage) -> &'static str {
     match stage {
-        Stage::Object => "each object where its own file has it: no matrix moves it",
-        Stage::World => "each object in its place in the world: the usual view",
+        Stage::Object => "one object where its own file has it: no matrix moves it",
+        Stage::World => "each object in its place in the world, and the camera among them",
         Stage::View => {
             "the world as seen from the camera: the eye at the origin, x right, y up, z forward"
         }
@@ -106,34 +112,112 @@ fn about(stage: Stage) -> &'static str {
     }
 }
 
-/// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
-fn followed_point(state: &State) -> Option<(usize, DVec3)> {
-    let picked = || {
-        let selection = state.selection()?;
-        let hit = selection.pick.as_ref()?.hit.as_ref()?;
-        Some((selection.object, hit.point_object))
-    };
-    let under_cursor = || state.cursor().filter(|_| in_world(state))?.hit;
-    picked().or_else(under_cursor)
+/// What P is made of, in reach of its numbers.
+fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let (controls, lens) = (state.controls(), state.view().camera.lens());
+    let (mut next, mut gesture) = (controls, Gesture::default());
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().slider_width = ((ui.available_width() - 78.0) / 3.0).clamp(30.0, 90.0);
+        let mut fov_deg = controls.fov_deg;
+        let [mut near, mut far] = [lens.near, lens.far];
+        let depths = plane_range(state);
+        let sliders: [(_, &mut f64, _, _); 3] = [
+            ("fov", &mut fov_deg, FOV_RANGE, !controls.orthographic),
+            ("near", &mut near, depths.clone(), true),
+            ("far", &mut far, depths, true),
+        ];
+        for (name, value, range, is_enabled) in sliders {
+            ui.label(name).hint("as in the Camera panel; watch P's numbers");
+            let is_depth = name != "fov";
+            let slider = Slider::new(value, range).logarithmic(is_depth).show_value(false);
+            let slider = ui.add_enabled(is_enabled, slider);
+            named(&slider, &format!("P's {name}"));
+            gesture.note(&slider);
+            if slider.hint("slide it: P's numbers and all views follow").changed() {
+                match name {
+                    "fov" => next.fov_deg = *value,
+                    "near" => next.near = Some(*value),
+                    _ => next.far = Some(*value),
+                }
+            }
+        }
+    });
+    let action = Action::Lens(next);
+    let can_be = next != controls && state.check(&action).is_ok();
+    gesture.push(can_be.then_some(action), commands);
 }
 
-fn is_picked(state: &State) -> bool {
-    (state.selection()).is_some_and(|selection| selection.pick.is_some())
+/// A matrix in words, and what it is of.
+fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
+    match matrix {
+        Matrix::Projection => (
+            "projection: view to clip".into(),
+            "makes of a point before the eye its place in the picture, its depth for the buffer, and w".into(),
+        ),
+        Matrix::View => (
+            "view: world to view".into(),
+            "counts from the eye, along the camera's own axes R, U and F".into(),
+        ),
+        Matrix::Model => object.map_or_else(
+            || ("model: no object, so the identity".into(), "which object's it is, a click or the cursor says".into()),
+            |object| {
+                let text = format!("model: object to world, {}", object.name);
+                (text, "puts the object into its place in the world".into())
+            },
+        ),
+    }
 }
 
-/// The cursor's pixel, where it is one of the picture that the matrices make.
-fn cursor(state: &State) -> Option<DVec2> {
-    let cursor = state.cursor().filter(|_| in_world(state))?;
-    Some(cursor.px)
+/// What a row makes, in words.
+fn does(matrix: Matrix, row: usize) -> &'static str {
+    match (matrix, row) {
+        (Matrix::Projection, 0) => "clip x: 1 over half the picture's width at depth 1. The planes left and right are where it is -w and w",
+        (Matrix::Projection, 1) => "clip y: 1 over half the picture's height at depth 1. The planes below and above are where it is -w and w",
+        (Matrix::Projection, 2) => "clip z: from the depth, so that after the division near and far are 0 and 1, or 1 and 0",
+        (Matrix::Projection, _) => "w, which the others are divided by: in perspective the depth itself",
+        (Matrix::View, 0) => "view x: along the camera's axis R. The last number is the eye's own place along it, negative",
+        (Matrix::View, 1) => "view y: along the camera's axis U. The last number is the eye's own place along it, negative",
+        (Matrix::View, 2) => "view z, the depth: along the camera's axis F. The last number is the eye's own place along it, negative",
+        (Matrix::Model, 0) => "world x: what each of the object's axes adds to it, and where the object's origin is",
+        (Matrix::Model, 1) => "world y: what each of the object's axes adds to it, and where the object's origin is",
+        (Matrix::Model, 2) => "world z: what each of the object's axes adds to it, and where the object's origin is",
+        (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
+    }
 }
 
-fn in_world(state: &State) -> bool {
-    state.stage() == Stage::World
+/// What a determinant says of volumes and hands.
+fn determinant(matrix: Matrix, entries: &DMat4, state: &State) -> (String, &'static str) {
+    let value = short(entries.determinant());
+    let lens = state.view().camera.lens();
+    match matrix {
+        Matrix::Projection => {
+            let depth = match lens.depth {
+                DepthMapping::Reversed => "z turns round, right-handed",
+                DepthMapping::Standard => "stays left-handed",
+            };
+            (
+                format!("determinant {value}: {depth}"),
+                "its sign says whether NDC has the other hand than view space. Volumes are another matter: the division by w shrinks what is far",
+            )
+        }
+        Matrix::View => (
+            format!("determinant {value}: sizes stay, left-handed"),
+            "the world is right-handed, and z forward makes view space left-handed: -1. What is drawn is not mirrored by that; it is only counted differently",
+        ),
+        Matrix::Model => {
+            let hand = if entries.determinant() < 0.0 { ", mirrored" } else { ", same hand" };
+            (
+                format!("det {value}: volumes times {}{hand}", value.trim_start_matches('-')),
+                "its size is how many times as large volumes become, its sign whether the object is mirrored",
+            )
+        }
+    }
 }
 
 /// What the third row of P does to depth.
 fn mapping(state: &State) -> String {
-    let lens = state.world().1.camera.lens();
+    let lens = state.view().camera.lens();
     let (a, b) = lens.depth_row();
     let formula = match lens.projection {
         Projection::Perspective { .. } => format!("z_ndc = {} + {} / z", short(a), short(b)),
@@ -146,8 +230,14 @@ fn mapping(state: &State) -> String {
     format!("{} depth ({ends}): {formula}", lens.depth)
 }
 
-fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
-    ui.strong(name).hint(hint);
+/// A matrix row by row. One that the cursor rests on is lit, and what it does in the views too.
+fn rows(
+    ui: &mut Ui,
+    name: &str,
+    matrix: &DMat4,
+    of: Option<(Matrix, &State)>,
+    commands: &mut Vec<Command>,
+) {
     // What only rounding left beside the largest entry reads better as 0.
     let largest = matrix
         .to_cols_array()
@@ -161,20 +251,51 @@ fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
         }
     };
     for row in 0..4 {
-        numbers(ui, &matrix.row(row).to_array().map(entry));
+        let values = matrix.row(row).to_array().map(entry);
+        let Some((matrix, state)) = of else {
+            numbers(ui, &values, None);
+            continue;
+        };
+        let lit = ui.painter().add(egui::Shape::Noop);
+        let coordinate = ["x", "y", "z", "w"][row];
+        let response = numbers(ui, &values, Some(coordinate));
+        let response = response.interact(Sense::hover());
+        named(&response, &format!("{name}, row {coordinate}"));
+        if state.row() == Some((matrix, row)) {
+            let colour = ui.visuals().selection.bg_fill;
+            let shape = egui::Shape::rect_filled(response.rect.expand(1.0), 2.0, colour);
+            ui.painter().set(lit, shape);
+        }
+        if ui.rect_contains_pointer(response.rect) {
+            commands.push(Command::Act(Action::LightRow((matrix, row))));
+            let text = match (matrix, row) {
+                (Matrix::Projection, 2) => format!("{}. {}", does(matrix, row), mapping(state)),
+                _ => does(matrix, row).into(),
+            };
+            response.hint(text);
+        } else {
+            described(&response, does(matrix, row));
+        }
     }
 }
 
-/// A row of numbers in columns of one width, each with all its digits under the cursor.
-fn numbers(ui: &mut Ui, values: &[f64]) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
+/// A row of numbers in columns of one width, each with all its digits under the cursor, after the coordinate that it makes.
+fn numbers(ui: &mut Ui, values: &[f64], makes: Option<&str>) -> Response {
+    let row = ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        if let Some(makes) = makes {
+            ui.label(value_text(makes).weak());
+        }
         for value in values {
             let text = format!("{:>9}", short(*value));
             ui.label(value_text(text)).hint(value.to_string());
         }
     });
+    row.response
 }
+
+/// The followed point's colour where the panels are light: darker than in the views, to be read.
+const ON_LIGHT: Color32 = Color32::from_rgb(150, 84, 0);
 
 /// What is followed on its way: name, how it comes from the row before, and what it is.
 const ROWS: [(&str, &str, &str); 8] = [
@@ -251,15 +372,21 @@ fn background(view: &View, px: DVec2) -> Values {
 
 /// As large with numbers as without: else the panel would come and go under the cursor that it follows.
 fn table(ui: &mut Ui, values: &Values) {
+    let colour = if ui.visuals().dark_mode { color32(look::SELECTION) } else { ON_LIGHT };
     for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
-        ui.horizontal(|ui| {
-            ui.label(name).hint(hint);
-            ui.weak(how).hint(hint);
+        let row = ui.horizontal(|ui| {
+            let (_, dot) = ui.allocate_space(vec2(7.0, 7.0));
+            if !values.is_empty() {
+                ui.painter().circle_filled(dot.center(), 3.0, color32(look::SELECTION));
+            }
+            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.add_sized([58.0, 14.0], Label::new(name).halign(Align::Min)).hint(format!("{how}: {hint}"));
+            for value in values {
+                // Four numbers are narrower than three.
+                let text = if values.len() > 3 { format!("{value:>7.3}") } else { format!("{:>9}", short(*value)) };
+                ui.label(value_text(text).color(colour)).hint(value.to_string());
+            }
         });
-        if values.is_empty() {
-            ui.label(value_text(" "));
-        } else {
-            numbers(ui, values);
-        }
+        row.response.hint(hint);
     }
 }

@@ -16,6 +16,8 @@ pub(in crate::viewer) struct Floating {
     pub help: bool,
     /// Matrices.
     pub pipeline: bool,
+    /// Whether they were there before the four views.
+    pub pipeline_was: bool,
 }
 
 /// What is on its way to be shown.

@@ -1,0 +1,306 @@
+//! The four views: the scene at each stage of the pipeline, each seen by somebody of its own, all of the one scene and its
+//! one camera.
+
+use super::{
+    observer::Observer,
+    stages::{Stage, ndc_drawn, projected, standard},
+    state::State,
+    viewing::with_frustum,
+};
+use crate::{
+    camera::{UpAxis, View},
+    geometry::{Aabb, Placement},
+    scene::{Object, Scene},
+};
+use glam::{DAffine3, DMat3, DVec3};
+use std::mem;
+
+/// What the window shows of the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Views {
+    /// What the scene's camera sees.
+    #[default]
+    Picture,
+    /// All stages side by side.
+    Four,
+    /// One of them, large.
+    One(Stage),
+}
+
+/// Objects and triangles that are projected within a pass; more of them beside the window.
+const LITTLE: usize = 20_000;
+/// The box that the frustum becomes, as it is drawn: see [`projected`].
+pub const NDC_DRAWN: Aabb = Aabb {
+    min: DVec3::new(-1.0, -1.0, -1.0),
+    max: DVec3::new(1.0, 1.0, 0.0),
+};
+
+/// The four views.
+pub(super) struct Panes {
+    pub large: Option<Stage>,
+    /// In which of them the mouse is, for the actions that come.
+    pub entered: Option<Stage>,
+    pub observers: [Observer; 4],
+    /// The document that they were framed for.
+    of: Option<u64>,
+    /// The object whose space is shown.
+    pub object: Option<usize>,
+    alone: Staged,
+    ndc: Staged,
+    /// A point that was picked where the scene's camera does not see it: of which object, in its space.
+    pub point: Option<(usize, DVec3)>,
+}
+
+/// A scene that was made of the one that is shown.
+#[derive(Default)]
+struct Staged {
+    scene: Scene,
+    of: Option<Source>,
+    /// Counts them.
+    revision: u64,
+}
+
+/// What such a scene is made of.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::viewer) enum Source {
+    /// An object of a scene, of which only colour and shape count.
+    Alone([u64; 2], usize),
+    /// A scene through a view.
+    Through([u64; 2], View),
+}
+
+impl Staged {
+    fn take(&mut self, scene: Scene, of: Source, unused: &mut Vec<Scene>) {
+        unused.push(mem::replace(&mut self.scene, scene));
+        self.of = Some(of);
+        self.revision += 1;
+    }
+}
+
+impl State {
+    /// What the window shows of the scene.
+    #[must_use]
+    pub fn views(&self) -> Views {
+        match &self.panes {
+            None => Views::Picture,
+            Some(panes) => panes.large.map_or(Views::Four, Views::One),
+        }
+    }
+
+    /// The stages on screen; none where the picture is.
+    #[must_use]
+    pub fn stages(&self) -> Vec<Stage> {
+        match self.views() {
+            Views::Picture => Vec::new(),
+            Views::Four => Stage::ALL.map(|(stage, _)| stage).into(),
+            Views::One(stage) => vec![stage],
+        }
+    }
+
+    pub(super) fn show_views(&mut self, views: Views) {
+        if views == Views::Picture {
+            if let Some(panes) = self.panes.take() {
+                self.unused.extend([panes.alone.scene, panes.ndc.scene]);
+            }
+            return;
+        }
+        self.cursor = None;
+        let large = match views {
+            Views::One(stage) => Some(stage),
+            _ => None,
+        };
+        if let Some(panes) = &mut self.panes {
+            panes.large = large;
+            return;
+        }
+        self.panes = Some(Box::new(Panes {
+            large,
+            entered: None,
+            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &Aabb::EMPTY)),
+            of: None,
+            object: None,
+            alone: Staged::default(),
+            ndc: Staged::default(),
+            point: None,
+        }));
+        self.refresh_panes();
+    }
+
+    /// After each change: what the views are made of follows the scene, its camera and what is selected.
+    pub(super) fn refresh_panes(&mut self) {
+        let Some(mut panes) = self.panes.take() else {
+            return;
+        };
+        let count = self.scene.objects().len();
+        let is_there = |object: &usize| *object < count;
+        let selected = self.selection.as_ref().map(|selection| selection.object);
+        let before = panes.object;
+        panes.object = selected
+            .or(before.filter(|_| panes.of == Some(self.document)))
+            .or_else(|| self.object_in_the_middle())
+            .filter(is_there);
+        panes.point = panes.point.filter(|(of, _)| selected == Some(*of));
+        if let Some(object) = panes.object {
+            // Its colour and shape are the scene's for good; where it stands is of no matter.
+            let of = Source::Alone([self.scene_revision, 0], object);
+            if panes.alone.of != Some(of) {
+                let alone = Object {
+                    placement: Placement::IDENTITY,
+                    visible: true,
+                    ..self.scene.objects()[object].clone()
+                };
+                let alone = Scene::new(vec![alone]);
+                panes.alone.take(alone, of, &mut self.unused);
+                let bounds = panes.alone.scene.bounds();
+                panes.observers[Stage::Object as usize].frame(&bounds);
+            }
+        }
+        let through = self.projected_of();
+        if panes.ndc.of != Some(through) && self.is_projected_at_once() {
+            let scene = projected(&self.scene, &self.view);
+            panes.ndc.take(scene, through, &mut self.unused);
+        }
+        let is_of_another = panes.of.replace(self.document) != Some(self.document);
+        self.panes = Some(panes);
+        if is_of_another {
+            for (stage, _) in Stage::ALL {
+                self.frame_pane(stage);
+            }
+        }
+    }
+
+    fn is_projected_at_once(&self) -> bool {
+        self.scene.objects().len() + self.scene.triangle_count() < LITTLE
+    }
+
+    fn projected_of(&self) -> Source {
+        Source::Through([self.scene_revision, self.visibility_revision], self.view)
+    }
+
+    /// The scene and the view that NDC is to be made of beside the window: where it is of others, and much.
+    pub(in crate::viewer) fn to_project(&self) -> Option<(Scene, View, Source)> {
+        let (panes, of) = (self.panes.as_ref()?, self.projected_of());
+        let is_wanted = panes.ndc.of != Some(of) && !self.is_projected_at_once();
+        is_wanted.then(|| (self.scene.clone(), self.view, of))
+    }
+
+    /// Takes NDC as it was made beside the window, unless the scene is another by now.
+    pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: Source) {
+        let is_of_now = matches!(of, Source::Through([revision, _], _) if revision == self.scene_revision);
+        match &mut self.panes {
+            Some(panes) if is_of_now => panes.ndc.take(scene, of, &mut self.unused),
+            _ => self.unused.push(scene),
+        }
+    }
+
+    /// What the camera has in its middle, else the first that is visible.
+    fn object_in_the_middle(&self) -> Option<usize> {
+        let ray = self.view.ray(self.view.viewport.size_px() / 2.0);
+        let hit = self.quick_hit(ray).map(|hit| hit.object);
+        hit.or_else(|| {
+            let mut objects = self.scene.objects().iter();
+            objects.position(|object| object.visible)
+        })
+    }
+
+    /// The object whose space the object view shows.
+    #[must_use]
+    pub fn pane_object(&self) -> Option<usize> {
+        self.panes.as_ref()?.object
+    }
+
+    /// The box about an object in its own space.
+    #[must_use]
+    pub fn object_bounds(&self, object: usize) -> Aabb {
+        let alone = self.panes.as_ref().filter(|panes| panes.object == Some(object));
+        alone.map_or(Aabb::EMPTY, |panes| panes.alone.scene.bounds())
+    }
+
+    /// Where a world point is drawn in NDC; `None` for what lies before the near plane.
+    #[must_use]
+    pub fn ndc_drawn(&self, point_world: DVec3) -> Option<DVec3> {
+        let lens = standard(&self.view);
+        let p = self.view.camera.to_view(point_world);
+        // A point on the plane is as often before it as behind by rounding.
+        let is_behind = p.z >= lens.near - 1e-9 * lens.near.abs();
+        is_behind.then(|| ndc_drawn(p, self.view.half_extent(), &lens))
+    }
+
+    /// What a stage shows, and a number that changes with it; `None` while the views are closed.
+    pub(super) fn pane_scene(&self, stage: Stage) -> Option<(&Scene, u64)> {
+        let panes = self.panes.as_ref()?;
+        Some(match stage {
+            Stage::Object => (&panes.alone.scene, panes.alone.revision),
+            Stage::World | Stage::View => (&self.scene, self.scene_revision),
+            Stage::Ndc => (&panes.ndc.scene, panes.ndc.revision),
+        })
+    }
+
+    fn bounds_with_camera(&self) -> Aabb {
+        with_frustum(self.scene.visible_bounds(), self.view)
+    }
+
+    /// How a stage is seen, in the space of the scene that it shows: for the view stage that is the world's. `None` while
+    /// the views are closed.
+    #[must_use]
+    pub fn pane_view(&self, stage: Stage) -> Option<View> {
+        let panes = self.panes.as_ref()?;
+        let (scene, _) = self.pane_scene(stage)?;
+        let bounds = match stage {
+            Stage::Object => scene.bounds(),
+            Stage::World | Stage::View => self.bounds_with_camera(),
+            Stage::Ndc => scene.bounds().union(NDC_DRAWN),
+        };
+        panes.observers[stage as usize].view(&self.drawn_to_scene(stage), &bounds, self.view.sides)
+    }
+
+    /// From the space that a stage is drawn in, which is right-handed, to that of the scene that is drawn. What is called
+    /// view space is left-handed, (right, up, forward); drawn are (right, up, backward): the same things in the same
+    /// places, by other numbers.
+    pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
+        let camera = &self.view.camera;
+        match stage {
+            Stage::View => DAffine3::from_mat3_translation(
+                DMat3::from_cols(camera.right(), camera.up(), -camera.forward()),
+                camera.eye(),
+            ),
+            _ => DAffine3::IDENTITY,
+        }
+    }
+
+    /// Somebody who sees all of a stage.
+    fn observer(&self, stage: Stage, object: &Aabb) -> Observer {
+        let camera = &self.view.camera;
+        let panes = self.panes.as_ref();
+        let viewport = panes.map_or(self.view.viewport, |panes| {
+            panes.observers[stage as usize].viewport
+        });
+        let to_drawn = self.drawn_to_scene(stage).inverse();
+        let corners = self.bounds_with_camera().corners();
+        let corners = corners.into_iter().filter(|corner| corner.is_finite());
+        let shown = Aabb::around(corners.map(|corner| to_drawn.transform_point3(corner)));
+        match stage {
+            Stage::Object => {
+                Observer::new(self.up_axis, DVec3::new(1.0, 0.8, 1.6), object, viewport)
+            }
+            Stage::World => {
+                let frame = self.up_axis.frame();
+                // Beside the camera, above and a little behind: all of its frustum shows.
+                let side = 1.2 * camera.right() + 0.8 * frame.y_axis - 0.6 * camera.forward();
+                let from = frame.transpose() * side;
+                Observer::new(self.up_axis, from, &shown, viewport)
+            }
+            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.3, 0.7, 0.8), &shown, viewport),
+            Stage::Ndc => Observer::new(UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), &NDC_DRAWN, viewport),
+        }
+    }
+
+    /// Shows all of a stage, from where it was seen first.
+    pub(super) fn frame_pane(&mut self, stage: Stage) {
+        let Some(panes) = &self.panes else { return };
+        let observer = self.observer(stage, &panes.alone.scene.bounds());
+        if let Some(panes) = &mut self.panes {
+            panes.observers[stage as usize] = observer;
+        }
+    }
+}
