@@ -28,5 +28,5 @@ mod screen;
 mod ui;
 
 pub use app::memory_file;
-pub use host::{Control, Offscreen, run};
+pub use host::{Control, Offscreen, picture_of_views, run};
 pub use options::{Options, ViewerError};

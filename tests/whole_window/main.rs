@@ -5,6 +5,7 @@ mod device;
 mod earlier_view;
 mod events;
 mod files;
+mod four;
 mod gallery;
 #[path = "../common/images.rs"]
 mod images;
@@ -30,7 +31,10 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Control, Offscreen, Options, model::Stage},
+    viewer::{
+        Control, Offscreen, Options,
+        model::{Stage, Views},
+    },
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;

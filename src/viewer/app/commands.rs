@@ -88,8 +88,10 @@ impl App {
             Command::Escape if matches!(self.checking, Checking::On(..)) => {
                 self.checking = Checking::Off;
             }
-            Command::Escape if self.state.selection().is_none() && !self.state.stages().is_empty() => {
-                self.toggle_four();
+            Command::Escape
+                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
+            {
+                self.toggle_views();
             }
             Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
                 self.act(Action::LeaveGallery);
@@ -105,26 +107,13 @@ impl App {
                 self.toggle_check();
             }
             Command::ToggleHelp => self.floating.help ^= true,
-            Command::ToggleFour => self.toggle_four(),
+            Command::ToggleFour => self.toggle_views(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);
             }
             Command::Quit => self.intend(Intent::Quit),
-        }
-    }
-
-    /// The four views, with the matrices beside them; and back to how it was.
-    fn toggle_four(&mut self) {
-        let opens = self.state.views() == Views::Picture;
-        if opens {
-            self.floating.pipeline_was = self.floating.pipeline;
-            self.floating.pipeline = true;
-            self.act(Action::Views(Views::Four));
-        } else {
-            self.floating.pipeline &= self.floating.pipeline_was;
-            self.act(Action::Views(Views::Picture));
         }
     }
 

@@ -96,6 +96,9 @@ impl App {
                     Some(file) => format!("{}: {error}", file.display()),
                     None => error.to_string(),
                 })?;
+                if self.first {
+                    self.show_views(self.options.views);
+                }
                 self.first = false;
                 self.remember_opened(&paths);
             }

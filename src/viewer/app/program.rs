@@ -167,7 +167,10 @@ impl App {
             trees: None,
             first: true,
             notices: Notices::new(),
-            floating: Floating::default(),
+            floating: Floating {
+                is_bare: options.is_bare,
+                ..Floating::default()
+            },
             docks: memory.panels,
             memory,
             watching: None,

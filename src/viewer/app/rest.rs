@@ -22,12 +22,7 @@ pub(in crate::viewer) struct Rest {
 impl Rest {
     /// How what is to be shown moves. What changes while a button `is_held` moves, and so does what has changed a moment
     /// before.
-    pub fn motion(
-        &mut self,
-        to_show: (OnScreen, Vec<View>),
-        now_s: f64,
-        is_held: bool,
-    ) -> Motion {
+    pub fn motion(&mut self, to_show: (OnScreen, Vec<View>), now_s: f64, is_held: bool) -> Motion {
         let before = self.since_s.as_ref();
         let before_s = before.map_or(f64::NEG_INFINITY, |(_, since_s)| *since_s);
         if before.is_none_or(|(shown, _)| *shown != to_show) {

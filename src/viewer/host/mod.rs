@@ -7,5 +7,5 @@ mod shell;
 mod window;
 
 pub use controls::Control;
-pub use offscreen::Offscreen;
+pub use offscreen::{Offscreen, picture_of_views};
 pub use window::run;

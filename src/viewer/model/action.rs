@@ -16,6 +16,8 @@ pub enum Action {
     BeginTurn(DVec2),
     /// The cursor moved by this while turning.
     Turn(DVec2),
+    /// The cursor moved by this while turning the scene's camera, wherever it is: also in one of the four views.
+    Steer(DVec2),
     /// A shift begins: what lies under the cursor will follow it.
     BeginPan(DVec2),
     /// The cursor moved by this while shifting.

@@ -66,6 +66,11 @@ impl Observer {
         }
     }
 
+    /// Whether nobody has moved it since it was framed.
+    pub fn is_untouched(&self) -> bool {
+        self.framed.is_some()
+    }
+
     /// Looks along an axis: from a direction in the space itself.
     pub fn look_from(&mut self, to_eye: DVec3) {
         let direction = self.up_axis.frame().transpose() * to_eye;

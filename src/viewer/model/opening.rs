@@ -116,11 +116,13 @@ impl State {
         let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
         let is_another = self.view.viewport != viewport;
         self.view.viewport = viewport;
-        if !(is_as_opened && is_another) {
-            return;
+        if is_as_opened && is_another {
+            self.stand_as_opened();
+            self.opened_at = Some(self.stand());
         }
-        self.stand_as_opened();
-        self.opened_at = Some(self.stand());
+        if is_another {
+            self.frame_untouched();
+        }
     }
 
     /// Stands where the scene would open in a picture of this size, with what is visible now.

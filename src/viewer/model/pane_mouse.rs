@@ -57,14 +57,16 @@ impl State {
     /// Picks a point of an object as the scene's camera sees it: by the ray of its pixel, and of what that hits what lies
     /// there. Where the camera does not see that far, the object is selected and the point followed all the same.
     fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
-        let world = self.scene.objects()[object].placement.point_to_world(point_object);
+        let world = self.scene.objects()[object]
+            .placement
+            .point_to_world(point_object);
         let (view, lens) = (self.view, self.view.camera.lens());
         let seen = view.project(world).filter(|seen| {
             view.viewport.contains(seen.px) && (lens.near..lens.far).contains(&seen.depth)
         });
         if let Some(seen) = seen {
-            let px_wide = view.half_extent().y * lens.w(seen.depth) * 2.0
-                / f64::from(view.viewport.height());
+            let px_wide =
+                view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
             for (px, most) in [
                 (pixel_centre(seen.px), AS_DEEP_PX * px_wide),
                 (seen.px, f64::INFINITY),

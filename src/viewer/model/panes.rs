@@ -186,7 +186,8 @@ impl State {
 
     /// Takes NDC as it was made beside the window, unless the scene is another by now.
     pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: Source) {
-        let is_of_now = matches!(of, Source::Through([revision, _], _) if revision == self.scene_revision);
+        let is_of_now =
+            matches!(of, Source::Through([revision, _], _) if revision == self.scene_revision);
         match &mut self.panes {
             Some(panes) if is_of_now => panes.ndc.take(scene, of, &mut self.unused),
             _ => self.unused.push(scene),
@@ -212,7 +213,10 @@ impl State {
     /// The box about an object in its own space.
     #[must_use]
     pub fn object_bounds(&self, object: usize) -> Aabb {
-        let alone = self.panes.as_ref().filter(|panes| panes.object == Some(object));
+        let alone = self
+            .panes
+            .as_ref()
+            .filter(|panes| panes.object == Some(object));
         alone.map_or(Aabb::EMPTY, |panes| panes.alone.scene.bounds())
     }
 
@@ -276,22 +280,37 @@ impl State {
             panes.observers[stage as usize].viewport
         });
         let to_drawn = self.drawn_to_scene(stage).inverse();
-        let corners = self.bounds_with_camera().corners();
-        let corners = corners.into_iter().filter(|corner| corner.is_finite());
-        let shown = Aabb::around(corners.map(|corner| to_drawn.transform_point3(corner)));
+        let bounds = self.scene.visible_bounds();
+        let scene = bounds.corners().into_iter().filter(|_| !bounds.is_empty());
+        let frustum = self.view.frustum_corners().into_iter();
+        let shown = scene.chain(frustum).chain([camera.eye()]);
+        let shown = Aabb::around(shown.map(|point| to_drawn.transform_point3(point)));
         match stage {
             Stage::Object => {
                 Observer::new(self.up_axis, DVec3::new(1.0, 0.8, 1.6), object, viewport)
             }
             Stage::World => {
                 let frame = self.up_axis.frame();
-                // Beside the camera, above and a little behind: all of its frustum shows.
-                let side = 1.2 * camera.right() + 0.8 * frame.y_axis - 0.6 * camera.forward();
+                // Beside the camera, above and behind: all of its frustum shows.
+                let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
                 let from = frame.transpose() * side;
                 Observer::new(self.up_axis, from, &shown, viewport)
             }
-            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.3, 0.7, 0.8), &shown, viewport),
+            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &shown, viewport),
             Stage::Ndc => Observer::new(UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), &NDC_DRAWN, viewport),
+        }
+    }
+
+    /// The camera's picture has another shape: where nobody has moved, all of its frustum is in view again.
+    pub(super) fn frame_untouched(&mut self) {
+        for (stage, _) in Stage::ALL {
+            let observer = self
+                .panes
+                .as_ref()
+                .map(|panes| panes.observers[stage as usize]);
+            if observer.is_some_and(|observer| observer.is_untouched()) {
+                self.frame_pane(stage);
+            }
         }
     }
 

@@ -46,7 +46,7 @@ impl State {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }
-            Action::Turn(by_px) => self.turn(by_px),
+            Action::Turn(by_px) | Action::Steer(by_px) => self.turn(by_px),
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
             Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {

@@ -155,7 +155,10 @@ impl Canvas {
         };
         let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
         let moved = |shown: &[(SceneRect, Option<Look>)]| {
-            !shown.iter().map(|(place, _)| place).eq(places.iter().map(|(_, place)| place))
+            !shown
+                .iter()
+                .map(|(place, _)| place)
+                .eq(places.iter().map(|(_, place)| place))
         };
         let is_moved = moved(&self.shown);
         if is_new || is_moved {

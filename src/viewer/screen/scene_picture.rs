@@ -314,7 +314,9 @@ impl ScenePicture {
             let coarseness = next.finish.coarseness() as f32;
             brush.renderer.wireframe = next.of.wireframe();
             brush.renderer.scale_factor = brush.scale_factor / coarseness;
-            let advanced = brush.renderer.advance(gpu, buffers, targets, drawing, piece);
+            let advanced = brush
+                .renderer
+                .advance(gpu, buffers, targets, drawing, piece);
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
             let progress = self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
             done += progress;

@@ -326,6 +326,10 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
 /// What the mouse does, for the help.
 pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     ("left drag", "orbit about the point under the cursor"),
+    (
+        "Ctrl+left drag",
+        "turn the scene's camera, also from one of the four views",
+    ),
     ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),

@@ -28,8 +28,15 @@ pub(in crate::viewer) fn options(ctx: &egui::Context) {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct Drag {
     of: Id,
-    turns: bool,
+    does: Does,
     at: DVec2,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Does {
+    Turn,
+    Pan,
+    Steer,
 }
 
 /// What the mouse did on the scene, or on one of the views of it, which is returned too.
@@ -43,7 +50,7 @@ pub(in crate::viewer) fn scene(
     // Tab does not stop here: there is nothing to type.
     let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
     let mut actions = vec![Action::Resize(place.viewport)];
-    let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
+    let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
 
     // A widget gets what happens a little beside it, too; the lines about the picture show nothing of it.
     let within =
@@ -53,23 +60,27 @@ pub(in crate::viewer) fn scene(
             .input(|input| input.pointer.press_origin())
             .and_then(within)
     {
-        let turns = response.dragged_by(PointerButton::Primary) && !shift;
-        actions.push(if turns {
-            Action::BeginTurn(at)
-        } else {
-            Action::BeginPan(at)
-        });
-        *drag = Some(Drag { of: id, turns, at });
+        let does = match response.dragged_by(PointerButton::Primary) {
+            true if modifiers.command => Does::Steer,
+            true if !modifiers.shift => Does::Turn,
+            _ => Does::Pan,
+        };
+        match does {
+            Does::Turn => actions.push(Action::BeginTurn(at)),
+            Does::Pan => actions.push(Action::BeginPan(at)),
+            Does::Steer => {}
+        }
+        *drag = Some(Drag { of: id, does, at });
     }
     let own = drag.as_mut().filter(|drag| drag.of == id);
     if let (Some(moving), Some(pointer)) = (own, response.interact_pointer_pos()) {
         let to = place.to_px(pointer);
         let by = to - moving.at;
         if by != DVec2::ZERO {
-            actions.push(if moving.turns {
-                Action::Turn(by)
-            } else {
-                Action::Pan(by)
+            actions.push(match moving.does {
+                Does::Turn => Action::Turn(by),
+                Does::Pan => Action::Pan(by),
+                Does::Steer => Action::Steer(by),
             });
             moving.at = to;
         }

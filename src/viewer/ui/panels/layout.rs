@@ -34,8 +34,10 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let mut commands = Vec::new();
     let window = ui.max_rect().size();
     let wanted = sections(shown);
-    Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
-    Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
+    if !shown.floating.is_bare {
+        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
+        Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
+    }
     let widths = shown
         .docks
         .widths(&wanted, room(window, ui.available_size()));
@@ -97,6 +99,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
 
 /// The panels that there are: in the gallery its scene's in place of the list.
 fn sections(shown: &Shown) -> Vec<Section> {
+    if shown.floating.is_bare {
+        return Vec::new();
+    }
     let in_gallery = shown.state.showing().is_some();
     let is_there = |section: &Section| match section {
         Section::Gallery => in_gallery,

@@ -34,7 +34,14 @@ impl Page<'_> {
             Stage::World | Stage::View => view.frustum_corners(),
             Stage::Ndc => {
                 let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-                let face = |z| [at(-1.0, 1.0, z), at(1.0, 1.0, z), at(1.0, -1.0, z), at(-1.0, -1.0, z)];
+                let face = |z| {
+                    [
+                        at(-1.0, 1.0, z),
+                        at(1.0, 1.0, z),
+                        at(1.0, -1.0, z),
+                        at(-1.0, -1.0, z),
+                    ]
+                };
                 let [near, far] = [NDC_DRAWN.max.z, NDC_DRAWN.min.z].map(face);
                 std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] })
             }
@@ -79,7 +86,9 @@ impl Page<'_> {
 
     /// How far it lies along an axis of the world; in object space the direction in which that grows.
     fn along_world(&self, row: usize) {
-        let Some(object) = self.state.pane_object() else { return };
+        let Some(object) = self.state.pane_object() else {
+            return;
+        };
         let model = self.state.scene().objects()[object].placement.model();
         let radius = self.state.scene().bounds_of(object).radius();
         match self.stage {

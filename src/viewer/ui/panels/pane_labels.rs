@@ -19,6 +19,8 @@ use glam::{DVec2, DVec3};
 const SMALL: f32 = 230.0;
 /// Size of names in points.
 const TEXT: f32 = 11.0;
+/// How far names are from their points, in points: as near as there is room.
+const BESIDE: [f32; 3] = [10.0, 24.0, 40.0];
 /// What stands in the corners of a view: its heading, and its axes.
 const CORNERS: [(Align2, Vec2); 2] = [
     (Align2::LEFT_TOP, vec2(10_000.0, 34.0)),
@@ -34,9 +36,8 @@ pub(super) fn show(
     state: &State,
     seen: &View,
 ) {
-    let corner = |(align, size): (Align2, Vec2)| {
-        align.align_size_within_rect(size.min(rect.size()), rect)
-    };
+    let corner =
+        |(align, size): (Align2, Vec2)| align.align_size_within_rect(size.min(rect.size()), rect);
     let mut page = Page {
         ui,
         rect,
@@ -44,7 +45,7 @@ pub(super) fn show(
         seen,
         stage,
         state,
-        taken: CORNERS.map(corner).into(),
+        names: Vec::new(),
     };
     page.lit_row();
     page.followed();
@@ -53,6 +54,15 @@ pub(super) fn show(
         Stage::World | Stage::View => page.camera(),
         Stage::Ndc => page.corners(),
     }
+    page.write(CORNERS.map(corner).into());
+}
+
+/// What is to be written beside a point, and what it means.
+struct Name {
+    at: Pos2,
+    text: String,
+    colour: Color32,
+    hint: &'static str,
 }
 
 pub(super) struct Page<'a> {
@@ -62,8 +72,8 @@ pub(super) struct Page<'a> {
     pub seen: &'a View,
     pub stage: Stage,
     pub state: &'a State,
-    /// By what is written already.
-    taken: Vec<Rect>,
+    /// The most important first.
+    names: Vec<Name>,
 }
 
 impl Page<'_> {
@@ -110,7 +120,8 @@ impl Page<'_> {
         if along != Vec2::ZERO {
             let back = to - 8.0 * along;
             let head = vec![to, back + 4.0 * along.rot90(), back - 4.0 * along.rot90()];
-            self.painter().add(Shape::convex_polygon(head, colour, Stroke::NONE));
+            self.painter()
+                .add(Shape::convex_polygon(head, colour, Stroke::NONE));
         }
     }
 
@@ -135,37 +146,55 @@ impl Page<'_> {
         }
     }
 
-    /// A name beside a point, where there is room for it; `hint` says what it means.
-    fn name(&mut self, at: DVec3, text: String, colour: Color32, hint: &str) {
-        let Some(at) = self.position(at).filter(|at| self.rect.contains(*at)) else {
-            return;
-        };
-        let font = FontId::proportional(TEXT);
-        let galley = (self.ui.painter()).layout_no_wrap(text.clone(), font, colour);
-        let size = galley.size() + vec2(6.0, 2.0);
-        let beside = [
-            (Align2::LEFT_BOTTOM, vec2(7.0, -5.0)),
-            (Align2::LEFT_TOP, vec2(7.0, 5.0)),
-            (Align2::RIGHT_BOTTOM, vec2(-7.0, -5.0)),
-            (Align2::RIGHT_TOP, vec2(-7.0, 5.0)),
-            (Align2::CENTER_BOTTOM, vec2(0.0, -10.0)),
-            (Align2::CENTER_TOP, vec2(0.0, 10.0)),
-            (Align2::LEFT_BOTTOM, vec2(12.0, -24.0)),
-            (Align2::LEFT_TOP, vec2(12.0, 24.0)),
-            (Align2::RIGHT_BOTTOM, vec2(-12.0, -24.0)),
-            (Align2::RIGHT_TOP, vec2(-12.0, 24.0)),
-        ];
-        let mut rects = beside.map(|(align, by)| align.anchor_size(at + by, size)).into_iter();
-        let is_free = |rect: &Rect| {
-            self.rect.contains_rect(*rect) && !self.taken.iter().any(|taken| taken.intersects(*rect))
-        };
-        let Some(rect) = rects.find(is_free) else { return };
-        self.taken.push(rect);
-        self.painter().rect_filled(rect, 3.0, Color32::from_black_alpha(170));
-        let text = RichText::new(text).size(TEXT).color(colour);
-        let label = Label::new(text).selectable(false).extend();
-        let inside = Rect::from_center_size(rect.center(), galley.size());
-        self.ui.put(inside, label).hint(hint);
+    /// A name beside a point; `hint` says what it means.
+    fn name(&mut self, at: DVec3, text: impl Into<String>, colour: Color32, hint: &'static str) {
+        if let Some(at) = self.position(at).filter(|at| self.rect.contains(*at)) {
+            self.names.push(Name {
+                at,
+                text: text.into(),
+                colour,
+                hint,
+            });
+        }
+    }
+
+    /// Writes the names over all lines, each where nothing else is, `taken` first of all.
+    fn write(self, mut taken: Vec<Rect>) {
+        let painter = self.painter();
+        for Name {
+            at,
+            text,
+            colour,
+            hint,
+        } in self.names
+        {
+            let font = FontId::proportional(TEXT);
+            let galley = painter.layout_no_wrap(text.clone(), font, colour);
+            let size = galley.size() + vec2(6.0, 2.0);
+            let mut rects = BESIDE.into_iter().flat_map(|away| {
+                [
+                    (Align2::LEFT_BOTTOM, vec2(0.7, -0.5)),
+                    (Align2::LEFT_TOP, vec2(0.7, 0.5)),
+                    (Align2::RIGHT_BOTTOM, vec2(-0.7, -0.5)),
+                    (Align2::RIGHT_TOP, vec2(-0.7, 0.5)),
+                    (Align2::CENTER_BOTTOM, vec2(0.0, -1.0)),
+                    (Align2::CENTER_TOP, vec2(0.0, 1.0)),
+                ]
+                .map(|(align, by)| align.anchor_size(at + away * by, size))
+            });
+            let is_free = |rect: &Rect| {
+                self.rect.contains_rect(*rect) && !taken.iter().any(|taken| taken.intersects(*rect))
+            };
+            let Some(rect) = rects.find(is_free) else {
+                continue;
+            };
+            taken.push(rect);
+            painter.rect_filled(rect, 3.0, Color32::from_black_alpha(190));
+            let text = RichText::new(text).size(TEXT).color(colour);
+            let label = Label::new(text).selectable(false).extend();
+            let inside = Rect::from_center_size(rect.center(), galley.size());
+            self.ui.put(inside, label).hint(hint);
+        }
     }
 
     fn is_small(&self) -> bool {
@@ -178,16 +207,27 @@ impl Page<'_> {
         let (Some(followed), Some(world)) = (state.followed(), state.followed_world()) else {
             return;
         };
-        let steps = Steps::follow(state.view(), &state.scene().objects()[followed.object], followed.point_object);
+        let steps = Steps::follow(
+            state.view(),
+            &state.scene().objects()[followed.object],
+            followed.point_object,
+        );
         if let Some(steps) = steps {
             let ray = state.view().ray(steps.px);
-            let begin = if self.stage == Stage::Ndc { ray.at(ray.t_min) } else { ray.origin };
+            let begin = if self.stage == Stage::Ndc {
+                ray.at(ray.t_min)
+            } else {
+                ray.origin
+            };
             let ends = (self.at_stage(begin), self.at_stage(ray.at(ray.t_max)));
             if let (Some(from), Some(to)) = ends {
                 self.line(from, to, 1.5, colour);
             }
             let is_in = state.view().viewport.contains(steps.px);
-            if let Some(at) = self.at_stage(ray.at(ray.t_min)).filter(|_| is_in && self.stage != Stage::Object) {
+            if let Some(at) = self
+                .at_stage(ray.at(ray.t_min))
+                .filter(|_| is_in && self.stage != Stage::Object)
+            {
                 self.dot(at, 3.0, colour);
                 if !self.is_small() {
                     let DVec2 { x, y } = steps.px.floor();
@@ -217,7 +257,9 @@ impl Page<'_> {
 
     /// The object's own axes, from its origin where that is near it.
     fn object_axes(&mut self) {
-        let Some(object) = self.state.pane_object() else { return };
+        let Some(object) = self.state.pane_object() else {
+            return;
+        };
         let bounds = self.state.object_bounds(object);
         let radius = bounds.radius();
         let is_near = bounds.center().length() <= 3.0 * radius;
@@ -226,7 +268,7 @@ impl Page<'_> {
             let to = origin + 0.9 * radius * axis;
             let colour = color32(look::AXES[i]);
             self.arrow(origin, to, colour);
-            self.name(to, name.into(), colour, "an axis of the object's own space");
+            self.name(to, name, colour, "an axis of the object's own space");
         }
     }
 
@@ -239,10 +281,20 @@ impl Page<'_> {
         let eye = camera.eye();
         self.dot(eye, 3.5, colour);
         let is_small = self.is_small();
-        self.name(eye, "eye".into(), colour, "where the scene's camera stands");
+        self.name(eye, "eye", colour, "where the scene's camera stands");
         let planes = [
-            (corners[1], "near", lens.near, "the near plane: its depth is the panel's near"),
-            (corners[5], "far", lens.far, "the far plane: its depth is the panel's far"),
+            (
+                corners[1],
+                "near",
+                lens.near,
+                "the near plane: its depth is the panel's near",
+            ),
+            (
+                corners[5],
+                "far",
+                lens.far,
+                "the far plane: its depth is the panel's far",
+            ),
         ];
         for (at, name, depth, hint) in planes {
             self.name(at, format!("{name} {}", short(depth)), colour, hint);
@@ -258,7 +310,12 @@ impl Page<'_> {
             let (to, colour) = (eye + size * axis, color32(look::AXES[i]));
             self.arrow(eye, to, colour);
             if !is_small {
-                self.name(to, name.into(), colour, "an axis of the camera: view space counts along it");
+                self.name(
+                    to,
+                    name,
+                    colour,
+                    "an axis of the camera: view space counts along it",
+                );
             }
         }
     }
@@ -270,23 +327,37 @@ impl Page<'_> {
             DepthMapping::Standard => ([0, 1], DVec3::ZERO, DVec3::NEG_Z),
         };
         let is_small = self.is_small();
-        for (i, (axis, name)) in [DVec3::X, DVec3::Y, z].into_iter().zip(["x", "y", "z = depth"]).enumerate() {
+        for (i, (axis, name)) in [DVec3::X, DVec3::Y, z]
+            .into_iter()
+            .zip(["x", "y", "z = depth"])
+            .enumerate()
+        {
             let (to, colour) = (origin + 0.5 * axis, color32(look::AXES[i]));
             self.arrow(origin, to, colour);
             if !is_small {
-                self.name(to, name.into(), colour, "an axis of NDC, from its origin");
+                self.name(to, name, colour, "an axis of NDC, from its origin");
             }
         }
         let colour = color32(look::CAMERA);
         let corners = NDC_DRAWN.corners();
         for (name, number, z) in [("near", near, 0.0), ("far", far, -1.0)] {
             let at = DVec3::new(0.0, 1.0, z);
-            self.name(at, format!("{name}: z = {number}"), colour, "what the frustum's plane becomes");
+            self.name(
+                at,
+                format!("{name}: z = {number}"),
+                colour,
+                "what the frustum's plane becomes",
+            );
         }
         for at in corners.into_iter().filter(|_| !is_small) {
             let number = if at.z == 0.0 { near } else { far };
             let text = format!("({}, {}, {number})", at.x, at.y);
-            self.name(at, text, colour, "a corner of the box that the frustum becomes");
+            self.name(
+                at,
+                text,
+                colour,
+                "a corner of the box that the frustum becomes",
+            );
         }
     }
 }

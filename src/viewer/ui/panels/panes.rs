@@ -2,7 +2,7 @@
 
 use super::{
     axis_cross,
-    names::{Hint, named},
+    names::{Hint, bounded, named},
     pane_labels,
 };
 use crate::{
@@ -16,7 +16,9 @@ use crate::{
         },
     },
 };
-use egui::{Align, Button, Color32, Label, Layout, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Align, Button, Color32, Label, Layout, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
+};
 use glam::{DMat3, DVec3};
 
 /// Between two views, in points.
@@ -44,7 +46,11 @@ pub(super) fn show(
     let mut places = Vec::new();
     let mut hovers = false;
     for (at, &stage) in stages.iter().enumerate() {
-        let rect = if stages.len() == 1 { rect } else { quarter(rect, at) };
+        let rect = if stages.len() == 1 {
+            rect
+        } else {
+            quarter(rect, at)
+        };
         let Some(place) = SceneRect::new(rect, ui.ctx().pixels_per_point()) else {
             continue;
         };
@@ -90,7 +96,9 @@ fn pane(
     commands: &mut Vec<Command>,
 ) -> bool {
     let id = ui.scope_id().with(("stage", stage as usize));
-    let (_, actions) = mouse::scene(ui, id, rect, place, drag);
+    let (response, actions) = mouse::scene(ui, id, rect, place, drag);
+    named(&response, &format!("stage {}", stage.name()));
+    bounded(&response);
     let mut hovers = false;
     for action in actions {
         commands.push(Command::Act(match action {
@@ -155,7 +163,9 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
     let lens = state.view().camera.lens();
     match stage {
         Stage::Object => {
-            let object = state.pane_object().map(|object| &state.scene().objects()[object]);
+            let object = state
+                .pane_object()
+                .map(|object| &state.scene().objects()[object]);
             let text = match object {
                 Some(object) if object.placement.mirrors() => {
                     format!("{}, before M mirrors it", object.name)
@@ -163,7 +173,10 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
                 Some(object) => format!("{}, before M", object.name),
                 None => "no object".into(),
             };
-            (text, "right-handed; depth runs along the ray: M's inverse brought it here")
+            (
+                text,
+                "right-handed; depth runs along the ray: M's inverse brought it here",
+            )
         }
         Stage::World => (
             "after M: right-handed; depth runs along F".into(),
@@ -200,7 +213,9 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
         ui.spacing_mut().item_spacing.x = 3.0;
         let is_large = matches!(state.views(), Views::One(_));
         let mut button = |ui: &mut Ui, icon: &str, does: &str, hint: &str, action| {
-            let icon = RichText::new(icon).size(12.0).color(Color32::from_gray(220));
+            let icon = RichText::new(icon)
+                .size(12.0)
+                .color(Color32::from_gray(220));
             let button = ui.add(Button::new(icon).small().frame_when_inactive(false));
             named(&button, &format!("{does} {name}"));
             if button.hint(hint).clicked() {
@@ -212,15 +227,33 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
         } else {
             ("enlarge", "this one alone, large (double click)")
         };
-        button(ui, if is_large { "\u{2750}" } else { "\u{26f6}" }, does, hint, enlarge(state, stage));
-        button(ui, "\u{27f3}", "frame", "all of it in view again, as it was at first", Action::ResetView);
+        button(
+            ui,
+            if is_large { "\u{2750}" } else { "\u{26f6}" },
+            does,
+            hint,
+            enlarge(state, stage),
+        );
+        button(
+            ui,
+            "\u{27f3}",
+            "frame",
+            "all of it in view again, as it was at first",
+            Action::ResetView,
+        );
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let (text, hint) = about(state, stage);
-            let title = RichText::new(name).size(14.0).strong().color(Color32::WHITE);
+            let title = RichText::new(name)
+                .size(14.0)
+                .strong()
+                .color(Color32::WHITE);
             ui.add(Label::new(title).selectable(false)).hint(hint);
-            let text = RichText::new(text).size(11.0).color(Color32::from_gray(205));
-            ui.add(Label::new(text).selectable(false).truncate()).hint(hint);
+            let text = RichText::new(text)
+                .size(11.0)
+                .color(Color32::from_gray(205));
+            ui.add(Label::new(text).selectable(false).truncate())
+                .hint(hint);
         });
     });
 }

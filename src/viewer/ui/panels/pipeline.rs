@@ -4,7 +4,7 @@ use super::{
     camera::{FOV_RANGE, plane_range},
     field::{short, value_text},
     gesture::Gesture,
-    names::{Hint, described, named},
+    names::{Hint, bounded, described, named},
 };
 use crate::{
     camera::{DepthMapping, Projection, View},
@@ -36,7 +36,9 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let followed = state.followed();
     let selected = state.selection().map(|selection| selection.object);
     let object = followed.map(|followed| followed.object).or(selected);
-    let object = object.or(state.pane_object()).map(|object| &scene.objects()[object]);
+    let object = object
+        .or(state.pane_object())
+        .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
     for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
         let (name, entries) = match matrix {
@@ -48,21 +50,27 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
             ui.strong(name).hint(&hint);
-            ui.add(Label::new(RichText::new(title).weak()).truncate()).hint(hint);
+            ui.add(Label::new(RichText::new(title).weak()).truncate())
+                .hint(hint);
         });
         rows(ui, name, entries, Some((matrix, state)), commands);
         let (text, hint) = determinant(matrix, entries, state);
         ui.weak(text).hint(hint);
     }
-    ui.strong("P V M").hint("all of it: object to clip, the product of the three");
-    rows(ui, "P V M", &matrices.product(), None, commands);
     ui.separator();
     let (title, values) = match (object, followed, state.cursor()) {
         (Some(object), Some(followed), _) => {
-            let title = if followed.is_picked { "The pick" } else { "Under the cursor" };
+            let title = if followed.is_picked {
+                "The pick"
+            } else {
+                "Under the cursor"
+            };
             match Steps::follow(view, object, followed.point_object) {
                 Some(steps) => (title, self::followed(&steps)),
-                None => ("The picked point lies behind the eye now", Values::default()),
+                None => (
+                    "The picked point lies behind the eye now",
+                    Values::default(),
+                ),
             }
         }
         (_, _, Some(cursor)) => ("Under the cursor", background(view, cursor.px)),
@@ -78,6 +86,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             .hint("a point on its way through the matrices, step by step, and back as a ray; it is the dot of this colour in the views");
     });
     table(ui, &values);
+    ui.separator();
+    ui.strong("P V M")
+        .hint("all of it: object to clip, the product of the three");
+    rows(ui, "P V M", &matrices.product(), None, commands);
 }
 
 /// What the window shows: the camera's picture, the four views, or one of them.
@@ -85,11 +97,14 @@ fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         ui.spacing_mut().button_padding.x = 5.0;
-        ui.label("show").hint("what stands in the window beside these numbers");
         let stages = Stage::ALL.map(|(stage, name)| (Views::One(stage), name, about(stage)));
         let all = [
             (Views::Picture, "picture", "what the camera sees"),
-            (Views::Four, "four", "object, world, view and NDC side by side (4)"),
+            (
+                Views::Four,
+                "four",
+                "object, world, view and NDC side by side (4)",
+            ),
         ];
         for (views, name, hint) in all.into_iter().chain(stages) {
             let label = ui.selectable_label(state.views() == views, name);
@@ -118,7 +133,7 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (mut next, mut gesture) = (controls, Gesture::default());
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        ui.spacing_mut().slider_width = ((ui.available_width() - 78.0) / 3.0).clamp(30.0, 90.0);
+        ui.spacing_mut().slider_width = ((ui.available_width() - 106.0) / 3.0).clamp(24.0, 90.0);
         let mut fov_deg = controls.fov_deg;
         let [mut near, mut far] = [lens.near, lens.far];
         let depths = plane_range(state);
@@ -128,13 +143,19 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             ("far", &mut far, depths, true),
         ];
         for (name, value, range, is_enabled) in sliders {
-            ui.label(name).hint("as in the Camera panel; watch P's numbers");
+            ui.label(name)
+                .hint("as in the Camera panel; watch P's numbers");
             let is_depth = name != "fov";
-            let slider = Slider::new(value, range).logarithmic(is_depth).show_value(false);
+            let slider = Slider::new(value, range)
+                .logarithmic(is_depth)
+                .show_value(false);
             let slider = ui.add_enabled(is_enabled, slider);
             named(&slider, &format!("P's {name}"));
             gesture.note(&slider);
-            if slider.hint("slide it: P's numbers and all views follow").changed() {
+            if slider
+                .hint("slide it: P's numbers and all views follow")
+                .changed()
+            {
                 match name {
                     "fov" => next.fov_deg = *value,
                     "near" => next.near = Some(*value),
@@ -172,16 +193,36 @@ fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
 /// What a row makes, in words.
 fn does(matrix: Matrix, row: usize) -> &'static str {
     match (matrix, row) {
-        (Matrix::Projection, 0) => "clip x: 1 over half the picture's width at depth 1. The planes left and right are where it is -w and w",
-        (Matrix::Projection, 1) => "clip y: 1 over half the picture's height at depth 1. The planes below and above are where it is -w and w",
-        (Matrix::Projection, 2) => "clip z: from the depth, so that after the division near and far are 0 and 1, or 1 and 0",
-        (Matrix::Projection, _) => "w, which the others are divided by: in perspective the depth itself",
-        (Matrix::View, 0) => "view x: along the camera's axis R. The last number is the eye's own place along it, negative",
-        (Matrix::View, 1) => "view y: along the camera's axis U. The last number is the eye's own place along it, negative",
-        (Matrix::View, 2) => "view z, the depth: along the camera's axis F. The last number is the eye's own place along it, negative",
-        (Matrix::Model, 0) => "world x: what each of the object's axes adds to it, and where the object's origin is",
-        (Matrix::Model, 1) => "world y: what each of the object's axes adds to it, and where the object's origin is",
-        (Matrix::Model, 2) => "world z: what each of the object's axes adds to it, and where the object's origin is",
+        (Matrix::Projection, 0) => {
+            "clip x: 1 over half the picture's width at depth 1. The planes left and right are where it is -w and w"
+        }
+        (Matrix::Projection, 1) => {
+            "clip y: 1 over half the picture's height at depth 1. The planes below and above are where it is -w and w"
+        }
+        (Matrix::Projection, 2) => {
+            "clip z: from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
+        }
+        (Matrix::Projection, _) => {
+            "w, which the others are divided by: in perspective the depth itself"
+        }
+        (Matrix::View, 0) => {
+            "view x: along the camera's axis R. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::View, 1) => {
+            "view y: along the camera's axis U. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::View, 2) => {
+            "view z, the depth: along the camera's axis F. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::Model, 0) => {
+            "world x: what each of the object's axes adds to it, and where the object's origin is"
+        }
+        (Matrix::Model, 1) => {
+            "world y: what each of the object's axes adds to it, and where the object's origin is"
+        }
+        (Matrix::Model, 2) => {
+            "world z: what each of the object's axes adds to it, and where the object's origin is"
+        }
         (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
     }
 }
@@ -193,22 +234,29 @@ fn determinant(matrix: Matrix, entries: &DMat4, state: &State) -> (String, &'sta
     match matrix {
         Matrix::Projection => {
             let depth = match lens.depth {
-                DepthMapping::Reversed => "z turns round, right-handed",
+                DepthMapping::Reversed => "z turns, right-handed",
                 DepthMapping::Standard => "stays left-handed",
             };
             (
-                format!("determinant {value}: {depth}"),
+                format!("det {value}: {depth}"),
                 "its sign says whether NDC has the other hand than view space. Volumes are another matter: the division by w shrinks what is far",
             )
         }
         Matrix::View => (
-            format!("determinant {value}: sizes stay, left-handed"),
+            format!("det {value}: sizes stay, left-handed"),
             "the world is right-handed, and z forward makes view space left-handed: -1. What is drawn is not mirrored by that; it is only counted differently",
         ),
         Matrix::Model => {
-            let hand = if entries.determinant() < 0.0 { ", mirrored" } else { ", same hand" };
+            let hand = if entries.determinant() < 0.0 {
+                ", mirrored"
+            } else {
+                ", same hand"
+            };
             (
-                format!("det {value}: volumes times {}{hand}", value.trim_start_matches('-')),
+                format!(
+                    "det {value}: volumes times {}{hand}",
+                    value.trim_start_matches('-')
+                ),
                 "its size is how many times as large volumes become, its sign whether the object is mirrored",
             )
         }
@@ -261,6 +309,7 @@ fn rows(
         let response = numbers(ui, &values, Some(coordinate));
         let response = response.interact(Sense::hover());
         named(&response, &format!("{name}, row {coordinate}"));
+        bounded(&response);
         if state.row() == Some((matrix, row)) {
             let colour = ui.visuals().selection.bg_fill;
             let shape = egui::Shape::rect_filled(response.rect.expand(1.0), 2.0, colour);
@@ -282,7 +331,7 @@ fn rows(
 /// A row of numbers in columns of one width, each with all its digits under the cursor, after the coordinate that it makes.
 fn numbers(ui: &mut Ui, values: &[f64], makes: Option<&str>) -> Response {
     let row = ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().item_spacing.x = 4.0;
         if let Some(makes) = makes {
             ui.label(value_text(makes).weak());
         }
@@ -372,19 +421,30 @@ fn background(view: &View, px: DVec2) -> Values {
 
 /// As large with numbers as without: else the panel would come and go under the cursor that it follows.
 fn table(ui: &mut Ui, values: &Values) {
-    let colour = if ui.visuals().dark_mode { color32(look::SELECTION) } else { ON_LIGHT };
+    let colour = if ui.visuals().dark_mode {
+        color32(look::SELECTION)
+    } else {
+        ON_LIGHT
+    };
     for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
         let row = ui.horizontal(|ui| {
             let (_, dot) = ui.allocate_space(vec2(7.0, 7.0));
             if !values.is_empty() {
-                ui.painter().circle_filled(dot.center(), 3.0, color32(look::SELECTION));
+                ui.painter()
+                    .circle_filled(dot.center(), 3.0, color32(look::SELECTION));
             }
             ui.spacing_mut().item_spacing.x = 2.0;
-            ui.add_sized([58.0, 14.0], Label::new(name).halign(Align::Min)).hint(format!("{how}: {hint}"));
+            ui.add_sized([58.0, 14.0], Label::new(name).halign(Align::Min))
+                .hint(format!("{how}: {hint}"));
             for value in values {
                 // Four numbers are narrower than three.
-                let text = if values.len() > 3 { format!("{value:>7.3}") } else { format!("{:>9}", short(*value)) };
-                ui.label(value_text(text).color(colour)).hint(value.to_string());
+                let text = if values.len() > 3 {
+                    format!("{value:>7.3}")
+                } else {
+                    format!("{:>9}", short(*value))
+                };
+                ui.label(value_text(text).color(colour))
+                    .hint(value.to_string());
             }
         });
         row.response.hint(hint);

@@ -12,6 +12,8 @@ use std::path::PathBuf;
 /// Windows over the scene that are there when asked for.
 #[derive(Clone, Copy, Default)]
 pub(in crate::viewer) struct Floating {
+    /// No panel at all.
+    pub is_bare: bool,
     /// Keys and mouse.
     pub help: bool,
     /// Matrices.
