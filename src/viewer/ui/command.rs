@@ -1,5 +1,6 @@
 //! What the user asks for through keys, buttons or menus.
 
+use super::tour::TourMove;
 use crate::{
     scene::gallery::Exhibit,
     viewer::model::{Action, State},
@@ -61,6 +62,8 @@ pub(in crate::viewer) enum Command {
     ToggleHelp,
     /// Show or hide the matrices.
     TogglePipeline,
+    /// Begin the tour, or go on in it.
+    Tour(TourMove),
     /// Give the panels the next of the looks that they can have.
     NextLook,
     /// Close the window.

@@ -28,6 +28,7 @@ mod status;
 mod tests;
 mod toolbar;
 mod tools;
+mod tour;
 mod wings;
 
 pub(in crate::viewer) use docks::Docks;
