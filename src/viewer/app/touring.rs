@@ -25,7 +25,7 @@ impl App {
         let seen = Seen {
             command,
             state: &self.state,
-            floating: self.floating,
+            matrices: self.floating.pipeline,
             checking: &self.checking,
         };
         if tour.notice(&seen) {

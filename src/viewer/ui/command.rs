@@ -1,6 +1,5 @@
 //! What the user asks for through keys, buttons or menus.
 
-use super::tour::TourMove;
 use crate::{
     scene::gallery::Exhibit,
     viewer::model::{Action, State},
@@ -112,4 +111,17 @@ pub(in crate::viewer) enum Reply {
     Add,
     /// Do not.
     Stay,
+}
+
+/// What somebody on the tour asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) enum TourMove {
+    /// From the first step.
+    Begin,
+    /// To the step before.
+    Back,
+    /// To the next step, whether this one is done or not; from the last one out.
+    Next,
+    /// Out, or not even in.
+    End,
 }

@@ -1,6 +1,6 @@
 //! The tour through cameras and raycasting: what to do, why, and how the window notices that it is done.
 
-use super::{command::Command, panels::Floating};
+use super::command::{Command, TourMove};
 use crate::{
     camera::{DepthMapping, Projection},
     scene::{Object, Shape},
@@ -36,7 +36,8 @@ pub(in crate::viewer) struct Seen<'a> {
     pub command: Option<&'a Command>,
     /// What that led to.
     pub state: &'a State,
-    pub floating: Floating,
+    /// Whether the matrices show.
+    pub matrices: bool,
     pub checking: &'a Checking,
 }
 
@@ -46,19 +47,6 @@ pub(in crate::viewer) struct Tour {
     at: usize,
     /// The step was seen done.
     pub is_done: bool,
-}
-
-/// What somebody on the tour asks for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::viewer) enum TourMove {
-    /// From the first step.
-    Begin,
-    /// To the step before.
-    Back,
-    /// To the next step, whether this one is done or not; from the last one out.
-    Next,
-    /// Out, or not even in.
-    End,
 }
 
 const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool) -> Step {
@@ -86,7 +74,7 @@ const CHAPTERS: [Chapter; 8] = [
             step(
                 "Press P for the matrices, drag again and watch V.",
                 "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
-                |seen| seen.floating.pipeline && turns(seen),
+                |seen| seen.matrices && turns(seen),
             ),
         ],
     },

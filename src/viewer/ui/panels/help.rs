@@ -1,7 +1,10 @@
 //! Keys and mouse, from the very table that works them.
 
-use super::{names::Hint, tour};
-use crate::viewer::ui::{command::Command, keys, tour::TourMove};
+use super::{names::Hint, tour_card};
+use crate::viewer::ui::{
+    command::{Command, TourMove},
+    keys,
+};
 use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
 
 /// In points: what stands around the rows, and how wide keys with their words are where nothing is broken.
@@ -31,7 +34,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 .map(|binding| (binding.keys, binding.does));
             let all = keys::MOUSE.iter().copied().chain(bindings);
             let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
-            if ui.button("Take the tour").hint(tour::ABOUT).clicked() {
+            if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
                 commands.push(Command::ToggleHelp);
                 commands.push(Command::Tour(TourMove::Begin));
             }

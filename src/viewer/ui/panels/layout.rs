@@ -6,7 +6,7 @@ use super::{
     docks::{Section, Side, room},
     help, marks, menu, question,
     shown::Shown,
-    status, toolbar, tour, wings,
+    status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
     screen::SceneRect,
@@ -56,8 +56,8 @@ pub(in crate::viewer) fn show(
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
         match shown.tour {
-            Some(at) => tour::card(ui.ctx(), rect, at, shown.state, &mut commands),
-            None if shown.offers_tour => tour::offer(ui.ctx(), rect, &mut commands),
+            Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, &mut commands),
+            None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, &mut commands),
             None => {}
         }
         Some(place)

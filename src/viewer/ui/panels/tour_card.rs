@@ -4,8 +4,8 @@ use super::names::{Hint, named};
 use crate::viewer::{
     model::State,
     ui::{
-        command::Command,
-        tour::{Tour, TourMove},
+        command::{Command, TourMove},
+        tour::Tour,
     },
 };
 use egui::{Align2, Area, Context, Frame, Id, Rect, RichText, Ui, Window, vec2};
@@ -31,8 +31,8 @@ pub(super) fn card(
         .id(Id::unique("tour"))
         .open(&mut open)
         .resizable(false)
-        .pivot(Align2::LEFT_BOTTOM)
-        .default_pos(rect.left_bottom() + vec2(MARGIN, -MARGIN))
+        .pivot(Align2::RIGHT_BOTTOM)
+        .default_pos(rect.right_bottom() - vec2(MARGIN, MARGIN))
         .constrain_to(rect)
         .show(ctx, |ui| {
             ui.set_width(WIDTH.min(rect.width() - 4.0 * MARGIN).max(100.0));
