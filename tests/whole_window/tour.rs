@@ -142,7 +142,7 @@ fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
         let by = (at - px).as_vec2();
         MIDDLE + egui::vec2(by.x, by.y)
     };
-    let is_beside = |at: Pos2| at.x < card.left() - 40.0 || at.y < card.top() - 50.0;
+    let is_beside = |at: Pos2| at.x > card.right() + 40.0 || at.y < card.top() - 50.0;
     let along = |side: f64| {
         (4..)
             .map(|i| 3.0 * f64::from(i) + 0.5)

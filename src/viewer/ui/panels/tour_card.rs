@@ -14,10 +14,12 @@ use egui::{Align2, Area, Context, Frame, Id, Rect, RichText, Ui, Window, vec2};
 const WIDTH: f32 = 380.0;
 /// Between it and the picture's edge.
 const MARGIN: f32 = 12.0;
+/// As wide as the cross of axes in the corner, in points.
+const CROSS: f32 = 104.0;
 /// What is done, in dark and light looks.
 const TICK: &str = "\u{2714}";
 
-/// The present step, in a corner of the picture until it is dragged elsewhere.
+/// The present step, beside the cross of axes until it is dragged elsewhere.
 pub(super) fn card(
     ctx: &Context,
     rect: Rect,
@@ -31,8 +33,8 @@ pub(super) fn card(
         .id(Id::unique("tour"))
         .open(&mut open)
         .resizable(false)
-        .pivot(Align2::RIGHT_BOTTOM)
-        .default_pos(rect.right_bottom() - vec2(MARGIN, MARGIN))
+        .pivot(Align2::LEFT_BOTTOM)
+        .default_pos(rect.left_bottom() + vec2(CROSS, -MARGIN))
         .constrain_to(rect)
         .show(ctx, |ui| {
             ui.set_width(WIDTH.min(rect.width() - 4.0 * MARGIN).max(100.0));
