@@ -18,6 +18,9 @@ pub struct WindowArgs {
     /// What to show: the camera's picture, the four views side by side, or one of them [default: picture]
     #[arg(long, value_name = "VIEWS", value_parser = value::views())]
     pub views: Option<Views>,
+    /// Begin the tour through cameras and raycasting, in the demo
+    #[arg(long, conflicts_with = "scenes")]
+    pub tour: bool,
     /// How to look at it.
     #[command(flatten)]
     pub view: ViewArgs,
@@ -52,6 +55,7 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         memory: viewer::memory_file(),
         views: args.views.unwrap_or_default(),
         print_picks: args.print_picks,
+        tour: args.tour,
         ..viewer::Options::default()
     };
     Ok(viewer::run(options)?)

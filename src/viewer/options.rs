@@ -30,6 +30,8 @@ pub struct Options {
     pub is_bare: bool,
     /// Whether each pick is printed as a line of JSON.
     pub print_picks: bool,
+    /// Whether the tour begins at once.
+    pub tour: bool,
 }
 
 /// Why there is no window.

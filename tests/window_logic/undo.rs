@@ -1,7 +1,7 @@
 //! Undo and redo: what was there before is there again, to the bit.
 
 use super::*;
-use crate::inspect::{STILL, picked};
+use crate::inspect::STILL;
 use sightline::{
     geometry::Trs,
     scene::gallery::Exhibit,

@@ -109,6 +109,7 @@ impl App {
             Command::ToggleHelp => self.floating.help ^= true,
             Command::ToggleFour => self.toggle_views(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);

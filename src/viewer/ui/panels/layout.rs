@@ -6,7 +6,7 @@ use super::{
     docks::{Section, Side, room},
     help, marks, menu, panes, question,
     shown::Shown,
-    status, toolbar, wings,
+    status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
     model::{Action, Stage},
@@ -60,6 +60,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             commands.push(Command::Act(Action::Resize(place.viewport)));
             let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
             corners::messages(ui, rect, shown, &mut commands);
+            touring(ui, rect, shown, &mut commands);
             return Some((place, panes));
         }
         let id = ui.scope_id().with("scene");
@@ -72,6 +73,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
+        touring(ui, rect, shown, &mut commands);
         Some((place, Vec::new()))
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
@@ -94,6 +96,15 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         place,
         panes,
         commands,
+    }
+}
+
+/// The tour's card, or what offers it.
+fn touring(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
+    match shown.tour {
+        Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, commands),
+        None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, commands),
+        None => {}
     }
 }
 

@@ -45,6 +45,8 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 state,
                 notices: &mut Notices::new(),
                 underway: None,
+                tour: None,
+                offers_tour: false,
                 floating: Floating::default(),
                 question: None,
                 chart: None,
@@ -57,7 +59,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 filter: &mut Filter::default(),
                 reveal_selection: false,
             };
-            commands.extend(show(ui, &mut shown, &mut None).1);
+            commands.extend(show(ui, &mut shown, &mut None).commands);
         });
         // egui minds when nobody takes its textures.
         output.textures_delta.clear();
