@@ -194,9 +194,11 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
     }
     // A double click does the same, beside the objects: it selects nothing.
     let corner = rects(&window)[3].right_bottom() - vec2(6.0, 6.0);
-    click(&mut window, corner);
-    click(&mut window, corner);
+    double_click(&mut window, corner);
     assert_eq!(window.state().views(), Views::One(Stage::Ndc));
+    assert_eq!(selected(&window), None);
+    double_click(&mut window, corner);
+    assert_eq!(window.state().views(), Views::Four);
 }
 
 #[test]

@@ -108,6 +108,13 @@ fn click(window: &mut Offscreen, at: Pos2) {
     drag(window, PointerButton::Primary, at, at);
 }
 
+/// Two clicks that follow each other quickly.
+fn double_click(window: &mut Offscreen, at: Pos2) {
+    let press = |pressed| button(at, PointerButton::Primary, pressed);
+    let clicks = [true, false, true, false].map(press);
+    window.send([Event::PointerMoved(at)].into_iter().chain(clicks));
+}
+
 /// Presses at one point, moves in ten steps and releases at another.
 fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
     let moves = (0..=10_u8).map(|i| Event::PointerMoved(from.lerp(to, f32::from(i) / 10.0)));

@@ -60,8 +60,7 @@ const DEEDS: [Deed; 22] = [
     }),
     ("Double click NDC", |window| {
         let at = control(window, "stage NDC").rect.right_center();
-        click(window, at - egui::vec2(9.0, 0.0));
-        click(window, at - egui::vec2(9.0, 0.0));
+        double_click(window, at - egui::vec2(9.0, 0.0));
     }),
     ("Press 4 again", |window| press_key(window, NONE, Key::Num4)),
     ("Set near to 0.001", |window| {

@@ -154,6 +154,7 @@ impl App {
                 recent: &self.memory.recent,
                 look: self.memory.look,
                 filter: &mut self.filter,
+                is_bare: self.options.is_bare,
                 reveal_selection: self.reveal_selection,
             };
             let asked = ui::show(ui, &mut shown, &mut self.drag);

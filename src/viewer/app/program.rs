@@ -171,10 +171,7 @@ impl App {
             trees: None,
             first: true,
             notices: Notices::new(),
-            floating: Floating {
-                is_bare: options.is_bare,
-                ..Floating::default()
-            },
+            floating: Floating::default(),
             tour: options.tour.then(Tour::default),
             docks: memory.panels,
             memory,

@@ -157,10 +157,10 @@ impl State {
             self.timeline = timeline;
             return true;
         }
-        let made_it = match self.timeline.last(true) {
-            Some(Step::Open(_) | Step::Composed { .. }) => true,
-            _ => false,
-        };
+        let made_it = matches!(
+            self.timeline.last(true),
+            Some(Step::Open(_) | Step::Composed { .. })
+        );
         made_it && self.step_in_time(true)
     }
 

@@ -3,7 +3,8 @@
 use super::{
     panels_picture::PanelsPicture,
     place::SceneRect,
-    scene_picture::{Brush, Look, Progress, ScenePicture},
+    progress::Progress,
+    scene_picture::{Brush, Look, ScenePicture},
     wanted::Motion,
 };
 use crate::{

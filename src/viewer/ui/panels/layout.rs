@@ -34,7 +34,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let mut commands = Vec::new();
     let window = ui.max_rect().size();
     let wanted = sections(shown);
-    if !shown.floating.is_bare {
+    if !shown.is_bare {
         Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
@@ -110,7 +110,7 @@ fn touring(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
 
 /// The panels that there are: in the gallery its scene's in place of the list.
 fn sections(shown: &Shown) -> Vec<Section> {
-    if shown.floating.is_bare {
+    if shown.is_bare {
         return Vec::new();
     }
     let in_gallery = shown.state.showing().is_some();

@@ -14,6 +14,7 @@ mod inspect;
 mod layout;
 mod lit_row;
 mod marks;
+mod matrix_rows;
 mod menu;
 mod model_matrix;
 mod names;

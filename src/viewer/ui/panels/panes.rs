@@ -72,7 +72,7 @@ pub(super) fn show(
 /// Object and world above view and NDC.
 fn quarter(rect: Rect, at: usize) -> Rect {
     let (middle, half) = (rect.center().round(), 0.5 * GAP);
-    let (left, right) = if at % 2 == 0 {
+    let (left, right) = if at.is_multiple_of(2) {
         (rect.left(), middle.x - half)
     } else {
         (middle.x + half, rect.right())

@@ -12,8 +12,6 @@ use std::path::PathBuf;
 /// Windows over the scene that are there when asked for.
 #[derive(Clone, Copy, Default)]
 pub(in crate::viewer) struct Floating {
-    /// No panel at all.
-    pub is_bare: bool,
     /// Keys and mouse.
     pub help: bool,
     /// Matrices.
@@ -63,6 +61,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.
     pub filter: &'a mut Filter,
+    /// Whether the picture is alone, without any panel.
+    pub is_bare: bool,
     /// Whether to bring the selected object's row into view.
     pub reveal_selection: bool,
 }

@@ -57,6 +57,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 recent: &[],
                 look: Look::default(),
                 filter: &mut Filter::default(),
+                is_bare: false,
                 reveal_selection: false,
             };
             commands.extend(show(ui, &mut shown, &mut None).commands);
