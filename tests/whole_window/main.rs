@@ -110,6 +110,8 @@ fn click(window: &mut Offscreen, at: Pos2) {
 
 /// Two clicks that follow each other quickly.
 fn double_click(window: &mut Offscreen, at: Pos2) {
+    // One that came before is none of them.
+    window.wait_s(1.0);
     let press = |pressed| button(at, PointerButton::Primary, pressed);
     let clicks = [true, false, true, false].map(press);
     window.send([Event::PointerMoved(at)].into_iter().chain(clicks));

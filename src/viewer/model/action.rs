@@ -1,6 +1,6 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::{matrices::Row, overlay::Overlay, panes::Views, stages::Stage};
+use super::{matrices::Row, overlay::Overlay, stages::Stage, views::Views};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     study::swap::Swap,

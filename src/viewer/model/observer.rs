@@ -10,8 +10,12 @@ use glam::{DAffine3, DVec2, DVec3};
 const FOV_Y: f64 = 0.6;
 /// Radians of orbit for a pixel of drag.
 const TURN_PER_PX: f64 = 0.008;
-/// Room for names about what is framed, as a share of it.
-const ROOM: f64 = 0.08;
+/// How much of a view what is framed fills: beside it stand names.
+const FILLED: f64 = 0.8;
+/// Framing comes nearer to that by each of these steps.
+const STEPS: u32 = 5;
+/// Points that are framed.
+pub(super) type Points = [DVec3; 17];
 
 /// Where somebody stands. All of it is in the space that the stage is drawn in, right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,13 +27,13 @@ pub(super) struct Observer {
     pivot: DVec3,
     pan_depth: f64,
     /// What is framed, as long as nobody has moved: a view of another size frames it again.
-    framed: Option<Aabb>,
+    framed: Option<Points>,
 }
 
 impl Observer {
-    /// Looks at a box from a direction in the up axis's frame: right, up, towards the viewer.
-    pub fn new(up_axis: UpAxis, from: DVec3, bounds: &Aabb, viewport: Viewport) -> Self {
-        let mut orbit = Orbit::framing(bounds, up_axis, FOV_Y, viewport.aspect());
+    /// Looks at points from a direction in the up axis's frame: right, up, towards the viewer.
+    pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
+        let mut orbit = Orbit::framing(&Aabb::around(*points), up_axis, FOV_Y, viewport.aspect());
         orbit.look_from(up_axis, from);
         let mut observer = Self {
             orbit,
@@ -39,29 +43,38 @@ impl Observer {
             pan_depth: 1.0,
             framed: None,
         };
-        observer.frame(bounds);
+        observer.frame(points);
         observer
     }
 
-    /// Shows all of a box from where it is.
-    pub fn frame(&mut self, bounds: &Aabb) {
-        let room = DVec3::splat(ROOM * bounds.radius());
-        let roomy = Aabb {
-            min: bounds.min - room,
-            max: bounds.max + room,
-        };
-        (self.orbit).frame_bounds(&roomy, FOV_Y, self.viewport.aspect());
-        self.pivot = self.orbit.target();
+    /// Shows all of these points from where it is, as large as there is room.
+    pub fn frame(&mut self, points: &Points) {
+        let bounds = Aabb::around(*points);
+        (self.orbit).frame_bounds(&bounds, FOV_Y, self.viewport.aspect());
+        for _ in 0..STEPS {
+            let Some(camera) = self.camera() else { break };
+            let seen = (points.iter()).filter_map(|at| camera.project(self.viewport, *at));
+            let seen = Aabb::around(seen.map(|seen| seen.ndc.with_z(0.0)));
+            let size = (seen.max - seen.min).max_element();
+            if !(size > 0.0 && size.is_finite()) {
+                break;
+            }
+            let off_px = self.viewport.ndc_to_px(seen.center().truncate());
+            let by_px = 0.5 * self.viewport.size_px() - off_px;
+            (self.orbit).pan(by_px, self.orbit.distance(), &LENS, self.viewport);
+            self.orbit.zoom(self.orbit.target(), 2.0 * FILLED / size);
+        }
+        self.pivot = bounds.center();
         self.pan_depth = self.orbit.distance();
-        self.framed = Some(*bounds);
+        self.framed = Some(*points);
     }
 
     /// The view has another size.
     pub fn resize(&mut self, viewport: Viewport) {
         if viewport != self.viewport {
             self.viewport = viewport;
-            if let Some(bounds) = self.framed {
-                self.frame(&bounds);
+            if let Some(points) = self.framed {
+                self.frame(&points);
             }
         }
     }

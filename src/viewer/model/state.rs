@@ -8,9 +8,9 @@ use super::{
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    panes::Panes,
     showing::Showing,
     timeline::Timeline,
+    views::Panes,
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},

@@ -1,6 +1,6 @@
 //! What a row of a matrix does, lit in the four views while the cursor rests on it: the plane, axis or length of its own.
 
-use super::pane_labels::Page;
+use super::pane_page::Page;
 use crate::viewer::model::{Matrix, NDC_DRAWN, Stage};
 use egui::Color32;
 use glam::DVec3;

@@ -20,6 +20,7 @@ mod model_matrix;
 mod names;
 mod objects;
 mod pane_labels;
+mod pane_page;
 mod panes;
 mod pick;
 mod pipeline;

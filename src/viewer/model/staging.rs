@@ -2,10 +2,11 @@
 //! one camera.
 
 use super::{
-    observer::Observer,
+    observer::{Observer, Points},
     stages::{Stage, ndc_drawn, projected, standard},
     state::State,
     viewing::with_frustum,
+    views::{NDC_DRAWN, Panes, Source, Staged, Views},
 };
 use crate::{
     camera::{UpAxis, View},
@@ -13,69 +14,9 @@ use crate::{
     scene::{Object, Scene},
 };
 use glam::{DAffine3, DMat3, DVec3};
-use std::mem;
-
-/// What the window shows of the scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Views {
-    /// What the scene's camera sees.
-    #[default]
-    Picture,
-    /// All stages side by side.
-    Four,
-    /// One of them, large.
-    One(Stage),
-}
 
 /// Objects and triangles that are projected within a pass; more of them beside the window.
 const LITTLE: usize = 20_000;
-/// The box that the frustum becomes, as it is drawn: see [`projected`].
-pub const NDC_DRAWN: Aabb = Aabb {
-    min: DVec3::new(-1.0, -1.0, -1.0),
-    max: DVec3::new(1.0, 1.0, 0.0),
-};
-
-/// The four views.
-pub(super) struct Panes {
-    pub large: Option<Stage>,
-    /// In which of them the mouse is, for the actions that come.
-    pub entered: Option<Stage>,
-    pub observers: [Observer; 4],
-    /// The document that they were framed for.
-    of: Option<u64>,
-    /// The object whose space is shown.
-    pub object: Option<usize>,
-    alone: Staged,
-    ndc: Staged,
-    /// A point that was picked where the scene's camera does not see it: of which object, in its space.
-    pub point: Option<(usize, DVec3)>,
-}
-
-/// A scene that was made of the one that is shown.
-#[derive(Default)]
-struct Staged {
-    scene: Scene,
-    of: Option<Source>,
-    /// Counts them.
-    revision: u64,
-}
-
-/// What such a scene is made of.
-#[derive(Clone, Copy, PartialEq)]
-pub(in crate::viewer) enum Source {
-    /// An object of a scene, of which only colour and shape count.
-    Alone([u64; 2], usize),
-    /// A scene through a view.
-    Through([u64; 2], View),
-}
-
-impl Staged {
-    fn take(&mut self, scene: Scene, of: Source, unused: &mut Vec<Scene>) {
-        unused.push(mem::replace(&mut self.scene, scene));
-        self.of = Some(of);
-        self.revision += 1;
-    }
-}
 
 impl State {
     /// What the window shows of the scene.
@@ -116,7 +57,7 @@ impl State {
         self.panes = Some(Box::new(Panes {
             large,
             entered: None,
-            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &Aabb::EMPTY)),
+            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &NDC_DRAWN)),
             of: None,
             object: None,
             alone: Staged::default(),
@@ -151,8 +92,8 @@ impl State {
                 };
                 let alone = Scene::new(vec![alone]);
                 panes.alone.take(alone, of, &mut self.unused);
-                let bounds = panes.alone.scene.bounds();
-                panes.observers[Stage::Object as usize].frame(&bounds);
+                let corners = corners_of(&panes.alone.scene.bounds());
+                panes.observers[Stage::Object as usize].frame(&corners);
             }
         }
         let through = self.projected_of();
@@ -280,24 +221,32 @@ impl State {
             panes.observers[stage as usize].viewport
         });
         let to_drawn = self.drawn_to_scene(stage).inverse();
-        let bounds = self.scene.visible_bounds();
-        let scene = bounds.corners().into_iter().filter(|_| !bounds.is_empty());
-        let frustum = self.view.frustum_corners().into_iter();
-        let shown = scene.chain(frustum).chain([camera.eye()]);
-        let shown = Aabb::around(shown.map(|point| to_drawn.transform_point3(point)));
+        // The scene, the frustum and its eye.
+        let mut points = corners_of(&self.scene.visible_bounds());
+        points[..8].copy_from_slice(&self.view.frustum_corners());
+        points[8] = camera.eye();
+        let points = points.map(|point| to_drawn.transform_point3(point));
         match stage {
-            Stage::Object => {
-                Observer::new(self.up_axis, DVec3::new(1.0, 0.8, 1.6), object, viewport)
-            }
+            Stage::Object => Observer::new(
+                self.up_axis,
+                DVec3::new(1.0, 0.8, 1.6),
+                &corners_of(object),
+                viewport,
+            ),
             Stage::World => {
                 let frame = self.up_axis.frame();
                 // Beside the camera, above and behind: all of its frustum shows.
                 let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
                 let from = frame.transpose() * side;
-                Observer::new(self.up_axis, from, &shown, viewport)
+                Observer::new(self.up_axis, from, &points, viewport)
             }
-            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &shown, viewport),
-            Stage::Ndc => Observer::new(UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), &NDC_DRAWN, viewport),
+            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &points, viewport),
+            Stage::Ndc => Observer::new(
+                UpAxis::Y,
+                DVec3::new(0.8, 0.6, 1.5),
+                &corners_of(&NDC_DRAWN),
+                viewport,
+            ),
         }
     }
 
@@ -322,4 +271,14 @@ impl State {
             panes.observers[stage as usize] = observer;
         }
     }
+}
+
+/// A box's corners, of an empty one those of a box about the origin: the last eight, and the first again.
+fn corners_of(bounds: &Aabb) -> Points {
+    let corners = if bounds.is_empty() {
+        Aabb::around([DVec3::NEG_ONE, DVec3::ONE]).corners()
+    } else {
+        bounds.corners()
+    };
+    std::array::from_fn(|i| corners[i.saturating_sub(9) % 8])
 }
