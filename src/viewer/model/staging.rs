@@ -92,7 +92,7 @@ impl State {
                 };
                 let alone = Scene::new(vec![alone]);
                 panes.alone.take(alone, of, &mut self.unused);
-                let corners = corners_of(&panes.alone.scene.bounds());
+                let corners = with_axes(&panes.alone.scene.bounds());
                 panes.observers[Stage::Object as usize].frame(&corners);
             }
         }
@@ -271,6 +271,15 @@ impl State {
             panes.observers[stage as usize] = observer;
         }
     }
+}
+
+/// The corners of a box with room for axes about it.
+fn with_axes(bounds: &Aabb) -> Points {
+    let room = DVec3::splat(0.25 * bounds.radius());
+    corners_of(&Aabb {
+        min: bounds.min - room,
+        max: bounds.max + room,
+    })
 }
 
 /// A box's corners, of an empty one those of a box about the origin: the last eight, and the first again.

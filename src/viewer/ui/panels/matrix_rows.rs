@@ -187,7 +187,8 @@ pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) 
         }
         for value in values {
             let text = format!("{:>9}", short(*value));
-            ui.label(value_text(text)).hint(value.to_string());
+            let hint = makes.map_or(String::new(), |(_, does)| format!(". {does}"));
+            ui.label(value_text(text)).hint(format!("{value}{hint}"));
         }
     });
     row.response

@@ -132,6 +132,9 @@ impl Page<'_> {
 
     /// Writes the names over all lines, each where nothing else is, `taken` first of all.
     pub fn write(self, mut taken: Vec<Rect>) {
+        // What is named is not written over.
+        let at = self.names.iter().map(|name| name.at);
+        taken.extend(at.map(|at| Rect::from_center_size(at, Vec2::splat(9.0))));
         let painter = self.painter();
         let size_of_text = (self.rect.size().min_elem() / 32.0).clamp(TEXT[0], TEXT[1]);
         for Name {
