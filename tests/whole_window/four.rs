@@ -2,6 +2,7 @@
 
 use super::*;
 use egui::{Rect, vec2};
+use glam::DVec3;
 use sightline::image::{Image, Rgb};
 
 const NAMES: [&str; 4] = ["object", "world", "view", "NDC"];
@@ -204,6 +205,9 @@ fn one_made_large_is_the_single_stage_and_comes_back() {
 #[test]
 fn a_point_has_one_colour_in_all_views_and_the_numbers() {
     let (mut window, _folder) = four();
+    // Room between the near plane and the cube.
+    type_into(&mut window, "near", "4");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
     let places = rects(&window);
     // On the cube's front as the view from behind the camera shows it.
     let state = window.state();
@@ -218,24 +222,49 @@ fn a_point_has_one_colour_in_all_views_and_the_numbers() {
     assert_eq!(selected(&window), Some("front"));
     let picture = away(&mut window);
     let amber = sightline::look::SELECTION.0;
-    let count = |rect: Rect| {
-        let width = picture.size().width() as usize;
+    let colour_at = |stage: Stage, at: Option<DVec3>, aside: f64| {
+        let seen = window.state().pane_view(stage).expect("a view");
+        let px = seen.project(at?)?.px + DVec2::new(aside, 0.0);
+        let place = places[stage as usize].min;
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "within the window"
         )]
-        let [x0, y0, x1, y1] =
-            [rect.left(), rect.top(), rect.right(), rect.bottom()].map(|at| at as usize);
-        let pixels = (y0..y1).flat_map(|y| (x0..x1).map(move |x| y * width + x));
-        pixels.filter(|i| picture.pixels()[*i] == amber).count()
+        let [x, y] = [place.x + px.x as f32, place.y + px.y as f32].map(|at| at as u32);
+        Some(picture.at(x, y))
     };
-    let counts = places.map(count);
-    assert!(counts.iter().all(|count| *count > 25), "{counts:?}");
+    let state = window.state();
+    let world = state.followed_world().expect("a point");
+    let ray = state.view().ray(picked_px(&window).expect("a pick"));
+    let pixel = ray.at(ray.t_min);
+    let in_object = |world| state.scene().objects()[0].placement.point_to_object(world);
+    for (stage, point, pixel) in [
+        (Stage::Object, Some(in_object(world)), None),
+        (Stage::World, Some(world), Some(pixel)),
+        (Stage::View, Some(world), Some(pixel)),
+        (Stage::Ndc, state.ndc_drawn(world), state.ndc_drawn(pixel)),
+    ] {
+        // A ring about the point, a dot at the pixel.
+        let is_amber = |at, aside: i32| colour_at(stage, at, aside.into()) == Some(amber);
+        assert!((-4..=4).any(|aside| is_amber(point, aside)), "{stage:?}");
+        let has_pixel = stage != Stage::Object;
+        assert_eq!(
+            (-1..=1).any(|aside| is_amber(pixel, aside)),
+            has_pixel,
+            "{stage:?}"
+        );
+    }
     let title = control(&window, "The pick").rect;
-    assert!(count(title.translate(vec2(-14.0, 0.0))) > 20);
+    let (x, y) = (title.left() - 8.0, title.center().y);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within the window"
+    )]
+    let dots = (0..12).map(|by| picture.at(x as u32 - by, y as u32));
+    assert!(dots.filter(|dot| *dot == amber).count() >= 4);
     // Its numbers stand beside it in each.
-    let world = window.state().followed_world().expect("a point");
     let view = window.state().view();
     let ndc = view.project(world).expect("in front").ndc;
     let object = window.state().followed().expect("a point").point_object;

@@ -115,7 +115,7 @@ impl Page<'_> {
         let is_near = bounds.center().length() <= 3.0 * radius;
         let origin = if is_near { DVec3::ZERO } else { bounds.min };
         for (i, (axis, name)) in DVec3::AXES.into_iter().zip(["x", "y", "z"]).enumerate() {
-            let to = origin + 0.9 * radius * axis;
+            let to = origin + 0.75 * radius * axis;
             let colour = color32(look::AXES[i]);
             self.arrow(origin, to, colour);
             self.name(to, name, colour, "an axis of the object's own space");
