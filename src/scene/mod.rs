@@ -21,7 +21,7 @@ mod warning;
 pub use changes::Change;
 pub(crate) use entry::matrix_rows;
 pub use file::FileError;
-pub use load::{Detail, LoadError, Loaded, MeshFiles, load, load_with};
+pub use load::{Detail, LoadError, Loaded, MeshFile, MeshFiles, load, load_with};
 pub(crate) use load::{is_scene_file, title};
 pub use obj::{ObjError, ObjFile};
 pub use object::{Object, Shape};

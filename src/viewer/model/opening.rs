@@ -12,10 +12,10 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::{Mesh, Sides},
-    scene::{self, Loaded, Scene},
+    geometry::Sides,
+    scene::{self, Loaded, MeshFile, Scene},
 };
-use std::{mem, path::PathBuf, sync::Arc};
+use std::{mem, path::PathBuf};
 
 impl State {
     /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
@@ -247,7 +247,7 @@ impl State {
 pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
     document: u64,
     edits: Edits,
 }

@@ -13,13 +13,13 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Mesh, Placement},
+    geometry::Placement,
     pick::PickLine,
-    scene::Scene,
+    scene::{MeshFile, Scene},
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
-use std::{path::PathBuf, sync::Arc};
+use std::path::PathBuf;
 
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -127,7 +127,7 @@ pub struct Source {
     /// What was opened, for the command that opens it again.
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
     /// The MTL files that those name.
     pub materials: Vec<PathBuf>,
 }
