@@ -2,7 +2,11 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, study::SaveError,
+    camera::CameraError,
+    image::ImageError,
+    render::GpuError,
+    scene::{LoadError, obj::AgainError},
+    study::SaveError,
     viewer::ViewerError,
 };
 use clap::CommandFactory;
@@ -34,6 +38,9 @@ pub enum CliError {
     /// A word that is no file, and no command either.
     #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
+    /// A file could not be read again.
+    #[error(transparent)]
+    Again(#[from] AgainError),
     /// The picture could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -88,10 +95,11 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
-            Self::Usage(_) | Self::View(_) => 2,
+            Self::Usage(_) | Self::View(_) | Self::Again(AgainError::NoSuch { .. }) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)
+            | Self::Again(_)
             | Self::Image(_)
             | Self::Stream { .. }
             | Self::Write { .. }

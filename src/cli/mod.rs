@@ -5,6 +5,7 @@
 mod command_first;
 mod contract;
 mod error;
+mod in_file;
 mod list;
 mod pick;
 mod render;

@@ -1,10 +1,14 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load, stored, value};
+use super::{
+    CliError, SceneArgs, ViewArgs, build_trees,
+    in_file::{self, Files},
+    load, stored, value,
+};
 use crate::{
     camera::{View, Viewport},
     pick::{self, PickLine, PickLines},
-    scene::Scene,
+    scene::{Progress, Scene},
     verify,
 };
 use glam::DVec2;
@@ -28,9 +32,23 @@ pub struct PickArgs {
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
-    #[arg(long, value_name = "X,Y", required = true, num_args = 1.., value_parser = at)]
+    #[arg(long, value_name = "X,Y", required_unless_present_any = ["face", "vertex"])]
+    #[arg(num_args = 1.., value_parser = at)]
     #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
+    /// Say where face N of the file is in the picture, and what hides it
+    ///
+    /// N counts the f lines of an OBJ file from 1, whatever is in them; the
+    /// line holds the face as its file writes it, and where a point inside of
+    /// it is. See below.
+    #[arg(long, value_name = "N", value_parser = value::count, verbatim_doc_comment)]
+    pub face: Vec<usize>,
+    /// Say where vertex N of the file is in the picture, and what hides it
+    #[arg(long, value_name = "N", value_parser = value::count)]
+    pub vertex: Vec<usize>,
+    /// Whose file that is, where there are several: an object's id
+    #[arg(long, value_name = "ID", value_parser = value::id)]
+    pub object: Option<usize>,
     /// Give every surface along the ray, from front to back
     #[arg(long)]
     pub all_hits: bool,
@@ -87,9 +105,11 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     if args.stored {
         stored::write(&mut out, &loaded.scene, &view)?;
     }
+    let progress = Progress::default();
     let mut picker = Picker {
         scene: &loaded.scene,
         view: &view,
+        files: Files::new(&loaded, &progress),
         all_hits: args.all_hits,
         out: BufWriter::new(out),
         looks: 0,
@@ -100,12 +120,14 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             At::Stdin => picker.pick_lines(BufReader::new(std::io::stdin().lock()))?,
         }
     }
+    in_file::write(&mut picker.out, args, &loaded, &view, &mut picker.files)?;
     picker.flush()
 }
 
 struct Picker<'a> {
     scene: &'a Scene,
     view: &'a View,
+    files: Files<'a>,
     all_hits: bool,
     out: BufWriter<StdoutLock<'static>>,
     /// At triangles, so far, for want of trees.
@@ -130,14 +152,20 @@ impl Picker<'_> {
     fn pick_in(&mut self, scene: &Scene, px: DVec2) -> Result<(), CliError> {
         let in_one_place = verify::in_one_place(scene, self.view, px);
         let line = if self.all_hits {
-            let hits = pick::pick_all(scene, self.view, px);
+            let mut hits = pick::pick_all(scene, self.view, px);
+            for hit in &mut hits {
+                self.files.look_up(hit);
+            }
             serde_json::to_string(&PickLines {
                 px,
                 hits,
                 in_one_place,
             })
         } else {
-            let hit = pick::pick(scene, self.view, px);
+            let mut hit = pick::pick(scene, self.view, px);
+            if let Some(hit) = &mut hit {
+                self.files.look_up(hit);
+            }
             serde_json::to_string(&PickLine {
                 px,
                 hit,

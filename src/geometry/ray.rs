@@ -1,7 +1,7 @@
 //! Rays: the numbers of one, and what a pixel's ray is made of.
 
 use super::{
-    U,
+    PlacedPoint, U,
     binary::power_of_two,
     double_double::{Number, Vector},
 };
@@ -103,6 +103,8 @@ pub(super) enum Line {
     Given { origin: DVec3, direction: DVec3 },
     /// The ray of a grid through a position; see [`PixelGrid::ray`].
     Pixel { grid: PixelGrid, px: DVec2 },
+    /// The ray of a grid through a point; see [`PixelGrid::ray_through`].
+    Through { grid: PixelGrid, point: PlacedPoint },
 }
 
 /// A world-space ray as picks take it: its numbers as `f64` rounds them, how far they may be off, and the numbers that it
@@ -125,6 +127,11 @@ impl WorldRay {
 
     pub(super) fn line(&self) -> &Line {
         &self.line
+    }
+
+    /// A line whose numbers are rounded to those of a ray, with bounds on what that takes.
+    pub(super) fn of_line(ray: Ray, error: RayError, line: Line) -> Self {
+        Self { ray, error, line }
     }
 }
 

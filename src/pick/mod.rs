@@ -63,6 +63,7 @@ mod order;
 mod picture;
 mod record;
 mod selection;
+mod sight;
 
 pub use around::narrowed;
 pub(crate) use beam::Beam;
@@ -73,6 +74,7 @@ pub(crate) use picture::each_ray;
 pub use picture::{each_pixel, ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
+pub use sight::{Sight, Whereabouts, sight};
 
 use crate::{
     camera::View,

@@ -125,7 +125,7 @@ fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
 }
 
 /// What was hit.
-fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
+pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let Object {
         shape, placement, ..
     } = &scene.objects()[hit.object];

@@ -25,7 +25,7 @@ pub struct VertexInFile {
     pub value: Option<DVec3>,
     /// As it is stored, about the mesh's origin.
     #[serde(skip)]
-    pub(super) position: DVec3,
+    pub position: DVec3,
 }
 
 /// A face as its file has it.
