@@ -41,10 +41,11 @@ pub struct PickArgs {
     /// N counts the f lines of an OBJ file from 1, whatever is in them; the
     /// line holds the face as its file writes it, and where a point inside of
     /// it is. See below.
-    #[arg(long, value_name = "N", value_parser = value::count, verbatim_doc_comment)]
+    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
+    #[arg(verbatim_doc_comment)]
     pub face: Vec<usize>,
     /// Say where vertex N of the file is in the picture, and what hides it
-    #[arg(long, value_name = "N", value_parser = value::count)]
+    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
     pub vertex: Vec<usize>,
     /// Whose file that is, where there are several: an object's id
     #[arg(long, value_name = "ID", value_parser = value::id)]

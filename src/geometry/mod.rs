@@ -53,7 +53,7 @@ pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::{LocalRay, PlacedRay};
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
-pub use placed_point::PlacedPoint;
+pub use placed_point::{PlacedPoint, ThroughPoint};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
 pub(crate) use ray::RayDifferential;

@@ -56,19 +56,28 @@ impl PlacedPoint {
     }
 }
 
-impl PixelGrid {
-    /// The ray of the picture that passes through a point: [`PixelGrid::ray`] at the position that shows it, which need be no
-    /// `f64`. Its exact line holds the exact point, at the exact depth of that. `None` where the point lies at or behind the
-    /// eye in perspective, or the axes span no space.
+/// A point in a picture: what the ray that passes through it is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThroughPoint {
+    /// The picture.
+    pub grid: PixelGrid,
+    /// The point.
+    pub point: PlacedPoint,
+    /// The interval of view depth that counts.
+    pub interval: [f64; 2],
+}
+
+impl ThroughPoint {
+    /// The ray of the picture that passes through the point: [`PixelGrid::ray`] at the position that shows it, which need be
+    /// no `f64`. Its exact line holds the exact point, at the exact depth of that. `None` where the point lies at or behind
+    /// the eye in perspective, or the axes span no space.
     ///
     /// Bounds: each number is an exact one that is rounded, within three roundings.
     #[must_use]
-    pub fn ray_through(&self, point: &PlacedPoint, [t_min, t_max]: [f64; 2]) -> Option<WorldRay> {
-        let line = Line::Through {
-            grid: *self,
-            point: *point,
-        };
+    pub fn ray(&self) -> Option<WorldRay<'_>> {
+        let line = Line::Through(self);
         let Rounded { origin, direction } = exact::rounded_line(&line)?;
+        let [t_min, t_max] = self.interval;
         let ray = Ray {
             origin,
             direction,

@@ -37,7 +37,11 @@ pub(super) fn gap(
 }
 
 /// The `t` of a hit, before it is rounded.
-pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit) -> Parameter<'a> {
+pub(super) fn parameter<'a>(
+    scene: &'a Scene,
+    ray: &'a WorldRay<'a>,
+    hit: &SceneHit,
+) -> Parameter<'a> {
     Parameter::new(ray, surface(scene, hit))
 }
 

@@ -1,7 +1,7 @@
 //! Whether a point of the scene is seen, and what hides it.
 //!
 //! Decided exactly, as picks are: by the very ray of the picture that passes through the point
-//! ([`PixelGrid::ray_through`](crate::geometry::PixelGrid::ray_through)), though its position need be no `f64`. What that ray
+//! ([`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray)), though its position need be no `f64`. What that ray
 //! picks tells. A point is seen where the pick lies at the point. What the pick lies before is hidden by it. Else nothing that
 //! is shown passes through the point: its faces are culled, of a hidden object, or seen along their plane.
 
@@ -29,7 +29,8 @@ pub enum Sight {
 /// Whether a point is seen. It may lie beside the picture.
 #[must_use]
 pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
-    let Some(ray) = view.ray_through(point).filter(is_point_within) else {
+    let through = view.through(point);
+    let Some(ray) = through.ray().filter(is_point_within) else {
         return Sight::NotShown;
     };
     let hit = closest(scene, ray, view.sides);
@@ -69,9 +70,8 @@ impl Whereabouts {
     pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
         let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
         let has_it = |triangle: &u32| mesh.vertex_corners(*triangle).contains(&vertex);
-        let mut triangles = (0..count).filter(has_it);
         let mut parts: Vec<(usize, u32)> = Vec::new();
-        while let Some(triangle) = triangles.next() {
+        for triangle in (0..count).filter(has_it) {
             let part = mesh.part_of(triangle);
             if parts.iter().all(|(known, _)| *known != part) {
                 parts.push((part, triangle));

@@ -3,6 +3,7 @@
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod flags;
+mod in_file;
 mod pictures;
 mod refusals;
 mod stored;

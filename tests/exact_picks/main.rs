@@ -24,6 +24,7 @@ mod lattice;
 mod narrowed;
 mod program;
 mod rays;
+mod sight;
 mod tally;
 mod ties;
 mod together;

@@ -117,7 +117,11 @@ fn a_mesh_is_saved_as_its_files_part() {
     let text = to_toml(
         &scene,
         &camera,
-        &[(PathBuf::from("/meshes/bunny.obj"), mesh)],
+        &[MeshFile {
+            path: PathBuf::from("/meshes/bunny.obj"),
+            mesh,
+            contents: None,
+        }],
     )
     .unwrap();
     assert_eq!(

@@ -17,6 +17,7 @@ mod layout;
 mod looks;
 mod menus;
 mod motion;
+mod numbers;
 mod one_place;
 mod overlays;
 mod panels_kept;

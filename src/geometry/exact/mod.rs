@@ -36,7 +36,9 @@ pub(super) use world::Rounded;
 #[cfg(test)]
 pub(super) use world::errors;
 
-use super::{PixelGrid, PlacedPoint, Placement, Ray, WorldRay, local_ray::Exactly, ray::Line};
+use super::{
+    PixelGrid, PlacedPoint, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line,
+};
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -118,7 +120,7 @@ fn is_finite(line: &Line) -> bool {
     match line {
         Line::Given { origin, direction } => origin.is_finite() && direction.is_finite(),
         Line::Pixel { grid, px } => is_grid_finite(grid) && px.is_finite(),
-        Line::Through { grid, point } => {
+        Line::Through(ThroughPoint { grid, point, .. }) => {
             let vectors = [point.origin, point.from, point.to];
             is_grid_finite(grid)
                 && vectors.iter().all(|v| v.is_finite())

@@ -3,7 +3,7 @@
 #[cfg(test)]
 use super::super::LocalRay;
 use super::{
-    super::{PixelGrid, PlacedPoint, Placement, local_ray::Exactly, ray::Line},
+    super::{PixelGrid, PlacedPoint, Placement, ThroughPoint, local_ray::Exactly, ray::Line},
     integer::Ring,
     number::{Number, Vector},
     root::Root,
@@ -45,13 +45,13 @@ impl<I: Ring> ExactLine<I> {
                     weight: height,
                 }
             }
-            Line::Through { grid, point } => Self::through(grid, point),
+            Line::Through(through) => Self::through(through),
         }
     }
 
     /// With n = U x R, which looks into the picture, the point P lies at depth t = n . (P - eye) / n . F. In perspective the
     /// line is eye + t' (P - eye) / t, in orthographic projection P - t F + t' F; each times its denominator.
-    fn through(grid: &PixelGrid, point: &PlacedPoint) -> Self {
+    fn through(ThroughPoint { grid, point, .. }: &ThroughPoint) -> Self {
         let point = placed(point);
         let [depth, unit] = depth_of(grid, &point);
         let [eye, forward] = [grid.eye, grid.forward].map(Vector::new);
@@ -145,7 +145,7 @@ fn depth_of<I: Ring>(grid: &PixelGrid, point: &Vector<I>) -> [Number<I>; 2] {
 
 /// Where a ray through a point reaches that; `None` of another ray.
 pub(super) fn point_parameter(line: &Line) -> Option<Root> {
-    let Line::Through { grid, point } = line else {
+    let Line::Through(ThroughPoint { grid, point, .. }) = line else {
         return None;
     };
     let [depth, unit] = depth_of::<BigInt>(grid, &placed(point));

@@ -5,62 +5,25 @@
 //! counting. What is found must be what is stored, to the bit; else the file has changed.
 
 use super::{
-    Contents, FaceInFile, InFile, VertexInFile,
+    AgainError, Contents, FaceInFile, InFile, VertexInFile,
     contents::{Stamp, Start},
     corners::{MOST_CORNERS, read_corners, without_comment},
     lines::{Lines, decode, is_utf16},
     polygon::{Splitter, has_area},
     words::fields,
 };
-use crate::{
-    geometry::Mesh,
-    scene::{Cancelled, Progress},
-};
+use crate::{geometry::Mesh, scene::Progress};
 use std::{
     collections::HashMap,
     fs::File,
     io::{self, BufRead, BufReader, Read, Seek, SeekFrom},
     ops::Range,
-    path::{Path, PathBuf},
+    path::Path,
     sync::Arc,
 };
 
 /// So many pieces are remembered, those that were read last.
 const REMEMBERED: usize = 16;
-
-/// Why a file does not say.
-#[derive(Debug, thiserror::Error)]
-pub enum AgainError {
-    /// Somebody asked to stop.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// It cannot be read any more.
-    #[error("{}: cannot be read again: {source}", file.display())]
-    Unreadable {
-        /// The file.
-        file: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// It is not what it was.
-    #[error("{}: the file has changed since it was loaded", file.display())]
-    Changed {
-        /// The file.
-        file: PathBuf,
-    },
-    /// It has less faces, or vertices.
-    #[error("{}: there is no {what} {number}: they run from 1 to {count}", file.display())]
-    NoSuch {
-        /// The file.
-        file: PathBuf,
-        /// Of what.
-        what: &'static str,
-        /// Which was asked for.
-        number: usize,
-        /// How many there are.
-        count: usize,
-    },
-}
 
 /// A file that was loaded, to be read again.
 pub struct Again<'a> {

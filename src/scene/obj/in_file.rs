@@ -4,9 +4,44 @@ use super::{
     vertices::narrow,
     words::{Number, fields},
 };
+use crate::scene::Cancelled;
 use glam::DVec3;
 use serde::Serialize;
-use std::ops::Range;
+use std::{io, ops::Range, path::PathBuf};
+
+/// Why a file does not say.
+#[derive(Debug, thiserror::Error)]
+pub enum AgainError {
+    /// Somebody asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// It cannot be read any more.
+    #[error("{}: cannot be read again: {source}", file.display())]
+    Unreadable {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// It is not what it was.
+    #[error("{}: the file has changed since it was loaded", file.display())]
+    Changed {
+        /// The file.
+        file: PathBuf,
+    },
+    /// It has less faces, or vertices.
+    #[error("{}: there is no {what} {number}: they run from 1 to {count}", file.display())]
+    NoSuch {
+        /// The file.
+        file: PathBuf,
+        /// Of what.
+        what: &'static str,
+        /// Which was asked for.
+        number: usize,
+        /// How many there are.
+        count: usize,
+    },
+}
 
 /// A vertex as its file has it.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -9,6 +9,7 @@ mod files;
 mod frame;
 mod intents;
 mod memory;
+mod numbers;
 mod program;
 mod remembering;
 mod rest;

@@ -56,6 +56,8 @@ pub enum Action {
         /// The next, further away.
         forward: bool,
     },
+    /// Show a world point of an object, by index, and of a triangle of that; pick it there, whatever lies before it.
+    GoTo(usize, u32, DVec3),
     /// Give an object this model matrix; nothing when it has no inverse.
     Place(usize, DAffine3),
     /// Take over a camera, all that it says of it.
@@ -115,6 +117,7 @@ impl Action {
                 | Self::UpAxis(_)
                 | Self::Camera(_)
                 | Self::Recentre(_)
+                | Self::GoTo(..)
                 | Self::Stage(_)
         )
     }
@@ -144,6 +147,14 @@ pub struct LensControls {
 }
 
 impl LensControls {
+    /// Orthographic in place of perspective, or back.
+    pub(super) fn other_projection(self) -> Self {
+        Self {
+            orthographic: !self.orthographic,
+            ..self
+        }
+    }
+
     /// What somebody says of a camera's lens.
     #[must_use]
     pub fn of(choice: &CameraChoice) -> Self {

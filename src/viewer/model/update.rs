@@ -1,7 +1,7 @@
 //! What each action does to the state.
 
 use super::{
-    action::{Action, LensControls},
+    action::Action,
     state::{Selection, State},
     timeline::Gesture,
 };
@@ -27,7 +27,7 @@ impl State {
         picked
     }
 
-    fn perform(&mut self, action: Action) -> Option<PickLine> {
+    pub(super) fn perform(&mut self, action: Action) -> Option<PickLine> {
         match action {
             Action::Undo => drop(self.step_in_time(true)),
             Action::Redo => drop(self.step_in_time(false)),
@@ -72,10 +72,7 @@ impl State {
                 }
             }
             Action::Lens(controls) => self.set_lens(controls),
-            Action::ToggleProjection => self.set_lens(LensControls {
-                orthographic: !self.controls.orthographic,
-                ..self.controls
-            }),
+            Action::ToggleProjection => self.set_lens(self.controls.other_projection()),
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
@@ -93,6 +90,7 @@ impl State {
             }
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
+            Action::GoTo(object, triangle, at) => return self.go_to(object, triangle, at),
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => {

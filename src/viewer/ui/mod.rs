@@ -8,7 +8,7 @@ mod notice;
 mod panels;
 mod theme;
 
-pub(super) use command::{Command, Intent, Reply};
+pub(super) use command::{Command, GoTo, Intent, Reply};
 pub(super) use mouse::Drag;
 pub(super) use notice::{Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};

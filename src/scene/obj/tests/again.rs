@@ -22,7 +22,7 @@ fn joined(lines: &[String], at: usize) -> String {
     let mut text = String::new();
     for line in &lines[at..] {
         match line.trim_end().strip_suffix('\\') {
-            Some(start) if !line.contains('#') => text += &format!("{start} "),
+            Some(start) if !line.contains('#') => text.extend([start, " "]),
             _ => {
                 text += line;
                 break;

@@ -10,6 +10,7 @@ mod exhibit;
 mod field;
 mod gesture;
 mod help;
+mod in_file;
 mod inspect;
 mod layout;
 mod marks;
