@@ -30,3 +30,4 @@ mod ui;
 pub use app::memory_file;
 pub use host::{Control, Offscreen, run};
 pub use options::{Options, ViewerError};
+pub use ui::tour_text;

@@ -8,10 +8,7 @@ use sightline::{
     geometry::{ColourRun, Mesh, MeshData, Part, Placement, crease_normals},
     scene::{Loaded, MeshFile, Object, Scene, Shape, save},
 };
-use std::{
-    path::Path,
-    sync::Arc,
-};
+use std::{path::Path, sync::Arc};
 
 const CORNERS: &str = "v 0.1 0 0\nv 1 0 0.3\nv 0 1 0\n";
 

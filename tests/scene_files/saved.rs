@@ -9,7 +9,7 @@ use sightline::{
     camera::{CameraChoice, DepthMapping, UpAxis},
     colour::Srgb,
     geometry::Placement,
-    scene::{Loaded, Object, Scene, Shape, description::to_toml},
+    scene::{Loaded, MeshFile, Object, Scene, Shape, description::to_toml},
 };
 use std::path::PathBuf;
 

@@ -13,6 +13,7 @@ mod numbers;
 mod program;
 mod remembering;
 mod rest;
+mod touring;
 mod typesetting;
 mod wake;
 mod watch;
