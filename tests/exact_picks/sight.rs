@@ -20,6 +20,9 @@ use sightline::{
 };
 use std::cmp::Ordering;
 
+/// A family.
+type Make = fn(&mut Random) -> Sample;
+
 /// Points of each family.
 const POINTS: usize = 400;
 
@@ -94,7 +97,7 @@ fn expected(world: &World, view: &View, point: &Vector) -> Told {
     }
 }
 
-fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
+fn run(seed: u64, make: Make) -> [usize; 3] {
     let mut random = Random::new(seed);
     let mut counts = [0; 3];
     let mut points = 0;
@@ -149,7 +152,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
 
 #[test]
 fn what_is_seen_and_what_hides_it_is_what_exact_arithmetic_says() {
-    let families: [(&str, fn(&mut Random) -> Sample); 9] = [
+    let families: [(&str, Make); 9] = [
         ("ordinary", families::ordinary),
         ("culled", families::culled),
         ("condition", families::condition),

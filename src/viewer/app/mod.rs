@@ -8,6 +8,7 @@ mod exhibits;
 mod files;
 mod frame;
 mod intents;
+mod looking_up;
 mod memory;
 mod numbers;
 mod program;
