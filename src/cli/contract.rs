@@ -79,6 +79,23 @@ Beside \"hit\" or \"hits\":
                    so), are no two unless they lie over each other; nor are the
                    near and the far side of one cube or sphere";
 
+/// What the lines of `--snap` hold.
+pub(super) const SNAPS: &str = "\
+The lines of --snap R, one for each --at, with px:
+  snap             null where nothing is near and the background shows; else to
+                   (vertex, edge or face), object, id, triangle, point_world, px
+                   (where that is) and away_px (from the position); line, face
+                   and vertices: the vertex, the ends of the edge or the corners
+                   of the face in the file; length, of the edge; area, of the
+                   face that it is on
+  distance         from the position before
+  object_area      of the object; null of a sphere
+  Each measure is value and error: how far value is from the exact one at most,
+  for coordinates as the file writes them. The nearest visible vertex is taken,
+  else the nearest visible point of an edge, else the pick; edges that only
+  split a polygon into triangles do not count. As near, to the last bit: the
+  lesser depth, then the first object, then the first triangle.";
+
 /// What the lines of `--face` and `--vertex` hold.
 pub(super) const PLACES: &str = "\
 The lines of --face and --vertex, after those of --at:

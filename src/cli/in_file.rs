@@ -7,7 +7,7 @@ use crate::{
     pick::{Pick, Whereabouts},
     scene::{
         Loaded, MeshFile, Progress, Scene, Shape,
-        obj::{Again, VertexInFile},
+        obj::{Again, FaceInFile, VertexInFile},
     },
 };
 use serde::Serialize;
@@ -36,6 +36,14 @@ impl<'a> Files<'a> {
         let mut files = self.files.iter_mut();
         let found = files.find(|(known, _)| Arc::ptr_eq(known, mesh));
         found.map(|(_, again)| again)
+    }
+
+    /// The face that a triangle of an object's mesh came from, where the file says.
+    pub fn face_of(&mut self, object: usize, triangle: u32) -> Option<FaceInFile> {
+        let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
+            return None;
+        };
+        self.of(mesh)?.face_of(triangle).ok()
     }
 
     /// Adds to a pick what the file of its mesh says.

@@ -7,12 +7,19 @@ use super::{
 };
 use crate::{
     camera::{View, Viewport},
-    pick::{self, PickLine, PickLines},
+    pick::{
+        self, PickLine, PickLines,
+        measure::{ExactPoint, Measured},
+        snap::{Snap, SnapLine, object_area},
+    },
     scene::{Progress, Scene},
     verify,
 };
 use glam::DVec2;
-use std::io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write};
+use std::{
+    collections::HashMap,
+    io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write},
+};
 
 /// Looks at each triangle that take as long as building the trees does (measured with a million triangles: 13 ns each for a
 /// look, 270 ns for a tree). Until they are spent, each position takes one.
@@ -50,6 +57,13 @@ pub struct PickArgs {
     /// Whose file that is, where there are several: an object's id
     #[arg(long, value_name = "ID", value_parser = value::id)]
     pub object: Option<usize>,
+    /// Lead each position to what is nearest within R pixels, and measure
+    ///
+    /// To a visible vertex, else a visible edge, else the surface there: a
+    /// line each, with the distance from the one before. See below.
+    #[arg(long, value_name = "R", value_parser = value::radius, requires = "at")]
+    #[arg(conflicts_with = "all_hits", verbatim_doc_comment)]
+    pub snap: Option<f64>,
     /// Give every surface along the ray, from front to back
     #[arg(long)]
     pub all_hits: bool,
@@ -112,6 +126,8 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
         view: &view,
         files: Files::new(&loaded, &progress),
         all_hits: args.all_hits,
+        snap: args.snap,
+        measured: Measures::default(),
         out: BufWriter::new(out),
         looks: 0,
     };
@@ -125,11 +141,41 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     picker.flush()
 }
 
+/// What is measured from one position to the next.
+#[derive(Default)]
+struct Measures {
+    from: Option<ExactPoint>,
+    /// By object.
+    areas: HashMap<usize, Option<Measured>>,
+}
+
+impl Measures {
+    fn line(&mut self, scene: &Scene, px: DVec2, snap: Option<Snap>) -> SnapLine {
+        let exact = snap.as_ref().map(|snap| snap.exact.clone());
+        let before = std::mem::replace(&mut self.from, exact);
+        let ends = before.as_ref().zip(self.from.as_ref());
+        let area_of = |snap: &Snap| {
+            let index = snap.id - 1;
+            let area = || object_area(&scene.objects()[index]);
+            *self.areas.entry(index).or_insert_with(area)
+        };
+        SnapLine {
+            px,
+            distance: ends.map(|(from, to)| from.distance(to)),
+            object_area: snap.as_ref().and_then(area_of),
+            snap,
+        }
+    }
+}
+
 struct Picker<'a> {
     scene: &'a Scene,
     view: &'a View,
     files: Files<'a>,
     all_hits: bool,
+    /// Within so many pixels.
+    snap: Option<f64>,
+    measured: Measures,
     out: BufWriter<StdoutLock<'static>>,
     /// At triangles, so far, for want of trees.
     looks: usize,
@@ -137,6 +183,9 @@ struct Picker<'a> {
 
 impl Picker<'_> {
     fn pick(&mut self, px: DVec2) -> Result<(), CliError> {
+        if let Some(radius_px) = self.snap {
+            return self.snap(px, radius_px);
+        }
         if !self.scene.trees_are_built() {
             let triangles = self.scene.triangle_count();
             self.looks += triangles + LOOKS_PER_OBJECT * self.scene.objects().len();
@@ -148,6 +197,17 @@ impl Picker<'_> {
             build_trees(self.scene);
         }
         self.pick_in(self.scene, px)
+    }
+
+    fn snap(&mut self, px: DVec2, radius_px: f64) -> Result<(), CliError> {
+        if !self.scene.trees_are_built() {
+            build_trees(self.scene);
+        }
+        let files = &mut self.files;
+        let mut faces = |object, triangle| files.face_of(object, triangle);
+        let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
+        let line = self.measured.line(self.scene, px, snap);
+        self.print(serde_json::to_string(&line))
     }
 
     fn pick_in(&mut self, scene: &Scene, px: DVec2) -> Result<(), CliError> {
@@ -173,6 +233,10 @@ impl Picker<'_> {
                 in_one_place,
             })
         };
+        self.print(line)
+    }
+
+    fn print(&mut self, line: Result<String, serde_json::Error>) -> Result<(), CliError> {
         line.map_err(std::io::Error::from)
             .and_then(|line| writeln!(self.out, "{line}"))
             .map_err(CliError::stdout)

@@ -46,7 +46,7 @@ pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
-    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, compare_surfaces,
+    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, area, compare_surfaces,
     compare_to_point, is_point_within,
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;

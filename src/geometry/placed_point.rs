@@ -42,13 +42,13 @@ impl PlacedPoint {
         }
     }
 
-    /// Where it is in the world, each coordinate within two roundings.
+    /// Where it is in the world, each coordinate rounded once.
     #[must_use]
     pub fn world(&self) -> DVec3 {
         exact::point_world(self)
     }
 
-    /// Where it is in object space, each coordinate within two roundings.
+    /// Where it is in object space, each coordinate rounded once.
     #[must_use]
     pub fn object(&self) -> DVec3 {
         let model = DAffine3::IDENTITY;

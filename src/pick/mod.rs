@@ -57,6 +57,7 @@ mod around;
 mod beam;
 mod differs;
 mod edge;
+pub mod measure;
 mod nearest;
 mod one_place;
 mod order;
@@ -64,6 +65,7 @@ mod picture;
 mod record;
 mod selection;
 mod sight;
+pub mod snap;
 
 pub use around::narrowed;
 pub(crate) use beam::Beam;

@@ -6,6 +6,7 @@ mod flags;
 mod in_file;
 mod pictures;
 mod refusals;
+mod snap;
 mod stored;
 mod streams;
 

@@ -11,6 +11,7 @@
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
 //! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
+mod area;
 mod coplanar;
 pub(crate) mod dyadic;
 mod enclosure;
@@ -23,6 +24,7 @@ mod solids;
 mod triangle;
 mod world;
 
+pub(crate) use area::area;
 pub(crate) use coplanar::{are_coplanar, are_in_one_plane};
 pub(super) use matrix::{inverse, mirrors};
 pub(crate) use parameter::Parameter;
@@ -92,7 +94,7 @@ pub(crate) fn is_point_within(ray: &WorldRay) -> bool {
     world::point_parameter(ray.line()).is_some_and(|point| point.is_within(ray))
 }
 
-/// Where a point is in the world, each coordinate within two roundings.
+/// Where a point is in the world, each coordinate rounded once.
 pub(super) fn point_world(point: &PlacedPoint) -> DVec3 {
     world::rounded_point(point)
 }

@@ -133,6 +133,16 @@ pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
     turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
 }
 
+/// A point of object space times a weight in the world of a placement, times that.
+pub(super) fn moved_by(
+    placement: &Placement,
+    point: &Vector<BigInt>,
+    weight: &Number<BigInt>,
+) -> Vector<BigInt> {
+    let translation = Vector::new(placement.model().translation);
+    turned(placement, point).plus(&translation.times(weight))
+}
+
 /// The depth of a point in a picture as a quotient: with n = U x R, n . (P - eye) over n . F.
 fn depth_of<I: Ring>(grid: &PixelGrid, point: &Vector<I>) -> [Number<I>; 2] {
     let normal = Vector::new(grid.up).cross(&Vector::new(grid.right));
@@ -167,9 +177,11 @@ pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
     })
 }
 
-/// Where a point is in the world, each coordinate within two roundings.
+/// Where a point is in the world, each coordinate rounded once.
 pub(super) fn rounded_point(point: &PlacedPoint) -> DVec3 {
-    rounded(&placed::<BigInt>(point), &Number::new(1.0))
+    let exact = placed::<BigInt>(point);
+    let nearest = |axis| Root::quotient(exact.component(axis), Number::new(1.0));
+    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
 }
 
 fn rounded(v: &Vector<BigInt>, weight: &Number<BigInt>) -> DVec3 {
