@@ -41,6 +41,14 @@ pub enum CliError {
     /// A file could not be read again.
     #[error(transparent)]
     Again(#[from] AgainError),
+    /// There is no memory for the picture.
+    #[error("a picture of {size} takes {} MB of memory, which there is not: draw a smaller one", bytes / 1_000_000)]
+    TooLarge {
+        /// Width and height in pixels.
+        size: String,
+        /// How much.
+        bytes: usize,
+    },
     /// The picture could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -95,7 +103,10 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
-            Self::Usage(_) | Self::View(_) | Self::Again(AgainError::NoSuch { .. }) => 2,
+            Self::Usage(_)
+            | Self::View(_)
+            | Self::TooLarge { .. }
+            | Self::Again(AgainError::NoSuch { .. }) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)

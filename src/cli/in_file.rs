@@ -3,59 +3,12 @@
 use super::{CliError, PickArgs};
 use crate::{
     camera::View,
-    geometry::Mesh,
-    pick::{Pick, Whereabouts},
-    scene::{
-        Loaded, MeshFile, Progress, Scene, Shape,
-        obj::{Again, FaceInFile, VertexInFile},
-    },
+    json,
+    pick::Whereabouts,
+    scene::{FilesAgain, Loaded, MeshFile, Shape, obj::VertexInFile},
 };
 use serde::Serialize;
-use std::{io::Write, sync::Arc};
-
-/// The files of a scene's meshes, to be read again.
-pub(super) struct Files<'a> {
-    scene: &'a Scene,
-    files: Vec<(&'a Arc<Mesh>, Again<'a>)>,
-}
-
-impl<'a> Files<'a> {
-    pub fn new(loaded: &'a Loaded, progress: &'a Progress) -> Self {
-        let again = |file: &'a MeshFile| {
-            let contents = file.contents.as_ref()?;
-            let again = Again::new(&file.path, contents, &file.mesh, progress);
-            Some((&file.mesh, again))
-        };
-        Self {
-            scene: &loaded.scene,
-            files: loaded.meshes.iter().filter_map(again).collect(),
-        }
-    }
-
-    fn of(&mut self, mesh: &Arc<Mesh>) -> Option<&mut Again<'a>> {
-        let mut files = self.files.iter_mut();
-        let found = files.find(|(known, _)| Arc::ptr_eq(known, mesh));
-        found.map(|(_, again)| again)
-    }
-
-    /// The face that a triangle of an object's mesh came from, where the file says.
-    pub fn face_of(&mut self, object: usize, triangle: u32) -> Option<FaceInFile> {
-        let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
-            return None;
-        };
-        self.of(mesh)?.face_of(triangle).ok()
-    }
-
-    /// Adds to a pick what the file of its mesh says.
-    pub fn look_up(&mut self, pick: &mut Pick) {
-        let object = &self.scene.objects()[pick.id - 1];
-        if let (Shape::Mesh { mesh, .. }, Some(triangle)) = (&object.shape, pick.triangle)
-            && let Some(again) = self.of(mesh)
-        {
-            pick.in_file = again.in_file(object.shape.first_triangle() + triangle);
-        }
-    }
-}
+use std::io::Write;
 
 /// The line for a face.
 #[derive(Serialize)]
@@ -82,7 +35,7 @@ pub(super) fn write(
     args: &PickArgs,
     loaded: &Loaded,
     view: &View,
-    files: &mut Files,
+    files: &mut FilesAgain,
 ) -> Result<(), CliError> {
     if args.face.is_empty() && args.vertex.is_empty() {
         return Ok(());
@@ -91,14 +44,13 @@ pub(super) fn write(
     let (scene, mesh) = (&loaded.scene, &file.mesh);
     let again = files.of(mesh).ok_or_else(no_file)?;
     let name = file.path.display().to_string();
-    let mut print = |line: Result<String, serde_json::Error>| {
-        line.map_err(std::io::Error::from)
-            .and_then(|line| writeln!(out, "{line}"))
+    let mut print = |line: std::io::Result<String>| {
+        line.and_then(|line| writeln!(out, "{line}"))
             .map_err(CliError::stdout)
     };
     for &number in &args.face {
         let found = again.face(number)?;
-        print(serde_json::to_string(&FaceLine {
+        print(json::text(&FaceLine {
             file: name.clone(),
             face: found.face,
             line: found.line,
@@ -112,7 +64,7 @@ pub(super) fn write(
             Some(_) => Whereabouts::of_vertex(scene, view, mesh, vertex.position),
             None => Vec::new(),
         };
-        print(serde_json::to_string(&VertexLine {
+        print(json::text(&VertexLine {
             file: name.clone(),
             vertex,
             places,

@@ -1,18 +1,15 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{
-    CliError, SceneArgs, ViewArgs, build_trees,
-    in_file::{self, Files},
-    load, stored, value,
-};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, in_file, load, stored, value};
 use crate::{
     camera::{View, Viewport},
+    json,
     pick::{
         self, PickLine, PickLines,
         measure::{ExactPoint, Measured},
         snap::{Snap, SnapLine, object_area},
     },
-    scene::{Progress, Scene},
+    scene::{FilesAgain, Progress, Scene},
     verify,
 };
 use glam::DVec2;
@@ -124,7 +121,7 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     let mut picker = Picker {
         scene: &loaded.scene,
         view: &view,
-        files: Files::new(&loaded, &progress),
+        files: FilesAgain::new(&loaded.scene, &loaded.meshes, &progress),
         all_hits: args.all_hits,
         snap: args.snap,
         measured: Measures::default(),
@@ -171,7 +168,7 @@ impl Measures {
 struct Picker<'a> {
     scene: &'a Scene,
     view: &'a View,
-    files: Files<'a>,
+    files: FilesAgain<'a>,
     all_hits: bool,
     /// Within so many pixels.
     snap: Option<f64>,
@@ -207,7 +204,7 @@ impl Picker<'_> {
         let mut faces = |object, triangle| files.face_of(object, triangle);
         let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
         let line = self.measured.line(self.scene, px, snap);
-        self.print(serde_json::to_string(&line))
+        self.print(json::text(&line))
     }
 
     fn pick_in(&mut self, scene: &Scene, px: DVec2) -> Result<(), CliError> {
@@ -215,9 +212,9 @@ impl Picker<'_> {
         let line = if self.all_hits {
             let mut hits = pick::pick_all(scene, self.view, px);
             for hit in &mut hits {
-                self.files.look_up(hit);
+                hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
             }
-            serde_json::to_string(&PickLines {
+            json::text(&PickLines {
                 px,
                 hits,
                 in_one_place,
@@ -225,9 +222,9 @@ impl Picker<'_> {
         } else {
             let mut hit = pick::pick(scene, self.view, px);
             if let Some(hit) = &mut hit {
-                self.files.look_up(hit);
+                hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
             }
-            serde_json::to_string(&PickLine {
+            json::text(&PickLine {
                 px,
                 hit,
                 in_one_place,
@@ -236,9 +233,8 @@ impl Picker<'_> {
         self.print(line)
     }
 
-    fn print(&mut self, line: Result<String, serde_json::Error>) -> Result<(), CliError> {
-        line.map_err(std::io::Error::from)
-            .and_then(|line| writeln!(self.out, "{line}"))
+    fn print(&mut self, line: std::io::Result<String>) -> Result<(), CliError> {
+        line.and_then(|line| writeln!(self.out, "{line}"))
             .map_err(CliError::stdout)
     }
 

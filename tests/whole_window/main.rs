@@ -15,6 +15,7 @@ mod keys;
 mod large;
 mod layout;
 mod looks;
+mod measures;
 mod menus;
 mod motion;
 mod numbers;

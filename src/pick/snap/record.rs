@@ -172,7 +172,11 @@ impl Snap {
                 let triangle = first + triangle;
                 Some(mesh_area(mesh, &object.placement, triangle..triangle + 1))
             }
-            _ => None,
+            (None, Shape::Cube, _) => {
+                let corners = Cuboid::face(pick.normal_object);
+                Some(area_of_corners(&object.placement, DVec3::ZERO, &corners))
+            }
+            _ => object_area(object).filter(|_| pick.triangle.is_none()),
         };
         // Three roundings of each coordinate, and what storing its face has moved.
         let rounding = 2.0 * f64::EPSILON * pick.point_world.length();

@@ -5,16 +5,18 @@ use crate::{
     pick::Whereabouts,
     scene::{MeshFile, Shape},
     viewer::{
-        jobs::{Found, Question, ReadingAgain},
-        model::{Action, State},
+        jobs::{Found, Question, ReadingAgain, Snapping},
+        model::{Action, Stage, State},
         ui::GoTo,
     },
 };
+use std::sync::mpsc::TryRecvError;
 
 impl App {
     /// Asks the file about the pick, and takes what files have answered.
     pub(super) fn take_numbers(&mut self) {
         self.look_up_pick();
+        self.take_snapped();
         let answer = self.numbers.going.as_ref();
         let Some(found) = answer.and_then(|(.., reading)| reading.poll()) else {
             return;
@@ -52,6 +54,32 @@ impl App {
             }
             (None, None) => {}
         }
+    }
+
+    /// Leads a click to a vertex or an edge, where that is asked for.
+    pub(super) fn snap(&mut self) {
+        self.numbers.snapping = None;
+        let ray = self.state.hits().filter(|_| self.state.measuring().is_on);
+        if let (Some(ray), Stage::World) = (ray, self.state.stage()) {
+            let wake = self.wake.clone();
+            let files = self.state.source().meshes.clone();
+            let scene = self.state.scene().clone();
+            let snapping =
+                Snapping::start(scene, ray.view, ray.px, files, move || wake(Wake::Look));
+            self.numbers.snapping = Some((scene_now(&self.state), snapping));
+        }
+    }
+
+    fn take_snapped(&mut self) {
+        let found = match self.numbers.snapping.as_ref().map(|(_, job)| job.poll()) {
+            None | Some(Err(TryRecvError::Empty)) => return,
+            Some(found) => found.ok().flatten(),
+        };
+        let of = self.numbers.snapping.take().map(|(of, _)| of);
+        if let Some((snap, area)) = found.filter(|_| of == Some(scene_now(&self.state))) {
+            self.state.take_snap(snap, area);
+        }
+        self.context.request_repaint();
     }
 
     /// Goes to an object, or asks the file where the face or vertex is.
@@ -135,6 +163,11 @@ impl App {
         self.reveal_selection = true;
         places(&self.state).into_iter().next()
     }
+}
+
+/// What changes with the scene.
+fn scene_now(state: &State) -> [u64; 2] {
+    [state.scene_revision(), state.visibility_revision()]
 }
 
 /// How a place is seen.

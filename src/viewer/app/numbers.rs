@@ -2,7 +2,10 @@
 
 use crate::{
     scene::MeshFile,
-    viewer::{jobs::ReadingAgain, ui::GoTo},
+    viewer::{
+        jobs::{ReadingAgain, Snapping},
+        ui::GoTo,
+    },
 };
 
 /// Which triangle: of which scene, object and mesh.
@@ -15,6 +18,8 @@ pub(in crate::viewer) struct Numbers {
     pub(super) of_pick: Option<(Triangle, ReadingAgain)>,
     /// About what is gone to, in which file of which scene.
     pub(super) going: Option<(GoTo, MeshFile, u64, ReadingAgain)>,
+    /// A click that is led to a vertex or an edge, of which state of the scene.
+    pub(super) snapping: Option<([u64; 2], Snapping)>,
     /// What came of the last way to somewhere.
     pub said: Option<String>,
 }
@@ -22,6 +27,6 @@ pub(in crate::viewer) struct Numbers {
 impl Numbers {
     /// Whether a file is to answer yet.
     pub fn is_busy(&self) -> bool {
-        self.of_pick.is_some() || self.going.is_some()
+        self.of_pick.is_some() || self.going.is_some() || self.snapping.is_some()
     }
 }

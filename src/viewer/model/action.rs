@@ -1,6 +1,6 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::{overlay::Overlay, stages::Stage};
+use super::{measuring::MeasureAction, overlay::Overlay, stages::Stage};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     study::swap::Swap,
@@ -90,6 +90,8 @@ pub enum Action {
         /// The next.
         forward: bool,
     },
+    /// Do something to the list of measures.
+    Measure(MeasureAction),
     /// Take back the last change of scene or view.
     Undo,
     /// Make again what was taken back last.

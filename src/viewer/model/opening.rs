@@ -3,6 +3,7 @@
 use super::{
     action::LensControls,
     made::Made,
+    measuring::Measuring,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
@@ -59,6 +60,7 @@ impl State {
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
+            measuring: Measuring::default(),
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,
@@ -188,6 +190,7 @@ impl State {
         (self.cursor, self.lit) = (None, None);
         self.hits = None;
         self.landmarks.clear();
+        self.forget_points();
         self.source.meshes = loaded.meshes;
         self.source.materials = loaded.materials;
         self.edits.matrices = self.filed.matrices;

@@ -4,6 +4,7 @@
 use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
+    measuring::{Entry, Measuring},
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
@@ -117,6 +118,8 @@ pub(super) enum Step {
     },
     /// The view stood there, at this stage.
     Stood(Stand, Stage),
+    /// This was measured.
+    Measured(Vec<Entry>),
     /// All of this was open, in place of a scene of the gallery.
     Open(Box<State>),
 }
@@ -163,6 +166,7 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
+    pub(super) measuring: Measuring,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
@@ -275,6 +279,7 @@ impl State {
             Step::Composed { .. } => "objects added",
             Step::Stood(_, stage) if *stage != self.stage => "stage",
             Step::Stood(..) => "view",
+            Step::Measured(_) => "measures",
             Step::Open(_) => "gallery",
         })
     }

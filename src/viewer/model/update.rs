@@ -120,6 +120,7 @@ impl State {
                     self.pick_by(showing.next_method(forward));
                 }
             }
+            Action::Measure(action) => self.measure(action),
             Action::Stage(stage) => self.show_stage(stage),
         }
         None

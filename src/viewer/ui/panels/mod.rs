@@ -14,6 +14,7 @@ mod in_file;
 mod inspect;
 mod layout;
 mod marks;
+mod measure;
 mod menu;
 mod model_matrix;
 mod names;

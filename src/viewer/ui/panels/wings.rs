@@ -3,7 +3,7 @@
 use super::{
     camera,
     docks::{FIELDS, Section, Side},
-    exhibit, in_file,
+    exhibit, in_file, measure,
     names::{Hint, bounded, named},
     objects, pick, pipeline,
     shown::Shown,
@@ -146,6 +146,7 @@ fn contents(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec
             in_file::go_to(ui, shown.going_to, commands);
             pick::show(ui, state, commands);
         }
+        Section::Measure => measure::show(ui, state, commands),
         Section::Objects => {
             objects::show(ui, state, shown.filter, shown.reveal_selection, commands);
         }
