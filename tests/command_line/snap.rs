@@ -132,7 +132,7 @@ position = [446999.1, 5411004.2, 5]
         (&away[0]["snap"], &away[0]["object_area"]),
         (&Value::Null, &Value::Null)
     );
-    let error = folder.error("pick scene.toml --at 5,5 --snap -1", 2);
+    let error = folder.error("pick scene.toml --at 5,5 --snap 300", 2);
     assert!(error.contains("from 0 to 256"), "{error}");
 }
 

@@ -21,6 +21,7 @@ mod families;
 mod findings;
 mod instructions;
 mod lattice;
+mod measure;
 mod narrowed;
 mod program;
 mod rays;

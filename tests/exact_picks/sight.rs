@@ -32,7 +32,7 @@ type Told = (Ordering, Option<(usize, Option<u32>, bool)>);
 const NOT_SHOWN: Told = (Ordering::Greater, None);
 
 /// A point of an edge, as the oracle has it: a corner where the share is 0.
-fn exactly(
+pub fn exactly(
     placement: &Placement,
     origin: glam::DVec3,
     ends: [glam::DVec3; 2],

@@ -58,8 +58,8 @@ impl Section {
     /// The least width in points that shows all of it.
     fn least_width(self) -> f32 {
         match self {
-            Self::Objects | Self::Measure => 140.0,
-            Self::Gallery | Self::Camera | Self::Pipeline | Self::Pick => FIELDS,
+            Self::Objects => 140.0,
+            Self::Gallery | Self::Camera | Self::Pipeline | Self::Pick | Self::Measure => FIELDS,
         }
     }
 }

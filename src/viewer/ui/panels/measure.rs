@@ -82,6 +82,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         }
         commands.extend(copied.map(Command::Copy));
     });
+    // Where the side scrolls, its bar lies over its last line.
+    ui.add_space(10.0);
     let act = |action| Command::Act(Action::Measure(action));
     commands.extend(actions.into_iter().map(act));
 }
