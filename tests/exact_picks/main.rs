@@ -26,6 +26,7 @@ mod narrowed;
 mod program;
 mod rays;
 mod sight;
+mod snap;
 mod tally;
 mod ties;
 mod together;

@@ -54,7 +54,7 @@ pub fn exactly(
 
 /// What the line from the eye through the point meets first, against the point. Depth is by Cramer's rule, so that near and far
 /// are told without an error.
-fn expected(world: &World, view: &View, point: &Vector) -> Told {
+pub fn expected(world: &World, view: &View, point: &Vector) -> Told {
     let camera = &view.camera;
     let [eye, forward] = [camera.eye(), camera.forward()].map(vector);
     let normal = cross(&vector(camera.up()), &vector(camera.right()));
