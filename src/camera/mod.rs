@@ -246,7 +246,7 @@ impl Camera {
     /// The ray through a pixel position, in world space; see [`PixelGrid::ray`]. Its `t` is view depth, and its interval
     /// is that between the near and the far plane.
     #[must_use]
-    pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay {
+    pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay<'static> {
         let Lens { near, far, .. } = self.lens;
         self.pixel_grid(viewport).ray(px, [near, far])
     }

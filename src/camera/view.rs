@@ -1,7 +1,7 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Lens, Projected};
-use crate::geometry::{Aabb, PixelRays, Sides, WorldRay, clip};
+use crate::geometry::{Aabb, PixelRays, PlacedPoint, Sides, ThroughPoint, WorldRay, clip};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -104,8 +104,19 @@ impl View {
 
     /// The world-space ray through a pixel position; see [`Camera::ray`].
     #[must_use]
-    pub fn ray(&self, px: DVec2) -> WorldRay {
+    pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
         self.camera.ray(self.viewport, px)
+    }
+
+    /// A point of a shape, for the ray that passes through it.
+    #[must_use]
+    pub fn through(&self, point: &PlacedPoint) -> ThroughPoint {
+        let Lens { near, far, .. } = *self.camera.lens();
+        ThroughPoint {
+            grid: self.camera.pixel_grid(self.viewport),
+            point: *point,
+            interval: [near, far],
+        }
     }
 
     /// The world-space rays through all pixels; each is [`View::ray`]'s.

@@ -59,6 +59,15 @@ of each of \"hits\":
                    its own too, that shows another object, another triangle or
                    the background; null where there is none within 8, and in a
                    window while its trees are being built
+  file, line, face, vertices, corners
+                   of a mesh: its OBJ file, read again; the line that its face
+                   stands in and its number among the f lines, both from 1; the
+                   corners of that polygon, each with vertex (its number), line,
+                   written (its coordinates there) and stored (what they were
+                   rounded to, where that is not the nearest f64); and which of
+                   these the triangle's corners are, by place from 0, in the
+                   order of barycentric. null where there is no file
+  file_error       why the file does not say: it has changed, or is gone
 
 Beside \"hit\" or \"hits\":
   in_one_place     what drawing cannot tell from the nearest surface: it and all
@@ -69,6 +78,34 @@ Beside \"hit\" or \"hits\":
                    both and as near as drawing may move it (1/256 pixel or
                    so), are no two unless they lie over each other; nor are the
                    near and the far side of one cube or sphere";
+
+/// What the lines of `--snap` hold.
+pub(super) const SNAPS: &str = "\
+The lines of --snap R, one for each --at, with px:
+  snap             null where nothing is near and the background shows; else to
+                   (vertex, edge or face), object, id, triangle, point_world, px
+                   (where that is) and away_px (from the position); line, face
+                   and vertices: the vertex, the ends of the edge or the corners
+                   of the face in the file; length, of the edge; area, of the
+                   face that it is on
+  distance         from the position before
+  object_area      of the object; null of a sphere
+  Each measure is value and error: how far value is from the exact one at most,
+  for coordinates as the file writes them. The nearest visible vertex is taken,
+  else the nearest visible point of an edge, else the pick; edges that only
+  split a polygon into triangles do not count. As near, to the last bit: the
+  lesser depth, then the first object, then the first triangle.";
+
+/// What the lines of `--face` and `--vertex` hold.
+pub(super) const PLACES: &str = "\
+The lines of --face and --vertex, after those of --at:
+  file, line, face, vertices; or vertex, written, stored: as above
+  places           where it is on each object that has it: object, id; triangle,
+                   the first that has it; point_world and px, of the vertex or
+                   of a point inside of the face; in_picture; seen; hidden_by,
+                   what lies nearest to the eye before it, or null
+  A point is seen where the ray of the picture through that very point picks a
+  surface at it: exactly, though its position need be no f64.";
 
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\

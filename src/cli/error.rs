@@ -2,7 +2,11 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, study::SaveError,
+    camera::CameraError,
+    image::ImageError,
+    render::GpuError,
+    scene::{LoadError, obj::AgainError},
+    study::SaveError,
     viewer::ViewerError,
 };
 use clap::CommandFactory;
@@ -34,6 +38,9 @@ pub enum CliError {
     /// A word that is no file, and no command either.
     #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
+    /// A file could not be read again.
+    #[error(transparent)]
+    Again(#[from] AgainError),
     /// There is no memory for the picture.
     #[error("a picture of {size} takes {} MB of memory, which there is not: draw a smaller one", bytes / 1_000_000)]
     TooLarge {
@@ -96,10 +103,14 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
-            Self::Usage(_) | Self::View(_) | Self::TooLarge { .. } => 2,
+            Self::Usage(_)
+            | Self::View(_)
+            | Self::TooLarge { .. }
+            | Self::Again(AgainError::NoSuch { .. }) => 2,
             Self::SceneCamera { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)
+            | Self::Again(_)
             | Self::Image(_)
             | Self::Stream { .. }
             | Self::Write { .. }

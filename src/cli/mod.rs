@@ -6,6 +6,7 @@ mod command_first;
 mod contract;
 mod desktop;
 mod error;
+mod in_file;
 mod list;
 mod pick;
 mod render;
@@ -30,7 +31,7 @@ pub use window::WindowArgs;
 use crate::scene::{self, Detail, Loaded, Progress};
 use clap::{Parser, Subcommand};
 use command_first::command_first;
-use contract::{CONTRACT, FIELDS, NUMBERS};
+use contract::{CONTRACT, FIELDS, NUMBERS, PLACES, SNAPS};
 use std::{ffi::OsString, path::PathBuf, process::ExitCode, time::Instant};
 use terminal::start_log;
 
@@ -64,7 +65,7 @@ pub enum Command {
     #[command(after_long_help = EXIT_CODES)]
     Render(RenderArgs),
     /// Say what is at a position of the picture: one line of JSON a pick
-    #[command(after_long_help = [CONTRACT, FIELDS, NUMBERS, EXIT_CODES].join("\n\n"))]
+    #[command(after_long_help = [CONTRACT, FIELDS, SNAPS, PLACES, NUMBERS, EXIT_CODES].join("\n\n"))]
     Pick(PickArgs),
     /// List the objects: id, name, shape, triangles, bounds
     #[command(after_long_help = EXIT_CODES)]

@@ -1,15 +1,22 @@
 //! `sightline pick`: what is at a position of the picture.
 
-use super::{CliError, SceneArgs, ViewArgs, build_trees, load, stored, value};
+use super::{CliError, SceneArgs, ViewArgs, build_trees, in_file, load, stored, value};
 use crate::{
     camera::{View, Viewport},
     json,
-    pick::{self, PickLine, PickLines},
-    scene::Scene,
+    pick::{
+        self, PickLine, PickLines,
+        measure::{ExactPoint, Measured},
+        snap::{Snap, SnapLine, object_area},
+    },
+    scene::{FilesAgain, Progress, Scene},
     verify,
 };
 use glam::DVec2;
-use std::io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write};
+use std::{
+    collections::HashMap,
+    io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write},
+};
 
 /// Looks at each triangle that take as long as building the trees does (measured with a million triangles: 13 ns each for a
 /// look, 270 ns for a tree). Until they are spent, each position takes one.
@@ -29,9 +36,31 @@ pub struct PickArgs {
     /// of the top left pixel and 0.5,0.5 its centre, which is what a click
     /// on that pixel picks. Several positions may follow one --at. A single
     /// - reads them from standard input.
-    #[arg(long, value_name = "X,Y", required = true, num_args = 1.., value_parser = at)]
+    #[arg(long, value_name = "X,Y", required_unless_present_any = ["face", "vertex"])]
+    #[arg(num_args = 1.., value_parser = at)]
     #[arg(verbatim_doc_comment)]
     pub at: Vec<At>,
+    /// Say where face N of the file is in the picture, and what hides it
+    ///
+    /// N counts the f lines of an OBJ file from 1, whatever is in them; the
+    /// line holds the face as its file writes it, and where a point inside of
+    /// it is. See below.
+    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
+    #[arg(verbatim_doc_comment)]
+    pub face: Vec<usize>,
+    /// Say where vertex N of the file is in the picture, and what hides it
+    #[arg(long, value_name = "N", num_args = 1.., value_parser = value::count)]
+    pub vertex: Vec<usize>,
+    /// Whose file that is, where there are several: an object's id
+    #[arg(long, value_name = "ID", value_parser = value::id)]
+    pub object: Option<usize>,
+    /// Lead each position to what is nearest within R pixels, and measure
+    ///
+    /// To a visible vertex, else a visible edge, else the surface there: a
+    /// line each, with the distance from the one before. See below.
+    #[arg(long, value_name = "R", value_parser = value::radius, requires = "at")]
+    #[arg(conflicts_with = "all_hits", verbatim_doc_comment)]
+    pub snap: Option<f64>,
     /// Give every surface along the ray, from front to back
     #[arg(long)]
     pub all_hits: bool,
@@ -88,10 +117,14 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     if args.stored {
         stored::write(&mut out, &loaded.scene, &view)?;
     }
+    let progress = Progress::default();
     let mut picker = Picker {
         scene: &loaded.scene,
         view: &view,
+        files: FilesAgain::new(&loaded.scene, &loaded.meshes, &progress),
         all_hits: args.all_hits,
+        snap: args.snap,
+        measured: Measures::default(),
         out: BufWriter::new(out),
         looks: 0,
     };
@@ -101,13 +134,45 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
             At::Stdin => picker.pick_lines(BufReader::new(std::io::stdin().lock()))?,
         }
     }
+    in_file::write(&mut picker.out, args, &loaded, &view, &mut picker.files)?;
     picker.flush()
+}
+
+/// What is measured from one position to the next.
+#[derive(Default)]
+struct Measures {
+    from: Option<ExactPoint>,
+    /// By object.
+    areas: HashMap<usize, Option<Measured>>,
+}
+
+impl Measures {
+    fn line(&mut self, scene: &Scene, px: DVec2, snap: Option<Snap>) -> SnapLine {
+        let exact = snap.as_ref().map(|snap| snap.exact.clone());
+        let before = std::mem::replace(&mut self.from, exact);
+        let ends = before.as_ref().zip(self.from.as_ref());
+        let area_of = |snap: &Snap| {
+            let index = snap.id - 1;
+            let area = || object_area(&scene.objects()[index]);
+            *self.areas.entry(index).or_insert_with(area)
+        };
+        SnapLine {
+            px,
+            distance: ends.map(|(from, to)| from.distance(to)),
+            object_area: snap.as_ref().and_then(area_of),
+            snap,
+        }
+    }
 }
 
 struct Picker<'a> {
     scene: &'a Scene,
     view: &'a View,
+    files: FilesAgain<'a>,
     all_hits: bool,
+    /// Within so many pixels.
+    snap: Option<f64>,
+    measured: Measures,
     out: BufWriter<StdoutLock<'static>>,
     /// At triangles, so far, for want of trees.
     looks: usize,
@@ -115,6 +180,9 @@ struct Picker<'a> {
 
 impl Picker<'_> {
     fn pick(&mut self, px: DVec2) -> Result<(), CliError> {
+        if let Some(radius_px) = self.snap {
+            return self.snap(px, radius_px);
+        }
         if !self.scene.trees_are_built() {
             let triangles = self.scene.triangle_count();
             self.looks += triangles + LOOKS_PER_OBJECT * self.scene.objects().len();
@@ -128,23 +196,44 @@ impl Picker<'_> {
         self.pick_in(self.scene, px)
     }
 
+    fn snap(&mut self, px: DVec2, radius_px: f64) -> Result<(), CliError> {
+        if !self.scene.trees_are_built() {
+            build_trees(self.scene);
+        }
+        let files = &mut self.files;
+        let mut faces = |object, triangle| files.face_of(object, triangle);
+        let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
+        let line = self.measured.line(self.scene, px, snap);
+        self.print(json::text(&line))
+    }
+
     fn pick_in(&mut self, scene: &Scene, px: DVec2) -> Result<(), CliError> {
         let in_one_place = verify::in_one_place(scene, self.view, px);
         let line = if self.all_hits {
-            let hits = pick::pick_all(scene, self.view, px);
+            let mut hits = pick::pick_all(scene, self.view, px);
+            for hit in &mut hits {
+                hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
+            }
             json::text(&PickLines {
                 px,
                 hits,
                 in_one_place,
             })
         } else {
-            let hit = pick::pick(scene, self.view, px);
+            let mut hit = pick::pick(scene, self.view, px);
+            if let Some(hit) = &mut hit {
+                hit.in_file = self.files.in_file(hit.id - 1, hit.triangle);
+            }
             json::text(&PickLine {
                 px,
                 hit,
                 in_one_place,
             })
         };
+        self.print(line)
+    }
+
+    fn print(&mut self, line: std::io::Result<String>) -> Result<(), CliError> {
         line.and_then(|line| writeln!(self.out, "{line}"))
             .map_err(CliError::stdout)
     }

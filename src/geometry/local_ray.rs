@@ -10,7 +10,7 @@ pub struct PlacedRay<'a> {
     error: RayError,
     /// The largest component of each error.
     errors: [f64; 2],
-    world: &'a WorldRay,
+    world: &'a WorldRay<'a>,
     placement: &'a Placement,
 }
 
@@ -29,14 +29,14 @@ pub struct LocalRay<'a> {
     /// The largest component of each error: of the origin, and of the direction.
     pub(super) errors: [f64; 2],
     /// The world-space ray and the placement that it is made of; `None` of one that is exact as it stands.
-    source: Option<(&'a WorldRay, &'a Placement)>,
+    source: Option<(&'a WorldRay<'a>, &'a Placement)>,
 }
 
 /// What an object-space ray is exactly.
 #[derive(Clone, Copy)]
 pub(super) struct Exactly<'a> {
     /// In the world of the placement.
-    pub line: Line,
+    pub line: Line<'a>,
     /// From object space to where the line is; `None` for the same space.
     pub placement: Option<&'a Placement>,
 }
@@ -47,7 +47,7 @@ impl<'a> PlacedRay<'a> {
     pub(super) fn new(
         ray: Ray,
         error: RayError,
-        world: &'a WorldRay,
+        world: &'a WorldRay<'a>,
         placement: &'a Placement,
     ) -> Self {
         let errors = [error.origin, error.direction].map(DVec3::max_element);
@@ -76,7 +76,7 @@ impl<'a> PlacedRay<'a> {
 
 impl<'a> Exactly<'a> {
     /// A world-space ray in the object space of a placement.
-    pub fn placed(world: &WorldRay, placement: &'a Placement) -> Self {
+    pub fn placed(world: &WorldRay<'a>, placement: &'a Placement) -> Self {
         Self {
             line: *world.line(),
             placement: Some(placement),

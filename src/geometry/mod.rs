@@ -25,6 +25,7 @@ mod interval;
 mod local_ray;
 mod mesh;
 mod normals;
+mod placed_point;
 mod placement;
 mod pyramid;
 #[cfg(test)]
@@ -45,12 +46,14 @@ pub(crate) use clip::clip;
 pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
-    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, compare_surfaces,
+    Corners, Parameter, Surface, are_coplanar, are_in_one_plane, area, compare_surfaces,
+    compare_to_point, is_point_within,
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::{LocalRay, PlacedRay};
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
+pub use placed_point::{PlacedPoint, ThroughPoint};
 pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
 pub(crate) use ray::RayDifferential;

@@ -125,7 +125,7 @@ impl Placement {
     /// vector itself may be off, times the row's sum.
     #[inline]
     #[must_use]
-    pub fn local_ray<'a>(&'a self, world: &'a WorldRay) -> PlacedRay<'a> {
+    pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
         let error = world.error();
         if self.is_identity {
             return PlacedRay::new(**world, error, world, self);

@@ -1,7 +1,7 @@
 //! Rays: the numbers of one, and what a pixel's ray is made of.
 
 use super::{
-    U,
+    ThroughPoint, U,
     binary::power_of_two,
     double_double::{Number, Vector},
 };
@@ -98,11 +98,13 @@ impl<N> RayDifferential<N> {
 
 /// What a ray is exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Line {
+pub(super) enum Line<'a> {
     /// `origin + t direction`.
     Given { origin: DVec3, direction: DVec3 },
     /// The ray of a grid through a position; see [`PixelGrid::ray`].
     Pixel { grid: PixelGrid, px: DVec2 },
+    /// The ray of a grid through a point; see [`ThroughPoint::ray`]. By reference: rays are copied a lot.
+    Through(&'a ThroughPoint),
 }
 
 /// A world-space ray as picks take it: its numbers as `f64` rounds them, how far they may be off, and the numbers that it
@@ -110,25 +112,30 @@ pub(super) enum Line {
 ///
 /// A [`Ray`] that is turned into one is exact as it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorldRay {
+pub struct WorldRay<'a> {
     ray: Ray,
     error: RayError,
-    line: Line,
+    line: Line<'a>,
 }
 
-impl WorldRay {
+impl<'a> WorldRay<'a> {
     /// How far its rounded numbers may be off.
     #[must_use]
     pub fn error(&self) -> RayError {
         self.error
     }
 
-    pub(super) fn line(&self) -> &Line {
+    pub(super) fn line(&self) -> &Line<'a> {
         &self.line
+    }
+
+    /// A line whose numbers are rounded to those of a ray, with bounds on what that takes.
+    pub(super) fn of_line(ray: Ray, error: RayError, line: Line<'a>) -> Self {
+        Self { ray, error, line }
     }
 }
 
-impl Deref for WorldRay {
+impl Deref for WorldRay<'_> {
     type Target = Ray;
 
     fn deref(&self) -> &Ray {
@@ -136,7 +143,7 @@ impl Deref for WorldRay {
     }
 }
 
-impl From<Ray> for WorldRay {
+impl From<Ray> for WorldRay<'_> {
     fn from(ray: Ray) -> Self {
         Self {
             ray,
@@ -149,13 +156,13 @@ impl From<Ray> for WorldRay {
     }
 }
 
-impl From<&Ray> for WorldRay {
+impl From<&Ray> for WorldRay<'_> {
     fn from(ray: &Ray) -> Self {
         (*ray).into()
     }
 }
 
-impl From<&Self> for WorldRay {
+impl From<&Self> for WorldRay<'_> {
     fn from(ray: &Self) -> Self {
         *ray
     }
@@ -233,7 +240,7 @@ impl PixelGrid {
     /// projection.
     #[inline]
     #[must_use]
-    pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay {
+    pub fn ray(&self, px: DVec2, interval: [f64; 2]) -> WorldRay<'static> {
         self.rays(interval).ray(px)
     }
 
@@ -281,7 +288,7 @@ impl PixelRays {
     /// `6 U (|A| + |B|)` and `U` of the result; nothing where both are 0.
     #[inline]
     #[must_use]
-    pub fn ray(&self, px: DVec2) -> WorldRay {
+    pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
         let (ray, [a, b]) = self.rounded_with_aside(px);
         let is_orthographic = self.grid.is_orthographic;
         let moved = if is_orthographic {

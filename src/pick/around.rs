@@ -12,7 +12,7 @@ use glam::DVec2;
 pub(super) const REACH: f64 = 8.0;
 
 /// The rays through the corners of a square about a position that holds all centres within reach.
-pub(super) fn corners(view: &View, px: DVec2) -> [WorldRay; 4] {
+pub(super) fn corners(view: &View, px: DVec2) -> [WorldRay<'static>; 4] {
     beam::corners([px - REACH, px + REACH]).map(|px| view.ray(px))
 }
 

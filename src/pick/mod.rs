@@ -57,12 +57,15 @@ mod around;
 mod beam;
 mod differs;
 mod edge;
+pub mod measure;
 mod nearest;
 mod one_place;
 mod order;
 mod picture;
 mod record;
 mod selection;
+mod sight;
+pub mod snap;
 
 pub use around::narrowed;
 pub(crate) use beam::Beam;
@@ -73,6 +76,7 @@ pub(crate) use picture::each_ray;
 pub use picture::{RAYCAST_BYTES, each_pixel, ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
+pub use sight::{Sight, Whereabouts, sight};
 
 use crate::{
     camera::View,

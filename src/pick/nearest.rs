@@ -17,7 +17,7 @@ use std::ops::Range;
 
 /// The nearest hit of a world-space ray on the visible objects.
 #[must_use]
-pub fn closest(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Option<SceneHit> {
+pub fn closest<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Option<SceneHit> {
     nearest(&Beam::whole(scene), &ray.into(), sides, None)
 }
 
@@ -48,9 +48,9 @@ pub(super) fn nearest(
 
 /// [`closest`] by another triangle test.
 #[must_use]
-pub fn closest_by(
+pub fn closest_by<'a>(
     scene: &Scene,
-    ray: impl Into<WorldRay>,
+    ray: impl Into<WorldRay<'a>>,
     sides: Sides,
     test: TriangleTest,
 ) -> Option<SceneHit> {
@@ -76,7 +76,7 @@ pub fn closest_by(
 
 /// All hits of a world-space ray on the visible objects, from front to back.
 #[must_use]
-pub fn all(scene: &Scene, ray: impl Into<WorldRay>, sides: Sides) -> Vec<SceneHit> {
+pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec<SceneHit> {
     all_near(&Beam::whole(scene), &ray.into(), sides, |_, _| true)
 }
 

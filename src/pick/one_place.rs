@@ -31,19 +31,27 @@ pub struct NamedSurface {
     pub front: bool,
 }
 
-impl InOnePlace {
-    /// Of hits in the order of picks; `None` of fewer than two.
-    #[must_use]
-    pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
-        let name = |hit: &SceneHit| NamedSurface {
+impl NamedSurface {
+    /// What was hit.
+    pub(super) fn of(scene: &Scene, hit: &SceneHit) -> Self {
+        Self {
             object: scene.objects()[hit.object].name.clone(),
             id: hit.object + 1,
             triangle: hit.triangle_of_object(scene),
             front: hit.hit.front,
-        };
+        }
+    }
+}
+
+impl InOnePlace {
+    /// Of hits in the order of picks; `None` of fewer than two.
+    #[must_use]
+    pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
         (hits.len() > 1).then(|| Self {
             count: hits.len(),
-            named: hits.iter().take(MOST_NAMED).map(name).collect(),
+            named: (hits.iter().take(MOST_NAMED))
+                .map(|hit| NamedSurface::of(scene, hit))
+                .collect(),
         })
     }
 

@@ -37,7 +37,11 @@ pub(super) fn gap(
 }
 
 /// The `t` of a hit, before it is rounded.
-pub(super) fn parameter<'a>(scene: &'a Scene, ray: &'a WorldRay, hit: &SceneHit) -> Parameter<'a> {
+pub(super) fn parameter<'a>(
+    scene: &'a Scene,
+    ray: &'a WorldRay<'a>,
+    hit: &SceneHit,
+) -> Parameter<'a> {
     Parameter::new(ray, surface(scene, hit))
 }
 
@@ -125,7 +129,7 @@ fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
 }
 
 /// What was hit.
-fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
+pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let Object {
         shape, placement, ..
     } = &scene.objects()[hit.object];

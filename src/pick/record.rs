@@ -4,7 +4,7 @@ use super::{InOnePlace, SceneHit, edge, order};
 use crate::{
     camera::View,
     geometry::{OnTriangle, Placement},
-    scene::{Scene, Shape},
+    scene::{Scene, Shape, obj::InFile},
 };
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -51,6 +51,9 @@ pub struct Pick {
     /// another object, another triangle or the background; its own pixel's too. `None` when there is none, or while trees
     /// are still being built. One number for all surfaces at a position.
     pub differs_px: Option<f64>,
+    /// What the file of its mesh says of the triangle, once somebody has read it again.
+    #[serde(flatten)]
+    pub in_file: InFile,
 }
 
 /// One pick as a line of JSON.
@@ -126,6 +129,7 @@ impl Pick {
             gap: next.map(|next| order::gap(scene, &ray, (found, &at), next)),
             exact,
             differs_px,
+            in_file: InFile::default(),
         }
     }
 }

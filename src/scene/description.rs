@@ -33,16 +33,13 @@
 //! A `name` replaces that of a mesh file's only object, or goes in front of the names when there are several.
 
 use super::{
-    DescriptionError, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene, Warning,
-    entry::Entry,
+    DescriptionError, MeshFile, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene,
+    Warning, entry::Entry,
 };
-use crate::{camera::CameraChoice, geometry::Mesh};
+use crate::camera::CameraChoice;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::{
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::path::Path;
 use toml::{
     Spanned,
     de::{DeTable, DeValue, Deserializer, Error, ValueDeserializer},
@@ -156,7 +153,7 @@ fn check_camera(camera: &CameraChoice) -> Result<(), Problem> {
 pub fn to_toml(
     scene: &Scene,
     camera: &CameraChoice,
-    meshes: &[(PathBuf, Arc<Mesh>)],
+    meshes: &[MeshFile],
 ) -> Result<String, SaveError> {
     let unplaced = |entry| Spanned::new(0..0, entry);
     let objects = scene

@@ -1,6 +1,6 @@
 //! One `[[object]]` of a scene file, and its colour and model matrix in people's words.
 
-use super::{ObjError, Object, Problem, SaveError, Shape};
+use super::{MeshFile, ObjError, Object, Problem, SaveError, Shape};
 use crate::{
     camera::{exactly, some_vector},
     colour::Srgb,
@@ -8,10 +8,7 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Deserialize, Serialize};
-use std::{
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{path::Path, sync::Arc};
 
 /// What a scene file says about one object, or about all objects of a mesh file.
 #[derive(Serialize, Deserialize)]
@@ -197,7 +194,7 @@ impl Entry {
     }
 
     /// The entry that says what an object is.
-    pub(super) fn of(object: &Object, meshes: &[(PathBuf, Arc<Mesh>)]) -> Result<Self, SaveError> {
+    pub(super) fn of(object: &Object, meshes: &[MeshFile]) -> Result<Self, SaveError> {
         let mut entry = Self {
             name: Some(object.name.clone()),
             shape: match object.shape {
@@ -216,11 +213,10 @@ impl Entry {
             visible: (!object.visible).then_some(false),
         };
         if let Shape::Mesh { mesh, part } = &object.shape {
-            let known = meshes.iter().find(|(_, other)| Arc::ptr_eq(mesh, other));
-            let (path, _) = known.ok_or_else(|| SaveError::NoFile(object.name.clone()))?;
-            let text = path
-                .to_str()
-                .ok_or_else(|| SaveError::Path(path.display().to_string()))?;
+            let known = MeshFile::of(meshes, mesh);
+            let known = known.ok_or_else(|| SaveError::NoFile(object.name.clone()))?;
+            let text = (known.path.to_str())
+                .ok_or_else(|| SaveError::Path(known.path.display().to_string()))?;
             entry.file = Some(text.to_owned());
             entry.part = Some(part + 1);
         }

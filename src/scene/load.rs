@@ -31,7 +31,7 @@ pub struct Loaded {
     /// What was left out or mended.
     pub warnings: Vec<Warning>,
     /// The meshes' files, by their absolute paths: what saving the scene needs.
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
     /// The MTL files that those name, by their absolute paths, also those that are not there.
     pub materials: Vec<PathBuf>,
     /// A name for all of it, for the window's title.
@@ -147,10 +147,29 @@ fn text(path: &Path) -> Result<String, FileError> {
     Ok(text)
 }
 
+/// A mesh and the file that it is from.
+#[derive(Clone, Debug)]
+pub struct MeshFile {
+    /// Absolute.
+    pub path: PathBuf,
+    /// The mesh.
+    pub mesh: Arc<Mesh>,
+    /// Where in the file its faces and vertices stand; `None` where there is no such file.
+    pub contents: Option<Arc<obj::Contents>>,
+}
+
+impl MeshFile {
+    /// Of some files that of a mesh.
+    #[must_use]
+    pub fn of<'a>(files: &'a [Self], mesh: &Arc<Mesh>) -> Option<&'a Self> {
+        files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
+    }
+}
+
 /// Mesh files by their absolute paths, each loaded once however often it is named.
 #[derive(Debug, Default)]
 pub struct MeshFiles {
-    loaded: Vec<(PathBuf, Arc<Mesh>)>,
+    loaded: Vec<MeshFile>,
     /// The MTL files that they name.
     materials: Vec<PathBuf>,
     detail: Detail,
@@ -171,7 +190,16 @@ pub enum Detail {
 impl MeshFiles {
     /// Takes a mesh as that of a file, which is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
-        self.loaded.push((absolute(path), mesh));
+        self.loaded.push(MeshFile {
+            path: absolute(path),
+            mesh,
+            contents: None,
+        });
+    }
+
+    /// Those that were loaded.
+    pub(super) fn files(&self) -> &[MeshFile] {
+        &self.loaded
     }
 
     /// The mesh of a file.
@@ -185,13 +213,17 @@ impl MeshFiles {
         warnings: &mut Vec<Warning>,
     ) -> Result<Arc<Mesh>, ObjError> {
         let path = absolute(as_named);
-        if let Some((_, mesh)) = self.loaded.iter().find(|(known, _)| *known == path) {
-            return Ok(Arc::clone(mesh));
+        if let Some(known) = self.loaded.iter().find(|known| known.path == path) {
+            return Ok(Arc::clone(&known.mesh));
         }
         let file = obj::load_with(as_named, progress, self.detail)?;
         warnings.extend(file.warnings);
         self.materials.extend(file.materials);
-        self.loaded.push((path, Arc::clone(&file.mesh)));
+        self.loaded.push(MeshFile {
+            path,
+            mesh: Arc::clone(&file.mesh),
+            contents: Some(Arc::new(file.contents)),
+        });
         Ok(file.mesh)
     }
 }

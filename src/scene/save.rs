@@ -1,7 +1,8 @@
 //! A scene as files: a scene file, and beside it OBJ files of the meshes that have none.
 
 use super::{
-    MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute, obj::write,
+    MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute,
+    obj::write,
 };
 use crate::{camera::CameraChoice, geometry::Mesh, replace::replace};
 use std::{
@@ -22,34 +23,30 @@ pub fn save(
     path: &Path,
     scene: &Scene,
     camera: &CameraChoice,
-    meshes: &[(PathBuf, Arc<Mesh>)],
-) -> Result<Vec<(PathBuf, Arc<Mesh>)>, SaveError> {
+    meshes: &[MeshFile],
+) -> Result<Vec<MeshFile>, SaveError> {
     let path = absolute(path);
     let mut made = Made(Vec::new());
-    let mut files: Vec<(PathBuf, Arc<Mesh>)> = Vec::new();
+    let mut files: Vec<MeshFile> = Vec::new();
     for object in scene.objects() {
         let Shape::Mesh { mesh, .. } = &object.shape else {
             continue;
         };
-        if files.iter().any(|(_, known)| Arc::ptr_eq(known, mesh)) {
+        if MeshFile::of(&files, mesh).is_some() {
             continue;
         }
-        let known = meshes.iter().find(|(_, known)| Arc::ptr_eq(known, mesh));
-        let file = known.map(|(file, _)| file).filter(|file| file.is_file());
-        let file = match file {
+        let known = MeshFile::of(meshes, mesh);
+        files.push(match known.filter(|file| file.path.is_file()) {
             Some(file) => file.clone(),
-            None => write_mesh(
-                &path,
-                known.map(|(file, _)| file.as_path()),
-                mesh,
-                &mut made,
-            )?,
-        };
-        files.push((file, Arc::clone(mesh)));
+            None => write_mesh(&path, known.map(|file| &*file.path), mesh, &mut made)?,
+        });
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     let named: Vec<_> = (files.iter())
-        .map(|(file, mesh)| (from(folder, file), Arc::clone(mesh)))
+        .map(|file| MeshFile {
+            path: from(folder, &file.path),
+            ..file.clone()
+        })
         .collect();
     let text = to_toml(scene, camera, &named)?;
     write_file(&path, &text)?;
@@ -84,9 +81,9 @@ fn from(folder: &Path, file: &Path) -> PathBuf {
 fn write_mesh(
     scene_file: &Path,
     was: Option<&Path>,
-    mesh: &Mesh,
+    mesh: &Arc<Mesh>,
     made: &mut Made,
-) -> Result<PathBuf, SaveError> {
+) -> Result<MeshFile, SaveError> {
     let stem = |path: &Path| {
         path.file_stem()
             .map(|stem| stem.to_string_lossy().into_owned())
@@ -132,11 +129,15 @@ fn write_mesh(
             }
         }
         let mut warnings = Vec::new();
-        let again = MeshFiles::default().load(&file, &Progress::default(), &mut warnings);
-        let again = again.map_err(|_| not_exact())?;
-        return write::same(mesh, &again)
-            .then_some(file)
-            .ok_or_else(not_exact);
+        let mut again = MeshFiles::default();
+        let loaded = again.load(&file, &Progress::default(), &mut warnings);
+        let loaded = loaded.map_err(|_| not_exact())?;
+        let written = MeshFile::of(again.files(), &loaded).filter(|_| write::same(mesh, &loaded));
+        let written = written.cloned().ok_or_else(not_exact)?;
+        return Ok(MeshFile {
+            mesh: Arc::clone(mesh),
+            ..written
+        });
     }
     Err(not_exact())
 }

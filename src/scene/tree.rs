@@ -216,7 +216,7 @@ impl SceneTree {
 
 /// A ray with what all boxes ask of it.
 struct Seen<'a> {
-    ray: &'a WorldRay,
+    ray: &'a WorldRay<'a>,
     /// `1 / direction`.
     inverse: DVec3,
     /// The largest coordinate of its origin.
@@ -226,7 +226,7 @@ struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    fn new(ray: &'a WorldRay) -> Self {
+    fn new(ray: &'a WorldRay<'a>) -> Self {
         let RayError { origin, direction } = ray.error();
         let per_way = direction.max_element() / ray.direction.abs().max_element();
         Self {

@@ -169,11 +169,11 @@ struct Reach<'a> {
     view: &'a View,
     depths: Depths,
     ray: ViewRay,
-    ray_world: &'a WorldRay,
+    ray_world: &'a WorldRay<'a>,
 }
 
 impl<'a> Reach<'a> {
-    fn new(surfaces: &'a Surfaces, ray_world: &'a WorldRay, px: DVec2) -> Self {
+    fn new(surfaces: &'a Surfaces, ray_world: &'a WorldRay<'a>, px: DVec2) -> Self {
         let view = surfaces.space.view();
         Self {
             scene: surfaces.scene,

@@ -23,7 +23,7 @@ const CASES: usize = 100;
 struct Case {
     /// Where [`pixel_view`] has this ray.
     px: Option<DVec2>,
-    ray: WorldRay,
+    ray: WorldRay<'static>,
     placement: Placement,
     shape: Shape,
 }
@@ -165,7 +165,7 @@ fn pixel_view() -> View {
 }
 
 /// A ray of [`pixel_view`], and a point on it.
-fn pixel_ray(random: &mut Random) -> (DVec2, WorldRay, DVec3) {
+fn pixel_ray(random: &mut Random) -> (DVec2, WorldRay<'static>, DVec3) {
     let px = dvec2(random.within(0.0, 1280.0), random.within(0.0, 720.0));
     let ray = pixel_view().ray(px);
     let point = ray.at(random.within(6.0, 12.0));
@@ -254,7 +254,7 @@ fn short_triangle(random: &mut Random) -> Case {
     }
 }
 
-fn lattice_ray(random: &mut Random, through: DVec3) -> WorldRay {
+fn lattice_ray(random: &mut Random, through: DVec3) -> WorldRay<'static> {
     let direction = loop {
         let direction = lattice_point(random, 4.0);
         if direction.abs().min_element() > 0.0 {

@@ -4,8 +4,10 @@ mod desktop;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod flags;
+mod in_file;
 mod pictures;
 mod refusals;
+mod snap;
 mod stored;
 mod streams;
 

@@ -6,12 +6,9 @@ use sightline::{
     camera::CameraChoice,
     colour::Srgb,
     geometry::{ColourRun, Mesh, MeshData, Part, Placement, crease_normals},
-    scene::{Loaded, Object, Scene, Shape, save},
+    scene::{Loaded, MeshFile, Object, Scene, Shape, save},
 };
-use std::{
-    path::{Path, PathBuf},
-    sync::Arc,
-};
+use std::{path::Path, sync::Arc};
 
 const CORNERS: &str = "v 0.1 0 0\nv 1 0 0.3\nv 0 1 0\n";
 
@@ -55,7 +52,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-fn saved(loaded: &Loaded, path: &Path) -> Vec<(PathBuf, Arc<Mesh>)> {
+fn saved(loaded: &Loaded, path: &Path) -> Vec<MeshFile> {
     let saved = save(path, &loaded.scene, &loaded.camera, &loaded.meshes);
     saved.unwrap_or_else(|error| panic!("{error}"))
 }
@@ -97,7 +94,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
         "newmtl red\nKd 0.8 0.1 0.1\nnewmtl none\n",
     );
     let loaded = load(std::slice::from_ref(&obj)).unwrap();
-    let data = loaded.meshes[0].1.data();
+    let data = loaded.meshes[0].mesh.data();
     assert!(
         data.origin != DVec3::ZERO && data.colours.len() == 3 && !data.vertex_colours.is_empty()
     );
@@ -108,7 +105,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     let path = folder.path().join("scene.toml");
     for _ in 0..2 {
         let files = saved(&loaded, &path);
-        assert_eq!(files[0].0, folder.path().join("scene-gone-2.obj"));
+        assert_eq!(files[0].path, folder.path().join("scene-gone-2.obj"));
     }
     let all = [
         "scene-gone-2.mtl",

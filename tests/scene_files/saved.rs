@@ -9,7 +9,7 @@ use sightline::{
     camera::{CameraChoice, DepthMapping, UpAxis},
     colour::Srgb,
     geometry::Placement,
-    scene::{Loaded, Object, Scene, Shape, description::to_toml},
+    scene::{Loaded, MeshFile, Object, Scene, Shape, description::to_toml},
 };
 use std::path::PathBuf;
 
@@ -117,7 +117,11 @@ fn a_mesh_is_saved_as_its_files_part() {
     let text = to_toml(
         &scene,
         &camera,
-        &[(PathBuf::from("/meshes/bunny.obj"), mesh)],
+        &[MeshFile {
+            path: PathBuf::from("/meshes/bunny.obj"),
+            mesh,
+            contents: None,
+        }],
     )
     .unwrap();
     assert_eq!(

@@ -7,7 +7,10 @@ pub(crate) use super::{
     number::{Number, Vector},
 };
 use super::{
-    super::{PixelGrid, Placement, binary::times_power_of_two, local_ray::Exactly, ray::Line},
+    super::{
+        PixelGrid, PlacedPoint, Placement, binary::times_power_of_two, local_ray::Exactly,
+        ray::Line,
+    },
     integer::Integer,
     world::{self, LocalLine},
 };
@@ -28,6 +31,16 @@ pub(crate) fn vertex_world<I: Ring>(
     vertex: DVec3,
 ) -> Vector<I> {
     world::point(Some(placement), [origin, vertex])
+}
+
+/// Where a placement puts a point of object space that is given times `weight`; so is the answer.
+pub(crate) fn placed(placement: &Placement, point: &DyadicVector, weight: &Dyadic) -> DyadicVector {
+    world::moved_by(placement, point, weight)
+}
+
+/// Where a placement puts a point of a shape.
+pub(crate) fn point_world(point: &PlacedPoint) -> DyadicVector {
+    world::placed(point)
 }
 
 /// A world-space point and a direction in the object space of a placement, both times the third: the determinant of its

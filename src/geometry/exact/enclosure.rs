@@ -32,6 +32,17 @@ const MORE: f64 = 1.0 + power_of_two(-40);
 const LEAST: f64 = power_of_two(-900);
 
 impl Enclosure {
+    /// A number that is off by no more than `error`.
+    pub fn about(value: f64, error: f64) -> Self {
+        let value = value.into();
+        Self { value, error }
+    }
+
+    /// As one `f64`, and how far that may be off.
+    pub fn rounded(&self) -> [f64; 2] {
+        [self.value.hi, MORE * (self.value.lo.abs() + self.error)]
+    }
+
     /// Exact in one `f64`.
     fn is_short(&self) -> bool {
         self.value.lo == 0.0

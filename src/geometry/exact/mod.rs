@@ -11,6 +11,7 @@
 //! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
 //! expansions, Shewchuk 1997, fail as soon as a product underflows.)
 
+mod area;
 mod coplanar;
 pub(crate) mod dyadic;
 mod enclosure;
@@ -23,6 +24,7 @@ mod solids;
 mod triangle;
 mod world;
 
+pub(crate) use area::area;
 pub(crate) use coplanar::{are_coplanar, are_in_one_plane};
 pub(super) use matrix::{inverse, mirrors};
 pub(crate) use parameter::Parameter;
@@ -32,10 +34,15 @@ pub(crate) use triangle::Corners;
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
 pub(super) use triangle::{compare, hit, reaches_plane};
+pub(super) use world::Rounded;
 #[cfg(test)]
 pub(super) use world::errors;
 
-use super::{Placement, Ray, WorldRay, local_ray::Exactly, ray::Line};
+use super::{
+    PixelGrid, PlacedPoint, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line,
+};
+use glam::DVec3;
+use std::cmp::Ordering;
 
 /// A surface that a ray's line meets in one place.
 #[derive(Clone, Copy)]
@@ -47,7 +54,7 @@ pub(crate) enum Surface<'a> {
         placement: &'a Placement,
         exit: bool,
         /// The outward normal of the face that is named.
-        normal: glam::DVec3,
+        normal: DVec3,
     },
     Square(&'a Placement),
 }
@@ -66,14 +73,35 @@ fn root(ray: &WorldRay, surface: &Surface) -> Option<Root> {
 }
 
 /// Which of two surfaces a ray meets first; it must meet both.
-pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> std::cmp::Ordering {
+pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Ordering {
     if let (Surface::Triangle(a), Surface::Triangle(b)) = (a, b) {
         return compare(ray.line(), a, b);
     }
     match (root(ray, a), root(ray, b)) {
         (Some(a), Some(b)) => a.compare(&b),
-        _ => std::cmp::Ordering::Equal,
+        _ => Ordering::Equal,
     }
+}
+
+/// Whether a surface that a ray through a point meets lies before that point, at it or behind it; `None` of another ray.
+pub(crate) fn compare_to_point(ray: &WorldRay, surface: &Surface) -> Option<Ordering> {
+    let point = world::point_parameter(ray.line())?;
+    Some(root(ray, surface)?.compare(&point))
+}
+
+/// Whether the point that a ray was made through lies within the ray's interval.
+pub(crate) fn is_point_within(ray: &WorldRay) -> bool {
+    world::point_parameter(ray.line()).is_some_and(|point| point.is_within(ray))
+}
+
+/// Where a point is in the world, each coordinate rounded once.
+pub(super) fn point_world(point: &PlacedPoint) -> DVec3 {
+    world::rounded_point(point)
+}
+
+/// The numbers of a line through a point, each within three roundings; `None` where it does not lead there.
+pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
+    is_finite(line).then(|| world::rounded_line(line))?
 }
 
 /// How far a parameter may be off that was rounded a few times; also one that is 0 because it underflowed.
@@ -87,11 +115,19 @@ fn has_interval(ray: &Ray) -> bool {
 }
 
 fn is_finite(line: &Line) -> bool {
+    let is_grid_finite = |grid: &PixelGrid| {
+        let vectors = [grid.eye, grid.right, grid.up, grid.forward];
+        vectors.iter().all(|v| v.is_finite()) && grid.half_height.is_finite()
+    };
     match line {
         Line::Given { origin, direction } => origin.is_finite() && direction.is_finite(),
-        Line::Pixel { grid, px } => {
-            let vectors = [grid.eye, grid.right, grid.up, grid.forward];
-            vectors.iter().all(|v| v.is_finite()) && grid.half_height.is_finite() && px.is_finite()
+        Line::Pixel { grid, px } => is_grid_finite(grid) && px.is_finite(),
+        Line::Through(ThroughPoint { grid, point, .. }) => {
+            let vectors = [point.origin, point.from, point.to];
+            is_grid_finite(grid)
+                && vectors.iter().all(|v| v.is_finite())
+                && point.model.is_finite()
+                && point.share.is_finite()
         }
     }
 }

@@ -15,7 +15,7 @@ use std::{cell::OnceCell, ptr};
 
 /// The ray parameter of a hit, which the ray must have.
 pub(crate) struct Parameter<'a> {
-    ray: &'a WorldRay,
+    ray: &'a WorldRay<'a>,
     surface: Surface<'a>,
     enclosed: Option<Quotient>,
     root: OnceCell<Option<Root>>,
@@ -28,7 +28,7 @@ struct Quotient {
 
 impl<'a> Parameter<'a> {
     /// Where a ray meets a surface.
-    pub fn new(ray: &'a WorldRay, surface: Surface<'a>) -> Self {
+    pub fn new(ray: &'a WorldRay<'a>, surface: Surface<'a>) -> Self {
         Self {
             ray,
             enclosed: enclosed(ray, &surface).ok(),

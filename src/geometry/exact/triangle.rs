@@ -119,7 +119,7 @@ impl Weights<Bits> {
 
 /// [`hit`].
 struct Hit<'a> {
-    line: Line,
+    line: Line<'a>,
     triangle: Corners<'a>,
     interval: &'a Ray,
 }
@@ -192,7 +192,7 @@ pub(in super::super) fn hit(
 
 /// Where a ray's line meets a triangle's plane; `None` when it runs along it, or where a number is not finite.
 pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
-    struct Parameter<'a>(&'a Line, &'a Corners<'a>);
+    struct Parameter<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Parameter<'_> {
         type Numbers<I: Ring> = Plane<I>;
         type Answer = Option<Root>;
@@ -237,7 +237,7 @@ pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 
 /// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` when it runs
 /// along it.
 pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
-    struct Rounded<'a>(&'a Line, &'a Corners<'a>);
+    struct Rounded<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Rounded<'_> {
         type Numbers<I: Ring> = Weights<I>;
         type Answer = Option<[f64; 3]>;
@@ -257,7 +257,7 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
 
 /// Which of two triangles' planes a ray's line meets first; equal when it runs along one.
 pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Ordering {
-    struct Both<'a>(&'a Line, [&'a Corners<'a>; 2]);
+    struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
     impl Formula for Both<'_> {
         type Numbers<I: Ring> = ([Number<I>; 2], Number<I>);
         type Answer = Ordering;

@@ -3,11 +3,13 @@
 #[cfg(test)]
 use super::super::LocalRay;
 use super::{
-    super::{PixelGrid, Placement, local_ray::Exactly, ray::Line},
+    super::{PixelGrid, PlacedPoint, Placement, ThroughPoint, local_ray::Exactly, ray::Line},
     integer::Ring,
     number::{Number, Vector},
+    root::Root,
 };
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use num_bigint::BigInt;
 
 /// A ray: `(origin + t direction) / weight`, which spares the division by the picture's height.
 pub(super) struct ExactLine<I> {
@@ -42,6 +44,28 @@ impl<I: Ring> ExactLine<I> {
                     direction,
                     weight: height,
                 }
+            }
+            Line::Through(through) => Self::through(through),
+        }
+    }
+
+    /// With n = U x R, which looks into the picture, the point P lies at depth t = n . (P - eye) / n . F. In perspective the
+    /// line is eye + t' (P - eye) / t, in orthographic projection P - t F + t' F; each times its denominator.
+    fn through(ThroughPoint { grid, point, .. }: &ThroughPoint) -> Self {
+        let point = placed(point);
+        let [depth, unit] = depth_of(grid, &point);
+        let [eye, forward] = [grid.eye, grid.forward].map(Vector::new);
+        if grid.is_orthographic {
+            Self {
+                origin: point.times(&unit).minus(&forward.times(&depth)),
+                direction: forward.times(&unit),
+                weight: unit,
+            }
+        } else {
+            Self {
+                origin: eye.times(&depth),
+                direction: point.minus(&eye).times(&unit),
+                weight: depth,
             }
         }
     }
@@ -89,9 +113,88 @@ fn moved(placement: Option<&Placement>) -> Option<&Placement> {
     placement.filter(|placement| !placement.is_identity())
 }
 
+/// A point of a shape in the world.
+pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
+    let from = Vector::new(point.from);
+    // 0 has no unit that fits the others.
+    let here = if point.share == 0.0 {
+        from
+    } else {
+        let way = Vector::new(point.to).minus(&from);
+        from.plus(&way.times(&Number::new(point.share)))
+    };
+    let object = match point.origin {
+        DVec3::ZERO => here,
+        origin => here.plus(&Vector::new(origin)),
+    };
+    if point.model == DAffine3::IDENTITY {
+        return object;
+    }
+    turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
+}
+
+/// A point of object space times a weight in the world of a placement, times that.
+pub(super) fn moved_by(
+    placement: &Placement,
+    point: &Vector<BigInt>,
+    weight: &Number<BigInt>,
+) -> Vector<BigInt> {
+    let translation = Vector::new(placement.model().translation);
+    turned(placement, point).plus(&translation.times(weight))
+}
+
+/// The depth of a point in a picture as a quotient: with n = U x R, n . (P - eye) over n . F.
+fn depth_of<I: Ring>(grid: &PixelGrid, point: &Vector<I>) -> [Number<I>; 2] {
+    let normal = Vector::new(grid.up).cross(&Vector::new(grid.right));
+    let from_eye = point.minus(&Vector::new(grid.eye));
+    [
+        normal.dot(&from_eye),
+        normal.dot(&Vector::new(grid.forward)),
+    ]
+}
+
+/// Where a ray through a point reaches that; `None` of another ray.
+pub(super) fn point_parameter(line: &Line) -> Option<Root> {
+    let Line::Through(ThroughPoint { grid, point, .. }) = line else {
+        return None;
+    };
+    let [depth, unit] = depth_of::<BigInt>(grid, &placed(point));
+    Root::quotient(depth, unit)
+}
+
+/// A line's numbers, rounded.
+pub(in super::super) struct Rounded {
+    pub origin: DVec3,
+    pub direction: DVec3,
+}
+
+/// The numbers of a line, each within three roundings; `None` where its weight is not above 0.
+pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
+    let exact = ExactLine::<BigInt>::new(line);
+    exact.weight.sign().is_gt().then(|| Rounded {
+        origin: rounded(&exact.origin, &exact.weight),
+        direction: rounded(&exact.direction, &exact.weight),
+    })
+}
+
+/// Where a point is in the world, each coordinate rounded once.
+pub(super) fn rounded_point(point: &PlacedPoint) -> DVec3 {
+    let exact = placed::<BigInt>(point);
+    let nearest = |axis| Root::quotient(exact.component(axis), Number::new(1.0));
+    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
+}
+
+fn rounded(v: &Vector<BigInt>, weight: &Number<BigInt>) -> DVec3 {
+    DVec3::from_array([0, 1, 2].map(|axis| v.component(axis).ratio(weight)))
+}
+
 /// A vector of object space by the placement's linear part.
 fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
-    let columns = columns(placement.model().matrix3);
+    turned_by(placement.model().matrix3, object)
+}
+
+fn turned_by<I: Ring>(matrix: DMat3, object: &Vector<I>) -> Vector<I> {
+    let columns = columns(matrix);
     let [x, y, z] = [0, 1, 2].map(|i| columns[i].times(&object.component(i)));
     x.plus(&y).plus(&z)
 }
@@ -154,7 +257,6 @@ fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
 /// How far a local ray's numbers are from the exact ones, by component: of its origin and its direction.
 #[cfg(test)]
 pub(in super::super) fn errors(ray: &LocalRay) -> [DVec3; 2] {
-    use num_bigint::BigInt;
     let LocalLine {
         origin,
         direction,

@@ -17,8 +17,8 @@ use glam::DVec2;
 /// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
 /// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
 /// two are `u` and `v`, and 2 h |D| s is `w`.
-pub(super) struct Frame<I> {
-    pub(super) grid: PixelGrid,
+pub(in crate::pick) struct Frame<I> {
+    pub(in crate::pick) grid: PixelGrid,
     u: Row<I>,
     v: Row<I>,
     w: Weight<I>,
@@ -42,17 +42,17 @@ struct Row<I> {
 
 /// A point as the picture shows it: right by `u / w` and down by `v / w` pixels from the position. Of a direction, by how
 /// much a step along it changes each.
-pub(super) struct Shown<I> {
-    pub(super) u: Number<I>,
-    pub(super) v: Number<I>,
+pub(in crate::pick) struct Shown<I> {
+    pub(in crate::pick) u: Number<I>,
+    pub(in crate::pick) v: Number<I>,
     /// Above 0 in front of the eye.
-    pub(super) w: Number<I>,
+    pub(in crate::pick) w: Number<I>,
     /// The t of the ray there, in units of the frame's own.
-    pub(super) depth: Number<I>,
+    pub(in crate::pick) depth: Number<I>,
 }
 
 impl<I: Decided> Frame<I> {
-    pub(super) fn new(view: &View, px: DVec2) -> Result<Self, InDoubt> {
+    pub(in crate::pick) fn new(view: &View, px: DVec2) -> Result<Self, InDoubt> {
         let grid = view.camera.pixel_grid(view.viewport);
         let [right, up, forward, eye] =
             [grid.right, grid.up, grid.forward, grid.eye].map(Vector::new);
@@ -97,7 +97,7 @@ impl<I: Decided> Frame<I> {
     }
 
     /// A point of world space.
-    pub(super) fn point(&self, world: &Vector<I>) -> Shown<I> {
+    pub(in crate::pick) fn point(&self, world: &Vector<I>) -> Shown<I> {
         let [u, v, depth] =
             [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world).plus(&row.constant));
         let w = match &self.w {
@@ -108,7 +108,7 @@ impl<I: Decided> Frame<I> {
     }
 
     /// A direction of world space.
-    pub(super) fn direction(&self, world: &Vector<I>) -> Shown<I> {
+    pub(in crate::pick) fn direction(&self, world: &Vector<I>) -> Shown<I> {
         let [u, v, depth] = [&self.u, &self.v, &self.depth].map(|row| row.normal.dot(world));
         let w = match &self.w {
             Weight::PerDepth(factor) => factor.times(&depth),
@@ -118,7 +118,7 @@ impl<I: Decided> Frame<I> {
     }
 
     /// How far a point lies behind the near plane, in units of its `depth`; below 0 before the plane.
-    pub(super) fn behind_near(&self, point: &Shown<I>) -> Number<I> {
+    pub(in crate::pick) fn behind_near(&self, point: &Shown<I>) -> Number<I> {
         point.depth.minus(&self.near)
     }
 }
@@ -135,13 +135,13 @@ impl<I: Decided> Row<I> {
 
 impl<I: Decided> Shown<I> {
     /// Distance from the position, of a point in front of the eye.
-    pub(super) fn distance_px(&self) -> Result<f64, InDoubt> {
+    pub(in crate::pick) fn distance_px(&self) -> Result<f64, InDoubt> {
         distance_px(&self.u, &self.v, &self.w)
     }
 }
 
 /// The length of (u, v) over w, each rounded once; w is not 0.
-pub(super) fn distance_px<I: Decided>(
+pub(in crate::pick) fn distance_px<I: Decided>(
     u: &Number<I>,
     v: &Number<I>,
     w: &Number<I>,
@@ -150,7 +150,7 @@ pub(super) fn distance_px<I: Decided>(
 }
 
 /// The size of n over the length of (x, y), which is not 0, each rounded once.
-pub(super) fn ratio<I: Decided>(
+pub(in crate::pick) fn ratio<I: Decided>(
     n: &Number<I>,
     x: &Number<I>,
     y: &Number<I>,

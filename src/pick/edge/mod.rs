@@ -16,7 +16,7 @@ use crate::{
     },
     scene::{Object, Shape},
 };
-use frame::{Frame, Shown};
+pub(super) use frame::{Frame, Shown};
 use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
@@ -102,6 +102,6 @@ fn segment_px<I: Decided>(
 }
 
 /// Of the matrix with these rows.
-fn determinant<I: Ring>([a, b]: [&Number<I>; 2], [c, d]: [&Number<I>; 2]) -> Number<I> {
+pub(super) fn determinant<I: Ring>([a, b]: [&Number<I>; 2], [c, d]: [&Number<I>; 2]) -> Number<I> {
     a.times(d).minus(&b.times(c))
 }

@@ -1,12 +1,18 @@
 //! What `tobj` makes of a piece of a file.
 
-use super::{outline::Outline, pieces::Piece, wash::wash};
+use super::{
+    outline::Outline,
+    pieces::{Counts, Piece},
+    wash::wash,
+};
 use std::path::Path;
 
 /// Vertices and faces of a piece. Indices are those of the file, from 0.
 pub(super) struct Block {
     pub vertices: Vertices,
     pub faces: Faces,
+    /// What stands before it in the file, and before what comes next.
+    pub counts: [Counts; 2],
 }
 
 /// The numbers of a piece.
@@ -41,6 +47,7 @@ impl Block {
     /// left out.
     pub fn read(piece: Piece, known: Option<usize>) -> Result<(Self, Outline), tobj::LoadError> {
         let washed = wash(&piece, known);
+        let counts = [piece.before, piece.after];
         drop(piece);
         let options = tobj::LoadOptions::default();
         let (models, _) = tobj::load_obj_buf(&mut &*washed.text, &options, no_materials)?;
@@ -81,6 +88,7 @@ impl Block {
                 arities,
                 with_normals: washed.with_normals,
             },
+            counts,
         };
         Ok((block, washed.outline))
     }

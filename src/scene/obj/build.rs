@@ -3,29 +3,22 @@
 use super::{
     ObjError, ObjFile,
     block::{Block, Faces},
+    contents::Contents,
     material::{self, Material, Materials},
     names::Names,
     notes,
     outline::Outline,
-    polygon::Splitter,
+    polygon::{Splitter, has_area},
     vertices::Stored,
 };
 use crate::{
     geometry::{ColourRun, CornerNormals, Mesh, MeshData, Part},
     scene::{Cancelled, Detail, Progress},
 };
-use glam::DVec3;
-use std::{
-    collections::{HashMap, HashSet},
-    path::Path,
-    sync::Arc,
-};
+use std::{collections::HashMap, path::Path, sync::Arc};
 
 /// Edges that bend by more are drawn sharp where the file has no normals. Radians.
 const CREASE: f32 = 30.0 * std::f32::consts::PI / 180.0;
-
-/// A face with more than this many corners of which half are repeats is left out, too.
-const MOST_REPEATS: usize = 1 << 5;
 
 /// Puts a file's mesh together. All of it counts for so many bytes.
 pub(super) fn build(
@@ -43,6 +36,7 @@ pub(super) fn build(
     let steps = (Stored::STEPS + 1) * blocks.len().max(1) as u64;
     progress.advance(bytes % steps)?;
     let bytes = bytes / steps;
+    let mut contents = Contents::new(blocks.iter().map(|block| block.counts));
     let (vertices, faces): (Vec<_>, Vec<_>) = (blocks.into_iter())
         .map(|block| (block.vertices, block.faces))
         .unzip();
@@ -62,9 +56,11 @@ pub(super) fn build(
         Triangles::of(&faces, &cuts, &vertices, progress)
     })?;
     let mut all = Triangles::default();
-    split
-        .into_iter()
-        .try_for_each(|next| next.map(|next| all.append(next)))?;
+    for (piece, next) in split.into_iter().enumerate() {
+        contents.begin(piece, all.count());
+        all.append(next?);
+    }
+    contents.end(all.count());
     if all.corners.is_empty() {
         return Err(notes::nothing(path, &outline, &all.left_out));
     }
@@ -83,6 +79,7 @@ pub(super) fn build(
         mesh,
         warnings,
         materials: materials.files,
+        contents,
     })
 }
 
@@ -120,7 +117,6 @@ impl Triangles {
         all.corners.reserve_exact(faces.corners.len() / 3);
         let mut cuts = cuts.iter().peekable();
         let mut splitter = Splitter::default();
-        let mut polygon = Vec::new();
         let mut places = Vec::new();
         let mut at = 0;
         for (face, &with_normals) in faces.with_normals.iter().enumerate() {
@@ -148,16 +144,14 @@ impl Triangles {
                 all.add(&places, normals, [0, 1, 2], vertices);
                 continue;
             }
-            if is_repetitive(&places) {
-                all.left_out.repetitive += 1;
-                continue;
-            }
             if arity > 4 {
                 progress.advance(0)?;
             }
-            polygon.clear();
-            polygon.extend(places.iter().map(|&place| vertices.position(place)));
-            for &corners in splitter.split(&polygon) {
+            let Some(triangles) = splitter.face(&places, |place| vertices.position(place)) else {
+                all.left_out.repetitive += 1;
+                continue;
+            };
+            for &corners in triangles {
                 all.add(&places, normals, corners, vertices);
             }
         }
@@ -171,8 +165,7 @@ impl Triangles {
     /// Adds the triangle that has these corners of a face, if it has an area.
     fn add(&mut self, face: &[u32], normals: Option<&[u32]>, corners: [u32; 3], vertices: &Stored) {
         let triangle = corners.map(|i| face[i as usize]);
-        let [a, b, c] = triangle.map(|place| vertices.position(place));
-        if (b - a).cross(c - a) == DVec3::ZERO {
+        if !has_area(triangle.map(|place| vertices.position(place))) {
             self.left_out.without_area += 1;
             return;
         }
@@ -269,9 +262,4 @@ impl Triangles {
             crease: (!is_complete).then_some(CREASE),
         }
     }
-}
-
-fn is_repetitive(vertices: &[u32]) -> bool {
-    vertices.len() > MOST_REPEATS
-        && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
 }

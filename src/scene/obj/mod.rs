@@ -3,7 +3,8 @@
 //! A file is read in pieces (`pieces`), on all cores. The lines (`lines`, `words`) of each are washed and made a file by
 //! themselves (`wash`, `places`), of which `tobj` makes vertices and faces (`block`); what their other lines say
 //! (`outline`, `names`) is put in order. Then vertices are narrowed (`vertices`), polygons become triangles (`polygon`,
-//! `delaunay`), colours come from the MTL files (`material`), and `build` puts the mesh together. The rules:
+//! `delaunay`), colours come from the MTL files (`material`), and `build` puts the mesh together. What the file writes of a
+//! face (`in_file`) is not kept: it is read again (`again`), at the place where the file has it (`contents`). The rules:
 //!
 //! - **What is valid loads.** A face that names a vertex which is not there, or one without three finite coordinates, is
 //!   left out, which a warning says with the first such line. A file is refused when no triangle is left.
@@ -15,9 +16,13 @@
 //! - **Normals** are the file's on faces that have a usable one at each corner; others are computed from a crease angle.
 //! - **Colours** are `Kd`, as sRGB. Textures and transparency are not shown, which a warning says once.
 
+mod again;
 mod block;
 mod build;
+mod contents;
+mod corners;
 mod delaunay;
+mod in_file;
 mod lines;
 mod material;
 mod names;
@@ -35,7 +40,11 @@ pub(super) mod write;
 
 use super::{Cancelled, Detail, FileError, Progress, Warning, file};
 use crate::geometry::{Mesh, MeshError, shares::on_all_cores};
+pub use again::Again;
 use block::Block;
+pub use contents::Contents;
+use contents::Stamp;
+pub use in_file::{AgainError, FaceInFile, InFile, VertexInFile};
 use lines::{decode, is_utf16};
 use outline::Outline;
 use pieces::Pieces;
@@ -64,6 +73,8 @@ pub struct ObjFile {
     pub warnings: Vec<Warning>,
     /// The MTL files that it names, by their absolute paths, also those that are not there.
     pub materials: Vec<PathBuf>,
+    /// Where its faces and vertices stand.
+    pub contents: Contents,
 }
 
 /// Why a file was refused.
@@ -185,7 +196,10 @@ pub(super) fn load_with(
     progress: &Progress,
     detail: Detail,
 ) -> Result<ObjFile, ObjError> {
-    read(path, progress, (PIECE, detail), || open(path))
+    let stamp = Stamp::of(path);
+    let mut file = read(path, progress, (PIECE, detail), || open(path))?;
+    file.contents.stamp = stamp;
+    Ok(file)
 }
 
 /// [`load`] from the bytes of a file in memory; errors name it by `path`.

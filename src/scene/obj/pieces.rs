@@ -6,11 +6,15 @@ use crate::scene::Progress;
 use std::io::Read;
 
 /// What stands before a place of a file.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counts {
+    /// Of the text, without a byte order mark.
+    pub bytes: usize,
     pub lines: usize,
     pub vertices: usize,
     pub normals: usize,
+    /// `f` lines, whatever is in them.
+    pub faces: usize,
 }
 
 /// Lines that follow each other.
@@ -111,11 +115,14 @@ fn whole_lines(text: &[u8], before: Counts, is_all: bool) -> (usize, Counts) {
         match &line[fields(line).next().unwrap_or_default()] {
             b"v" => counts.vertices += 1,
             b"vn" => counts.normals += 1,
+            b"f" => counts.faces += 1,
             _ => {}
         }
         counts.lines = lines.ends();
         if is_all || lines.taken() < text.len() {
-            (length, after) = (lines.taken(), counts);
+            length = lines.taken();
+            counts.bytes = before.bytes + length;
+            after = counts;
         }
     }
     (length, after)

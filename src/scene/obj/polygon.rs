@@ -3,7 +3,7 @@
 use super::delaunay::delaunay;
 use earcut::{Earcut, deviation};
 use glam::DVec3;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// How far the triangles' area may be from the polygon's, relative to it, where its outline does not cross itself:
 /// well above what rounding makes of a sum over the largest polygons, well below any triangle worth seeing.
@@ -12,6 +12,14 @@ const CROSSES: f64 = 1e-9;
 /// Polygons of more corners are split by [`delaunay()`]: earcut is faster on few, but takes cubic time on some.
 const LARGE: usize = 64;
 
+/// A face with more than this many corners of which half are repeats is left out, too.
+const MOST_REPEATS: usize = 1 << 5;
+
+/// Whether a triangle has an area, as far as `f64` tells: those without are left out.
+pub(super) fn has_area([a, b, c]: [DVec3; 3]) -> bool {
+    (b - a).cross(c - a) != DVec3::ZERO
+}
+
 /// Splits polygons, with memory that lasts from one to the next.
 #[derive(Default)]
 pub(super) struct Splitter {
@@ -19,9 +27,31 @@ pub(super) struct Splitter {
     flat: Vec<[f64; 2]>,
     indices: Vec<u32>,
     triangles: Vec<[u32; 3]>,
+    polygon: Vec<DVec3>,
 }
 
 impl Splitter {
+    /// The triangles of a face by its vertices and where those lie, with and without area, as indices into its corners;
+    /// `None` where it has too many corners of which too many are the same.
+    pub fn face(
+        &mut self,
+        vertices: &[u32],
+        position: impl Fn(u32) -> DVec3,
+    ) -> Option<&[[u32; 3]]> {
+        if vertices.len() == 3 {
+            return Some(&[[0, 1, 2]]);
+        }
+        if is_repetitive(vertices) {
+            return None;
+        }
+        let mut polygon = std::mem::take(&mut self.polygon);
+        polygon.clear();
+        polygon.extend(vertices.iter().map(|&vertex| position(vertex)));
+        self.split(&polygon);
+        self.polygon = polygon;
+        Some(&self.triangles)
+    }
+
     /// The n - 2 triangles of a simple polygon, as indices into its corners, wound as it is.
     ///
     /// Where two of them touch they share an edge: a corner on the straight line between its neighbours stays (earcut
@@ -64,6 +94,11 @@ impl Splitter {
         }
         &self.triangles
     }
+}
+
+fn is_repetitive(vertices: &[u32]) -> bool {
+    vertices.len() > MOST_REPEATS
+        && 2 * vertices.iter().collect::<HashSet<_>>().len() <= vertices.len()
 }
 
 /// Twice the polygon's vector area, by Newell's method about its first corner.

@@ -1,5 +1,7 @@
 //! A file in pieces is what it is in one, wherever the pieces end; and what `tobj` alone makes of it.
 
+mod again;
+
 use super::{ObjError, ObjFile, PIECE, open, read};
 use crate::{
     geometry::random::Random,

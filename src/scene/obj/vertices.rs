@@ -209,6 +209,6 @@ fn unit(normal: DVec3) -> [f32; 3] {
     clippy::cast_possible_truncation,
     reason = "positions about an origin, unit vectors"
 )]
-fn narrow(v: DVec3) -> [f32; 3] {
+pub(super) fn narrow(v: DVec3) -> [f32; 3] {
     v.to_array().map(|c| c as f32)
 }

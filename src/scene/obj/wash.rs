@@ -11,17 +11,15 @@
 
 use super::{
     BadLine,
+    corners::{MOST_CORNERS, Normal, read_corners, without_comment},
     lines::Lines,
     names::Said,
     outline::Outline,
     pieces::{Counts, Piece},
     places::Places,
-    words::{Number, fields, index, integer},
+    words::{Number, fields},
 };
 use std::ops::Range;
-
-/// A face with more corners is left out: no modeller writes one.
-const MOST_CORNERS: usize = 1 << 16;
 
 /// A longer name of an object or group is cut, in characters.
 const LONGEST_NAME: usize = 120;
@@ -223,12 +221,9 @@ impl Washer {
     /// Checks the corners, of which `tobj` would refuse the bad ones without saying where, and read absent normals as
     /// those of the corner before.
     fn face(&mut self, corners: &[u8]) {
-        self.corners.clear();
-        for at in fields(corners) {
-            match self.corner(&corners[at]) {
-                Ok(corner) => self.corners.push(corner),
-                Err(fault) => return self.note(fault),
-            }
+        let corners = read_corners(corners, self.before, self.known, &mut self.corners);
+        if let Err(fault) = corners {
+            return self.note(fault);
         }
         let Washed {
             text,
@@ -261,35 +256,6 @@ impl Washer {
         text.push(b'\n');
         with_normals.push(all_there);
     }
-
-    /// The vertex, from 1, and the normal that a corner of a face names. Its texture coordinate need only look like one.
-    fn corner(&self, corner: &[u8]) -> Result<(usize, Normal), BadLine> {
-        let slash = corner.iter().position(|&b| b == b'/');
-        let (vertex, others) = corner.split_at(slash.unwrap_or(corner.len()));
-        let before = self.before;
-        let is_there = |&number: &usize| self.known.is_none_or(|known| number <= known);
-        let Some(number) = index(vertex, before.vertices).filter(is_there) else {
-            let named = String::from_utf8_lossy(&vertex[..vertex.len().min(24)]);
-            return Err(BadLine::NoSuchVertex {
-                vertex: named.escape_debug().to_string(),
-                vertices: self.known.unwrap_or(before.vertices),
-            });
-        };
-        if others.is_empty() {
-            return Ok((number, Normal::Absent));
-        }
-        let mut others = others[1..].split(|&b| b == b'/');
-        let [texture, normal] = [(); 2].map(|()| others.next().unwrap_or_default());
-        if !(texture.is_empty() || integer(texture).is_some()) || others.next().is_some() {
-            return Err(BadLine::Corner);
-        }
-        let normal = match index(normal, before.normals) {
-            _ if normal.is_empty() => Normal::Absent,
-            Some(normal) if normal <= before.normals => Normal::There(normal),
-            _ => Normal::Nowhere,
-        };
-        Ok((number, normal))
-    }
 }
 
 /// A text whose vertices have no colours, with white ones.
@@ -313,11 +279,6 @@ fn write_corner(text: &mut Vec<u8>, vertex: usize, normal: Option<usize>) {
     }
 }
 
-fn without_comment(line: &[u8]) -> &[u8] {
-    let end = memchr::memchr(b'#', line);
-    &line[..end.unwrap_or(line.len())]
-}
-
 /// What stands after the keyword: a name, in which a `#` begins a comment only where it stands alone.
 fn rest(line: &[u8]) -> String {
     let text = String::from_utf8_lossy(line).replace('\t', " ");
@@ -334,15 +295,4 @@ fn short_rest(line: &[u8]) -> String {
         name.shrink_to_fit();
     }
     name
-}
-
-/// What a corner says of its normal.
-#[derive(PartialEq, Eq)]
-enum Normal {
-    /// Nothing.
-    Absent,
-    /// Which it is, from 1.
-    There(usize),
-    /// One that does not exist.
-    Nowhere,
 }

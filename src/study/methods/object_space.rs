@@ -53,7 +53,7 @@ pub struct PlacedCase {
     /// As given.
     pub wide: Placed<f64>,
     /// The ray as this program's.
-    pub ray: WorldRay,
+    pub ray: WorldRay<'static>,
     /// The model matrix as a scene has it.
     pub placement: Placement,
     /// An angle that is one pixel wide, in radians.

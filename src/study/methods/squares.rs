@@ -75,7 +75,7 @@ pub struct SquareCase {
     /// As given.
     pub wide: RaySquare<f64>,
     /// The ray as this program's.
-    pub ray: WorldRay,
+    pub ray: WorldRay<'static>,
     /// The square as an object of a scene.
     pub placement: Placement,
     /// An angle that is one pixel wide, in radians.

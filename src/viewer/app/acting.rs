@@ -36,6 +36,7 @@ impl App {
                 self.statistics.pick = Some(start.elapsed());
             }
             self.reveal_selection = true;
+            self.snap();
         }
         if let Some(line) = picked {
             if let Some(ray) = self.state.hits() {

@@ -57,6 +57,7 @@ impl App {
                     self.complain(reason);
                 }
             }
+            Command::GoTo(to) => self.go_to(to),
             Command::Screenshot { alone } => {
                 self.screenshots.wanted = Some(Shot { alone });
                 self.context.request_repaint();

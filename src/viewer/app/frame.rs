@@ -120,6 +120,7 @@ impl App {
         self.take_waiting();
         self.take_changed();
         self.take_typefaces();
+        self.take_numbers();
         for scene in self.state.take_unused() {
             let size = scene.objects().len() + scene.triangle_count();
             let_go(scene, size);
@@ -151,6 +152,7 @@ impl App {
                 marks: painted(&context, &self.state, &self.checking, &mut self.marks),
                 statistics: &self.statistics,
                 docks: &mut self.docks,
+                going_to: self.numbers.said.as_deref(),
                 recent: &self.memory.recent,
                 look: self.memory.look,
                 filter: &mut self.filter,

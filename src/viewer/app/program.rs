@@ -2,6 +2,7 @@
 
 use super::{
     memory::Memory,
+    numbers::Numbers,
     rest::Rest,
     wake::{Wake, Waker},
 };
@@ -119,6 +120,8 @@ pub(in crate::viewer) struct App {
     pub(super) watching: Option<Watching>,
     /// The system's, for names that the panels' own do not have.
     pub(super) typefaces: Typefaces,
+    /// Questions to the files of meshes.
+    pub(super) numbers: Numbers,
     pub filter: Filter,
     pub checking: Checking,
     /// The pixels in which a comparison found differences.
@@ -177,6 +180,7 @@ impl App {
             memory,
             watching: None,
             typefaces,
+            numbers: Numbers::default(),
             filter: Filter::default(),
             checking: Checking::Off,
             marks: None,
@@ -215,6 +219,7 @@ impl App {
             || studies
             || self.typefaces.is_busy()
             || self.projecting.is_some()
+            || self.numbers.is_busy()
             || !self.state.scene().trees_are_built()
     }
 

@@ -12,7 +12,7 @@ impl App {
     pub(super) fn watch(&mut self) {
         let source = self.state.source();
         let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
-        let meshes = source.meshes.iter().map(|(path, _)| path);
+        let meshes = source.meshes.iter().map(|file| &file.path);
         let mut files: Vec<_> = source
             .paths
             .iter()

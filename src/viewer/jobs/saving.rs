@@ -1,12 +1,12 @@
 //! A scene on its way into files: the window answers while they are written.
 
-use crate::{geometry::Mesh, scene, viewer::model::Snapshot};
+use crate::{
+    scene::{self, MeshFile},
+    viewer::model::Snapshot,
+};
 use std::{
     path::PathBuf,
-    sync::{
-        Arc,
-        mpsc::{Receiver, TryRecvError, channel},
-    },
+    sync::mpsc::{Receiver, TryRecvError, channel},
     thread,
 };
 
@@ -19,7 +19,7 @@ pub(in crate::viewer) struct Saved {
     /// The scene file.
     pub path: PathBuf,
     /// The files of its meshes.
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
 }
 
 impl Saving {

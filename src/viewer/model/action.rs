@@ -1,6 +1,8 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::{matrices::Row, overlay::Overlay, stages::Stage, views::Views};
+use super::{
+    matrices::Row, measuring::MeasureAction, overlay::Overlay, stages::Stage, views::Views,
+};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     study::swap::Swap,
@@ -58,6 +60,8 @@ pub enum Action {
         /// The next, further away.
         forward: bool,
     },
+    /// Show a world point of an object, by index, and of a triangle of that; pick it there, whatever lies before it.
+    GoTo(usize, u32, DVec3),
     /// Give an object this model matrix; nothing when it has no inverse.
     Place(usize, DAffine3),
     /// Take over a camera, all that it says of it.
@@ -94,6 +98,8 @@ pub enum Action {
         /// The next.
         forward: bool,
     },
+    /// Do something to the list of measures.
+    Measure(MeasureAction),
     /// Take back the last change of scene or view.
     Undo,
     /// Make again what was taken back last.
@@ -121,6 +127,7 @@ impl Action {
                 | Self::UpAxis(_)
                 | Self::Camera(_)
                 | Self::Recentre(_)
+                | Self::GoTo(..)
         )
     }
 
@@ -172,6 +179,14 @@ pub struct LensControls {
 }
 
 impl LensControls {
+    /// Orthographic in place of perspective, or back.
+    pub(super) fn other_projection(self) -> Self {
+        Self {
+            orthographic: !self.orthographic,
+            ..self
+        }
+    }
+
     /// What somebody says of a camera's lens.
     #[must_use]
     pub fn of(choice: &CameraChoice) -> Self {

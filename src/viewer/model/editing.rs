@@ -115,6 +115,7 @@ impl State {
         self.visibility_revision += 1;
         self.cursor = None;
         self.clicked_s = None;
+        self.forget_points();
         if let Some(showing) = &mut self.showing {
             showing.compared = None;
         }

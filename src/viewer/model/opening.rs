@@ -3,6 +3,7 @@
 use super::{
     action::LensControls,
     made::Made,
+    measuring::Measuring,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     showing::Showing,
@@ -11,10 +12,10 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, CameraError, Orbit, View, Viewport},
-    geometry::{Mesh, Sides},
-    scene::{self, Loaded, Scene},
+    geometry::Sides,
+    scene::{self, Loaded, MeshFile, Scene},
 };
-use std::{mem, path::PathBuf, sync::Arc};
+use std::{mem, path::PathBuf};
 
 impl State {
     /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
@@ -58,6 +59,7 @@ impl State {
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
+            measuring: Measuring::default(),
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,
@@ -187,6 +189,7 @@ impl State {
         (self.cursor, self.lit) = (None, None);
         self.hits = None;
         self.landmarks.clear();
+        self.forget_points();
         self.source.meshes = loaded.meshes;
         self.source.materials = loaded.materials;
         self.edits.matrices = self.filed.matrices;
@@ -252,7 +255,7 @@ impl State {
 pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
     document: u64,
     edits: Edits,
 }

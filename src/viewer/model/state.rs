@@ -5,6 +5,7 @@ use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
     matrices::Row,
+    measuring::{Entry, Measuring},
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
@@ -14,13 +15,13 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Mesh, Placement},
+    geometry::Placement,
     pick::PickLine,
-    scene::Scene,
+    scene::{MeshFile, Scene},
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
-use std::{path::PathBuf, sync::Arc};
+use std::path::PathBuf;
 
 /// Two clicks that are further apart in seconds are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
@@ -106,6 +107,8 @@ pub(super) enum Step {
     },
     /// The view stood there.
     Stood(Stand),
+    /// This was measured.
+    Measured(Vec<Entry>),
     /// All of this was open, in place of a scene of the gallery.
     Open(Box<State>),
 }
@@ -116,7 +119,7 @@ pub struct Source {
     /// What was opened, for the command that opens it again.
     pub paths: Vec<PathBuf>,
     /// The files of its meshes, for the scene file that names them.
-    pub meshes: Vec<(PathBuf, Arc<Mesh>)>,
+    pub meshes: Vec<MeshFile>,
     /// The MTL files that those name.
     pub materials: Vec<PathBuf>,
 }
@@ -152,6 +155,7 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
+    pub(super) measuring: Measuring,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
@@ -253,6 +257,7 @@ impl State {
             Step::Shown { .. } => "hide and show",
             Step::Composed { .. } => "objects added",
             Step::Stood(_) => "view",
+            Step::Measured(_) => "measures",
             Step::Open(_) => "gallery",
         })
     }

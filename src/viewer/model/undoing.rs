@@ -121,6 +121,7 @@ impl State {
                 self.stand_at(&stand);
                 inverse
             }
+            Step::Measured(list) => Step::Measured(self.exchange_measures(list)),
             Step::Open(state) => Step::Open(self.exchange(state)),
         }
     }
@@ -137,6 +138,7 @@ impl State {
         other.visibility_revision = self.visibility_revision + 1;
         (other.grid, other.overlays) = (self.grid, self.overlays);
         other.panes = self.panes.take();
+        other.measuring.is_on = self.measuring.is_on;
         other.view.viewport = self.view.viewport;
         (other.cursor, other.lit, other.clicked_s) = (None, None, None);
         mem::swap(self, &mut *other);

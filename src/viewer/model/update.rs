@@ -1,10 +1,6 @@
 //! What each action does to the state.
 
-use super::{
-    action::{Action, LensControls},
-    state::State,
-    timeline::Gesture,
-};
+use super::{action::Action, state::State, timeline::Gesture};
 use crate::{
     camera::{Camera, Orbit, pixel_centre},
     geometry::Sides,
@@ -34,7 +30,7 @@ impl State {
         picked
     }
 
-    fn perform(&mut self, action: Action) -> Option<PickLine> {
+    pub(super) fn perform(&mut self, action: Action) -> Option<PickLine> {
         match action {
             Action::Undo => drop(self.step_in_time(true)),
             Action::Redo => drop(self.step_in_time(false)),
@@ -80,10 +76,7 @@ impl State {
                 }
             }
             Action::Lens(controls) => self.set_lens(controls),
-            Action::ToggleProjection => self.set_lens(LensControls {
-                orthographic: !self.controls.orthographic,
-                ..self.controls
-            }),
+            Action::ToggleProjection => self.set_lens(self.controls.other_projection()),
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
@@ -101,6 +94,7 @@ impl State {
             }
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
+            Action::GoTo(object, triangle, at) => return self.go_to(object, triangle, at),
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
             Action::Select(object) => self.select(object),
@@ -124,6 +118,7 @@ impl State {
                     self.pick_by(showing.next_method(forward));
                 }
             }
+            Action::Measure(action) => self.measure(action),
             Action::Views(views) => self.show_views(views),
             Action::Enter(stage) => {
                 if let Some(panes) = &mut self.panes {

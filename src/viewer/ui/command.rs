@@ -27,6 +27,8 @@ pub(in crate::viewer) enum Command {
     CopyCamera,
     /// Take over the camera in this text from the clipboard.
     Paste(String),
+    /// Show an object, or what its file calls by a number.
+    GoTo(GoTo),
     /// Write what is on screen into a PNG file.
     Screenshot {
         /// Without the panels.
@@ -69,6 +71,17 @@ pub(in crate::viewer) enum Command {
     NextLook,
     /// Close the window.
     Quit,
+}
+
+/// What can be gone to by its number, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum GoTo {
+    /// An object of the scene.
+    Object(usize),
+    /// A face of the file.
+    Face(usize),
+    /// A vertex of the file.
+    Vertex(usize),
 }
 
 /// What would drop edits that no file has.

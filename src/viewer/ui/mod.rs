@@ -9,7 +9,7 @@ mod panels;
 mod theme;
 mod tour;
 
-pub(super) use command::{Command, Intent, Reply, TourMove};
+pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
 pub(super) use mouse::Drag;
 pub(super) use notice::{Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};

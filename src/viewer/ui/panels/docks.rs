@@ -29,16 +29,18 @@ pub(in crate::viewer) enum Section {
     Camera,
     Pipeline,
     Pick,
+    Measure,
     /// Last: it takes the height that is left.
     Objects,
 }
 
 impl Section {
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Gallery,
         Self::Camera,
         Self::Pipeline,
         Self::Pick,
+        Self::Measure,
         Self::Objects,
     ];
 
@@ -48,6 +50,7 @@ impl Section {
             Self::Camera => "Camera",
             Self::Pipeline => "Matrices",
             Self::Pick => "Pick",
+            Self::Measure => "Measure",
             Self::Objects => "Objects",
         }
     }
@@ -57,7 +60,7 @@ impl Section {
         match self {
             Self::Objects => 140.0,
             Self::Pipeline => MATRIX,
-            Self::Gallery | Self::Camera | Self::Pick => FIELDS,
+            Self::Gallery | Self::Camera | Self::Pick | Self::Measure => FIELDS,
         }
     }
 }
@@ -102,9 +105,11 @@ impl Default for Docks {
         let place = |section| Place {
             side: match section {
                 Section::Camera | Section::Pick => Side::Right,
-                Section::Gallery | Section::Pipeline | Section::Objects => Side::Left,
+                Section::Gallery | Section::Pipeline | Section::Measure | Section::Objects => {
+                    Side::Left
+                }
             },
-            folded: false,
+            folded: section == Section::Measure,
         };
         let wing = |width| Wing { open: true, width };
         Self {

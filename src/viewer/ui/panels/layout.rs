@@ -116,7 +116,7 @@ fn sections(shown: &Shown) -> Vec<Section> {
     let in_gallery = shown.state.showing().is_some();
     let is_there = |section: &Section| match section {
         Section::Gallery => in_gallery,
-        Section::Objects => !in_gallery,
+        Section::Objects | Section::Measure => !in_gallery,
         Section::Pipeline => shown.floating.pipeline,
         Section::Camera | Section::Pick => true,
     };

@@ -5,7 +5,7 @@ use super::field::short;
 use crate::{
     camera::View,
     look,
-    pick::Pick,
+    pick::{Pick, snap::Snap},
     viewer::{
         model::{Overlay, PickView, State, triangle},
         screen::SceneRect,
@@ -41,6 +41,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
     if let Some(pick) = pick {
         page.hit(pick);
     }
+    page.snapped(&state.measuring().points);
 }
 
 struct Page<'a> {
@@ -77,6 +78,27 @@ impl Page<'_> {
                 for to in [down, up] {
                     self.painter.line_segment([at - to, at + to], stroke);
                 }
+            }
+        }
+    }
+
+    /// A diamond about each point that a click was led to, and the way between them.
+    fn snapped(&self, points: &[Snap]) {
+        if let [from, to] = points {
+            self.distance(from.point_world, to.point_world);
+        }
+        for at in points.iter().filter_map(|point| self.at(point.point_world)) {
+            let corners = [
+                vec2(9.0, 0.0),
+                vec2(0.0, 9.0),
+                vec2(-9.0, 0.0),
+                vec2(0.0, -9.0),
+            ];
+            let corners = corners.map(|corner| at + corner).to_vec();
+            for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (self.colour, 0.0)] {
+                let stroke = Stroke::new(1.5 + more, colour);
+                self.painter
+                    .add(Shape::closed_line(corners.clone(), stroke));
             }
         }
     }

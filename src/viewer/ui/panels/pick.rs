@@ -1,7 +1,7 @@
 //! All that is known about the pick.
 
 use super::{
-    inspect, model_matrix,
+    in_file, inspect, model_matrix,
     names::Hint,
     record::{Digits, rows},
 };
@@ -77,6 +77,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     };
     whose_view(ui, state);
     rows(ui, "record", &record(hit, digits));
+    in_file::show(ui, hit);
     let in_one_place = selection
         .pick
         .as_ref()

@@ -57,6 +57,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub docks: &'a mut Docks,
     /// Which look the panels are asked to have.
     pub look: Look,
+    /// What came of the last way to a face or a vertex.
+    pub going_to: Option<&'a str>,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.

@@ -54,6 +54,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 marks: None,
                 statistics: &Statistics::default(),
                 docks: &mut Docks::default(),
+                going_to: None,
                 recent: &[],
                 look: Look::default(),
                 filter: &mut Filter::default(),

@@ -1,0 +1,105 @@
+//! What the files of meshes say, for `sightline pick`: of what was hit, and of a face or a vertex by its number.
+
+use super::{CliError, PickArgs};
+use crate::{
+    camera::View,
+    json,
+    pick::Whereabouts,
+    scene::{FilesAgain, Loaded, MeshFile, Shape, obj::VertexInFile},
+};
+use serde::Serialize;
+use std::io::Write;
+
+/// The line for a face.
+#[derive(Serialize)]
+struct FaceLine {
+    file: String,
+    face: usize,
+    line: usize,
+    vertices: Vec<VertexInFile>,
+    places: Vec<Whereabouts>,
+}
+
+/// The line for a vertex.
+#[derive(Serialize)]
+struct VertexLine {
+    file: String,
+    #[serde(flatten)]
+    vertex: VertexInFile,
+    places: Vec<Whereabouts>,
+}
+
+/// Prints where the faces and vertices are that are asked for.
+pub(super) fn write(
+    mut out: impl Write,
+    args: &PickArgs,
+    loaded: &Loaded,
+    view: &View,
+    files: &mut FilesAgain,
+) -> Result<(), CliError> {
+    if args.face.is_empty() && args.vertex.is_empty() {
+        return Ok(());
+    }
+    let file = file(args, loaded)?;
+    let (scene, mesh) = (&loaded.scene, &file.mesh);
+    let again = files.of(mesh).ok_or_else(no_file)?;
+    let name = file.path.display().to_string();
+    let mut print = |line: std::io::Result<String>| {
+        line.and_then(|line| writeln!(out, "{line}"))
+            .map_err(CliError::stdout)
+    };
+    for &number in &args.face {
+        let found = again.face(number)?;
+        print(json::text(&FaceLine {
+            file: name.clone(),
+            face: found.face,
+            line: found.line,
+            vertices: found.vertices,
+            places: Whereabouts::of_face(scene, view, mesh, found.triangles),
+        }))?;
+    }
+    for &number in &args.vertex {
+        let vertex = again.vertex(number)?;
+        let places = match vertex.value {
+            Some(_) => Whereabouts::of_vertex(scene, view, mesh, vertex.position),
+            None => Vec::new(),
+        };
+        print(json::text(&VertexLine {
+            file: name.clone(),
+            vertex,
+            places,
+        }))?;
+    }
+    Ok(())
+}
+
+/// The file whose faces and vertices are meant.
+fn file<'a>(args: &PickArgs, loaded: &'a Loaded) -> Result<&'a MeshFile, CliError> {
+    let Some(id) = args.object else {
+        let mut files = loaded.meshes.iter().filter(|file| file.contents.is_some());
+        return match (files.next(), files.next()) {
+            (Some(only), None) => Ok(only),
+            (None, _) => Err(no_file()),
+            _ => Err(CliError::Usage(
+                "there are several OBJ files: --object ID says whose face or vertex".to_owned(),
+            )),
+        };
+    };
+    let object = id
+        .checked_sub(1)
+        .and_then(|index| loaded.scene.objects().get(index));
+    let Some(object) = object else {
+        let objects = loaded.scene.objects().len();
+        return Err(CliError::Usage(format!(
+            "--object: there is no object {id}: ids run from 1 to {objects}; see 'sightline list'"
+        )));
+    };
+    match &object.shape {
+        Shape::Mesh { mesh, .. } => MeshFile::of(&loaded.meshes, mesh).ok_or_else(no_file),
+        _ => Err(no_file()),
+    }
+}
+
+fn no_file() -> CliError {
+    CliError::Usage("faces and vertices have numbers where an OBJ file is shown".to_owned())
+}

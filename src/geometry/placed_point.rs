@@ -1,0 +1,102 @@
+//! Points of shapes, with nothing rounded, and the rays of a picture through them.
+
+use super::{
+    PixelGrid, Placement, Ray, RayError, U, WorldRay,
+    exact::{self, Rounded},
+    ray::Line,
+};
+use glam::{DAffine3, DVec3};
+
+/// A point of a shape with nothing rounded: some share of the way from one point of object space to another, both given
+/// about an origin there, where a placement puts it in the world. All numbers are finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedPoint {
+    pub(super) model: DAffine3,
+    pub(super) origin: DVec3,
+    pub(super) from: DVec3,
+    pub(super) to: DVec3,
+    pub(super) share: f64,
+}
+
+impl PlacedPoint {
+    /// A vertex, given about an origin of object space.
+    #[must_use]
+    pub fn vertex(placement: &Placement, origin: DVec3, vertex: DVec3) -> Self {
+        Self::between(placement, origin, [vertex; 2], 0.0)
+    }
+
+    /// A point on the line through two, `share` of the way from the first to the second.
+    #[must_use]
+    pub fn between(
+        placement: &Placement,
+        origin: DVec3,
+        [from, to]: [DVec3; 2],
+        share: f64,
+    ) -> Self {
+        Self {
+            model: placement.model(),
+            origin,
+            from,
+            to,
+            share,
+        }
+    }
+
+    /// Where it is in the world, each coordinate rounded once.
+    #[must_use]
+    pub fn world(&self) -> DVec3 {
+        exact::point_world(self)
+    }
+
+    /// Where it is in object space, each coordinate rounded once.
+    #[must_use]
+    pub fn object(&self) -> DVec3 {
+        let model = DAffine3::IDENTITY;
+        exact::point_world(&Self { model, ..*self })
+    }
+}
+
+/// A point in a picture: what the ray that passes through it is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThroughPoint {
+    /// The picture.
+    pub grid: PixelGrid,
+    /// The point.
+    pub point: PlacedPoint,
+    /// The interval of view depth that counts.
+    pub interval: [f64; 2],
+}
+
+impl ThroughPoint {
+    /// The ray of the picture that passes through the point: [`PixelGrid::ray`] at the position that shows it, which need be
+    /// no `f64`. Its exact line holds the exact point, at the exact depth of that. `None` where the point lies at or behind
+    /// the eye in perspective, or the axes span no space.
+    ///
+    /// Bounds: each number is an exact one that is rounded, within three roundings.
+    #[must_use]
+    pub fn ray(&self) -> Option<WorldRay<'_>> {
+        let line = Line::Through(self);
+        let Rounded { origin, direction } = exact::rounded_line(&line)?;
+        let [t_min, t_max] = self.interval;
+        let ray = Ray {
+            origin,
+            direction,
+            t_min,
+            t_max,
+        };
+        let error = RayError {
+            origin: origin.map(error_of),
+            direction: direction.map(error_of),
+        };
+        Some(WorldRay::of_line(ray, error, line))
+    }
+}
+
+/// What three roundings may take from a number; what is too small to be held relative to has no bound.
+fn error_of(rounded: f64) -> f64 {
+    if rounded == 0.0 || rounded.abs() >= super::binary::power_of_two(-900) {
+        4.0 * U * rounded.abs()
+    } else {
+        f64::INFINITY
+    }
+}

@@ -1,0 +1,283 @@
+//! Lengths and areas with bounds on how far they are off.
+//!
+//! Points are taken as they are, with nothing rounded: a vertex as its file writes it, in decimals, a point of an edge as the
+//! stored ends and its share make it. Differences, squares and sums are exact; a root or a quotient is cut off after
+//! [`BITS`] bits, and the end is rounded once. What is known only roughly brings its own bound, and the sum of all is the
+//! error that is said.
+
+use crate::geometry::{
+    Mesh, PlacedPoint, Placement, area,
+    dyadic::{self, Dyadic, DyadicVector},
+};
+use glam::DVec3;
+use num_bigint::BigInt;
+use serde::Serialize;
+use std::ops::Range;
+
+/// Digits of roots and quotients before the end is rounded.
+const BITS: i64 = 128;
+/// Of a number that is rounded once after its digits beyond the 64th were cut off, relative to it.
+const ROUNDING: f64 = 0.5 * f64::EPSILON * (1.0 + 1.0 / 256.0);
+/// For the roundings of bounds themselves, of which none has more than ten.
+const MORE: f64 = 1.0 + 16.0 * f64::EPSILON;
+/// A decimal exponent beyond this is that of no `f64`.
+const MOST_EXPONENT: i64 = 400;
+
+/// A length or an area, in world units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Measured {
+    /// The number.
+    pub value: f64,
+    /// How far it is from the exact one, at most.
+    pub error: f64,
+}
+
+impl Measured {
+    fn of(exact: &Dyadic, error: f64) -> Self {
+        let value = dyadic::rounded(&exact.integer, exact.exponent);
+        let error = MORE * (ROUNDING * value.abs() + error);
+        Self { value, error }
+    }
+}
+
+/// A point of the world to measure from: numerators over a denominator above 0, and how far it may be off.
+#[derive(Clone, Debug)]
+pub struct ExactPoint {
+    numerators: DyadicVector,
+    denominator: Dyadic,
+    error: f64,
+}
+
+impl ExactPoint {
+    /// A point of a shape as it is stored; off by no more than `error`.
+    #[must_use]
+    pub fn stored(point: &PlacedPoint, error: f64) -> Self {
+        Self {
+            numerators: dyadic::point_world(point),
+            denominator: Dyadic::new(1.0),
+            error,
+        }
+    }
+
+    /// A point of the world that is off by no more than `error`.
+    #[must_use]
+    pub fn about(point_world: DVec3, error: f64) -> Self {
+        Self {
+            numerators: DyadicVector::new(point_world),
+            denominator: Dyadic::new(1.0),
+            error,
+        }
+    }
+
+    /// A vertex where a placement puts what is written of it: three decimal numbers, as they are. `None` of other text.
+    #[must_use]
+    pub fn written(placement: &Placement, text: &str) -> Option<Self> {
+        let numbers: Option<Vec<_>> = text.split_whitespace().map(decimal).collect();
+        let numbers: [(BigInt, i64); 3] = numbers?.try_into().ok()?;
+        let places = numbers
+            .iter()
+            .map(|(_, exponent)| -exponent)
+            .fold(0, i64::max);
+        let numerators = numbers.map(|(digits, exponent)| digits * ten_to(exponent + places));
+        let denominator = Dyadic {
+            integer: ten_to(places),
+            exponent: 0,
+        };
+        let object = DyadicVector {
+            integers: numerators,
+            exponent: 0,
+        };
+        Some(Self {
+            numerators: dyadic::placed(placement, &object, &denominator),
+            denominator,
+            error: 0.0,
+        })
+    }
+
+    /// To another, times both denominators.
+    fn way(&self, other: &Self) -> DyadicVector {
+        let to = other.numerators.times(&self.denominator);
+        to.minus(&self.numerators.times(&other.denominator))
+    }
+
+    /// How far it is from another.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> Measured {
+        let way = self.way(other);
+        let length = way.dot(&way).sqrt(BITS);
+        let denominator = self.denominator.times(&other.denominator);
+        let error = self.error + other.error;
+        Measured::of(&length.quotient(&denominator, BITS), error)
+    }
+}
+
+/// The area of a polygon: that of triangles by the places of their corners in it.
+#[must_use]
+pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured {
+    let mut sum = Dyadic::new(0.0);
+    for corners in triangles {
+        let [a, b, c] = corners.map(|corner| &polygon[corner as usize]);
+        let cross = a.way(b).cross(&a.way(c));
+        // Both ways have the first denominator, and each that of its end.
+        let denominators = a.denominator.squared().times(&b.denominator);
+        let denominator = Dyadic::new(2.0).times(&denominators.times(&c.denominator));
+        let twice = cross.dot(&cross).sqrt(BITS);
+        sum = sum.plus(&twice.quotient(&denominator, BITS));
+    }
+    Measured::of(&sum, 0.0)
+}
+
+/// The area of a range of a mesh's triangles where a placement puts them: of what its file writes, which is stored as `f32`
+/// about the mesh's origin. That moves a corner by no more than `d`, below, and the area of a triangle with the sides p and q
+/// by no more than d (|p| + |q|) + 2 d^2.
+#[must_use]
+pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> Measured {
+    let corners = || {
+        triangles
+            .clone()
+            .map(|triangle| mesh.vertex_corners(triangle))
+    };
+    let [value, error] = area(placement, corners());
+    let model = placement.model();
+    let largest = corners()
+        .flatten()
+        .fold(DVec3::ZERO, |most, p| most.max(p.abs()));
+    let origin = mesh.data().origin.abs();
+    // A coordinate is rounded to `f64`, less the origin, and to `f32`, of which the least have no more digits.
+    let rounded = 0.5 * f64::from(f32::EPSILON) * largest
+        + f64::EPSILON * (largest + origin)
+        + DVec3::splat(f64::from(f32::from_bits(1)));
+    let columns = model.matrix3.to_cols_array().map(|c| c * c);
+    let stretch = columns.iter().sum::<f64>().sqrt();
+    let d = stretch * rounded.length();
+    let sides: f64 = corners()
+        .map(|[a, b, c]| a.distance(b) + a.distance(c))
+        .sum();
+    let count = f64::from(triangles.end - triangles.start);
+    let stored = d * stretch * sides + 2.0 * count * d * d;
+    // Sums of so many have so many roundings.
+    let more = 1.0 + (count + 16.0) * f64::EPSILON;
+    Measured {
+        value,
+        error: more * MORE * (error + stored),
+    }
+}
+
+/// A decimal number as digits times a power of ten; `None` of other text.
+fn decimal(text: &str) -> Option<(BigInt, i64)> {
+    if !text.parse::<f64>().ok()?.is_finite() {
+        return None;
+    }
+    let (mantissa, exponent) = match text.find(['e', 'E']) {
+        Some(at) => (
+            &text[..at],
+            text[at + 1..].parse::<i64>().unwrap_or(i64::MIN),
+        ),
+        None => (text, 0),
+    };
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: BigInt = format!("{whole}{part}").parse().ok()?;
+    let exponent = exponent.saturating_sub(i64::try_from(part.len()).ok()?);
+    if exponent.abs() > MOST_EXPONENT + i64::try_from(text.len()).ok()? {
+        // It is finite: too small for any `f64`.
+        return Some((BigInt::ZERO, 0));
+    }
+    Some((digits, exponent))
+}
+
+fn ten_to(exponent: i64) -> BigInt {
+    BigInt::from(10).pow(u32::try_from(exponent).unwrap_or(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::random::Random;
+    use glam::{DAffine3, DMat3};
+
+    fn is(measured: Measured, exact: f64) -> bool {
+        measured.value.to_bits() == exact.to_bits()
+    }
+
+    fn is_within(measured: Measured, exact: f64) -> bool {
+        (measured.value - exact).abs() <= measured.error
+    }
+
+    #[test]
+    fn decimals_are_taken_as_they_are_written() {
+        let at = |text: &str| ExactPoint::written(&Placement::IDENTITY, text).expect("numbers");
+        // In `f64` the difference of the first two is 0.10000000149...
+        let near = at("1000000000.1 0 0").distance(&at("1e9 -0 +0.0"));
+        assert!(is(near, 0.1) && near.error <= 1.12e-17);
+        assert!(is(at("3 0 0").distance(&at("0 4.0 0e7")), 5.0));
+        assert!(is(at(".5 1. 2E0").distance(&at("-0.5 1 2")), 1.0));
+        assert!(is(at("1e-999999999999 0 0").distance(&at("0 0 1")), 1.0));
+        for text in ["1 2", "1 2 nan", "1 2 x", "1 2 3 4", "1 2 inf"] {
+            assert!(
+                ExactPoint::written(&Placement::IDENTITY, text).is_none(),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_placement_moves_what_is_measured() {
+        let model = DAffine3::from_mat3_translation(
+            DMat3::from_diagonal(DVec3::new(2.0, 3.0, 4.0)),
+            DVec3::ONE,
+        );
+        let placement = Placement::new(model).expect("it has an inverse");
+        let at = |text: &str| ExactPoint::written(&placement, text).expect("numbers");
+        assert!(is(at("0.1 0 0").distance(&at("0 0 0")), 0.2));
+        let corners = [at("0 0 0"), at("1 0 0"), at("1 1 0"), at("0 1 0")];
+        let square = polygon_area(&corners, &[[0, 1, 2], [0, 2, 3]]);
+        assert!(is(square, 6.0));
+        assert!(square.error <= 1e-15 * 6.0);
+    }
+
+    /// The same points stored and written: as their shortest decimals they are the same within one rounding of each.
+    #[test]
+    fn distances_lie_within_their_bounds() {
+        let mut random = Random(5);
+        for i in 0..2_000 {
+            let [a, b] = [(); 2].map(|()| 10_f64.powi(i % 13 - 6) * random.point());
+            let offset = DVec3::splat(f64::from(i % 5) * 1e5);
+            let [a, b] = [a + offset, b + offset];
+            let text = |p: DVec3| format!("{} {} {}", p.x, p.y, p.z);
+            let written = |p| ExactPoint::written(&Placement::IDENTITY, &text(p)).expect("numbers");
+            let stored = |p: DVec3| {
+                let point = PlacedPoint::vertex(&Placement::IDENTITY, DVec3::ZERO, p);
+                ExactPoint::stored(&point, f64::EPSILON * p.length())
+            };
+            let (by_file, by_store) = (
+                written(a).distance(&written(b)),
+                stored(a).distance(&stored(b)),
+            );
+            let most = by_file.error + by_store.error;
+            assert!((by_file.value - by_store.value).abs() <= most);
+            assert!(by_file.error <= 1.12e-16 * by_file.value);
+            // A wider truth, by hypotenuses of differences in integers of 2^-60.
+            let exact = (a - b).length();
+            assert!(is_within(
+                Measured {
+                    error: 1e-9 * exact,
+                    ..by_store
+                },
+                exact
+            ));
+        }
+    }
+
+    #[test]
+    fn areas_lie_within_their_bounds() {
+        let mut random = Random(6);
+        for _ in 0..500 {
+            let corners = [(); 3].map(|()| random.point().as_vec3().as_dvec3());
+            let points = corners.map(|p| ExactPoint::about(p, 0.0));
+            let exact = polygon_area(&points, &[[0, 1, 2]]);
+            let [value, error] = area(&Placement::IDENTITY, std::iter::once(corners));
+            assert!((value - exact.value).abs() <= error + exact.error);
+            assert!(error <= 1.2e-16 * value, "{error} of {value}");
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! Whether a point of the scene is seen, and what hides it.
+//!
+//! Decided exactly, as picks are: by the very ray of the picture that passes through the point
+//! ([`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray)), though its position need be no `f64`. What that ray
+//! picks tells. A point is seen where the pick lies at the point. What the pick lies before is hidden by it. Else nothing that
+//! is shown passes through the point: its faces are culled, of a hidden object, or seen along their plane.
+
+use super::{NamedSurface, SceneHit, closest, order::surface};
+use crate::{
+    camera::View,
+    geometry::{Mesh, PlacedPoint, compare_to_point, is_point_within},
+    scene::{Scene, Shape},
+};
+use glam::{DVec2, DVec3};
+use serde::Serialize;
+use std::{cmp::Ordering, ops::Range, sync::Arc};
+
+/// Whether a point is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sight {
+    /// As a point of this surface, the first of those that pass through it.
+    Seen(SceneHit),
+    /// This lies before it, nearest to the eye.
+    Hidden(SceneHit),
+    /// Nothing is shown there: it lies before the near plane or not before the far one, or no surface through it shows.
+    NotShown,
+}
+
+/// Whether a point is seen. It may lie beside the picture.
+#[must_use]
+pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
+    let through = view.through(point);
+    let Some(ray) = through.ray().filter(is_point_within) else {
+        return Sight::NotShown;
+    };
+    let hit = closest(scene, ray, view.sides);
+    let order = hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit)));
+    match (hit, order) {
+        (Some(hit), Some(Ordering::Less)) => Sight::Hidden(hit),
+        (Some(hit), Some(Ordering::Equal)) => Sight::Seen(hit),
+        _ => Sight::NotShown,
+    }
+}
+
+/// Where a vertex or a face of a file is in a picture, on one object; the field names are the JSON's.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Whereabouts {
+    /// The object's name.
+    pub object: String,
+    /// The object's number, from 1.
+    pub id: usize,
+    /// The first of the triangles that have it, of the object, from 0.
+    pub triangle: u32,
+    /// The vertex, or a point inside of the face, in the world.
+    pub point_world: DVec3,
+    /// Where that is, in pixels; `None` at or behind the eye in perspective.
+    pub px: Option<DVec2>,
+    /// Whether that is in the picture.
+    pub in_picture: bool,
+    /// Whether it is seen there; see [`sight`].
+    pub seen: bool,
+    /// What lies before it; `None` too where it is not shown at all.
+    pub hidden_by: Option<NamedSurface>,
+}
+
+impl Whereabouts {
+    /// Of a vertex, about the origin of its mesh, on each object that has it; one of those that stand in one place. None where
+    /// no face uses it.
+    #[must_use]
+    pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
+        let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
+        let has_it = |triangle: &u32| mesh.vertex_corners(*triangle).contains(&vertex);
+        let mut parts: Vec<(usize, u32)> = Vec::new();
+        for triangle in (0..count).filter(has_it) {
+            let part = mesh.part_of(triangle);
+            if parts.iter().all(|(known, _)| *known != part) {
+                parts.push((part, triangle));
+            }
+        }
+        let mut found: Vec<(Self, usize)> = Vec::new();
+        for (part, triangle) in parts {
+            for index in objects_of(scene, mesh, part) {
+                let placement = &scene.objects()[index].placement;
+                let is_there =
+                    |(_, other): &(Self, usize)| scene.objects()[*other].placement == *placement;
+                if !found.iter().any(is_there) {
+                    let point = PlacedPoint::vertex(placement, mesh.data().origin, vertex);
+                    found.push((Self::of(scene, view, index, triangle, &point), index));
+                }
+            }
+        }
+        found.into_iter().map(|(place, _)| place).collect()
+    }
+
+    /// Of a face, by its triangles in the mesh, on each object that has it: of a point inside of the largest of them. None
+    /// without triangles.
+    #[must_use]
+    pub fn of_face(
+        scene: &Scene,
+        view: &View,
+        mesh: &Arc<Mesh>,
+        triangles: Range<u32>,
+    ) -> Vec<Self> {
+        let area = |triangle: &u32| {
+            let [a, b, c] = mesh.vertex_corners(*triangle);
+            (b - a).cross(c - a).length()
+        };
+        let largest = triangles.max_by(|a, b| area(a).total_cmp(&area(b)));
+        let Some(triangle) = largest else {
+            return Vec::new();
+        };
+        let objects = objects_of(scene, mesh, mesh.part_of(triangle));
+        let place = |index: usize| {
+            // Halves are exact: it lies in the triangle's plane, unless its corners are of very unlike sizes.
+            let [a, b, c] = mesh.vertex_corners(triangle);
+            let ends = [a, 0.5 * (b + c)];
+            let placement = &scene.objects()[index].placement;
+            let point = PlacedPoint::between(placement, mesh.data().origin, ends, 0.5);
+            Self::of(scene, view, index, triangle, &point)
+        };
+        objects.map(place).collect()
+    }
+
+    fn of(scene: &Scene, view: &View, index: usize, triangle: u32, point: &PlacedPoint) -> Self {
+        let object = &scene.objects()[index];
+        let point_world = point.world();
+        let px = view.project(point_world).map(|projected| projected.px);
+        let in_picture = px.is_some_and(|px| view.viewport.contains(px));
+        let sight = sight(scene, view, point);
+        Self {
+            object: object.name.clone(),
+            id: index + 1,
+            triangle: triangle - object.shape.first_triangle(),
+            point_world,
+            px,
+            in_picture,
+            seen: in_picture && matches!(sight, Sight::Seen(_)),
+            hidden_by: match sight {
+                Sight::Hidden(hit) => Some(NamedSurface::of(scene, &hit)),
+                Sight::Seen(_) | Sight::NotShown => None,
+            },
+        }
+    }
+}
+
+/// The objects that are a part of a mesh.
+fn objects_of(scene: &Scene, mesh: &Arc<Mesh>, part: usize) -> impl Iterator<Item = usize> {
+    let objects = scene.objects().iter().enumerate();
+    objects.filter_map(move |(index, object)| match &object.shape {
+        Shape::Mesh {
+            mesh: own,
+            part: of,
+        } => (Arc::ptr_eq(own, mesh) && *of == part).then_some(index),
+        _ => None,
+    })
+}

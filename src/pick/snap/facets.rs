@@ -1,0 +1,108 @@
+//! Flat faces that may show about a position, by their corners.
+
+use super::super::{beam, nearest::shows_part};
+use crate::{
+    camera::View,
+    geometry::{Cuboid, PlacedPoint, Placement, Pyramid, Square},
+    scene::{Scene, Shape},
+};
+use glam::{DVec2, DVec3};
+use std::ops::{ControlFlow, Range};
+
+/// A triangle of a mesh, a square, or a face of a cube.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facet {
+    /// By index.
+    pub object: usize,
+    /// Of the mesh.
+    pub triangle: Option<u32>,
+    pub origin: DVec3,
+    /// About the origin of object space; so many of them count.
+    corners: [DVec3; 4],
+    count: usize,
+}
+
+impl Facet {
+    fn new(object: usize, triangle: Option<u32>, origin: DVec3, corners: &[DVec3]) -> Self {
+        let mut all = [DVec3::ZERO; 4];
+        all[..corners.len()].copy_from_slice(corners);
+        Self {
+            object,
+            triangle,
+            origin,
+            corners: all,
+            count: corners.len(),
+        }
+    }
+
+    pub fn corners(&self) -> &[DVec3] {
+        &self.corners[..self.count]
+    }
+
+    /// A corner, and the next.
+    pub fn side(&self, corner: usize) -> [DVec3; 2] {
+        [corner, corner + 1].map(|corner| self.corners[corner % self.count])
+    }
+
+    /// Some way along a side.
+    pub fn point(&self, scene: &Scene, corner: usize, share: f64) -> PlacedPoint {
+        let placement = &scene.objects()[self.object].placement;
+        PlacedPoint::between(placement, self.origin, self.side(corner), share)
+    }
+}
+
+/// All that are visible and may show within a distance in pixels of a position.
+pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> Vec<Facet> {
+    let corners = beam::corners([px - radius_px, px + radius_px]).map(|px| view.ray(px));
+    let side_px = 2.0 * (radius_px + beam::ROOM);
+    let pyramid_in = |placement: &Placement| beam::pyramid(&corners, placement, side_px);
+    let mut facets = Vec::new();
+    match pyramid_in(&Placement::IDENTITY) {
+        Some(pyramid) => scene.visit_batches_within(&pyramid, |batch| {
+            let placement = &scene.objects()[batch.start].placement;
+            add(scene, batch, pyramid_in(placement).as_ref(), &mut facets);
+            ControlFlow::Continue(())
+        }),
+        // From so far that the rays cannot be told apart, all may.
+        None => {
+            for batch in scene.batches() {
+                add(scene, batch, None, &mut facets);
+            }
+        }
+    }
+    facets
+}
+
+fn add(scene: &Scene, batch: &Range<usize>, pyramid: Option<&Pyramid>, facets: &mut Vec<Facet>) {
+    let first = &scene.objects()[batch.start];
+    let flat = |corners: &[DVec3]| Facet::new(batch.start, None, DVec3::ZERO, corners);
+    match &first.shape {
+        Shape::Mesh { mesh, part } => {
+            let mut visit = |triangle: u32, corners: [DVec3; 3]| {
+                let part_hit = mesh.part_of(triangle);
+                if shows_part(scene, batch, *part, part_hit) {
+                    let object = batch.start + part_hit - part;
+                    let origin = mesh.data().origin;
+                    facets.push(Facet::new(object, Some(triangle), origin, &corners));
+                }
+                ControlFlow::Continue(())
+            };
+            if let Some(pyramid) = pyramid {
+                mesh.within(pyramid, visit);
+                return;
+            }
+            let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
+            for triangle in 0..count {
+                let _ = visit(triangle, mesh.vertex_corners(triangle));
+            }
+        }
+        _ if !first.visible => {}
+        Shape::Square => facets.push(flat(&Square::corners())),
+        Shape::Cube => {
+            for normal in DVec3::AXES.into_iter().flat_map(|axis| [-axis, axis]) {
+                facets.push(flat(&Cuboid::face(normal)));
+            }
+        }
+        Shape::Sphere => {}
+    }
+}

@@ -1,0 +1,250 @@
+//! What of a scene lies nearest to a position: a vertex, else an edge, else what is picked there.
+//!
+//! Within a radius in pixels, the nearest *visible* vertex is taken ([`sight`] decides, exactly). Where there is none, the
+//! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or its end. Its share
+//! of the edge is a quotient that is rounded once, so that the point lies on the stored edge exactly. Where there is none
+//! either, the pick. Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
+//! added do not count. Cubes and squares have corners and edges; spheres have none. Of two that are as near, to the last bit,
+//! that with the lesser depth is taken; then that on the first object, and on the first triangle.
+
+mod facets;
+mod record;
+
+pub use record::{Snap, SnapLine, object_area};
+
+use super::{
+    edge::{Frame, Shown, determinant},
+    sight::{Sight, sight},
+};
+use crate::{
+    camera::View,
+    geometry::{PlacedPoint, dyadic},
+    scene::{Scene, obj::FaceInFile},
+};
+use facets::{Facet, facets};
+use glam::DVec2;
+use num_bigint::BigInt;
+use serde::Serialize;
+use std::{cmp::Ordering, collections::HashMap};
+
+/// What lies nearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SnapTo {
+    /// A corner of a polygon.
+    Vertex,
+    /// A point of a polygon's side.
+    Edge,
+    /// A point of a surface.
+    Face,
+}
+
+/// Where a position was led to.
+enum Snapped {
+    Vertex(Candidate),
+    Edge(Candidate),
+    /// The pick, if any.
+    Face,
+}
+
+/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, or it does not say.
+pub type Faces<'a> = dyn FnMut(usize, u32) -> Option<FaceInFile> + 'a;
+
+/// A point of a facet's side: so far along it.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    facet: Facet,
+    corner: usize,
+    share: f64,
+    away_px: f64,
+}
+
+impl Candidate {
+    fn point(&self, scene: &Scene) -> PlacedPoint {
+        self.facet.point(scene, self.corner, self.share)
+    }
+
+    /// As the picture shows it.
+    fn shown(&self, scene: &Scene, frame: &Frame<BigInt>) -> Shown<BigInt> {
+        frame.point(&dyadic::point_world(&self.point(scene)))
+    }
+}
+
+/// Distances that differ by more than this, relative to them, are those of points that differ: each is rounded a few times.
+const ALIKE: f64 = 1e-12;
+
+/// Finds it.
+struct Search<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    frame: Frame<BigInt>,
+    radius_px: f64,
+}
+
+/// Where a position is led to.
+fn snapped(
+    scene: &Scene,
+    view: &View,
+    (px, radius_px): (DVec2, f64),
+    faces: &mut Faces,
+) -> Snapped {
+    if let Ok(frame) = Frame::new(view, px) {
+        let search = Search {
+            scene,
+            view,
+            frame,
+            radius_px,
+        };
+        let facets: Vec<_> = facets(scene, view, px, radius_px);
+        if let Some(vertex) = search.vertex(px, &facets) {
+            return Snapped::Vertex(vertex);
+        }
+        if let Some(edge) = search.edge(px, &facets, faces) {
+            return Snapped::Edge(edge);
+        }
+    }
+    Snapped::Face
+}
+
+impl Search<'_> {
+    fn vertex(&self, px: DVec2, facets: &[Facet]) -> Option<Candidate> {
+        let corners = facets
+            .iter()
+            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
+        let candidates = corners.filter_map(|(facet, corner)| {
+            let [a, _] = self.roughly(facet, corner);
+            let is_near = a.is_none_or(|a| a.distance(px) <= self.radius_px + 1.0);
+            is_near
+                .then(|| self.candidate(facet, corner, 0.0))
+                .flatten()
+        });
+        self.first(candidates.collect(), |_| true)
+    }
+
+    fn edge(&self, px: DVec2, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
+        let sides = facets
+            .iter()
+            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
+        let candidates = sides.filter_map(|(facet, corner)| {
+            let is_near = match self.roughly(facet, corner) {
+                [Some(a), Some(b)] => {
+                    let along = b - a;
+                    let share = ((px - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    // Also where both are one point, of which the share is no number.
+                    !(px.distance(a + share * along) > self.radius_px + 1.0)
+                }
+                _ => true,
+            };
+            let share = is_near.then(|| self.foot(facet, corner)).flatten()?;
+            self.candidate(facet, corner, share)
+        });
+        self.first(candidates.collect(), |candidate| {
+            let Facet {
+                object, triangle, ..
+            } = candidate.facet;
+            let face = triangle.and_then(|triangle| Some((triangle, faces(object, triangle)?)));
+            face.is_none_or(|(triangle, face)| side_of(&face, triangle, candidate.corner).is_some())
+        })
+    }
+
+    /// Where `f64` puts both ends in the picture; `None` of those behind the eye, or that are nowhere.
+    fn roughly(&self, facet: &Facet, corner: usize) -> [Option<DVec2>; 2] {
+        let placement = &self.scene.objects()[facet.object].placement;
+        facet.side(corner).map(|end| {
+            let world = placement.point_to_world(facet.origin + end);
+            let px = self.view.project(world)?.px;
+            px.is_finite().then_some(px)
+        })
+    }
+
+    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or an end.
+    fn foot(&self, facet: &Facet, corner: usize) -> Option<f64> {
+        let [a, b] = [0.0, 1.0].map(|share| {
+            let point = facet.point(self.scene, corner, share);
+            self.frame.point(&dyadic::point_world(&point))
+        });
+        // As in `edge`: the line through both ends, and how far along it they are.
+        let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
+        let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
+        let along = |p: &Shown<BigInt>| determinant([&p.u, &p.v], [&line_u, &line_v]);
+        let (from, to) = (along(&a), along(&b));
+        let whole = to.minus(&from);
+        if whole.sign().is_eq() {
+            return None;
+        }
+        let are_in_front = [&a, &b].iter().all(|end| end.w.sign().is_gt());
+        let share = from.negated().ratio(&whole);
+        match (are_in_front, (0.0..=1.0).contains(&share)) {
+            (_, true) => Some(share),
+            (true, false) => Some(share.clamp(0.0, 1.0)),
+            // Of what lies on both sides of the eye only the foot is sure to be in the picture.
+            (false, false) => None,
+        }
+    }
+
+    /// A point of a side, where it is within reach.
+    fn candidate(&self, facet: &Facet, corner: usize, share: f64) -> Option<Candidate> {
+        let mut candidate = Candidate {
+            facet: *facet,
+            corner,
+            share,
+            away_px: 0.0,
+        };
+        let shown = candidate.shown(self.scene, &self.frame);
+        if !shown.w.sign().is_gt() {
+            return None;
+        }
+        candidate.away_px = shown.distance_px().ok()?;
+        (candidate.away_px <= self.radius_px).then_some(candidate)
+    }
+
+    /// The nearest that is seen and counts.
+    fn first(
+        &self,
+        mut candidates: Vec<Candidate>,
+        mut counts: impl FnMut(&Candidate) -> bool,
+    ) -> Option<Candidate> {
+        candidates.sort_by(|a, b| self.order(a, b));
+        // A vertex belongs to several triangles.
+        let mut known = HashMap::new();
+        let mut is_seen = |candidate: &Candidate| {
+            let point = candidate.point(self.scene);
+            let at = point.object().to_array().map(f64::to_bits);
+            *known
+                .entry((candidate.facet.object, at))
+                .or_insert_with(|| matches!(sight(self.scene, self.view, &point), Sight::Seen(_)))
+        };
+        candidates
+            .into_iter()
+            .find(|candidate| is_seen(candidate) && counts(candidate))
+    }
+
+    fn order(&self, a: &Candidate, b: &Candidate) -> Ordering {
+        let name = |c: &Candidate| (c.facet.object, c.facet.triangle, c.corner);
+        if (a.away_px - b.away_px).abs() > ALIKE * (a.away_px + b.away_px) {
+            return a.away_px.total_cmp(&b.away_px);
+        }
+        let [a_shown, b_shown] = [a, b].map(|candidate| candidate.shown(self.scene, &self.frame));
+        let squared = |shown: &Shown<BigInt>| shown.u.squared().plus(&shown.v.squared());
+        let [a_away, b_away] = [
+            squared(&a_shown).times(&b_shown.w.squared()),
+            squared(&b_shown).times(&a_shown.w.squared()),
+        ];
+        a_away
+            .minus(&b_away)
+            .sign()
+            .then_with(|| a_shown.depth.minus(&b_shown.depth).sign())
+            .then_with(|| name(a).cmp(&name(b)))
+    }
+}
+
+/// The places in a polygon of the ends of a triangle's side, which is one of the polygon's; `None` of one that splitting it
+/// added.
+fn side_of(face: &FaceInFile, triangle: u32, corner: usize) -> Option<[usize; 2]> {
+    let corners = face
+        .corners
+        .get(triangle.checked_sub(face.triangles.start)? as usize)?;
+    let [a, b] = [corner, corner + 1].map(|corner| corners[corner % 3] as usize);
+    let count = face.vertices.len();
+    ((a + 1) % count == b || (b + 1) % count == a).then_some([a, b])
+}

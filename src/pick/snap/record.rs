@@ -1,0 +1,259 @@
+//! What is known of a point that a position was led to, and its JSON.
+
+use super::{
+    super::{
+        Pick,
+        measure::{ExactPoint, Measured, mesh_area, polygon_area},
+    },
+    Candidate, Faces, SnapTo, Snapped, side_of, snapped,
+};
+use crate::{
+    camera::View,
+    geometry::{Cuboid, PlacedPoint, Placement, Square},
+    scene::{
+        Object, Scene, Shape,
+        obj::{FaceInFile, VertexInFile},
+    },
+};
+use glam::{DVec2, DVec3};
+use serde::Serialize;
+
+/// A point that a position was led to; the field names are the JSON's. Lengths in world units.
+#[derive(Clone, Debug, Serialize)]
+pub struct Snap {
+    /// What it is.
+    pub to: SnapTo,
+    /// The object's name.
+    pub object: String,
+    /// The object's number, from 1.
+    pub id: usize,
+    /// Triangle of the object, from 0; `None` for other shapes.
+    pub triangle: Option<u32>,
+    /// Where it is in the world: each coordinate of a vertex, as it is stored, or of a point of an edge rounded once; of a
+    /// face within three roundings.
+    pub point_world: DVec3,
+    /// Where it is in the picture.
+    pub px: DVec2,
+    /// How far that is from the position, in pixels.
+    pub away_px: f64,
+    /// The line of its face in the file; `None` where that does not say.
+    pub line: Option<usize>,
+    /// The number of its face in the file.
+    pub face: Option<usize>,
+    /// The vertex, or the ends of the edge, or the corners of the face, as the file has them.
+    pub vertices: Option<Vec<VertexInFile>>,
+    /// How long the edge is.
+    pub length: Option<Measured>,
+    /// The area of the face that it is on; of a vertex or an edge the first that has it.
+    pub area: Option<Measured>,
+    /// To measure from.
+    #[serde(skip)]
+    pub exact: ExactPoint,
+}
+
+/// A position and where it was led to, as a line of JSON.
+#[derive(Clone, Debug, Serialize)]
+pub struct SnapLine {
+    /// Where: pixels from the top left corner.
+    pub px: DVec2,
+    /// What is there; `None` for the background.
+    pub snap: Option<Snap>,
+    /// From the position before to this one.
+    pub distance: Option<Measured>,
+    /// The area of the object; see [`object_area`].
+    pub object_area: Option<Measured>,
+}
+
+impl Snap {
+    /// Where a position is led to; `None` where nothing is within the radius and the background shows. See [`super`].
+    #[must_use]
+    pub fn at(
+        scene: &Scene,
+        view: &View,
+        px: DVec2,
+        radius_px: f64,
+        faces: &mut Faces,
+    ) -> Option<Self> {
+        Some(match snapped(scene, view, (px, radius_px), faces) {
+            Snapped::Vertex(of) => Self::of_side(scene, view, SnapTo::Vertex, &of, faces),
+            Snapped::Edge(of) => Self::of_side(scene, view, SnapTo::Edge, &of, faces),
+            Snapped::Face => {
+                let pick = super::super::pick(scene, view, px)?;
+                Self::of_pick(scene, px, &pick, faces)
+            }
+        })
+    }
+
+    fn of_side(
+        scene: &Scene,
+        view: &View,
+        to: SnapTo,
+        candidate: &Candidate,
+        faces: &mut Faces,
+    ) -> Self {
+        let Candidate { facet, corner, .. } = *candidate;
+        let object = &scene.objects()[facet.object];
+        let point = candidate.point(scene);
+        let point_world = point.world();
+        let triangle = facet.triangle;
+        let face = triangle.and_then(|triangle| faces(facet.object, triangle));
+        let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
+            let corners = face
+                .corners
+                .get((triangle - face.triangles.start) as usize)?;
+            match to {
+                SnapTo::Vertex => Some(vec![corners[corner] as usize]),
+                _ => side_of(face, triangle, corner).map(Vec::from),
+            }
+            .map(|places| {
+                places
+                    .into_iter()
+                    .map(|place| face.vertices[place].clone())
+                    .collect()
+            })
+        });
+        let of_file: Option<Vec<VertexInFile>> = of_file;
+        let written =
+            |vertex: &VertexInFile| ExactPoint::written(&object.placement, &vertex.written);
+        let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
+        // What is in the file is measured as the file has it; of a point between, the ends tell how far it may be off.
+        let ends: Option<Vec<_>> =
+            (of_file.as_deref()).and_then(|all| all.iter().map(written).collect());
+        let exact = match (to, ends.as_deref()) {
+            (SnapTo::Vertex, Some([vertex])) => vertex.clone(),
+            (SnapTo::Edge, Some([a, b])) => {
+                let moved = |end: &ExactPoint, share| {
+                    let by = end.distance(&stored(share));
+                    by.value + by.error
+                };
+                ExactPoint::stored(&point, moved(a, 0.0).max(moved(b, 1.0)))
+            }
+            _ => ExactPoint::stored(&point, 0.0),
+        };
+        let length = (to == SnapTo::Edge).then(|| match ends.as_deref() {
+            Some([a, b]) => a.distance(b),
+            _ => stored(0.0).distance(&stored(1.0)),
+        });
+        let area = match &face {
+            Some(face) => area_of(face, scene, facet.object),
+            None => Some(area_of_corners(
+                &object.placement,
+                facet.origin,
+                facet.corners(),
+            )),
+        };
+        Self {
+            to,
+            object: object.name.clone(),
+            id: facet.object + 1,
+            triangle: triangle.map(|triangle| triangle - object.shape.first_triangle()),
+            point_world,
+            px: view.project(point_world).map_or(DVec2::NAN, |at| at.px),
+            away_px: candidate.away_px,
+            line: face.as_ref().map(|face| face.line),
+            face: face.as_ref().map(|face| face.face),
+            vertices: of_file,
+            length,
+            area,
+            exact,
+        }
+    }
+
+    fn of_pick(scene: &Scene, px: DVec2, pick: &Pick, faces: &mut Faces) -> Self {
+        let index = pick.id - 1;
+        let object = &scene.objects()[index];
+        let first = object.shape.first_triangle();
+        let face = pick
+            .triangle
+            .and_then(|triangle| faces(index, first + triangle));
+        let area = match (&face, &object.shape, pick.triangle) {
+            (Some(face), ..) => area_of(face, scene, index),
+            (None, Shape::Mesh { mesh, .. }, Some(triangle)) => {
+                let triangle = first + triangle;
+                Some(mesh_area(mesh, &object.placement, triangle..triangle + 1))
+            }
+            (None, Shape::Cube, _) => {
+                let corners = Cuboid::face(pick.normal_object);
+                Some(area_of_corners(&object.placement, DVec3::ZERO, &corners))
+            }
+            _ => object_area(object).filter(|_| pick.triangle.is_none()),
+        };
+        // Three roundings of each coordinate, and what storing its face has moved.
+        let rounding = 2.0 * f64::EPSILON * pick.point_world.length();
+        let moved = face.as_ref().map_or(0.0, |face| moved(face, scene, index));
+        Self {
+            to: SnapTo::Face,
+            object: pick.object.clone(),
+            id: pick.id,
+            triangle: pick.triangle,
+            point_world: pick.point_world,
+            px,
+            away_px: 0.0,
+            line: face.as_ref().map(|face| face.line),
+            face: face.as_ref().map(|face| face.face),
+            area,
+            exact: ExactPoint::about(pick.point_world, rounding + moved),
+            vertices: face.map(|face| face.vertices),
+            length: None,
+        }
+    }
+}
+
+/// The area of an object in the world; `None` of a sphere, which under a matrix has none in closed form. A mesh's is that of what
+/// its file writes, with a bound on what storing that has moved.
+#[must_use]
+pub fn object_area(object: &Object) -> Option<Measured> {
+    let placement = &object.placement;
+    match &object.shape {
+        Shape::Mesh { mesh, part } => {
+            let triangles = mesh.data().parts[*part].triangles.clone();
+            Some(mesh_area(mesh, placement, triangles))
+        }
+        Shape::Square => Some(area_of_corners(placement, DVec3::ZERO, &Square::corners())),
+        Shape::Cube => {
+            let faces = DVec3::AXES.map(Cuboid::face);
+            // Each once more across.
+            let corners: Vec<_> = faces.iter().chain(&faces).flatten().copied().collect();
+            Some(area_of_corners(placement, DVec3::ZERO, &corners))
+        }
+        Shape::Sphere => None,
+    }
+}
+
+/// The area of a face as its file writes it; `None` where something of it is left out.
+fn area_of(face: &FaceInFile, scene: &Scene, object: usize) -> Option<Measured> {
+    let placement = &scene.objects()[object].placement;
+    let written = |vertex: &VertexInFile| ExactPoint::written(placement, &vertex.written);
+    let corners: Vec<_> = face.vertices.iter().map(written).collect::<Option<_>>()?;
+    Some(polygon_area(&corners, &face.corners))
+}
+
+/// The area of a triangle, or of faces of four corners, one after the other.
+fn area_of_corners(placement: &Placement, origin: DVec3, corners: &[DVec3]) -> Measured {
+    let stored =
+        |corner: &DVec3| ExactPoint::stored(&PlacedPoint::vertex(placement, origin, *corner), 0.0);
+    let points: Vec<_> = corners.iter().map(stored).collect();
+    let count = u32::try_from(points.len()).unwrap_or(0);
+    let halves = |first: u32| [[first, first + 1, first + 2], [first, first + 2, first + 3]];
+    let all: Vec<_> = match count {
+        3 => vec![[0, 1, 2]],
+        _ => (0..count).step_by(4).flat_map(halves).collect(),
+    };
+    polygon_area(&points, &all)
+}
+
+/// How far storing has moved a corner of a face, at most.
+fn moved(face: &FaceInFile, scene: &Scene, object: usize) -> f64 {
+    let object = &scene.objects()[object];
+    let Shape::Mesh { mesh, .. } = &object.shape else {
+        return 0.0;
+    };
+    let by = face.vertices.iter().filter_map(|vertex| {
+        let written = ExactPoint::written(&object.placement, &vertex.written)?;
+        let origin = mesh.data().origin;
+        let stored = PlacedPoint::vertex(&object.placement, origin, vertex.position);
+        let by = written.distance(&ExactPoint::stored(&stored, 0.0));
+        Some(by.value + by.error)
+    });
+    by.fold(0.0, f64::max)
+}

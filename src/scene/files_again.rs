@@ -1,0 +1,56 @@
+//! The files of a scene's meshes, read again for what they write.
+
+use super::{
+    MeshFile, Progress, Scene, Shape,
+    obj::{Again, FaceInFile, InFile},
+};
+use crate::geometry::Mesh;
+use std::sync::Arc;
+
+/// The files of a scene's meshes, to be read again.
+pub struct FilesAgain<'a> {
+    scene: &'a Scene,
+    files: Vec<(&'a Arc<Mesh>, Again<'a>)>,
+}
+
+impl<'a> FilesAgain<'a> {
+    /// Of a scene, and the files as [`Loaded::meshes`](super::Loaded) has them.
+    #[must_use]
+    pub fn new(scene: &'a Scene, files: &'a [MeshFile], progress: &'a Progress) -> Self {
+        let again = |file: &'a MeshFile| {
+            let contents = file.contents.as_ref()?;
+            let again = Again::new(&file.path, contents, &file.mesh, progress);
+            Some((&file.mesh, again))
+        };
+        Self {
+            scene,
+            files: files.iter().filter_map(again).collect(),
+        }
+    }
+
+    /// That of a mesh; `None` where it is from no file.
+    pub fn of(&mut self, mesh: &Arc<Mesh>) -> Option<&mut Again<'a>> {
+        let mut files = self.files.iter_mut();
+        let found = files.find(|(known, _)| Arc::ptr_eq(known, mesh));
+        found.map(|(_, again)| again)
+    }
+
+    /// What the file says of a triangle, counted from an object's first; nothing of what is in no file.
+    pub fn in_file(&mut self, object: usize, triangle: Option<u32>) -> InFile {
+        let shape = &self.scene.objects()[object].shape;
+        if let (Shape::Mesh { mesh, .. }, Some(triangle)) = (shape, triangle)
+            && let Some(again) = self.of(mesh)
+        {
+            return again.in_file(shape.first_triangle() + triangle);
+        }
+        InFile::default()
+    }
+
+    /// The face that a triangle of an object's mesh came from, where the file says.
+    pub fn face_of(&mut self, object: usize, triangle: u32) -> Option<FaceInFile> {
+        let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
+            return None;
+        };
+        self.of(mesh)?.face_of(triangle).ok()
+    }
+}

@@ -1,0 +1,368 @@
+//! What a file says of a face or a vertex, read from it again: its line, its number, and the coordinates as they are written.
+//!
+//! Of the pieces that the file was loaded by (`contents`) those are read that hold the face and the vertices that the faces
+//! of its piece name, and by the loader's own rules (`lines`, `corners`, `polygon`): so a triangle's face is found by
+//! counting. What is found must be what is stored, to the bit; else the file has changed.
+
+use super::{
+    AgainError, Contents, FaceInFile, InFile, VertexInFile,
+    contents::{Stamp, Start},
+    corners::{MOST_CORNERS, read_corners, without_comment},
+    lines::{Lines, decode, is_utf16},
+    polygon::{Splitter, has_area},
+    words::fields,
+};
+use crate::{geometry::Mesh, scene::Progress};
+use std::{
+    collections::HashMap,
+    fs::File,
+    io::{self, BufRead, BufReader, Read, Seek, SeekFrom},
+    ops::Range,
+    path::Path,
+    sync::Arc,
+};
+
+/// So many pieces are remembered, those that were read last.
+const REMEMBERED: usize = 16;
+
+/// A file that was loaded, to be read again.
+pub struct Again<'a> {
+    path: &'a Path,
+    contents: &'a Contents,
+    mesh: &'a Mesh,
+    progress: &'a Progress,
+    text: Option<Text>,
+    pieces: Vec<(usize, Arc<Faces>)>,
+}
+
+/// The text of a file.
+enum Text {
+    /// In the file, from some byte on.
+    File(File, u64),
+    /// UTF-16, made UTF-8.
+    Decoded(Vec<u8>),
+}
+
+/// The faces of a piece.
+struct Faces {
+    lines: Vec<FaceLine>,
+    /// The vertices of their corners, by number.
+    corners: Vec<u32>,
+    /// Of each triangle the corners, by their places among those of its face.
+    triangles: Vec<[u32; 3]>,
+    vertices: HashMap<u32, VertexInFile>,
+}
+
+struct FaceLine {
+    line: usize,
+    corners: Range<usize>,
+    /// Of the mesh.
+    triangles: Range<u32>,
+}
+
+impl<'a> Again<'a> {
+    /// The file that a mesh was loaded from.
+    #[must_use]
+    pub fn new(
+        path: &'a Path,
+        contents: &'a Contents,
+        mesh: &'a Mesh,
+        progress: &'a Progress,
+    ) -> Self {
+        Self {
+            path,
+            contents,
+            mesh,
+            progress,
+            text: None,
+            pieces: Vec::new(),
+        }
+    }
+
+    /// What the file says of a triangle of the mesh.
+    pub fn in_file(&mut self, triangle: u32) -> InFile {
+        let file = Some(self.path.display().to_string());
+        match self.face_of(triangle) {
+            Ok(found) => InFile {
+                file,
+                line: Some(found.line),
+                face: Some(found.face),
+                corners: (found.corners)
+                    .get((triangle - found.triangles.start) as usize)
+                    .copied(),
+                vertices: Some(found.vertices),
+                file_error: None,
+            },
+            Err(error) => InFile {
+                file,
+                file_error: Some(error.to_string()),
+                ..InFile::default()
+            },
+        }
+    }
+
+    /// The face that a triangle of the mesh came from.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or has changed since it was loaded.
+    pub fn face_of(&mut self, triangle: u32) -> Result<FaceInFile, AgainError> {
+        let triangles = |start: &Start| start.triangles as usize;
+        let piece = self.contents.holding(triangle as usize, triangles);
+        let piece = piece.ok_or_else(|| self.changed())?;
+        let faces = self.faces(piece)?;
+        let index = (faces.lines).partition_point(|face| face.triangles.end <= triangle);
+        self.face_at(piece, &faces, index)
+    }
+
+    /// A face by its number among the `f` lines of the file, from 1. One that is left out has no triangles.
+    ///
+    /// # Errors
+    /// When there is none of this number, the file cannot be read, or it has changed since it was loaded.
+    pub fn face(&mut self, number: usize) -> Result<FaceInFile, AgainError> {
+        let before = number.wrapping_sub(1);
+        let piece = self.contents.holding(before, |start| start.counts.faces);
+        let Some(piece) = piece else {
+            return Err(self.no_such("face", number, self.contents.faces()));
+        };
+        let faces = self.faces(piece)?;
+        let index = before - self.contents.piece(piece)[0].counts.faces;
+        self.face_at(piece, &faces, index)
+    }
+
+    /// A vertex by its number, from 1.
+    ///
+    /// # Errors
+    /// When there is none of this number, the file cannot be read, or it has changed since it was loaded.
+    pub fn vertex(&mut self, number: usize) -> Result<VertexInFile, AgainError> {
+        let count = self.contents.vertices();
+        let place = u32::try_from(number).ok().filter(|_| number <= count);
+        let Some(place) = place.filter(|place| *place > 0) else {
+            return Err(self.no_such("vertex", number, count));
+        };
+        let mut found = self.vertices(&[place])?;
+        found.remove(&place).ok_or_else(|| self.changed())
+    }
+
+    fn face_at(&self, piece: usize, faces: &Faces, index: usize) -> Result<FaceInFile, AgainError> {
+        let [start, _] = self.contents.piece(piece);
+        let face = faces.lines.get(index).ok_or_else(|| self.changed())?;
+        let vertices = faces.corners[face.corners.clone()].iter();
+        let vertices = vertices.map(|number| faces.vertices.get(number).cloned());
+        let vertices: Vec<_> = (vertices.collect::<Option<_>>()).ok_or_else(|| self.changed())?;
+        let of_piece = |triangle: u32| (triangle - start.triangles) as usize;
+        let triangles = of_piece(face.triangles.start)..of_piece(face.triangles.end);
+        let found = FaceInFile {
+            face: start.counts.faces + index + 1,
+            line: face.line,
+            vertices,
+            triangles: face.triangles.clone(),
+            corners: faces.triangles[triangles].to_vec(),
+        };
+        // What is stored is known to the bit.
+        let is_stored = (found.triangles.clone())
+            .zip(&found.corners)
+            .all(|(triangle, corners)| {
+                let read = corners.map(|corner| found.vertices[corner as usize].position);
+                read == self.mesh.vertex_corners(triangle)
+            });
+        if is_stored {
+            Ok(found)
+        } else {
+            Err(self.changed())
+        }
+    }
+
+    /// The faces of a piece, and how many triangles each has in the mesh.
+    fn faces(&mut self, piece: usize) -> Result<Arc<Faces>, AgainError> {
+        if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
+            let found = self.pieces.remove(at);
+            let faces = Arc::clone(&found.1);
+            self.pieces.push(found);
+            return Ok(faces);
+        }
+        let faces = Arc::new(self.read_faces(piece)?);
+        if self.pieces.len() == REMEMBERED {
+            self.pieces.remove(0);
+        }
+        self.pieces.push((piece, Arc::clone(&faces)));
+        Ok(faces)
+    }
+
+    fn read_faces(&mut self, piece: usize) -> Result<Faces, AgainError> {
+        let [start, next] = self.contents.piece(piece);
+        let (mut counts, known) = (start.counts, Some(self.contents.vertices()));
+        let text = self.text(piece)?;
+        let mut faces = Faces {
+            lines: Vec::new(),
+            corners: Vec::new(),
+            triangles: Vec::new(),
+            vertices: HashMap::new(),
+        };
+        let mut corners = Vec::new();
+        let mut lines = Lines::new(&text, counts.lines);
+        while let Some((line, text)) = lines.next() {
+            let keyword = fields(text).next().unwrap_or_default();
+            let rest = &text[keyword.end..];
+            match &text[keyword] {
+                b"v" => counts.vertices += 1,
+                b"vn" => counts.normals += 1,
+                b"f" => {
+                    let read = read_corners(without_comment(rest), counts, known, &mut corners);
+                    let is_face = read.is_ok() && (3..=MOST_CORNERS).contains(&corners.len());
+                    let numbers = corners
+                        .iter()
+                        .filter_map(|(vertex, _)| u32::try_from(*vertex).ok());
+                    let begin = faces.corners.len();
+                    if is_face {
+                        faces.corners.extend(numbers);
+                    }
+                    faces.lines.push(FaceLine {
+                        line,
+                        corners: begin..faces.corners.len(),
+                        triangles: 0..0,
+                    });
+                }
+                _ => {}
+            }
+        }
+        let mut wanted = faces.corners.clone();
+        wanted.sort_unstable();
+        wanted.dedup();
+        faces.vertices = self.vertices(&wanted)?;
+        faces.split(start.triangles);
+        let triangles = (next.triangles - start.triangles) as usize;
+        if faces.triangles.len() == triangles {
+            Ok(faces)
+        } else {
+            Err(self.changed())
+        }
+    }
+
+    /// Vertices by their numbers, which ascend, from 1.
+    fn vertices(&mut self, mut wanted: &[u32]) -> Result<HashMap<u32, VertexInFile>, AgainError> {
+        let origin = self.mesh.data().origin;
+        let mut found = HashMap::with_capacity(wanted.len());
+        while let Some(&first) = wanted.first() {
+            let vertices = |start: &Start| start.counts.vertices;
+            let piece = self.contents.holding(first as usize - 1, vertices);
+            let piece = piece.ok_or_else(|| self.changed())?;
+            let [start, next] = self.contents.piece(piece);
+            let here = wanted.partition_point(|number| *number as usize <= next.counts.vertices);
+            let mut here = wanted[..here].iter().copied().peekable();
+            wanted = &wanted[here.len()..];
+            let text = self.text(piece)?;
+            let mut number = u32::try_from(start.counts.vertices).unwrap_or(u32::MAX);
+            let mut lines = Lines::new(&text, start.counts.lines);
+            while let Some((line, text)) = lines.next() {
+                let keyword = fields(text).next().unwrap_or_default();
+                let rest = &text[keyword.end..];
+                if &text[keyword] == b"v" {
+                    number += 1;
+                    if here.next_if_eq(&number).is_some() {
+                        let rest = without_comment(rest);
+                        found.insert(number, VertexInFile::read(number, line, rest, origin));
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The text of a piece.
+    fn text(&mut self, piece: usize) -> Result<Vec<u8>, AgainError> {
+        self.progress.advance(0)?;
+        let [start, next] = self.contents.piece(piece);
+        let (from, to) = (start.counts.bytes, next.counts.bytes);
+        let unreadable = |source| AgainError::Unreadable {
+            file: self.path.to_owned(),
+            source,
+        };
+        if self.text.is_none() {
+            self.text = Some(Text::open(self.path).map_err(unreadable)?);
+        }
+        // Of what was read so far, too: a piece of another file would be put beside it.
+        if self.contents.stamp != Stamp::of(self.path) {
+            return Err(self.changed());
+        }
+        let mut text = Vec::with_capacity(to - from);
+        match &mut self.text {
+            Some(Text::File(file, begin)) => {
+                let at = SeekFrom::Start(*begin + from as u64);
+                let read = file.seek(at).and_then(|_| {
+                    let mut piece = file.take((to - from) as u64);
+                    piece.read_to_end(&mut text)
+                });
+                read.map_err(unreadable)?;
+            }
+            Some(Text::Decoded(all)) => {
+                text.extend_from_slice(all.get(from..to).unwrap_or_default());
+            }
+            None => {}
+        }
+        if text.len() == to - from {
+            Ok(text)
+        } else {
+            Err(self.changed())
+        }
+    }
+
+    fn changed(&self) -> AgainError {
+        AgainError::Changed {
+            file: self.path.to_owned(),
+        }
+    }
+
+    fn no_such(&self, what: &'static str, number: usize, count: usize) -> AgainError {
+        AgainError::NoSuch {
+            file: self.path.to_owned(),
+            what,
+            number,
+            count,
+        }
+    }
+}
+
+impl Text {
+    fn open(path: &Path) -> io::Result<Self> {
+        let mut input = BufReader::new(File::open(path)?);
+        let start = input.fill_buf()?;
+        if is_utf16(start) {
+            let mut text = Vec::new();
+            decode(input)?.read_to_end(&mut text)?;
+            return Ok(Self::Decoded(text));
+        }
+        let mark = if start.starts_with(&[0xef, 0xbb, 0xbf]) {
+            3
+        } else {
+            0
+        };
+        Ok(Self::File(input.into_inner(), mark))
+    }
+}
+
+impl Faces {
+    /// Finds the triangles of each face. So many of the mesh come before them.
+    fn split(&mut self, before: u32) {
+        let mut splitter = Splitter::default();
+        for face in &mut self.lines {
+            let vertices = &self.corners[face.corners.clone()];
+            let position = |vertex: u32| self.vertices.get(&vertex).map(|vertex| vertex.position);
+            let is_somewhere = |vertex: &u32| {
+                let vertex = self.vertices.get(vertex);
+                vertex.is_some_and(|vertex| vertex.value.is_some())
+            };
+            let begin = self.triangles.len();
+            if !vertices.is_empty() && vertices.iter().all(is_somewhere) {
+                let at = |vertex| position(vertex).unwrap_or_default();
+                let split = splitter.face(vertices, at).unwrap_or_default();
+                let with_area = split.iter().filter(|corners| {
+                    has_area(corners.map(|corner| at(vertices[corner as usize])))
+                });
+                self.triangles.extend(with_area);
+            }
+            let [begin, end] = [begin, self.triangles.len()]
+                .map(|count| before + u32::try_from(count).unwrap_or(u32::MAX));
+            face.triangles = begin..end;
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! What is read again of a face is what the file says, held against a reader that knows nothing of pieces.
+
+use super::{
+    super::{Again, AgainError, Stamp},
+    any_file, read_in,
+};
+use crate::scene::Progress;
+use glam::DVec3;
+use std::{env, fs, path::Path};
+
+/// The lines of a text by any of the three ends, as an editor numbers them.
+fn editor_lines(text: &str) -> Vec<String> {
+    let text = text
+        .trim_start_matches('\u{feff}')
+        .replace("\r\n", "\n")
+        .replace('\r', "\n");
+    text.split('\n').map(str::to_owned).collect()
+}
+
+/// A line with those that continue it, up to its comment.
+fn joined(lines: &[String], at: usize) -> String {
+    let mut text = String::new();
+    for line in &lines[at..] {
+        match line.trim_end().strip_suffix('\\') {
+            Some(start) if !line.contains('#') => text.extend([start, " "]),
+            _ => {
+                text += line;
+                break;
+            }
+        }
+    }
+    text.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// Reads triangles again, each `step`th, and every face that is not too many; counts triangles and faces with others than
+/// three corners.
+fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [usize; 2] {
+    let Ok(mut file) = read_in(piece, path, bytes) else {
+        return [0, 0];
+    };
+    file.contents.stamp = Stamp::of(path);
+    let (progress, mesh) = (Progress::default(), &*file.mesh);
+    let mut again = Again::new(path, &file.contents, mesh, &progress);
+    let lines = editor_lines(&String::from_utf8_lossy(bytes));
+    let is = |at: usize, keyword: &str| {
+        let continues = at > 0 && {
+            let before = &lines[at - 1];
+            before.trim_end().ends_with('\\') && !before.contains('#')
+        };
+        !continues && joined(&lines, at).split_whitespace().next() == Some(keyword)
+    };
+    let all = |keyword: &'static str| (0..lines.len()).filter(move |at| is(*at, keyword));
+    let (vertex_lines, face_lines): (Vec<_>, Vec<_>) = (all("v").collect(), all("f").collect());
+    assert_eq!(
+        [file.contents.vertices(), file.contents.faces()],
+        [vertex_lines.len(), face_lines.len()]
+    );
+    let origin = mesh.data().origin;
+    let (mut triangles, mut polygons) = (0, 0);
+    let count = mesh.data().triangles.len();
+    for triangle in (0..count).step_by(step) {
+        let triangle = u32::try_from(triangle).expect("few");
+        let face = again
+            .face_of(triangle)
+            .unwrap_or_else(|error| panic!("{error}"));
+        // The line, as somebody reads it who looks it up.
+        assert_eq!(face.line, face_lines[face.face - 1] + 1, "{path:?}");
+        let text = joined(&lines, face.line - 1);
+        let named: Vec<isize> = text
+            .split_whitespace()
+            .skip(1)
+            .map(|corner| {
+                corner
+                    .split('/')
+                    .next()
+                    .and_then(|n| n.parse().ok())
+                    .expect("a number")
+            })
+            .collect();
+        let before = vertex_lines.partition_point(|line| *line < face.line - 1);
+        let numbers = named.iter().map(|&n| match usize::try_from(n) {
+            Ok(number) => number,
+            Err(_) => before + 1 - n.unsigned_abs(),
+        });
+        assert!(
+            numbers.eq(face.vertices.iter().map(|vertex| vertex.vertex)),
+            "{path:?}: {text}"
+        );
+        for vertex in &face.vertices {
+            assert_eq!(vertex.line, vertex_lines[vertex.vertex - 1] + 1);
+            let text = joined(&lines, vertex.line - 1);
+            let words: Vec<_> = text.split_whitespace().skip(1).take(3).collect();
+            assert_eq!(vertex.written, words.join(" "));
+        }
+        // The triangle is one of the polygon's, and stored as `f32` about the origin.
+        let corners = face.corners[(triangle - face.triangles.start) as usize];
+        let stored = corners.map(|corner| {
+            let written = &face.vertices[corner as usize].written;
+            let words: Vec<f64> = written
+                .split(' ')
+                .map(|word| word.parse().expect("a number"))
+                .collect();
+            let about = DVec3::from_slice(&words) - origin;
+            origin + about.as_vec3().as_dvec3()
+        });
+        assert_eq!(stored, mesh.corners(triangle), "{path:?}");
+        triangles += 1;
+        polygons += usize::from(face.vertices.len() != 3);
+    }
+    if step == 1 {
+        // Every triangle is in one face, in order.
+        let mut next = 0;
+        for number in 1..=file.contents.faces() {
+            let face = again.face(number).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!((face.face, face.triangles.start), (number, next));
+            next = face.triangles.end;
+        }
+        assert_eq!(next as usize, count);
+    }
+    [triangles, polygons]
+}
+
+#[test]
+fn every_triangle_is_found_in_its_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut counts = [0, 0];
+    for seed in 0..60 {
+        let text = any_file(seed);
+        let path = folder.path().join(format!("{seed}.obj"));
+        fs::write(&path, &text).expect("written");
+        for piece in [1, 97, 1 << 18] {
+            let found = assert_read_again(&path, text.as_bytes(), piece, 1);
+            counts = [counts[0] + found[0], counts[1] + found[1]];
+        }
+    }
+    assert!(counts[0] > 600 && counts[1] > 200, "{counts:?}");
+}
+
+#[test]
+fn files_from_elsewhere_say_where_a_triangle_is_from() {
+    let Some(shared) = env::var_os("SIGHTLINE_SHARED") else {
+        println!("real files: absent");
+        return;
+    };
+    let mut counts = [0, 0, 0];
+    for folder in ["models", "hostile"] {
+        for entry in fs::read_dir(Path::new(&shared).join(folder)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let is_obj = path.extension().is_some_and(|extension| extension == "obj");
+            if !is_obj || !path.is_file() {
+                continue;
+            }
+            let bytes = fs::read(&path).expect("a file");
+            if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+                continue;
+            }
+            let (piece, step) = match bytes.len() {
+                0..100_000 => (333, 1),
+                _ => (1 << 18, 997),
+            };
+            let [triangles, polygons] = assert_read_again(&path, &bytes, piece, step);
+            counts = [counts[0] + 1, counts[1] + triangles, counts[2] + polygons];
+        }
+    }
+    assert!(
+        counts[0] > 80 && counts[1] > 3_500 && counts[2] > 3_000,
+        "{counts:?}"
+    );
+}
+
+#[test]
+fn a_file_in_utf_16_is_read_again_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wide.obj");
+    let text = "\u{feff}v 0 0 0\nv 1 0 0.1\nv 0 1 0\nf 1 2 3\n";
+    let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    fs::write(&path, &bytes).expect("written");
+    let mut file = read_in(5, &path, &bytes).expect("it loads");
+    file.contents.stamp = Stamp::of(&path);
+    let progress = Progress::default();
+    let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
+    let face = again.face_of(0).expect("it is there");
+    assert_eq!((face.face, face.line), (1, 4));
+    let second = &face.vertices[1];
+    assert_eq!((&*second.written, second.line), ("1 0 0.1", 2));
+    assert_eq!(
+        second.stored,
+        Some(DVec3::new(1.0, 0.0, f64::from(0.1_f32)))
+    );
+    assert_eq!(face.vertices[0].stored, None);
+}
+
+#[test]
+fn a_changed_file_is_said_to_be_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    fs::write(&path, text).expect("written");
+    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
+    file.contents.stamp = Stamp::of(&path);
+    let progress = Progress::default();
+    let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
+    assert_eq!(face().expect("unchanged").line, 4);
+    // As long, and of the same time, as far as anybody can tell: the numbers are others.
+    let modified = fs::metadata(&path)
+        .and_then(|about| about.modified())
+        .expect("a time");
+    fs::write(&path, text.replace("v 1 0 0", "v 1 0 5")).expect("written");
+    let opened = fs::File::options().write(true).open(&path).expect("a file");
+    opened.set_modified(modified).expect("set");
+    assert!(matches!(face(), Err(AgainError::Changed { .. })));
+    // As it was, but written later.
+    fs::write(&path, text).expect("written");
+    let later = modified + std::time::Duration::from_secs(7);
+    opened.set_modified(later).expect("set");
+    assert!(matches!(face(), Err(AgainError::Changed { .. })));
+    fs::remove_file(&path).expect("removed");
+    let gone = face().expect_err("it is gone").to_string();
+    assert!(gone.contains("cannot be read again"), "{gone}");
+}
+
+#[test]
+fn numbers_that_a_file_has_not_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("some.obj");
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 1 2\nf 1 2 9\nv 1 nan 2\n";
+    fs::write(&path, text).expect("written");
+    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
+    file.contents.stamp = Stamp::of(&path);
+    let progress = Progress::default();
+    let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
+    for number in [0, 5, usize::MAX] {
+        let error = again.face(number).expect_err("no such face").to_string();
+        assert!(
+            error.ends_with(&format!("there is no face {number}: they run from 1 to 4")),
+            "{error}"
+        );
+        assert!(again.vertex(number).is_err());
+    }
+    // Those that are left out are there, without triangles.
+    for number in 2..=4 {
+        assert_eq!(again.face(number).expect("a line").triangles.len(), 0);
+    }
+    let nowhere = again.vertex(4).expect("a line");
+    assert_eq!((nowhere.value, &*nowhere.written), (None, "1 nan 2"));
+}

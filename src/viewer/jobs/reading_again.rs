@@ -1,0 +1,74 @@
+//! A mesh's file, read again in the background: that of a large one may be slow to come.
+
+use crate::scene::{
+    MeshFile, Progress,
+    obj::{Again, FaceInFile, InFile, VertexInFile},
+};
+use std::{
+    sync::{
+        Arc,
+        mpsc::{Receiver, channel},
+    },
+    thread,
+};
+
+/// What is asked of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::viewer) enum Question {
+    /// Where a triangle of its mesh is from.
+    Triangle(u32),
+    /// A face by its number.
+    Face(usize),
+    /// A vertex by its number.
+    Vertex(usize),
+}
+
+/// What it says, or why it does not.
+pub(in crate::viewer) enum Found {
+    Triangle(InFile),
+    Face(Result<FaceInFile, String>),
+    Vertex(Result<VertexInFile, String>),
+}
+
+/// A question under way. Dropping it gives it up.
+pub(in crate::viewer) struct ReadingAgain {
+    progress: Arc<Progress>,
+    result: Receiver<Found>,
+}
+
+impl ReadingAgain {
+    /// Asks a file; calls `wake` when it has answered.
+    pub fn start(file: MeshFile, question: Question, wake: impl FnOnce() + Send + 'static) -> Self {
+        let progress = Arc::new(Progress::default());
+        let shared = Arc::clone(&progress);
+        let (sender, result) = channel();
+        thread::spawn(move || {
+            let contents = file.contents.clone().unwrap_or_default();
+            let mut again = Again::new(&file.path, &contents, &file.mesh, &shared);
+            let found = match question {
+                Question::Triangle(triangle) => Found::Triangle(again.in_file(triangle)),
+                Question::Face(number) => {
+                    Found::Face(again.face(number).map_err(|error| error.to_string()))
+                }
+                Question::Vertex(number) => {
+                    Found::Vertex(again.vertex(number).map_err(|error| error.to_string()))
+                }
+            };
+            // The receiver is gone when the question was given up.
+            let _ = sender.send(found);
+            wake();
+        });
+        Self { progress, result }
+    }
+
+    /// The answer, once it is there.
+    pub fn poll(&self) -> Option<Found> {
+        self.result.try_recv().ok()
+    }
+}
+
+impl Drop for ReadingAgain {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}

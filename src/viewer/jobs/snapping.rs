@@ -1,0 +1,67 @@
+//! Where a click is led to, found in the background: files are read again for it, and areas of large objects summed.
+
+use crate::{
+    camera::View,
+    pick::{
+        measure::Measured,
+        snap::{Snap, object_area},
+    },
+    scene::{FilesAgain, MeshFile, Progress, Scene},
+    viewer::model::Measuring,
+};
+use glam::DVec2;
+use std::{
+    sync::{
+        Arc,
+        mpsc::{Receiver, TryRecvError, channel},
+    },
+    thread,
+};
+
+/// Where a click was led to, and the area of the object there.
+type Led = Option<(Snap, Option<Measured>)>;
+
+/// A click on its way. Dropping it gives it up.
+pub(in crate::viewer) struct Snapping {
+    progress: Arc<Progress>,
+    result: Receiver<Led>,
+}
+
+impl Snapping {
+    /// Begins with a position of a view; calls `wake` when done.
+    pub fn start(
+        scene: Scene,
+        view: View,
+        px: DVec2,
+        files: Vec<MeshFile>,
+        wake: impl FnOnce() + Send + 'static,
+    ) -> Self {
+        let progress = Arc::new(Progress::default());
+        let shared = Arc::clone(&progress);
+        let (sender, result) = channel();
+        thread::spawn(move || {
+            let mut files = FilesAgain::new(&scene, &files, &shared);
+            let mut faces = |object, triangle| files.face_of(object, triangle);
+            let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces);
+            let found = snap.map(|snap| {
+                let area = object_area(&scene.objects()[snap.id - 1]);
+                (snap, area)
+            });
+            // The receiver is gone when the click was given up.
+            let _ = sender.send(found);
+            wake();
+        });
+        Self { progress, result }
+    }
+
+    /// Where it is led to, `None` where nothing is there; an error as long as that is not known.
+    pub fn poll(&self) -> Result<Led, TryRecvError> {
+        self.result.try_recv()
+    }
+}
+
+impl Drop for Snapping {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}

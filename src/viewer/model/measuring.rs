@@ -1,0 +1,187 @@
+//! Points that clicks are led to, and the list of what was measured between them.
+
+use super::state::{State, Step};
+use crate::pick::{
+    measure::Measured,
+    snap::{Snap, SnapTo},
+};
+use serde::Serialize;
+use std::mem;
+
+/// What is measured. All of it is in world units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// Between the last two points.
+    Distance,
+    /// Of the edge that the last point is on.
+    Length,
+    /// Of the face that the last point is on.
+    FaceArea,
+    /// Of the object that the last point is on.
+    ObjectArea,
+}
+
+impl What {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::Distance,
+        Self::Length,
+        Self::FaceArea,
+        Self::ObjectArea,
+    ];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Distance => "distance",
+            Self::Length => "edge length",
+            Self::FaceArea => "face area",
+            Self::ObjectArea => "object area",
+        }
+    }
+}
+
+/// A line of the list. The field names are the JSON's.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Entry {
+    /// What was measured.
+    pub what: &'static str,
+    /// Of what.
+    pub of: String,
+    /// In world units, and how far it may be off.
+    #[serde(flatten)]
+    pub measured: Measured,
+}
+
+/// What was measured, and what can be.
+#[derive(Clone, Debug, Default)]
+pub struct Measuring {
+    /// Whether clicks are led to vertices and edges.
+    pub is_on: bool,
+    /// The last two points, the older one first.
+    pub points: Vec<Snap>,
+    /// The area of the last point's object.
+    pub object_area: Option<Measured>,
+    /// What was measured, oldest first.
+    pub list: Vec<Entry>,
+}
+
+impl Measuring {
+    /// How near, in pixels, a vertex or an edge is to be.
+    pub const RADIUS_PX: f64 = 8.0;
+
+    /// A measure that can be taken of the last points.
+    #[must_use]
+    pub fn entry(&self, what: What) -> Option<Entry> {
+        let last = self.points.last()?;
+        let (of, measured) = match what {
+            What::Distance => {
+                let [from, to] = &self.points[..] else {
+                    return None;
+                };
+                let of = format!("{} to {}", from.label(), to.label());
+                (of, from.exact.distance(&to.exact))
+            }
+            What::Length => (last.label(), last.length?),
+            What::FaceArea => (face_label(last), last.area?),
+            What::ObjectArea => (last.object.clone(), self.object_area?),
+        };
+        let what = what.name();
+        Some(Entry { what, of, measured })
+    }
+
+    /// The list as text, a line each.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let line = |Entry { what, of, measured }: &Entry| {
+            let Measured { value, error } = measured;
+            format!("{what}\t{value}\t\u{b1} {error:.1e}\t{of}\n")
+        };
+        self.list.iter().map(line).collect()
+    }
+}
+
+fn face_label(snap: &Snap) -> String {
+    match (snap.face, snap.triangle) {
+        (Some(face), _) => format!("face {face} of {}", snap.object),
+        (None, Some(triangle)) => format!("triangle {triangle} of {}", snap.object),
+        (None, None) => snap.object.clone(),
+    }
+}
+
+impl Snap {
+    /// What it is, in a few words.
+    #[must_use]
+    pub fn label(&self) -> String {
+        let vertices = self.vertices.as_deref().unwrap_or_default();
+        match (self.to, vertices) {
+            (SnapTo::Vertex, [vertex]) => format!("v {} of {}", vertex.vertex, self.object),
+            (SnapTo::Edge, [a, b]) => format!("edge {}-{} of {}", a.vertex, b.vertex, self.object),
+            (SnapTo::Vertex, _) => format!("a corner of {}", self.object),
+            (SnapTo::Edge, _) => format!("an edge of {}", self.object),
+            (SnapTo::Face, _) => face_label(self),
+        }
+    }
+}
+
+/// Something that is done to the list. All but the first can be undone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasureAction {
+    /// Lead clicks to vertices and edges, or no more.
+    Toggle,
+    /// Add a measure to the list; nothing where there is none.
+    Add(What),
+    /// Take a line away, by its place.
+    Remove(usize),
+    /// Take all lines away.
+    Clear,
+}
+
+impl State {
+    /// Where clicks were led to, and what was measured.
+    #[must_use]
+    pub fn measuring(&self) -> &Measuring {
+        &self.measuring
+    }
+
+    pub(super) fn measure(&mut self, action: MeasureAction) {
+        let list = self.measuring.list.clone();
+        match action {
+            MeasureAction::Toggle => {
+                self.measuring.is_on ^= true;
+                self.forget_points();
+            }
+            MeasureAction::Add(what) => {
+                let entry = self.measuring.entry(what);
+                self.measuring.list.extend(entry);
+            }
+            MeasureAction::Remove(at) if at < list.len() => drop(self.measuring.list.remove(at)),
+            MeasureAction::Remove(_) => {}
+            MeasureAction::Clear => self.measuring.list.clear(),
+        }
+        if self.measuring.list != list {
+            self.record(Step::Measured(list));
+        }
+    }
+
+    /// A click was led there.
+    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<Measured>) {
+        let points = &mut self.measuring.points;
+        points.push(snap);
+        let old = points.len().saturating_sub(2);
+        points.drain(..old);
+        self.measuring.object_area = object_area;
+    }
+
+    /// The scene is another: its points are not where they were.
+    pub(super) fn forget_points(&mut self) {
+        self.measuring.points.clear();
+        self.measuring.object_area = None;
+    }
+
+    /// Has another list; returns the one before.
+    pub(super) fn exchange_measures(&mut self, list: Vec<Entry>) -> Vec<Entry> {
+        mem::replace(&mut self.measuring.list, list)
+    }
+}

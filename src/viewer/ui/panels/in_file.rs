@@ -1,0 +1,139 @@
+//! What the file of a mesh says of the pick, and the way to what has a number.
+
+use super::{
+    field::value_text,
+    names::{Hint, named},
+    record::rows,
+};
+use crate::{
+    pick::Pick,
+    viewer::ui::command::{Command, GoTo},
+};
+use egui::{CollapsingHeader, Id, Label, TextEdit, Ui};
+
+/// The most corners of a polygon that are listed.
+const MOST_CORNERS: usize = 12;
+
+/// A field: its name, what is typed there, and where that leads.
+type Way = (&'static str, &'static str, fn(usize) -> GoTo);
+
+/// The face that the pick is on, as its file writes it.
+pub(super) fn show(ui: &mut Ui, hit: &Pick) {
+    let said = &hit.in_file;
+    let Some(path) = &said.file else { return };
+    if let Some(error) = &said.file_error {
+        ui.colored_label(ui.visuals().warn_fg_color, error)
+            .hint("the file is read again for what it writes of a face: nothing of that is kept");
+        return;
+    }
+    let (Some(line), Some(face), Some(vertices)) = (said.line, said.face, &said.vertices) else {
+        return;
+    };
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let corners = vertices.len();
+    let kind = match corners {
+        3 => "a triangle".to_owned(),
+        4 => "a quad".to_owned(),
+        _ => format!("a polygon of {corners} corners"),
+    };
+    rows(
+        ui,
+        "in file",
+        &[
+            (
+                "file",
+                name.to_owned(),
+                "the file that the mesh was loaded from",
+            ),
+            (
+                "line",
+                line.to_string(),
+                "where the face stands in the file",
+            ),
+            (
+                "face",
+                format!("{face}, {kind}"),
+                "its number among the lines of the file that begin with f, from 1, and what it is there",
+            ),
+        ],
+    );
+    let title = "Corners in the file";
+    let header = CollapsingHeader::new(title).default_open(true);
+    let header = header.show(ui, |ui| {
+        let of_triangle = |place: usize| {
+            let place = u32::try_from(place).ok();
+            place.is_some_and(|place| said.corners.is_some_and(|all| all.contains(&place)))
+        };
+        for (place, vertex) in vertices.iter().enumerate().take(MOST_CORNERS) {
+            let mark = if of_triangle(place) { "\u{2022}" } else { " " };
+            let text = format!("{mark} v {}: {}", vertex.vertex, vertex.written);
+            let hint = format!(
+                "as line {} has it; a dot marks the corners of the triangle that was hit",
+                vertex.line
+            );
+            ui.add(Label::new(value_text(text)).wrap()).hint(hint);
+            if let Some(stored) = vertex.stored {
+                let text = format!("    stored {} {} {}", stored.x, stored.y, stored.z);
+                ui.add(Label::new(value_text(text).weak()).wrap())
+                    .hint("what it was rounded to when it was loaded, which is what picks and pictures are made of");
+            }
+        }
+        if let Some(more @ 1..) = corners.checked_sub(MOST_CORNERS) {
+            ui.weak(format!("and {more} more")).hint("all of them are in the copied JSON");
+        }
+    });
+    header
+        .header_response
+        .hint("the face's vertices, by their numbers and as they are written there");
+}
+
+/// Fields for a number of what is to be shown, and what came of the last.
+pub(super) fn go_to(ui: &mut Ui, said: Option<&str>, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.weak("go to").hint("type a number and press Enter");
+        let fields: [Way; 3] = [
+            ("object", "an object by its number in the list", GoTo::Object),
+            (
+                "face",
+                "a face by its number among the f lines of the file: of the selected object, or of the only file",
+                GoTo::Face,
+            ),
+            (
+                "vertex",
+                "a vertex by its number in the file: of the selected object, or of the only file",
+                GoTo::Vertex,
+            ),
+        ];
+        for (name, hint, to) in fields {
+            let id = Id::unique(("go to", name));
+            let mut text: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+            let number = text.trim().parse::<usize>().ok().filter(|number| *number > 0);
+            let mut field = TextEdit::singleline(&mut text)
+                .id(id)
+                .hint_text(name)
+                .desired_width(52.0);
+            if number.is_none() && !text_is_empty(ui, id) {
+                field = field.text_color(ui.visuals().error_fg_color);
+            }
+            let response = ui.add(field);
+            named(&response, &format!("go to {name}"));
+            let entered = response.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
+            let response = response.hint(hint);
+            if response.changed() {
+                ui.data_mut(|data| data.insert_temp(id, text));
+            }
+            if let (true, Some(number)) = (entered, number) {
+                commands.push(Command::GoTo(to(number)));
+            }
+        }
+    });
+    if let Some(said) = said {
+        let label = ui.add(Label::new(said).wrap());
+        label.hint("where that is, and what hides it");
+    }
+}
+
+fn text_is_empty(ui: &Ui, id: Id) -> bool {
+    ui.data(|data| data.get_temp::<String>(id))
+        .is_none_or(|text| text.trim().is_empty())
+}

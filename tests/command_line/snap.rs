@@ -1,0 +1,152 @@
+//! Snapping and measuring without a window.
+
+use super::Folder;
+use serde_json::{Value, json};
+
+/// A house front: a wall of one quad, and a roof of one polygon of five corners above it, somewhere on a map.
+const FRONT: &str = "\
+v 447000.1 5411000.2 0
+v 447010.1 5411000.2 0
+v 447010.1 5411004.2 0
+v 447000.1 5411004.2 0
+v 447012.1 5411004.2 0
+v 447005.1 5411008.2 0
+v 446998.1 5411004.2 0
+o Wall
+f 1 2 3 4
+o Roof
+f 7 4 3 5 6
+";
+
+fn folder() -> Folder {
+    let folder = Folder::new();
+    std::fs::write(folder.path("front.obj"), FRONT).unwrap();
+    folder
+}
+
+/// Ten pixels a unit; the middle of the picture is at 447005.1, 5411004.2.
+const LOOK: &str =
+    "--size 200x100 --eye 447005.1,5411004.2,10 --target 447005.1,5411004.2,0 --ortho 10";
+
+fn value(measure: &Value) -> (f64, f64) {
+    let number = |name: &str| {
+        measure[name]
+            .as_f64()
+            .unwrap_or_else(|| panic!("{measure}"))
+    };
+    (number("value"), number("error"))
+}
+
+#[track_caller]
+fn is(measure: &Value, expected: f64, most: f64) {
+    let (value, error) = value(measure);
+    assert!(
+        (value - expected).abs() <= error && error <= most,
+        "{measure}, not {expected}"
+    );
+}
+
+#[test]
+fn positions_are_led_to_vertices_edges_and_faces() {
+    let folder = folder();
+    // By vertices 1 and 3, the edge from 1 to 2, the wall, the wall's split, the edge from 6 to 7.
+    let at = "52,88 148,52 100,92 120,70 101,71 60,27";
+    let lines = folder.json(&format!("pick front.obj {LOOK} --snap 8 --at {at}"));
+    let to: Vec<_> = lines
+        .iter()
+        .map(|line| line["snap"]["to"].as_str().unwrap_or("none"))
+        .collect();
+    assert_eq!(
+        to,
+        ["vertex", "vertex", "edge", "face", "face", "edge"],
+        "{lines:?}"
+    );
+    let numbers = |line: &Value| -> Vec<u64> {
+        let all = line["snap"]["vertices"].as_array().unwrap();
+        all.iter()
+            .map(|vertex| vertex["vertex"].as_u64().unwrap())
+            .collect()
+    };
+    assert_eq!(numbers(&lines[0]), [1]);
+    assert_eq!(
+        lines[0]["snap"]["vertices"][0]["written"],
+        "447000.1 5411000.2 0"
+    );
+    assert_eq!(lines[0]["distance"], Value::Null);
+    // Both objects have vertex 3: the first one is it.
+    assert_eq!(
+        (numbers(&lines[1]), &lines[1]["snap"]["object"]),
+        (vec![3], &json!("Wall"))
+    );
+    // From 1 to 3, as the file has them: its decimals, and not what they are stored as.
+    is(&lines[1]["distance"], 116.0_f64.sqrt(), 2e-15);
+    assert_eq!(numbers(&lines[2]), [1, 2]);
+    is(&lines[2]["snap"]["length"], 10.0, 2e-15);
+    let px = &lines[2]["snap"]["px"];
+    assert!(
+        (px[0].as_f64().unwrap() - 100.0).abs() < 1e-6
+            && (px[1].as_f64().unwrap() - 90.0).abs() < 1e-6
+    );
+    is(&lines[3]["snap"]["area"], 40.0, 1e-14);
+    // Stored as f32 about an origin near by.
+    is(&lines[3]["object_area"], 40.0, 1e-4);
+    // The diagonal of the wall is none of its edges.
+    assert_eq!(lines[4]["snap"]["object"], "Wall");
+    assert_eq!(lines[5]["snap"]["object"], "Roof");
+    is(&lines[5]["snap"]["length"], 65.0_f64.sqrt(), 2e-15);
+    is(&lines[5]["snap"]["area"], 28.0, 1e-14);
+}
+
+#[test]
+fn what_is_hidden_or_too_far_is_not_snapped_to() {
+    let folder = folder();
+    // A plate before the left half.
+    let scene = "
+[[object]]
+shape = \"mesh\"
+file = \"front.obj\"
+
+[[object]]
+name = \"Plate\"
+shape = \"square\"
+scale = 12
+position = [446999.1, 5411004.2, 5]
+";
+    std::fs::write(folder.path("plate.toml"), scene).unwrap();
+    let look = |scene: &str, radius: f64| {
+        let lines = folder.json(&format!("pick {scene} {LOOK} --snap {radius} --at 52,88"));
+        lines[0]["snap"].clone()
+    };
+    let hidden = look("plate.toml", 8.0);
+    assert_eq!(
+        (&hidden["to"], &hidden["object"]),
+        (&json!("face"), &json!("Plate"))
+    );
+    is(&hidden["area"], 144.0, 1e-12);
+    assert_eq!(look("front.obj", 3.0)["to"], "vertex");
+    // 2.828... pixels away.
+    assert_eq!(look("front.obj", 2.8)["to"], "edge");
+    assert_eq!(look("front.obj", 1.0)["to"], "face");
+    let away = folder.json(&format!("pick front.obj {LOOK} --snap 8 --at 5,5"));
+    assert_eq!(
+        (&away[0]["snap"], &away[0]["object_area"]),
+        (&Value::Null, &Value::Null)
+    );
+    let error = folder.error("pick scene.toml --at 5,5 --snap 300", 2);
+    assert!(error.contains("from 0 to 256"), "{error}");
+}
+
+#[test]
+fn cubes_and_squares_have_corners_and_edges() {
+    let folder = Folder::new();
+    let lines = folder.json("pick scene.toml --size 200x100 --snap 8 --at 109,41 100,41 100,50");
+    let of = |line: &Value| (line["snap"]["to"].clone(), line["snap"]["object"].clone());
+    assert_eq!(of(&lines[0]), (json!("vertex"), json!("Front")));
+    assert_eq!(lines[0]["snap"]["point_world"], json!([0.5, 0.5, 2.5]));
+    assert_eq!(of(&lines[1]), (json!("edge"), json!("Front")));
+    is(&lines[1]["snap"]["length"], 1.0, 2e-16);
+    is(&lines[1]["object_area"], 6.0, 2e-15);
+    // From a corner to the middle of the edge beside it.
+    is(&lines[1]["distance"], 0.5, 1e-15);
+    assert_eq!(lines[2]["snap"]["vertices"], Value::Null);
+}

@@ -1,0 +1,120 @@
+//! Snapping and the list of measures in the window.
+
+use super::*;
+
+/// A wall of one quad, 4 wide and 2 high.
+const WALL: &str = "v -2 -1 0\nv 2 -1 0\nv 2 1 0\nv -2 1.0 0\nf 1 2 3 4\n";
+
+const SCENE: &str = "
+[camera]
+eye = [0, 0, 10]
+target = [0, 0, 0]
+ortho = 6.95
+
+[[object]]
+name = \"Wall\"
+shape = \"mesh\"
+file = \"wall.obj\"
+";
+
+fn wall() -> (Offscreen, TempDir) {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("wall.obj"), WALL).expect("a writable folder");
+    let path = folder.path().join("wall.toml");
+    std::fs::write(&path, SCENE).expect("a writable folder");
+    let mut window = open(vec![path], 1.0);
+    click_on(&mut window, "Measure");
+    (window, folder)
+}
+
+/// Clicks so many pixels beside where a world point shows.
+fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
+    let view = window.state().view();
+    let px = view
+        .project(glam::DVec3::from_array(point))
+        .expect("in front")
+        .px;
+    let from_middle = px - view.viewport.size_px() / 2.0;
+    #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
+    let [x, y, width] =
+        [from_middle.x, from_middle.y, view.viewport.size_px().x].map(|px| px as f32);
+    // The panels of the right take as much as ever; those of the left are wider than usual.
+    let middle = pos2(970.0 - 0.5 * width, MIDDLE.y);
+    click(window, middle + egui::vec2(x, y) + egui::Vec2::from(aside));
+}
+
+fn is_enabled(window: &Offscreen, name: &str) -> bool {
+    control(window, name).is_enabled
+}
+
+fn values(window: &Offscreen) -> Vec<f64> {
+    let list = &window.state().measuring().list;
+    list.iter().map(|entry| entry.measured.value).collect()
+}
+
+#[test]
+fn clicks_are_led_to_vertices_and_edges_and_measured() {
+    let (mut window, _folder) = wall();
+    // Without snapping nothing is measured.
+    click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
+    assert!(window.state().measuring().points.is_empty() && !is_enabled(&window, "distance"));
+    click_on(&mut window, "snap clicks");
+    click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
+    let label = |window: &Offscreen| {
+        let last = window.state().measuring().points.last();
+        last.map(sightline::pick::snap::Snap::label)
+    };
+    assert_eq!(label(&window).as_deref(), Some("v 3 of Wall"));
+    assert!(!is_enabled(&window, "distance") && !is_enabled(&window, "edge length"));
+    click_near(&mut window, [-2.0, -1.0, 0.0], [3.0, -4.0]);
+    assert_eq!(label(&window).as_deref(), Some("v 1 of Wall"));
+    click_on(&mut window, "distance");
+    assert_eq!(values(&window), [20.0_f64.sqrt()]);
+    let error = window.state().measuring().list[0].measured.error;
+    assert!(error > 0.0 && error < 1e-15, "{error}");
+    // The diagonal is none of the file's edges; the lower side is.
+    click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
+    assert_eq!(label(&window).as_deref(), Some("face 1 of Wall"));
+    click_on(&mut window, "face area");
+    click_near(&mut window, [0.5, -1.0, 0.0], [0.0, -5.0]);
+    assert_eq!(label(&window).as_deref(), Some("edge 1-2 of Wall"));
+    click_on(&mut window, "edge length");
+    click_on(&mut window, "object area");
+    assert_eq!(values(&window), [20.0_f64.sqrt(), 8.0, 4.0, 8.0]);
+
+    click_on(&mut window, "list as JSON");
+    let copied: serde_json::Value =
+        serde_json::from_str(window.copied().expect("JSON")).expect("JSON");
+    assert_eq!(copied[2]["what"], "edge length");
+    assert_eq!(copied[2]["of"], "edge 1-2 of Wall");
+    assert_eq!(copied[0]["value"], 20.0_f64.sqrt());
+    assert!(copied[0]["error"].as_f64().expect("a number") < 1e-15);
+    click_on(&mut window, "copy list");
+    assert_eq!(window.copied().map(|text| text.lines().count()), Some(4));
+
+    // Changes of the list are steps.
+    click_on(&mut window, "remove measure 2");
+    assert_eq!(values(&window), [20.0_f64.sqrt(), 4.0, 8.0]);
+    click_on(&mut window, "clear list");
+    assert!(values(&window).is_empty());
+    press_key(&mut window, CTRL, Key::Z);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(values(&window).len(), 4);
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(values(&window).len(), 3);
+    press_key(&mut window, CTRL, Key::Y);
+    assert_eq!(values(&window).len(), 4);
+}
+
+#[test]
+fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
+    let (mut window, _folder) = wall();
+    click_on(&mut window, "snap clicks");
+    click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
+    click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
+    click_on(&mut window, "object area");
+    press_key(&mut window, Modifiers::NONE, Key::R);
+    assert!(window.state().measuring().points.is_empty());
+    assert_eq!(values(&window), [8.0]);
+    assert!(window.state().measuring().is_on);
+}
