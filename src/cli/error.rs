@@ -2,7 +2,7 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::LoadError, study::SaveError,
+    camera::CameraError, image::ImageError, render::GpuError, scene::{LoadError, NoSection}, study::SaveError,
     viewer::ViewerError,
 };
 use clap::CommandFactory;
@@ -27,6 +27,14 @@ pub enum CliError {
         file: PathBuf,
         /// What is wrong with its camera.
         source: CameraError,
+    },
+    /// The scene file's section is none.
+    #[error("{}: section: {source}", file.display())]
+    SceneSection {
+        /// The scene file.
+        file: PathBuf,
+        /// What is wrong with it.
+        source: NoSection,
     },
     /// The scene could not be loaded.
     #[error(transparent)]
@@ -90,6 +98,7 @@ impl CliError {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
             Self::Usage(_) | Self::View(_) => 2,
             Self::SceneCamera { .. }
+            | Self::SceneSection { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)
             | Self::Image(_)

@@ -1,7 +1,7 @@
 //! Rays: the numbers of one, and what a pixel's ray is made of.
 
 use super::{
-    U,
+    Across, Section, U,
     binary::power_of_two,
     double_double::{Number, Vector},
 };
@@ -114,9 +114,25 @@ pub struct WorldRay {
     ray: Ray,
     error: RayError,
     line: Line,
+    section: Option<Across>,
 }
 
 impl WorldRay {
+    /// It, when hits only count where a section keeps them. Its interval ends where that cuts it, rounded outwards: what is
+    /// hit close to there is for whoever asks for hits to decide.
+    #[must_use]
+    pub fn cut_by(mut self, section: &Section) -> Self {
+        let across = Across::new(*section, &self.ray, &self.error);
+        [self.ray.t_min, self.ray.t_max] = across.of_interval([self.ray.t_min, self.ray.t_max]);
+        self.section = Some(across);
+        self
+    }
+
+    /// The section that cuts it.
+    pub(crate) fn section(&self) -> Option<&Across> {
+        self.section.as_ref()
+    }
+
     /// How far its rounded numbers may be off.
     #[must_use]
     pub fn error(&self) -> RayError {
@@ -145,6 +161,7 @@ impl From<Ray> for WorldRay {
                 origin: ray.origin,
                 direction: ray.direction,
             },
+            section: None,
         }
     }
 }
@@ -253,6 +270,7 @@ impl PixelGrid {
         PixelRays {
             grid: *self,
             interval,
+            section: None,
             right,
             up,
             is_bounded,
@@ -265,6 +283,7 @@ impl PixelGrid {
 pub struct PixelRays {
     grid: PixelGrid,
     interval: [f64; 2],
+    section: Option<Section>,
     /// For half a pixel to the right: `(h / H) R`.
     right: DVec3,
     /// For half a pixel upwards: `(h / H) U`.
@@ -274,6 +293,12 @@ pub struct PixelRays {
 }
 
 impl PixelRays {
+    /// They, when hits only count where a section keeps them; by none, where nothing does.
+    #[must_use]
+    pub fn cut_by(self, section: Option<Section>) -> Self {
+        Self { section, ..self }
+    }
+
     /// The ray through a position in pixels; see [`PixelGrid::ray`].
     ///
     /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once, the sum
@@ -302,13 +327,18 @@ impl PixelRays {
         } else {
             [DVec3::ZERO, error]
         };
-        WorldRay {
+        let ray = WorldRay {
             ray,
             error: RayError { origin, direction },
             line: Line::Pixel {
                 grid: self.grid,
                 px,
             },
+            section: None,
+        };
+        match &self.section {
+            None => ray,
+            Some(section) => ray.cut_by(section),
         }
     }
 

@@ -30,6 +30,11 @@ impl State {
     ) -> Result<Self, CameraError> {
         let choice = choice.or(loaded.camera);
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
+        let section = loaded.scene.section(choice.section.unwrap_or_default());
+        let section = section.unwrap_or_else(|error| {
+            log::warn!("section: {error}");
+            None
+        });
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
@@ -49,6 +54,7 @@ impl State {
                 camera,
                 viewport,
                 sides,
+                section,
             },
             seen: None,
             pivot_world: orbit.target(),

@@ -85,6 +85,7 @@ impl State {
             self.world = Some(world);
             // The world's planes are nowhere here.
             (self.controls.near, self.controls.far) = (None, None);
+            self.view.section = None;
             self.frame_stage();
         }
     }

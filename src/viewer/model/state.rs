@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::{Mesh, Placement},
+    geometry::{Mesh, Placement, Section},
     pick::PickLine,
     scene::Scene,
     study::swap::Swap,
@@ -61,6 +61,7 @@ pub(super) struct Stand {
     pub ortho: OrthoHeight,
     pub camera: Camera,
     pub pivot_world: DVec3,
+    pub section: Option<Section>,
 }
 
 /// What is selected, and the ray that it was picked by.
@@ -358,6 +359,7 @@ impl State {
             ortho: self.ortho,
             camera: self.view.camera,
             pivot_world: self.pivot_world,
+            section: self.view.section,
         }
     }
 

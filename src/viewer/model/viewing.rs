@@ -6,7 +6,9 @@ use super::{
     state::{Stand, State},
 };
 use crate::{
-    camera::{Camera, CameraChoice, CameraError, Lens, Orbit, Projection, fit_near_far},
+    camera::{
+        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, fit_near_far,
+    },
     geometry::{Aabb, Placement, PlacementError},
 };
 use glam::{DVec2, DVec3};
@@ -44,6 +46,7 @@ impl Stand {
             far: self.controls.far,
             depth: Some(self.controls.depth),
             up_axis: Some(self.up_axis),
+            section: self.section.map(SectionChoice::Plane),
         }
     }
 }
@@ -120,6 +123,11 @@ impl State {
         self.ortho = OrthoHeight::chosen(&choice, &self.orbit);
         self.pivot_world = self.orbit.target();
         self.view.camera = camera;
+        if let Some(section) = choice.section
+            && let Ok(section) = self.scene.section(section)
+        {
+            self.view.section = section;
+        }
     }
 
     pub(super) fn set_lens(&mut self, controls: LensControls) {
@@ -217,6 +225,7 @@ impl State {
         self.ortho = stand.ortho;
         self.pivot_world = stand.pivot_world;
         self.view.camera = stand.camera;
+        self.view.section = stand.section;
         self.fit();
     }
 

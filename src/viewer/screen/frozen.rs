@@ -23,7 +23,7 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let ray = frozen.view.ray(frozen.px);
     lines.push(Line {
         from: ray.origin,
-        to: ray.at(ray.t_max),
+        to: ray.at(camera.lens().far),
         colour: look::SELECTION,
     });
     for hit in pick::all(scene, ray, frozen.view.sides) {
@@ -68,7 +68,7 @@ fn pixel_grid(frozen: &Frozen) -> Vec<Line> {
     let (width, height) = (frozen.view.viewport.width(), frozen.view.viewport.height());
     let step = width.max(height).div_ceil(CELLS).max(1);
     let on_near = |x: u32, y: u32| {
-        let ray = frozen.view.ray(DVec2::new(f64::from(x), f64::from(y)));
+        let ray = frozen.view.uncut().ray(DVec2::new(f64::from(x), f64::from(y)));
         ray.at(ray.t_min)
     };
     let block = step as usize;
