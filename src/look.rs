@@ -61,7 +61,7 @@ pub const MEANINGS: [Srgb; 16] = [
 ];
 
 /// Back faces where a section lets one look into solids.
-pub const INSIDE: Srgb = Srgb([156, 72, 84]);
+pub const INSIDE: Srgb = Srgb([164, 122, 58]);
 
 /// Lines of the floor's grid, and each tenth of them.
 pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];

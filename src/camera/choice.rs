@@ -1,8 +1,8 @@
 //! A camera that is only partly told, by flags or by a scene file, and framing for the rest.
 
 use super::{
-    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport, fit_near_far,
-    unit,
+    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
+    fit_near_far, unit,
 };
 use crate::geometry::Aabb;
 use glam::DVec3;

@@ -2,7 +2,11 @@
 
 use super::{Cli, terminal::say};
 use crate::{
-    camera::CameraError, image::ImageError, render::GpuError, scene::{LoadError, NoSection}, study::SaveError,
+    camera::CameraError,
+    image::ImageError,
+    render::GpuError,
+    scene::{LoadError, NoSection},
+    study::SaveError,
     viewer::ViewerError,
 };
 use clap::CommandFactory;

@@ -133,13 +133,17 @@ impl ViewArgs {
             _ => CliError::View(source),
         })?;
         let section = flags.or(loaded.camera).section.unwrap_or_default();
-        let section = loaded.scene.section(section).map_err(|source| match &loaded.camera_file {
-            Some(file) if flags.section.is_none() => CliError::SceneSection {
-                file: file.clone(),
-                source,
-            },
-            _ => CliError::Usage(format!("--section: {source}")),
-        })?;
+        let section =
+            loaded
+                .scene
+                .section(section)
+                .map_err(|source| match &loaded.camera_file {
+                    Some(file) if flags.section.is_none() => CliError::SceneSection {
+                        file: file.clone(),
+                        source,
+                    },
+                    _ => CliError::Usage(format!("--section: {source}")),
+                })?;
         let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));
         let lens = camera.lens();

@@ -71,7 +71,10 @@ impl Section {
         }
         let normal = normal.normalize() + DVec3::ZERO;
         let offsets = points.map(|point| -normal.dot(point));
-        Self::new(normal, offsets.into_iter().fold(f64::NEG_INFINITY, f64::max))
+        Self::new(
+            normal,
+            offsets.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        )
     }
 
     /// The same with c raised until it keeps a triangle's corners.

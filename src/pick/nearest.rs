@@ -208,9 +208,8 @@ pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHi
         let placement = &scene.objects()[batch.start].placement;
         let placed = placement.local_ray(ray);
         let local = placed.until(limit);
-        let overlaps = |other: &SceneHit| {
-            other != hit && other.overlaps(hit) && is_kept(scene, ray, other)
-        };
+        let overlaps =
+            |other: &SceneHit| other != hit && other.overlaps(hit) && is_kept(scene, ray, other);
         found = found || in_batch(scene, batch, None, &local, sides, overlaps).is_some();
         if found { f64::NEG_INFINITY } else { limit }
     });

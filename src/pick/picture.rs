@@ -133,9 +133,6 @@ fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
         Some(_) if !front => look::INSIDE.to_linear(),
         _ => object.albedo(&hit.hit),
     };
-    let light = look::shade(
-        albedo,
-        if front { normal } else { -normal },
-    );
+    let light = look::shade(albedo, if front { normal } else { -normal });
     Srgb::from_linear(light)
 }

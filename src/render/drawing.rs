@@ -197,7 +197,13 @@ impl Renderer {
             };
             render_pass.set_bind_group(0, &bindings.triangles, &[]);
             if is_first && has_colours {
-                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, depth, false));
+                render_pass.set_pipeline(&self.pipelines.get(
+                    gpu,
+                    pass,
+                    Drawn::Background,
+                    depth,
+                    false,
+                ));
                 render_pass.draw(0..3, 0..1);
             }
             // What is drawn past the rows, as drivers may, is drawn again: the same.
@@ -212,7 +218,13 @@ impl Renderer {
                 self.draw_edges(gpu, &mut render_pass, pass, &view, &bindings, draw, slice);
             }
             if !line_ends.is_empty() {
-                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, depth, false));
+                render_pass.set_pipeline(&self.pipelines.get(
+                    gpu,
+                    pass,
+                    Drawn::Lines,
+                    depth,
+                    false,
+                ));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
                 render_pass.draw(line_ends, 0..1);
             }

@@ -143,7 +143,11 @@ impl Renderer {
                 pass.draw_indexed(indices, 0, instances);
             }
             DrawnShape::Spheres => {
-                pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, depth, is_cut));
+                pass.set_pipeline(
+                    &self
+                        .pipelines
+                        .get(gpu, writes, Drawn::Spheres, depth, is_cut),
+                );
                 pass.set_bind_group(0, &bindings.spheres, &[]);
                 pass.draw(0..4, instances);
             }

@@ -9,12 +9,10 @@ use super::{
     bound::{self, Outline, Reason},
     surface::Depths,
 };
-use crate::{
-    render::{
-        section::{ScreenSection, q},
-        transform::{U, ViewError},
-        view_space::ViewSpace,
-    },
+use crate::render::{
+    section::{ScreenSection, q},
+    transform::{U, ViewError},
+    view_space::ViewSpace,
 };
 use glam::DVec2;
 
@@ -70,13 +68,7 @@ impl<'a> Sectioned<'a> {
     }
 
     /// A sphere, which nothing moves aside; half a pixel aside makes `of_slope` of its depth.
-    pub fn sphere(
-        &self,
-        px: DVec2,
-        past_near: f64,
-        of_slope: f64,
-        error: &ViewError,
-    ) -> AtSection {
+    pub fn sphere(&self, px: DVec2, past_near: f64, of_slope: f64, error: &ViewError) -> AtSection {
         let Some(screen) = &self.screen else {
             return AtSection::WHOLE;
         };

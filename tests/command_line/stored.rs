@@ -91,6 +91,14 @@ struct Camera {
     far: f64,
     size: [u32; 2],
     cull: bool,
+    section: Option<StoredSection>,
+}
+
+#[derive(Deserialize, Debug, PartialEq)]
+#[serde(deny_unknown_fields)]
+struct StoredSection {
+    normal: [f64; 3],
+    offset: f64,
 }
 
 #[derive(Deserialize)]
@@ -150,6 +158,7 @@ fn same_camera(
         camera,
         viewport,
         sides,
+        section,
     }: &View,
 ) {
     let vectors = [camera.eye(), camera.right(), camera.up(), camera.forward()];
@@ -168,6 +177,11 @@ fn same_camera(
         (printed.orthographic, printed.cull),
         (lens.is_orthographic(), *sides == Sides::Front)
     );
+    let section = section.map(|section| StoredSection {
+        normal: section.normal().to_array(),
+        offset: section.offset(),
+    });
+    assert_eq!(printed.section, section);
 }
 
 fn same_scene(printed: &Stored, scene: &Scene) {
@@ -331,6 +345,8 @@ fn line_of(camera: &Camera, [x, y]: [f64; 2]) -> Line {
         scale: height,
         near: Dyadic::of(camera.near),
         far: Dyadic::of(camera.far),
+        section: (camera.section.as_ref())
+            .map(|section| (vector(section.normal), Dyadic::of(section.offset))),
     }
 }
 
@@ -366,7 +382,12 @@ fn picks_can_be_checked_from_the_stored_numbers_alone() {
     let lines: Vec<String> = positions.iter().map(|[x, y]| format!("{x},{y}")).collect();
     let input = lines.join("\n");
     let flags = "--size 200x140 --stored --all-hits --at -";
-    for view in ["", "--cull --hide 5", "--ortho 7 --near -20 --far 40"] {
+    for view in [
+        "",
+        "--cull --hide 5",
+        "--ortho 7 --near -20 --far 40",
+        "--section 0.3,-1,0.2,0.1",
+    ] {
         let lines = json(&folder.run_with(&format!("pick scene.toml {view} {flags}"), &input));
         let (first, picks) = lines.split_first().expect("lines");
         let printed = stored(first);

@@ -15,6 +15,8 @@ mod by_hand;
 #[path = "../common/mod.rs"]
 mod common;
 mod compare;
+#[path = "../common/sections.rs"]
+mod cuts;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod families;
@@ -24,6 +26,7 @@ mod lattice;
 mod narrowed;
 mod program;
 mod rays;
+mod sections;
 mod tally;
 mod ties;
 mod together;
@@ -44,6 +47,8 @@ struct AtLeast {
     ties: usize,
     borders: usize,
     planes: usize,
+    cut: usize,
+    on_section: usize,
     hairs: usize,
     steps: usize,
     walks: usize,
@@ -76,6 +81,8 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, at_least: &AtLeas
         ("ties", tally.ties, at_least.ties),
         ("borders", tally.borders, at_least.borders),
         ("planes", tally.planes, at_least.planes),
+        ("cut", tally.cut, at_least.cut),
+        ("on section", tally.on_section, at_least.on_section),
         ("hairs", tally.hairs, at_least.hairs),
         ("steps", tally.steps, at_least.steps),
         ("walks", tally.walks, at_least.walks),
@@ -142,4 +149,6 @@ families! {
     ties, 11, ties::ties, AtLeast { hits: 800, ties: 500, borders: 200, walks: 220, narrowed: 200, ..AtLeast::default() };
     ties_at_the_eye, 12, ties::ties_at_the_eye, AtLeast { hits: 700, ties: 450, planes: 200, walks: 220, narrowed: 200, ..AtLeast::default() };
     long_ties, 13, ties::long_ties, AtLeast { hits: 550, ties: 300, narrowed: 200, ..AtLeast::default() };
+    sections, 15, sections::anywhere, AtLeast { hits: 250, cut: 150, walks: 10, ..AtLeast::default() };
+    exact_sections, 16, sections::exact, AtLeast { hits: 250, cut: 150, on_section: 150, walks: 10, ..AtLeast::default() };
 }

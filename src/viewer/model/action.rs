@@ -3,6 +3,7 @@
 use super::{overlay::Overlay, stages::Stage};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
+    geometry::Section,
     study::swap::Swap,
 };
 use glam::{DAffine3, DVec2, DVec3};
@@ -49,6 +50,12 @@ pub enum Action {
     UpAxis(UpAxis),
     /// Show both sides of surfaces or only fronts.
     ToggleSides,
+    /// Cut the world by a section, or by none.
+    Section(Option<Section>),
+    /// Turn the section off, or on again.
+    ToggleSection,
+    /// Lay a section through the next three picks, or no longer.
+    SectionByPoints(bool),
     /// Pick this surface of those on the last click's ray, from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.
@@ -114,6 +121,8 @@ impl Action {
                 | Self::ToggleProjection
                 | Self::UpAxis(_)
                 | Self::Camera(_)
+                | Self::Section(_)
+                | Self::ToggleSection
                 | Self::Recentre(_)
                 | Self::Stage(_)
         )
@@ -123,7 +132,12 @@ impl Action {
     pub(super) fn may_be_of_a_gesture(&self) -> bool {
         matches!(
             self,
-            Self::Lens(_) | Self::Place(..) | Self::Hover(_) | Self::Light(_) | Self::Resize(_)
+            Self::Lens(_)
+                | Self::Section(_)
+                | Self::Place(..)
+                | Self::Hover(_)
+                | Self::Light(_)
+                | Self::Resize(_)
         )
     }
 }

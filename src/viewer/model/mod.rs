@@ -13,6 +13,7 @@ mod opening;
 mod ortho_height;
 mod overlay;
 mod picking;
+mod sectioning;
 mod seeing;
 mod showing;
 mod stages;

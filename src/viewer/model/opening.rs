@@ -5,6 +5,7 @@ use super::{
     made::Made,
     ortho_height::OrthoHeight,
     overlay::Overlays,
+    sectioning::Sectioning,
     showing::Showing,
     stages::Stage,
     state::{Edits, Selection, Source, State, Step},
@@ -65,6 +66,7 @@ impl State {
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
+            sectioning: Sectioning::default(),
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,

@@ -76,6 +76,7 @@ impl State {
                 });
                 let old = self.landmarks.len().saturating_sub(2);
                 self.landmarks.drain(..old);
+                self.take_point(hit.point_world);
             }
         }
         self.hits = Some(hits);

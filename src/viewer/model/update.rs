@@ -18,7 +18,11 @@ impl State {
         if !action.may_be_of_a_gesture() {
             self.timeline.end_gesture();
         }
-        let gesture = matches!(action, Action::Lens(_)).then_some(Gesture::Lens);
+        let gesture = match action {
+            Action::Lens(_) => Some(Gesture::Lens),
+            Action::Section(_) => Some(Gesture::Section),
+            _ => None,
+        };
         let stood = action.jumps().then(|| (self.stand(), self.stage));
         let picked = self.perform(action);
         if let Some(stood) = stood {
@@ -91,6 +95,9 @@ impl State {
                     Sides::Front => Sides::Both,
                 };
             }
+            Action::Section(section) => self.set_section(section),
+            Action::ToggleSection => self.toggle_section(),
+            Action::SectionByPoints(awaits) => self.await_points(awaits),
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
             Action::Place(object, model) => self.place(object, model),

@@ -68,7 +68,10 @@ fn pixel_grid(frozen: &Frozen) -> Vec<Line> {
     let (width, height) = (frozen.view.viewport.width(), frozen.view.viewport.height());
     let step = width.max(height).div_ceil(CELLS).max(1);
     let on_near = |x: u32, y: u32| {
-        let ray = frozen.view.uncut().ray(DVec2::new(f64::from(x), f64::from(y)));
+        let ray = frozen
+            .view
+            .uncut()
+            .ray(DVec2::new(f64::from(x), f64::from(y)));
         ray.at(ray.t_min)
     };
     let block = step as usize;

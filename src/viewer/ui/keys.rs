@@ -96,6 +96,12 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::Act(Action::ToggleSides),
     },
     Binding {
+        keys: "Z",
+        does: "section",
+        shortcuts: &[(NONE, Key::Z)],
+        command: Command::Act(Action::ToggleSection),
+    },
+    Binding {
         keys: "G",
         does: "grid and axes",
         shortcuts: &[(NONE, Key::G)],

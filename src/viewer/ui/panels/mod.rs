@@ -22,6 +22,8 @@ mod pipeline;
 mod plot;
 mod question;
 mod record;
+mod section;
+mod section_handle;
 mod shown;
 mod status;
 #[cfg(test)]
