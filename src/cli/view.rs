@@ -51,14 +51,15 @@ pub struct ViewArgs {
     /// Which world axis points up [default: y]
     #[arg(long, value_name = "AXIS", value_parser = up_axis_parser())]
     pub up_axis: Option<UpAxis>,
-    /// Cut the world by a plane: what lies behind it is neither drawn nor picked
+    /// Cut the world by a plane: what lies behind is not drawn, not picked
     ///
-    /// NX,NY,NZ,C keeps the points p with N . p + C >= 0; x:0.5 what lies at
-    /// 0.5 and beyond along an axis, -x:0.5 what lies before;
+    /// NX,NY,NZ,C keeps the points p with N . p + C >= 0; x:0.5 what lies
+    /// at 0.5 and beyond along an axis, -x:0.5 what lies before;
     /// points:X,Y,Z/X,Y,Z/X,Y,Z the side from which three points are
-    /// counter-clockwise; face:ID,TRIANGLE what lies behind a triangle, numbered
-    /// as picks do it (of a cube a face 0 to 5: +x, -x, +y, -y, +z, -z; face:ID
-    /// is a square). The plane itself is kept. none leaves a scene file's out.
+    /// counter-clockwise; face:ID,TRIANGLE what lies behind a triangle, as
+    /// picks number it (of a cube a face 0 to 5: +x, -x, +y, -y, +z, -z;
+    /// face:ID is a square). The plane itself is kept. none leaves a scene
+    /// file's out.
     #[arg(long, value_name = "PLANE", allow_hyphen_values = true)]
     #[arg(verbatim_doc_comment)]
     pub section: Option<SectionChoice>,

@@ -163,6 +163,7 @@ fn a_face_in_the_plane_shows_as_a_whole() {
     let gpu = gpu();
     let mut renderer = Renderer::new(&gpu, 1);
     let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let mut shown = 0;
     for shot in few_shots(&scene, "a face in the plane", true) {
         for axis in DVec3::AXES {
             for sign in [1.0, -1.0] {
@@ -177,14 +178,11 @@ fn a_face_in_the_plane_shows_as_a_whole() {
                 let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
                 let report = compare(&scene, &view, &drawn, &picked);
                 assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
-                assert!(report.picked > 100, "{} pixels", report.picked);
                 // Specks would be everywhere.
-                assert!(
-                    report.disagreements.len() < 20,
-                    "{}",
-                    report.disagreements.len()
-                );
+                assert_eq!(report.count(Class::Section), 0);
+                shown += report.picked;
             }
         }
     }
+    assert!(shown > 20_000, "{shown} pixels");
 }

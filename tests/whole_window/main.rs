@@ -24,6 +24,7 @@ mod pictures;
 mod red_fields;
 mod remembering;
 mod rest;
+mod section;
 mod stalls;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};

@@ -41,7 +41,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         if button.hint(hint).clicked()
             && let Some(action) = to
         {
-            commands.push(Command::Act(action));
+            commands.extend([action, Action::Release].map(Command::Act));
         }
     };
     let lay = |section: Option<Section>| section.map(|section| Action::Section(Some(section)));

@@ -83,7 +83,11 @@ impl Arrow {
         let [from, to] = view.project_segment(foot, foot + length * unit)?;
         let [foot, head] = [from, to].map(|px| place.to_position(px));
         let along = head - foot;
-        let per_world = along / (length as f32);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "points of a picture need no more"
+        )]
+        let per_world = along / length as f32;
         let is_seen = per_world.length_sq() > 0.0 && along.length().is_finite();
         is_seen.then(|| Self {
             foot,
