@@ -13,8 +13,8 @@ What a pick is:
     eye + t (F + a)      in perspective
     eye + a + t F        with --ortho
   F + a is not made a unit vector, so t is depth along F.
-  A hit counts where near <= t < far; with --cull only if it is a front one; with
-  --section only if its point p has n . p + c >= 0, decided exactly.
+  A hit counts where near <= t < far; with --cull only if it is a front one;
+  with --section only if its point p has n . p + c >= 0, decided exactly.
   The pick is the hit with the least t on the visible objects; of equal ones
   that on the first object, then on the first triangle. --all-hits lists all of
   them in this order.

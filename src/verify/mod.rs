@@ -90,7 +90,8 @@ pub const OUTLINE_CEILING_PX: f64 = 0.5;
 /// between near and far where that is less: 1/8192 of it. Nor may it be off by more than half a pixel's width, or by more
 /// than moving the surface aside by half a pixel makes of it, where that is more.
 ///
-/// These are lengths, and do not depend on what a depth buffer stores.
+/// These are lengths, and do not depend on what a depth buffer stores. They hold for sections, too: for how far off along
+/// the line of sight the shaders may be about where the plane passes.
 pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
 
 /// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.

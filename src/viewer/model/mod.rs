@@ -13,6 +13,7 @@ mod opening;
 mod ortho_height;
 mod overlay;
 mod picking;
+mod section_memory;
 mod sectioning;
 mod seeing;
 mod showing;

@@ -5,7 +5,7 @@ use super::{
     made::Made,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    sectioning::Sectioning,
+    section_memory::SectionMemory,
     showing::Showing,
     stages::Stage,
     state::{Edits, Selection, Source, State, Step},
@@ -66,7 +66,7 @@ impl State {
             clicked_s: None,
             hits: None,
             landmarks: Vec::new(),
-            sectioning: Sectioning::default(),
+            section_memory: SectionMemory::default(),
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,

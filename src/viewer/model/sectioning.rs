@@ -12,15 +12,6 @@ use crate::{
 };
 use glam::DVec3;
 
-/// What of the section the view does not hold.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Sectioning {
-    /// The one that was turned off last.
-    pub off: Option<Section>,
-    /// While three picks are waited for: those that were made.
-    pub points: Option<Vec<DVec3>>,
-}
-
 impl State {
     /// Whether there can be a section: in the world, and not in the gallery, whose scenes stay as they are.
     #[must_use]
@@ -31,7 +22,7 @@ impl State {
     /// How many more picks a section by three points waits for; `None` where nothing does.
     #[must_use]
     pub fn points_wanted(&self) -> Option<usize> {
-        Some(3 - self.sectioning.points.as_ref()?.len())
+        Some(3 - self.section_memory.points.as_ref()?.len())
     }
 
     /// Across an axis of the world, through the middle of what is visible; what lies towards the eye is cut away.
@@ -77,9 +68,9 @@ impl State {
         }
         let before = std::mem::replace(&mut self.view.section, section);
         if section.is_none() {
-            self.sectioning.off = before.or(self.sectioning.off);
+            self.section_memory.off = before.or(self.section_memory.off);
         }
-        self.sectioning.points = None;
+        self.section_memory.points = None;
     }
 
     /// Turns it off, or on again: where it was, or else across the axis that runs most towards the eye.
@@ -87,7 +78,9 @@ impl State {
         let on = || {
             let forward = self.view.camera.forward().abs();
             let axis = DVec3::AXES[forward.max_position()];
-            self.sectioning.off.or_else(|| self.section_across(axis))
+            self.section_memory
+                .off
+                .or_else(|| self.section_across(axis))
         };
         let next = match self.view.section {
             Some(_) => None,
@@ -99,12 +92,12 @@ impl State {
     /// Waits for three picks, or no longer.
     pub(super) fn await_points(&mut self, awaits: bool) {
         let awaits = awaits && self.takes_sections();
-        self.sectioning.points = awaits.then(Vec::new);
+        self.section_memory.points = awaits.then(Vec::new);
     }
 
     /// Takes a pick for a section by three points, where one is waited for. Points on one line begin anew.
     pub(super) fn take_point(&mut self, point_world: DVec3) {
-        let Some(points) = &mut self.sectioning.points else {
+        let Some(points) = &mut self.section_memory.points else {
             return;
         };
         points.push(point_world);
@@ -117,7 +110,7 @@ impl State {
                 self.set_section(Some(section));
                 self.record_stand(None, &was);
             }
-            Err(_) => self.sectioning.points = Some(Vec::new()),
+            Err(_) => self.section_memory.points = Some(Vec::new()),
         }
     }
 }

@@ -7,7 +7,7 @@ use super::{
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
-    sectioning::Sectioning,
+    section_memory::SectionMemory,
     showing::Showing,
     stages::{Prepared, Stage},
     timeline::Timeline,
@@ -165,7 +165,7 @@ pub struct State {
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
-    pub(super) sectioning: Sectioning,
+    pub(super) section_memory: SectionMemory,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,

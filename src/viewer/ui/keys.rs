@@ -338,6 +338,10 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
         "click on the cross of axes",
         "look along one, from the end that is clicked",
     ),
+    (
+        "drag the section's arrow",
+        "move the plane along its normal",
+    ),
 ];
 
 const fn look(to_eye: DVec3) -> Command {
