@@ -4,6 +4,7 @@
 
 mod command_first;
 mod contract;
+mod desktop;
 mod error;
 mod list;
 mod pick;
@@ -16,6 +17,7 @@ mod verify;
 mod view;
 mod window;
 
+pub use desktop::InstallDesktopArgs;
 pub use error::CliError;
 pub use list::ListArgs;
 pub use pick::{At, PickArgs};
@@ -74,6 +76,9 @@ pub enum Command {
     /// Compare what is drawn with what is picked, pixel by pixel
     #[command(after_long_help = EXIT_CODES)]
     Verify(VerifyArgs),
+    /// Tell the desktop: menu entry, icon, OBJ files, thumbnails, man pages, completions
+    #[command(after_long_help = EXIT_CODES)]
+    InstallDesktop(InstallDesktopArgs),
 }
 
 /// What every command takes.
@@ -106,6 +111,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::List(args)) => list::run(args),
         Some(Command::Study(args)) => study::run(args),
         Some(Command::Verify(args)) => verify::run(args),
+        Some(Command::InstallDesktop(args)) => desktop::run(args),
         None => window::run(&cli.window),
     };
     match done {

@@ -15,6 +15,9 @@ pub struct WindowArgs {
     /// Print each pick to standard output, a line of JSON each
     #[arg(long)]
     pub print_picks: bool,
+    /// Begin the tour through cameras and raycasting, in the demo
+    #[arg(long, conflicts_with = "scenes")]
+    pub tour: bool,
     /// How to look at it.
     #[command(flatten)]
     pub view: ViewArgs,
@@ -48,6 +51,7 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         size: args.view.size,
         memory: viewer::memory_file(),
         print_picks: args.print_picks,
+        tour: args.tour,
     };
     Ok(viewer::run(options)?)
 }

@@ -30,7 +30,8 @@ macro_rules! exhibit {
 }
 
 /// Every scene of the gallery: the one list of them.
-pub static GALLERY: [Exhibit; 9] = [
+pub static GALLERY: [Exhibit; 10] = [
+    exhibit!("far_facets", "far_facets.obj"),
     exhibit!("far_from_the_origin"),
     exhibit!("far_over_near"),
     exhibit!("needles", "needles.obj"),

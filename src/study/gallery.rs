@@ -67,7 +67,14 @@ impl Break {
 }
 
 /// What breaks where.
-pub static BREAKS: [Break; 12] = [
+pub static BREAKS: [Break; 13] = [
+    Break::of::<TriangleCase>(
+        "far_facets",
+        "Moeller-Trumbore",
+        F32,
+        ("far away", 5e5),
+        2.0,
+    ),
     Break::of::<PixelCase>(
         "far_from_the_origin",
         "target + sx H + sy V - eye",

@@ -25,6 +25,8 @@ pub struct Options {
     pub memory: Option<PathBuf>,
     /// Whether each pick is printed as a line of JSON.
     pub print_picks: bool,
+    /// Whether the tour begins at once.
+    pub tour: bool,
 }
 
 /// Why there is no window.

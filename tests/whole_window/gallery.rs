@@ -27,7 +27,7 @@ fn exhibit(window: &Offscreen) -> Option<&'static str> {
 fn a_phantom_is_seen_under_a_banner_until_escape() {
     let (mut window, _folder) = row(1.0);
     let key = |window: &mut Offscreen, key| press_key(window, Modifiers::NONE, key);
-    for _ in 0..4 {
+    for _ in 0..5 {
         key(&mut window, Key::E);
     }
     assert_eq!(exhibit(&window), Some("small_and_far"));
@@ -69,9 +69,9 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
 fn wrong_normals_and_places_are_marked() {
     const WRONG: Rgb = [0xd5, 0x5e, 0x00];
     for (name, place) in [
-        ("stretched", "5 of 9"),
-        ("mirrored", "6 of 9"),
-        ("edge_on", "9 of 9"),
+        ("stretched", "6 of 10"),
+        ("mirrored", "7 of 10"),
+        ("edge_on", "10 of 10"),
     ] {
         let mut window = open(vec![format!("gallery:{name}").into()], 1.0);
         control(&window, place);

@@ -26,6 +26,7 @@ mod remembering;
 mod rest;
 mod section;
 mod stalls;
+mod tour;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;

@@ -99,6 +99,7 @@ impl App {
             Command::ToggleCheck => self.toggle_check(),
             Command::ToggleHelp => self.floating.help ^= true,
             Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);

@@ -132,13 +132,16 @@ impl App {
         let mut commands = Vec::new();
         let mut place = None;
         let context = self.context.clone();
-        let (underway, docks) = (self.underway(), self.docks);
+        self.notice_step(None);
+        let (underway, docks, offers_tour) = (self.underway(), self.docks, self.offers_tour());
         let mut output = context.run_ui(input, |ui| {
             let mut shown = Shown {
                 state: &self.state,
                 notices: &mut self.notices,
                 underway,
                 floating: self.floating,
+                tour: self.tour,
+                offers_tour,
                 question: self.question.as_ref(),
                 chart: self.chart.as_ref(),
                 checking: &self.checking,
@@ -173,7 +176,9 @@ impl App {
         // A row lights its object only as long as the cursor rests on it.
         self.state.apply(Action::Light(None));
         for command in commands {
+            let done = self.tour.map(|_| command.clone());
             self.run_command(command);
+            self.notice_step(done.as_ref());
         }
         let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
         let is_outdated =

@@ -27,6 +27,8 @@ pub(in crate::viewer) struct Memory {
     pub recent: Vec<Vec<PathBuf>>,
     /// Whether panels are dark or light.
     pub look: Look,
+    /// Whether the user has taken the tour, or said no to it.
+    pub toured: bool,
     pub window: Option<WindowPlace>,
     pub panels: Docks,
 }

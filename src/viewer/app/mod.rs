@@ -12,6 +12,7 @@ mod memory;
 mod program;
 mod remembering;
 mod rest;
+mod touring;
 mod typesetting;
 mod wake;
 mod watch;

@@ -17,7 +17,9 @@ use crate::{
         model::{Action, Snapshot, Stage, State},
         options::Options,
         screen::{Progress, Textures},
-        ui::{self, Docks, Drag, Filter, Floating, Intent, Kind, Notice, Notices, Statistics},
+        ui::{
+            self, Docks, Drag, Filter, Floating, Intent, Kind, Notice, Notices, Statistics, Tour,
+        },
     },
 };
 use std::{
@@ -111,6 +113,8 @@ pub(in crate::viewer) struct App {
     pub first: bool,
     pub notices: Notices,
     pub floating: Floating,
+    /// Where in the tour the user is.
+    pub tour: Option<Tour>,
     pub docks: Docks,
     /// What is remembered from one run to the next.
     pub memory: Memory,
@@ -171,6 +175,7 @@ impl App {
             first: true,
             notices: Notices::new(),
             floating: Floating::default(),
+            tour: options.tour.then(Tour::default),
             docks: memory.panels,
             memory,
             watching: None,

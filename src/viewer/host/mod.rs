@@ -1,11 +1,13 @@
 //! Who shows the program: a window, or pictures of one.
 
 mod controls;
+mod mark;
 mod offscreen;
 mod page;
 mod shell;
 mod window;
 
 pub use controls::Control;
+pub use mark::{APP_ID, ICON_PNG};
 pub use offscreen::Offscreen;
 pub use window::run;

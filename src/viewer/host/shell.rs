@@ -1,5 +1,6 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
+use super::mark::marked;
 use crate::viewer::{
     app::WindowPlace,
     options::{Options, ViewerError},
@@ -34,7 +35,7 @@ impl Shell {
             }
             None => stood(attributes, remembered, event_loop),
         };
-        let window = event_loop.create_window(attributes);
+        let window = event_loop.create_window(marked(attributes));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
         let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]

@@ -219,6 +219,13 @@ impl State {
         }
     }
 
+    /// Whether this is what is shown where no file is named.
+    #[must_use]
+    pub fn is_demo(&self) -> bool {
+        let of_no_file = self.source.paths.is_empty() && self.showing.is_none();
+        of_no_file && !self.scene.objects().is_empty()
+    }
+
     /// The file that the scene is saved to unless the user names another: the scene file that it is from.
     #[must_use]
     pub fn file_to_save(&self) -> PathBuf {

@@ -61,6 +61,8 @@ pub(in crate::viewer) enum Command {
     ToggleHelp,
     /// Show or hide the matrices.
     TogglePipeline,
+    /// Begin the tour, or go on in it.
+    Tour(TourMove),
     /// Give the panels the next of the looks that they can have.
     NextLook,
     /// Close the window.
@@ -109,4 +111,17 @@ pub(in crate::viewer) enum Reply {
     Add,
     /// Do not.
     Stay,
+}
+
+/// What somebody on the tour asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) enum TourMove {
+    /// From the first step.
+    Begin,
+    /// To the step before.
+    Back,
+    /// To the next step, whether this one is done or not; from the last one out.
+    Next,
+    /// Out, or not even in.
+    End,
 }

@@ -7,9 +7,12 @@ mod mouse;
 mod notice;
 mod panels;
 mod theme;
+mod tour;
 
-pub(super) use command::{Command, Intent, Reply};
+pub(super) use command::{Command, Intent, Reply, TourMove};
 pub(super) use mouse::Drag;
 pub(super) use notice::{Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};
 pub(super) use theme::{Look, color32, context, note_missing};
+pub use tour::tour_text;
+pub(super) use tour::{Seen, Tour};

@@ -1,6 +1,10 @@
 //! Keys and mouse, from the very table that works them.
 
-use crate::viewer::ui::{command::Command, keys};
+use super::{names::Hint, tour_card};
+use crate::viewer::ui::{
+    command::{Command, TourMove},
+    keys,
+};
 use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
 
 /// In points: what stands around the rows, and how wide keys with their words are where nothing is broken.
@@ -30,6 +34,10 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
                 .map(|binding| (binding.keys, binding.does));
             let all = keys::MOUSE.iter().copied().chain(bindings);
             let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
+            if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
+                commands.push(Command::ToggleHelp);
+                commands.push(Command::Tour(TourMove::Begin));
+            }
             ScrollArea::vertical().max_height(room.y).show(ui, |ui| {
                 ui.horizontal_top(|ui| {
                     for (column, rows) in rows.chunks(rows.len().div_ceil(columns)).enumerate() {

@@ -6,7 +6,7 @@ use super::{
     docks::{Section, Side, room},
     help, marks, menu, question, section_handle,
     shown::Shown,
-    status, toolbar, wings,
+    status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
     screen::SceneRect,
@@ -56,6 +56,11 @@ pub(in crate::viewer) fn show(
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
+        match shown.tour {
+            Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, &mut commands),
+            None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, &mut commands),
+            None => {}
+        }
         Some(place)
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {

@@ -30,6 +30,7 @@ mod status;
 mod tests;
 mod toolbar;
 mod tools;
+mod tour_card;
 mod wings;
 
 pub(in crate::viewer) use docks::Docks;

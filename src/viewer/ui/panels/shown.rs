@@ -4,7 +4,7 @@ use super::{docks::Docks, objects::Filter, status::Statistics};
 use crate::viewer::{
     jobs::{Chart, Checking},
     model::State,
-    ui::{command::Intent, notice::Notices, theme::Look},
+    ui::{command::Intent, notice::Notices, theme::Look, tour::Tour},
 };
 use egui::TextureId;
 use std::path::PathBuf;
@@ -37,6 +37,10 @@ pub(in crate::viewer) struct Shown<'a> {
     pub underway: Option<Underway>,
     /// Which windows are open over the scene.
     pub floating: Floating,
+    /// Where in the tour the user is.
+    pub tour: Option<Tour>,
+    /// The user has not said yet whether to take it.
+    pub offers_tour: bool,
     /// What would drop edits, and waits for an answer.
     pub question: Option<&'a Intent>,
     /// The study's chart of what breaks, in the gallery.

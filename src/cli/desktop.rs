@@ -1,0 +1,225 @@
+//! `sightline install-desktop`: what a desktop and a shell want to know of a program, written where they look for it.
+
+use super::{Cli, CliError};
+use crate::{
+    replace::replace,
+    viewer::{APP_ID, ICON_PNG},
+};
+use clap::CommandFactory;
+use clap_complete::Shell;
+use etcetera::BaseStrategy;
+use std::{
+    env, fs,
+    io::{self, ErrorKind, Write},
+    path::{Path, PathBuf},
+    process,
+};
+
+/// Arguments of `install-desktop`.
+#[derive(Debug, clap::Args)]
+pub struct InstallDesktopArgs {
+    /// Take all of it away again
+    #[arg(long)]
+    pub remove: bool,
+    /// The share folder that desktops read [default: your own, as ~/.local/share]
+    #[arg(long, value_name = "DIR")]
+    pub to: Option<PathBuf>,
+}
+
+const ICON_SVG: &[u8] = include_bytes!("../../assets/icon.svg");
+/// The type of OBJ files. Some systems take `*.obj` for another program's: the weight, 50 by default, decides.
+const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info">
+  <mime-type type="model/obj">
+    <comment>Wavefront OBJ model</comment>
+    <glob pattern="*.obj" weight="60"/>
+  </mime-type>
+</mime-info>
+"#;
+
+/// What tells desktops of new files, and in which folder of theirs.
+const TELLERS: [(&str, &str); 2] = [
+    ("update-desktop-database", "applications"),
+    ("update-mime-database", "mime"),
+];
+
+/// Writes the files, or takes them away, and prints which.
+pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
+    let share = match &args.to {
+        Some(folder) => folder.clone(),
+        None => own_share_folder()?,
+    };
+    let program = env::current_exe().map_err(|source| CliError::file(Path::new(APP_ID), source))?;
+    let mut out = io::stdout().lock();
+    for (place, contents) in files(&program) {
+        let path = share.join(place);
+        let done = if args.remove {
+            remove(&path)
+        } else {
+            write(&path, &contents)
+        };
+        if done.map_err(|source| CliError::file(&path, source))? {
+            writeln!(out, "{}", path.display()).map_err(CliError::stdout)?;
+        }
+    }
+    for (teller, folder) in TELLERS {
+        tell(teller, &share.join(folder));
+    }
+    Ok(())
+}
+
+/// The user's own.
+fn own_share_folder() -> Result<PathBuf, CliError> {
+    let unknown = "desktops of this system read no such files; --to DIR writes them for others";
+    if cfg!(any(windows, target_os = "macos")) {
+        return Err(CliError::Usage(unknown.into()));
+    }
+    let places = etcetera::choose_base_strategy();
+    let places =
+        places.map_err(|_| CliError::Usage("there is no home folder: say --to DIR".into()))?;
+    Ok(places.data_dir())
+}
+
+/// Whether a file was written.
+fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    replace(path, |out| out.write_all(contents))?;
+    Ok(true)
+}
+
+/// Whether there was a file to take away.
+fn remove(path: &Path) -> io::Result<bool> {
+    match fs::remove_file(path) {
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
+    }
+}
+
+/// Asks the system to look at a folder again. Where it has no such command, it looks by itself, or at the next login.
+fn tell(command: &str, folder: &Path) {
+    if folder.is_dir() {
+        let told = process::Command::new(command).arg(folder).output();
+        if let Err(error) = told {
+            log::info!("{command}: {error}");
+        }
+    }
+}
+
+/// Each file, by its place in a share folder.
+fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut files = vec![
+        (
+            "applications/sightline.desktop".into(),
+            entry(program).into(),
+        ),
+        (
+            "thumbnailers/sightline.thumbnailer".into(),
+            thumbnailer(program).into(),
+        ),
+        ("mime/packages/sightline.xml".into(), TYPES.into()),
+        (
+            "icons/hicolor/scalable/apps/sightline.svg".into(),
+            ICON_SVG.into(),
+        ),
+        (
+            "icons/hicolor/256x256/apps/sightline.png".into(),
+            ICON_PNG.into(),
+        ),
+    ];
+    for (shell, place) in [
+        (Shell::Bash, "bash-completion/completions/sightline"),
+        (Shell::Fish, "fish/vendor_completions.d/sightline.fish"),
+        (Shell::Zsh, "zsh/site-functions/_sightline"),
+    ] {
+        let mut script = Vec::new();
+        clap_complete::generate(shell, &mut Cli::command(), APP_ID, &mut script);
+        files.push((place.into(), script));
+    }
+    let mut cli = Cli::command();
+    cli.build();
+    let commands = cli
+        .get_subcommands()
+        .filter(|command| command.get_name() != "help");
+    for command in [&cli].into_iter().chain(commands) {
+        let page = clap_mangen::Man::new(command.clone());
+        let mut text = Vec::new();
+        page.render(&mut text)
+            .expect("memory takes all that is written");
+        let name = command.get_display_name().unwrap_or(APP_ID);
+        files.push((format!("man/man1/{name}.1").into(), text));
+    }
+    files
+}
+
+/// The entry in menus, and what opens a file that somebody clicks.
+fn entry(program: &Path) -> String {
+    let exec = quoted(program);
+    format!(
+        "[Desktop Entry]\n\
+         Type=Application\n\
+         Version=1.0\n\
+         Name=Sightline\n\
+         GenericName=3D Viewer\n\
+         Comment=What you see is what you pick, to the pixel\n\
+         Exec={exec} %F\n\
+         Icon={APP_ID}\n\
+         Terminal=false\n\
+         Categories=Graphics;3DGraphics;Viewer;\n\
+         Keywords=3D;OBJ;mesh;pick;measure;\n\
+         MimeType=model/obj;\n\
+         StartupWMClass={APP_ID}\n\
+         StartupNotify=true\n\
+         Actions=tour;\n\
+         \n\
+         [Desktop Action tour]\n\
+         Name=Tour of cameras and raycasting\n\
+         Exec={exec} --tour\n"
+    )
+}
+
+/// What draws a file's small picture, by rays: it needs no driver, and none is let into where thumbnails are made.
+fn thumbnailer(program: &Path) -> String {
+    let exec = quoted(program);
+    format!(
+        "[Thumbnailer Entry]\n\
+         Exec={exec} render --by raycast --size %sx%s -o %o %i\n\
+         MimeType=model/obj;\n"
+    )
+}
+
+/// A path as the key `Exec` wants it: quoted for its own rules, then escaped for those of all strings (Desktop Entry
+/// Specification, "The Exec key").
+fn quoted(path: &Path) -> String {
+    let mut text = String::from("\"");
+    for character in path.to_string_lossy().chars() {
+        match character {
+            '"' | '`' | '$' => text.extend(["\\\\", character.encode_utf8(&mut [0; 4])]),
+            '\\' => text.push_str("\\\\\\\\"),
+            '%' => text.push_str("%%"),
+            other => text.push(other),
+        }
+    }
+    text + "\""
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+    use std::path::Path;
+
+    /// By hand, from the specification.
+    #[test]
+    fn a_path_of_any_name_can_be_started() {
+        for (path, exec) in [
+            ("/usr/bin/sightline", r#""/usr/bin/sightline""#),
+            ("/a b/100%/s", r#""/a b/100%%/s""#),
+            (r"/a\b", r#""/a\\\\b""#),
+            ("/a$b`c\"d", r#""/a\\$b\\`c\\"d""#),
+        ] {
+            assert_eq!(quoted(Path::new(path)), exec);
+        }
+    }
+}

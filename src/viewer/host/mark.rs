@@ -1,0 +1,45 @@
+//! By what desktops know the program and its windows.
+
+use winit::window::{Icon, WindowAttributes};
+
+/// The name of its desktop entry, and of its icon there.
+pub const APP_ID: &str = "sightline";
+/// Its icon, as a PNG file; `assets/icon.svg`, 256 pixels wide.
+pub const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
+
+/// Puts name and icon on a window. Wayland takes the icon from the desktop entry.
+pub(super) fn marked(attributes: WindowAttributes) -> WindowAttributes {
+    named(attributes.with_window_icon(icon()))
+}
+
+#[cfg(all(unix, not(target_os = "macos")))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    use winit::platform::{wayland, x11};
+    let attributes = x11::WindowAttributesExtX11::with_name(attributes, APP_ID, APP_ID);
+    wayland::WindowAttributesExtWayland::with_name(attributes, APP_ID, APP_ID)
+}
+
+/// Other systems name programs by their file.
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+fn named(attributes: WindowAttributes) -> WindowAttributes {
+    attributes
+}
+
+fn icon() -> Option<Icon> {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(ICON_PNG))
+        .read_info()
+        .ok()?;
+    let mut rgba = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut rgba).ok()?;
+    Icon::from_rgba(rgba, info.width, info.height).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::icon;
+
+    #[test]
+    fn windows_have_an_icon() {
+        assert!(icon().is_some());
+    }
+}

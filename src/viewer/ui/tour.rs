@@ -1,0 +1,386 @@
+//! The tour through cameras and raycasting: what to do, why, and how the window notices that it is done.
+
+use super::command::{Command, TourMove};
+use crate::{
+    camera::{DepthMapping, Projection},
+    scene::{Object, Shape},
+    viewer::{
+        jobs::Checking,
+        model::{Action, Compared, Overlay, Stage, State},
+    },
+};
+use glam::DVec3;
+
+/// What a lecture has a slide or two about.
+pub(in crate::viewer) struct Chapter {
+    pub title: &'static str,
+    steps: &'static [Step],
+}
+
+/// Something to do.
+pub(in crate::viewer) struct Step {
+    pub task: &'static str,
+    pub why: &'static str,
+    /// What the present lens makes of a point, where that is what the step is about.
+    example: Option<Example>,
+    is_done: fn(&Seen) -> bool,
+}
+
+/// A point in view space whose way to NDC the card tells.
+#[derive(Clone, Copy)]
+struct Example([f64; 3]);
+
+/// What the window sees of a user.
+pub(in crate::viewer) struct Seen<'a> {
+    /// What was just done; `None` where something else came about, as the end of a load.
+    pub command: Option<&'a Command>,
+    /// What that led to.
+    pub state: &'a State,
+    /// Whether the matrices show.
+    pub matrices: bool,
+    pub checking: &'a Checking,
+}
+
+/// Where in the tour somebody is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::viewer) struct Tour {
+    at: usize,
+    /// The step was seen done.
+    pub is_done: bool,
+}
+
+const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool) -> Step {
+    Step {
+        task,
+        why,
+        example: None,
+        is_done,
+    }
+}
+
+/// The object that the steps speak of most.
+const EGG: &str = "Egg";
+
+/// The tour. README has the same text.
+const CHAPTERS: [Chapter; 8] = [
+    Chapter {
+        title: "Axes and the view matrix",
+        steps: &[
+            step(
+                "Drag over the picture with the left button: the camera orbits about what is under the cursor.",
+                "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
+                turns,
+            ),
+            step(
+                "Press P for the matrices, drag again and watch V.",
+                "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
+                |seen| seen.matrices && turns(seen),
+            ),
+        ],
+    },
+    Chapter {
+        title: "Perspective and orthographic",
+        steps: &[
+            Step {
+                example: Some(Example([-1.0, 1.5, 2.0])),
+                ..step(
+                    "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
+                    "P divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space comes to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
+                    |seen| {
+                        let lens = seen.state.controls();
+                        !lens.orthographic
+                            && (lens.fov_deg, lens.near, lens.far, lens.depth)
+                                == (90.0, Some(1.0), Some(10.0), DepthMapping::Standard)
+                    },
+                )
+            },
+            Step {
+                example: Some(Example([-2.0, 5.0, 0.5])),
+                ..step(
+                    "Press 5: orthographic.",
+                    "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) comes to (-0.2, 0.5, -1/18): a depth below 0 is before the near plane.",
+                    |seen| seen.state.controls().orthographic,
+                )
+            },
+            step(
+                "Press 5 again, then Enter: the view that the scene opened with.",
+                "Either projection is one 4 x 4 matrix. The last row of P makes w the depth, or 1, and w is what all is divided by.",
+                |seen| {
+                    seen.acts(|action| *action == Action::ResetView)
+                        && !seen.state.controls().orthographic
+                },
+            ),
+        ],
+    },
+    Chapter {
+        title: "Clipping",
+        steps: &[
+            step(
+                "Slide near in the panel until it has passed the egg.",
+                "What lies before near or beyond far is cut away. Picture and picks agree on it by one number: a hit counts where near <= t < far, and t is depth along F.",
+                |seen| seen.near_is_past(EGG),
+            ),
+            step(
+                "Check fit beside near.",
+                "A fitted near plane stands as far away as the scene lets it, which spares the digits of the depth buffer.",
+                |seen| {
+                    seen.acts(|action| matches!(action, Action::Lens(_)))
+                        && seen.state.controls().near.is_none()
+                },
+            ),
+        ],
+    },
+    Chapter {
+        title: "From a pixel to a ray",
+        steps: &[
+            step(
+                "Click the egg. A ring with a dot marks the point that the ray hit.",
+                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. It is not made a unit long, so that t stays depth.",
+                |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
+            ),
+            step(
+                "Press T and drag: this camera stays behind, as lines.",
+                "There are its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T takes it away again.",
+                |seen| seen.state.frozen().is_some() && turns(seen),
+            ),
+        ],
+    },
+    Chapter {
+        title: "Sphere, cube, square, triangle",
+        steps: &[
+            step(
+                "Click the egg, and then the same pixel again.",
+                "An egg is a sphere under a matrix. A ray meets it where a quadratic in t is 0: twice, once or never. The nearer root is its front; the further one, a back face, gets a ring with a cross.",
+                |seen| {
+                    let further = seen.state.hits().is_some_and(|hits| hits.at > 0);
+                    seen.clicks()
+                        && further
+                        && seen
+                            .picked()
+                            .is_some_and(|object| matches!(object.shape, Shape::Sphere))
+                },
+            ),
+            step(
+                "Click the leaning box.",
+                "A cube is three slabs, one along each axis. A ray is in each of them between two values of t, and in the cube where all three agree: from the last entry to the first exit.",
+                |seen| seen.clicks_on(|shape| matches!(shape, Shape::Cube)),
+            ),
+            step(
+                "Click the ground.",
+                "A square is a part of a plane. The plane gives one t, and two coordinates of the point there say whether it is in the square.",
+                |seen| seen.clicks_on(|shape| matches!(shape, Shape::Square)),
+            ),
+            step(
+                "Click the ring and press Y.",
+                "A point of a triangle is a mean of its corners with three weights, its barycentrics, which add up to 1. It is inside where none is below 0; on an edge one is 0.",
+                |seen| {
+                    seen.state.overlays().shows(Overlay::Triangle)
+                        && seen
+                            .picked()
+                            .is_some_and(|object| matches!(object.shape, Shape::Mesh { .. }))
+                },
+            ),
+        ],
+    },
+    Chapter {
+        title: "Object space and back",
+        steps: &[
+            step(
+                "In the panel Matrices (P) show the scene with no matrix.",
+                "This is object space, where every sphere is the same one. A ray is taken there by the inverse of M and meets the simple shape. It is not made a unit long there either, so its t is the world's.",
+                |seen| seen.stage_is(Stage::Object),
+            ),
+            step(
+                "Show it with P V M.",
+                "After P and the division by w the frustum is a box, and what is far away is small. Normals come back from object space by the inverse transpose of M, or they would lean.",
+                |seen| seen.stage_is(Stage::Ndc),
+            ),
+            step(
+                "Show it with M again.",
+                "This is the world, where picks of all objects are compared by their t.",
+                |seen| {
+                    seen.acts(|action| *action == Action::Stage(Stage::World))
+                        && seen.stage_is(Stage::World)
+                },
+            ),
+        ],
+    },
+    Chapter {
+        title: "Near, far and the depth buffer",
+        steps: &[
+            step(
+                "Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer in the panel Pick.",
+                "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near, so at the tower they are far apart, and two surfaces within one step look like one.",
+                |seen| {
+                    let lens = seen.state.controls();
+                    let near = lens.near.is_some_and(|near| near <= 0.001);
+                    near && lens.depth == DepthMapping::Standard
+                        && seen.clicks()
+                        && seen.picked().is_some()
+                },
+            ),
+            step(
+                "Set depth to reversed.",
+                "Reversed depth puts far at 0, where f32 has most of its values, and undoes what 1 / z did. Enter brings back the view that the scene opened with.",
+                |seen| {
+                    seen.acts(|action| matches!(action, Action::Lens(_)))
+                        && seen.state.controls().depth == DepthMapping::Reversed
+                },
+            ),
+        ],
+    },
+    Chapter {
+        title: "Where methods fail",
+        steps: &[
+            step(
+                "Press E for the failure gallery's first scene, then M: the test of Moeller & Trumbore in f32 picks now. Find a pixel where it fails and click it.",
+                "Every wrong pixel is marked. f32 keeps 24 bits of each number; a difference of two large ones keeps their last few, which are noise, and noise decides on which side of an edge the ray passes.",
+                |seen| {
+                    let compared = seen
+                        .state
+                        .showing()
+                        .and_then(|showing| showing.compared.as_ref());
+                    let fault = compared.and_then(Compared::fault);
+                    let method = seen.state.method();
+                    method.is_some_and(|method| method.info().name == "Moeller-Trumbore")
+                        && fault.is_some_and(|fault| fault.is_wrong())
+                },
+            ),
+            step(
+                "Press Escape until the demo is back.",
+                "Sightline computes in f64 with a bound on what rounding may have done. Where the bound leaves an answer open, exact arithmetic decides.",
+                |seen| seen.command == Some(&Command::Escape) && seen.state.showing().is_none(),
+            ),
+            step(
+                "Press V.",
+                "Each pixel as it was drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",
+                |seen| !matches!(seen.checking, Checking::Off),
+            ),
+            step(
+                "Click anything, then press C and paste the command into a terminal.",
+                "It prints the same pick, to the last bit. That was the tour: your own files open by Ctrl+O.",
+                |seen| seen.command == Some(&Command::CopyCommandLine) && seen.picked().is_some(),
+            ),
+        ],
+    },
+];
+
+/// The tour as README has it: a numbered list in Markdown, an entry a chapter.
+#[must_use]
+pub fn tour_text() -> String {
+    let entry = |(at, chapter): (usize, &Chapter)| {
+        let steps = chapter.steps.iter();
+        let steps = steps.map(|step| format!(" {} {}", step.task, step.why));
+        format!(
+            "{}. **{}.**{}\n",
+            at + 1,
+            chapter.title,
+            steps.collect::<String>()
+        )
+    };
+    CHAPTERS.iter().enumerate().map(entry).collect()
+}
+
+impl Tour {
+    /// The step, its chapter and that chapter's number from 1.
+    pub fn step(self) -> (usize, &'static Chapter, &'static Step) {
+        let steps = CHAPTERS.iter().enumerate().flat_map(|(at, chapter)| {
+            let steps = chapter.steps.iter();
+            steps.map(move |step| (at + 1, chapter, step))
+        });
+        let mut from_here = steps.skip(self.at);
+        from_here.next().expect("a tour is at one of its steps")
+    }
+
+    /// How many steps there are, and how many lie behind.
+    pub fn progress(self) -> (usize, usize) {
+        let all = CHAPTERS.iter().map(|chapter| chapter.steps.len());
+        (all.sum(), self.at)
+    }
+
+    /// Where a move leads; `None` out of the tour.
+    pub fn after(self, to: TourMove) -> Option<Self> {
+        let (count, at) = self.progress();
+        let at = match to {
+            TourMove::Begin => 0,
+            TourMove::Back => at.saturating_sub(1),
+            TourMove::Next => at + 1,
+            TourMove::End => return None,
+        };
+        (at < count).then_some(Self { at, is_done: false })
+    }
+
+    /// Looks whether the step is done by now; returns whether that is news.
+    pub fn notice(&mut self, seen: &Seen) -> bool {
+        let (_, _, step) = self.step();
+        let was_done = self.is_done;
+        self.is_done |= (step.is_done)(seen);
+        self.is_done != was_done
+    }
+}
+
+impl Step {
+    /// What the present lens makes of the step's point, in words.
+    pub fn example(&self, state: &State) -> Option<String> {
+        let Example(point) = self.example?;
+        let view = state.world().1;
+        let lens = view.camera.lens();
+        let clip = lens.projection(view.viewport.aspect()) * DVec3::from(point).extend(1.0);
+        let [x, y, z] = (clip.truncate() / clip.w).to_array();
+        let height = match lens.projection {
+            Projection::Perspective { .. } => String::new(),
+            Projection::Orthographic { height } => format!(" and {height:.4} high"),
+        };
+        let [a, b, c] = point;
+        Some(format!(
+            "Now: ({a}, {b}, {c}) comes to ({x:.4}, {y:.4}, {z:.4}), in a picture {:.4} times as wide as high{height}.",
+            view.viewport.aspect()
+        ))
+    }
+}
+
+fn turns(seen: &Seen) -> bool {
+    seen.acts(|action| matches!(action, Action::Turn(_)))
+}
+
+impl Seen<'_> {
+    fn acts(&self, is_it: impl Fn(&Action) -> bool) -> bool {
+        matches!(self.command, Some(Command::Act(action)) if is_it(action))
+    }
+
+    fn clicks(&self) -> bool {
+        self.acts(|action| matches!(action, Action::Click(..)))
+    }
+
+    fn clicks_on(&self, is_it: impl Fn(&Shape) -> bool) -> bool {
+        self.clicks() && self.picked().is_some_and(|object| is_it(&object.shape))
+    }
+
+    fn stage_is(&self, stage: Stage) -> bool {
+        self.state.stage() == stage
+    }
+
+    /// The object that a click has selected.
+    fn picked(&self) -> Option<&Object> {
+        let selection = self.state.selection()?;
+        let object = self.state.scene().objects().get(selection.object)?;
+        selection.pick.as_ref().map(|_| object)
+    }
+
+    /// Whether the near plane has left nothing of an object.
+    fn near_is_past(&self, name: &str) -> bool {
+        let (scene, view) = self.state.world();
+        let objects = scene.objects();
+        let Some(object) = objects.iter().position(|object| object.name == name) else {
+            return false;
+        };
+        let corners = scene.bounds_of(object).corners();
+        let furthest = (corners.iter())
+            .map(|&corner| view.camera.to_view(corner).z)
+            .fold(f64::NEG_INFINITY, f64::max);
+        self.state
+            .controls()
+            .near
+            .is_some_and(|near| near > furthest)
+    }
+}

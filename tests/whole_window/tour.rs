@@ -1,0 +1,280 @@
+//! The tour: each of its steps can be done, and is noticed, by what its words ask for.
+
+use super::*;
+use sightline::{camera::Projection, pick, study::swap::Found, viewer::tour_text};
+
+/// A step's first words, and what they ask for.
+type Deed = (&'static str, fn(&mut Offscreen));
+
+const NONE: Modifiers = Modifiers::NONE;
+
+const DEEDS: [Deed; 22] = [
+    ("Drag over the picture", turn),
+    ("Press P for the matrices", |window| {
+        press_key(window, NONE, Key::P);
+        turn(window);
+    }),
+    ("In the panel Camera set fov", |window| {
+        for (field, value) in [("fov", "90"), ("near", "1"), ("far", "10")] {
+            set(window, field, value);
+        }
+        click_on(window, "standard");
+    }),
+    ("Press 5: orthographic", |window| {
+        press_key(window, NONE, Key::Num5)
+    }),
+    ("Press 5 again", |window| {
+        press_key(window, NONE, Key::Num5);
+        press_key(window, NONE, Key::Enter);
+    }),
+    ("Slide near in the panel", |window| {
+        set(window, "near", "9.5")
+    }),
+    ("Check fit beside near", |window| {
+        click_on(window, "fit near")
+    }),
+    ("Click the egg. A ring", |window| {
+        click_object(window, "Egg")
+    }),
+    ("Press T and drag", |window| {
+        press_key(window, NONE, Key::T);
+        turn(window);
+        press_key(window, NONE, Key::T);
+    }),
+    ("Click the egg, and then", |window| {
+        let at = place_of(window, "Egg");
+        click(window, at);
+        window.wait_s(1.0);
+        click(window, at);
+    }),
+    ("Click the leaning box", |window| {
+        click_object(window, "Leaning box")
+    }),
+    ("Click the ground", |window| click_object(window, "Ground")),
+    ("Click the ring", |window| {
+        click_object(window, "Ring");
+        press_key(window, NONE, Key::Y);
+    }),
+    ("In the panel Matrices", |window| {
+        click_on(window, "show with no matrix")
+    }),
+    ("Show it with P V M", |window| {
+        click_on(window, "show with P V M")
+    }),
+    ("Show it with M again", |window| {
+        click_on(window, "show with M")
+    }),
+    ("Set near to 0.001", |window| {
+        set(window, "near", "0.001");
+        click_on(window, "standard");
+        click_object(window, "Tower");
+    }),
+    ("Set depth to reversed", |window| {
+        click_on(window, "reversed")
+    }),
+    ("Press E for the failure gallery", |window| {
+        press_key(window, NONE, Key::E);
+        press_key(window, NONE, Key::M);
+        let view = *window.state().view();
+        let method = window.state().method().expect("another method picks");
+        let scene = window.state().scene().clone();
+        let is_wrong = |px: DVec2| {
+            let theirs = method.pick(&scene, &view, px);
+            let triangle = |found: &Found| found.hit.hit.on_triangle.map(|at| at.triangle);
+            let ours = Found::sightlines(&scene, &view, px);
+            theirs.as_ref().and_then(triangle) != ours.as_ref().and_then(triangle)
+        };
+        let at = place_where(window, is_wrong);
+        click(window, at);
+    }),
+    ("Press Escape until", |window| {
+        for _ in 0..3 {
+            press_key(window, NONE, Key::Escape);
+        }
+    }),
+    ("Press V", |window| {
+        press_key(window, NONE, Key::V);
+        window.picture().expect("a picture");
+    }),
+    ("Click anything", |window| {
+        click_object(window, "Egg");
+        press_key(window, NONE, Key::C);
+    }),
+];
+
+fn turn(window: &mut Offscreen) {
+    let at = place_where(window, |_| true);
+    drag(
+        window,
+        PointerButton::Primary,
+        at,
+        at + egui::vec2(25.0, 5.0),
+    );
+}
+
+fn set(window: &mut Offscreen, field: &str, value: &str) {
+    type_into(window, field, value);
+    press_key(window, NONE, Key::Enter);
+}
+
+fn click_object(window: &mut Offscreen, name: &str) {
+    window.wait_s(1.0);
+    let at = place_of(window, name);
+    click(window, at);
+}
+
+/// Where an object is seen.
+fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
+    let (scene, view) = (window.state().scene().clone(), *window.state().view());
+    place_where(window, |px| {
+        let picked = pick::pick(&scene, &view, px);
+        picked.is_some_and(|pick| pick.object == name)
+    })
+}
+
+/// The middle one of the places beside the card whose pixel is such.
+fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
+    let card = control(window, &task(window).expect("a step")).rect;
+    window.send([Event::PointerMoved(MIDDLE)]);
+    let px = window.state().cursor().expect("the picture's middle").px;
+    let size = window.state().view().viewport.size_px();
+    let to_point = |at: DVec2| {
+        let by = (at - px).as_vec2();
+        MIDDLE + egui::vec2(by.x, by.y)
+    };
+    let is_beside = |at: Pos2| at.x > card.right() + 40.0 || at.y < card.top() - 50.0;
+    let along = |side: f64| {
+        (4..)
+            .map(|i| 3.0 * f64::from(i) + 0.5)
+            .take_while(move |at| *at < side - 12.0)
+    };
+    let all = along(size.y).flat_map(|y| along(size.x).map(move |x| DVec2::new(x, y)));
+    let such: Vec<Pos2> = all
+        .filter(|&at| is_beside(to_point(at)) && is_it(at))
+        .map(to_point)
+        .collect();
+    *such
+        .get(such.len() / 2)
+        .expect("a place for it beside the card")
+}
+
+/// What the card asks for.
+fn task(window: &Offscreen) -> Option<String> {
+    let asks = |name: &&String| DEEDS.iter().any(|(words, _)| name.starts_with(words));
+    let mut names = window.controls().iter().map(|control| &control.name);
+    names.find(asks).cloned()
+}
+
+fn tour() -> Offscreen {
+    let options = Options {
+        tour: true,
+        ..Options::default()
+    };
+    Offscreen::open(options, px(SIZE, 1.0), 1.0)
+}
+
+#[test]
+fn each_step_can_be_done_and_is_noticed_only_then() {
+    let mut window = tour();
+    for (at, (words, deed)) in DEEDS.into_iter().enumerate() {
+        let asked = task(&window).expect("a step");
+        assert!(asked.starts_with(words), "{words:?}: {asked:?}");
+        let place = format!("step {} of {}", at + 1, DEEDS.len());
+        assert!(has_control(&window, &place), "{place}");
+        // What is not asked for is not taken for it.
+        press_key(&mut window, NONE, Key::G);
+        window.send([Event::PointerMoved(MIDDLE)]);
+        assert!(!has_control(&window, "step done"), "{words}");
+        assert!(has_control(&window, "skip"), "{words}");
+        deed(&mut window);
+        assert!(has_control(&window, "step done"), "{words}");
+        let next = if at + 1 < DEEDS.len() {
+            "next"
+        } else {
+            "finish"
+        };
+        click_on(&mut window, next);
+    }
+    assert_eq!(task(&window), None, "the tour is over");
+}
+
+#[test]
+fn steps_are_skipped_and_gone_back_to() {
+    let mut window = tour();
+    let first = task(&window);
+    assert!(!control(&window, "back").is_enabled);
+    for _ in 1..DEEDS.len() {
+        click_on(&mut window, "skip");
+    }
+    assert!(task(&window).is_some_and(|last| last.starts_with(DEEDS[DEEDS.len() - 1].0)));
+    for _ in 1..DEEDS.len() {
+        click_on(&mut window, "back");
+    }
+    assert_eq!(task(&window), first);
+}
+
+/// Worked by hand: n = 1, f = 10, 90 degrees; the height is the picture's own.
+#[test]
+fn the_card_works_out_the_lectures_points() {
+    let mut window = tour();
+    for _ in 0..2 {
+        click_on(&mut window, "skip");
+    }
+    DEEDS[2].1(&mut window);
+    let aspect = window.state().view().viewport.aspect();
+    let says = |window: &Offscreen, words: &str| {
+        let mut names = window.controls().iter().map(|control| &control.name);
+        assert!(names.any(|name| name.starts_with(words)), "{words}");
+    };
+    let x = -0.5 / aspect;
+    says(
+        &window,
+        &format!("Now: (-1, 1.5, 2) comes to ({x:.4}, 0.7500, 0.5556)"),
+    );
+    click_on(&mut window, "next");
+    press_key(&mut window, NONE, Key::Num5);
+    let Projection::Orthographic { height } = window.state().view().camera.lens().projection else {
+        panic!("orthographic");
+    };
+    let (x, y) = (-2.0 / (0.5 * height * aspect), 5.0 / (0.5 * height));
+    says(
+        &window,
+        &format!("Now: (-2, 5, 0.5) comes to ({x:.4}, {y:.4}, -0.0556)"),
+    );
+}
+
+/// From Help over another scene: the demo comes, and the tour with it.
+#[test]
+fn help_opens_it_in_the_demo() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, NONE, Key::H);
+    click_on(&mut window, "Take the tour");
+    assert!(task(&window).is_some());
+    assert!(window.state().is_demo());
+    assert!(!has_control(&window, "open the demo"));
+}
+
+#[test]
+fn somebody_new_is_offered_it_until_they_answer() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let open = || {
+        let options = Options {
+            memory: Some(folder.path().join("window.toml")),
+            ..Options::default()
+        };
+        Offscreen::open(options, px(SIZE, 1.0), 1.0)
+    };
+    let mut window = open();
+    click_on(&mut window, "no tour");
+    assert!(!has_control(&window, "Take the tour"));
+    window.close();
+    let window = open();
+    assert!(!has_control(&window, "Take the tour"), "it is remembered");
+}
+
+#[test]
+fn readme_has_its_very_words() {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let readme = words(include_str!("../../README.md"));
+    assert!(readme.contains(&words(&tour_text())), "{}", tour_text());
+}
