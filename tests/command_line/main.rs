@@ -7,6 +7,7 @@ mod flags;
 mod pictures;
 mod refusals;
 mod stored;
+mod stored_line;
 mod streams;
 
 use serde_json::Value;

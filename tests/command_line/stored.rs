@@ -6,6 +6,7 @@ use crate::exact::{
     number::{Dyadic, plus, times, vector},
     truth::{Hit, World},
 };
+use crate::stored_line::{Camera, Stored, StoredMesh, StoredObject, StoredSection};
 use clap::Parser;
 use glam::{DAffine3, DMat3, DVec3};
 use serde::Deserialize;
@@ -69,57 +70,6 @@ v 400000.3 -0.4 0.7
 v 401000.4 0.1 -0.9
 f 5 6 3
 ";
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Stored {
-    camera: Camera,
-    meshes: Vec<StoredMesh>,
-    objects: Vec<StoredObject>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Camera {
-    eye: [f64; 3],
-    right: [f64; 3],
-    up: [f64; 3],
-    forward: [f64; 3],
-    half_height: f64,
-    orthographic: bool,
-    near: f64,
-    far: f64,
-    size: [u32; 2],
-    cull: bool,
-    section: Option<StoredSection>,
-}
-
-#[derive(Deserialize, Debug, PartialEq)]
-#[serde(deny_unknown_fields)]
-struct StoredSection {
-    normal: [f64; 3],
-    offset: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredMesh {
-    origin: [f64; 3],
-    positions: Vec<[f64; 3]>,
-    triangles: Vec<[u32; 3]>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredObject {
-    id: usize,
-    name: String,
-    shape: String,
-    visible: bool,
-    matrix: [[f64; 4]; 3],
-    mesh: Option<usize>,
-    triangles: Option<[u32; 2]>,
-}
 
 fn folder() -> Folder {
     let folder = Folder::new();
