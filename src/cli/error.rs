@@ -46,6 +46,14 @@ pub enum CliError {
     /// A word that is no file, and no command either.
     #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
+    /// There is no memory for the picture.
+    #[error("a picture of {size} takes {} MB of memory, which there is not: draw a smaller one", bytes / 1_000_000)]
+    TooLarge {
+        /// Width and height in pixels.
+        size: String,
+        /// How much.
+        bytes: usize,
+    },
     /// The picture could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -100,7 +108,7 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unexplained(_) | Self::BeyondF32(_) | Self::OneSided(..) => 1,
-            Self::Usage(_) | Self::View(_) => 2,
+            Self::Usage(_) | Self::View(_) | Self::TooLarge { .. } => 2,
             Self::SceneCamera { .. }
             | Self::SceneSection { .. }
             | Self::Load(_)

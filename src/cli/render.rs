@@ -2,7 +2,7 @@
 
 use super::{CliError, SceneArgs, ViewArgs, build_trees, load, pick::inside, value};
 use crate::{
-    camera::View,
+    camera::{View, Viewport},
     image::{Id, Image, ImageError, Rgb},
     pick,
     render::{self, Gpu},
@@ -77,6 +77,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             }
         }
         By::Raycast => {
+            check_memory(view.viewport)?;
             let (ids, colours) = raycast(scene, &view, selection);
             (Some(ids), colours)
         }
@@ -87,6 +88,16 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
         ids.write_png(path)?;
     }
     Ok(())
+}
+
+/// Refuses a picture that memory has no room for, before work goes into it.
+fn check_memory(size: Viewport) -> Result<(), CliError> {
+    let pixels = size.width() as usize * size.height() as usize;
+    let bytes = pixels.saturating_mul(pick::RAYCAST_BYTES);
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        let size = format!("{}x{}", size.width(), size.height());
+        CliError::TooLarge { size, bytes }
+    })
 }
 
 fn raycast(scene: &Scene, view: &View, selection: Option<usize>) -> (Image<Id>, Image<Rgb>) {

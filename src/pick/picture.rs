@@ -14,6 +14,9 @@ use glam::DVec2;
 /// Pixels to a side of the tiles whose rays go through the scene together.
 const TILE: u32 = 16;
 
+/// Memory that [`raycast`] takes for a pixel, in bytes: while its pictures are told apart there are both.
+pub const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>() + size_of::<Rgb>();
+
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
 #[must_use]

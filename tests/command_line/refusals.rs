@@ -117,3 +117,22 @@ fn a_bad_file_is_exit_code_3_and_named() {
         assert!(!error.trim_end().contains(char::is_control), "{error:?}");
     }
 }
+
+/// Of what there is to have: `ulimit` leaves three gigabytes.
+#[test]
+fn a_picture_too_large_for_memory_is_refused() {
+    let folder = Folder::new();
+    let program = env!("CARGO_BIN_EXE_sightline");
+    let line = format!(
+        "ulimit -v 3000000; exec {program} render --by raycast --size 16384x16384 scene.toml -o out.png"
+    );
+    let mut shell = std::process::Command::new("sh");
+    let output = shell
+        .args(["-c", &line])
+        .current_dir(folder.path("."))
+        .output()
+        .unwrap();
+    let said = crate::error(&output, 2, &line);
+    assert!(said.contains("16384x16384 takes 6174 MB"), "{said}");
+    assert!(!folder.path("out.png").exists());
+}

@@ -48,6 +48,29 @@ fn what_was_opened_and_how_panels_stood_is_remembered() {
     assert!(!has_control(&window, "other.toml"));
 }
 
+/// A device that never ends, a pipe that nobody writes into, a file that is too large.
+#[test]
+fn a_memory_without_end_is_not_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let memory = folder.path().join("window.toml");
+    let large = folder.path().join("large.toml");
+    fs::write(&large, "#".repeat(2 << 20) + "\nlook = \"light\"\n").expect("writable");
+    let pipe = folder.path().join("pipe");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo").success());
+    for endless in [Path::new("/dev/zero"), &pipe, &large] {
+        std::os::unix::fs::symlink(endless, &memory).expect("a link");
+        let window = remembering(&memory, Vec::new());
+        let look = control(&window, "Look").description.clone();
+        assert!(
+            look.ends_with("as the desktop has it"),
+            "{endless:?}: {look}"
+        );
+        drop(window);
+        fs::remove_file(&memory).expect("a link");
+    }
+}
+
 #[test]
 fn a_broken_memory_is_no_obstacle() {
     let folder = tempfile::tempdir().expect("a folder");

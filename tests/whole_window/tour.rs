@@ -21,20 +21,20 @@ const DEEDS: [Deed; 22] = [
         click_on(window, "standard");
     }),
     ("Press 5: orthographic", |window| {
-        press_key(window, NONE, Key::Num5)
+        press_key(window, NONE, Key::Num5);
     }),
     ("Press 5 again", |window| {
         press_key(window, NONE, Key::Num5);
         press_key(window, NONE, Key::Enter);
     }),
     ("Slide near in the panel", |window| {
-        set(window, "near", "9.5")
+        set(window, "near", "9.5");
     }),
     ("Check fit beside near", |window| {
-        click_on(window, "fit near")
+        click_on(window, "fit near");
     }),
     ("Click the egg. A ring", |window| {
-        click_object(window, "Egg")
+        click_object(window, "Egg");
     }),
     ("Press T and drag", |window| {
         press_key(window, NONE, Key::T);
@@ -48,7 +48,7 @@ const DEEDS: [Deed; 22] = [
         click(window, at);
     }),
     ("Click the leaning box", |window| {
-        click_object(window, "Leaning box")
+        click_object(window, "Leaning box");
     }),
     ("Click the ground", |window| click_object(window, "Ground")),
     ("Click the ring", |window| {
@@ -56,13 +56,13 @@ const DEEDS: [Deed; 22] = [
         press_key(window, NONE, Key::Y);
     }),
     ("In the panel Matrices", |window| {
-        click_on(window, "show with no matrix")
+        click_on(window, "show with no matrix");
     }),
     ("Show it with P V M", |window| {
-        click_on(window, "show with P V M")
+        click_on(window, "show with P V M");
     }),
     ("Show it with M again", |window| {
-        click_on(window, "show with M")
+        click_on(window, "show with M");
     }),
     ("Set near to 0.001", |window| {
         set(window, "near", "0.001");
@@ -70,7 +70,7 @@ const DEEDS: [Deed; 22] = [
         click_object(window, "Tower");
     }),
     ("Set depth to reversed", |window| {
-        click_on(window, "reversed")
+        click_on(window, "reversed");
     }),
     ("Press E for the failure gallery", |window| {
         press_key(window, NONE, Key::E);

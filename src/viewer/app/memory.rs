@@ -5,6 +5,7 @@ use etcetera::BaseStrategy;
 use serde::{Deserialize, Serialize};
 use std::{
     fs,
+    io::Read,
     path::{Path, PathBuf},
 };
 
@@ -33,19 +34,37 @@ pub(in crate::viewer) struct Memory {
     pub panels: Docks,
 }
 
+/// Nobody's window needs more, in bytes.
+const MOST_BYTES: u64 = 1 << 20;
+
 impl Memory {
     /// What a file holds; nothing where there is none, or where it is broken.
     pub fn read(file: Option<&Path>) -> Self {
-        let Some(text) = file.and_then(|file| fs::read_to_string(file).ok()) else {
+        let Some(file) = file.filter(|file| file.exists()) else {
             return Self::default();
         };
-        toml::from_str(&text).unwrap_or_else(|error| {
-            let file = file.unwrap_or(Path::new("")).display();
-            let reason = error.message();
-            log::warn!("{file}: {reason}: what was remembered is not used");
-            Self::default()
-        })
+        text_of(file)
+            .and_then(|text| toml::from_str(&text).map_err(|error| error.message().to_owned()))
+            .unwrap_or_else(|reason| {
+                let file = file.display();
+                log::warn!("{file}: {reason}: what was remembered is not used");
+                Self::default()
+            })
     }
+}
+
+/// What stands in a file, or why it is not read.
+fn text_of(path: &Path) -> Result<String, String> {
+    let about = fs::metadata(path).map_err(|error| error.to_string())?;
+    // A pipe or a device, which may be without end, is not even opened.
+    if !about.is_file() || about.len() > MOST_BYTES {
+        return Err("is no file of at most 1 MiB".to_owned());
+    }
+    let file = fs::File::open(path).map_err(|error| error.to_string())?;
+    let mut text = String::new();
+    let read = file.take(MOST_BYTES).read_to_string(&mut text);
+    read.map_err(|error| error.to_string())?;
+    Ok(text)
 }
 
 /// The file that a user's window is remembered in; `None` where the system has no place for it.

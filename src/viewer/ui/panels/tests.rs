@@ -46,6 +46,8 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 notices: &mut Notices::new(),
                 underway: None,
                 floating: Floating::default(),
+                tour: None,
+                offers_tour: false,
                 question: None,
                 chart: None,
                 checking: &Checking::Off,
