@@ -6,7 +6,7 @@ use super::{
     layout::{LineVertex, Vertex},
     targets::{COLOUR, DEPTH, IDS, MARKS},
 };
-use crate::camera::DepthMapping;
+use crate::camera::{DepthMapping, View};
 use std::{collections::HashMap, mem::offset_of};
 use wgpu::{VertexAttribute, VertexFormat};
 
@@ -183,10 +183,11 @@ impl Pipelines {
         gpu: &Gpu,
         pass: Pass,
         drawn: Drawn,
-        depth: DepthMapping,
-        is_cut: bool,
+        view: &View,
     ) -> wgpu::RenderPipeline {
-        let key = (pass, drawn, depth, is_cut);
+        let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background);
+        let is_cut = view.section.is_some() && !is_uncut;
+        let key = (pass, drawn, view.camera.lens().depth, is_cut);
         if let Some(pipeline) = self.made.get(&key) {
             return pipeline.clone();
         }

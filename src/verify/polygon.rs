@@ -56,10 +56,8 @@ pub(super) fn polygon(
     let normal = (b - a).cross(c - a);
     let past_near = ray.depth_on(a, normal);
     let clipped = clipping_error(view, corners);
-    let error = corners
-        .iter()
-        .fold(ViewError::default(), |all, at| all.max(at.error))
-        + clipped;
+    let errors = corners.iter().map(|at| at.error);
+    let error = errors.fold(ViewError::default(), ViewError::max) + clipped;
     let exact = corners
         .iter()
         .all(|corner| depths.clips_exactly(corner.view.z));
@@ -133,11 +131,11 @@ pub(super) fn polygon(
     let section = section.face(px, past_near, slope_px, f32_px, &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, GRID_PX + f32_px)
     });
-    let cut_away = covers.then_some(section.reason).flatten();
+    let cuts = cut.into_iter().chain(section.reason.filter(|_| covers));
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
     let surface = Surface {
-        loose: (border.reason().into_iter().chain(cut).chain(cut_away)).reduce(Reason::or),
+        loose: border.reason().into_iter().chain(cuts).reduce(Reason::or),
         crossed: None,
         cut: section.reason,
         triangle: None,

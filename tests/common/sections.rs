@@ -75,8 +75,7 @@ fn corners(random: &mut Random, object: &Object) -> [DVec3; 3] {
         }
         Shape::Mesh { mesh, part } => {
             let triangles = &mesh.data().parts[*part].triangles;
-            let count = usize::try_from(triangles.len()).expect("few");
-            let triangle = u32::try_from(random.below(count)).expect("few");
+            let triangle = u32::try_from(random.below(triangles.len())).expect("few");
             mesh.corners(triangles.start + triangle)
         }
     };

@@ -69,7 +69,7 @@ impl App {
             place,
             primitives,
             pixels_per_point,
-            motion: (self.rest).motion(self.state.to_show(), now_s, is_held),
+            motion: (self.rest).motion(&self.state.to_show(), now_s, is_held),
         };
         let drawn = self.draw(&laid, screen);
         self.rest.is_settled = pass.next_in > Duration::ZERO

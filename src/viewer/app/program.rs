@@ -44,6 +44,10 @@ pub(super) enum Purpose {
 }
 
 /// What is shown once it is in graphics memory.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "few at a time, and a camera is most of one"
+)]
 pub(super) enum Arrival {
     Loaded(Box<Loaded>, Vec<PathBuf>, Purpose),
     Stage(Stage, Action),

@@ -19,12 +19,12 @@ pub(in crate::viewer) struct Rest {
 impl Rest {
     /// How what is to be shown moves. What changes while a button `is_held` moves, and so does what has changed a moment
     /// before.
-    pub fn motion(&mut self, to_show: OnScreen, now_s: f64, is_held: bool) -> Motion {
+    pub fn motion(&mut self, to_show: &OnScreen, now_s: f64, is_held: bool) -> Motion {
         let before_s = self
             .since_s
             .map_or(f64::NEG_INFINITY, |(_, since_s)| since_s);
-        if self.since_s.is_none_or(|(shown, _)| shown != to_show) {
-            self.since_s = Some((to_show, now_s));
+        if self.since_s.is_none_or(|(shown, _)| shown != *to_show) {
+            self.since_s = Some((*to_show, now_s));
             self.moves = is_held || now_s - before_s < REST_S;
         } else if now_s - before_s >= REST_S {
             self.moves = false;

@@ -39,7 +39,7 @@ impl State {
             Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
-                if let Some(hit) = self.quick_hit(self.view.ray(px)) {
+                if let Some(hit) = self.quick_hit(&self.view.ray(px)) {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }

@@ -173,7 +173,7 @@ impl State {
         if !self.rays_are_quick() {
             return;
         }
-        let Some(hit) = self.quick_hit(ray) else {
+        let Some(hit) = self.quick_hit(&ray) else {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = ray.at(hit.hit.t);
@@ -184,7 +184,7 @@ impl State {
     /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
-        if let Some(hit) = self.quick_hit(ray) {
+        if let Some(hit) = self.quick_hit(&ray) {
             return ray.at(hit.hit.t);
         }
         let depth = self.view.camera.to_view(self.pivot_world).z;
