@@ -19,8 +19,8 @@
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
-//! egui. `colour`, `image`, `look` (light, and what each colour means) and `replace` (files that are
-//! written whole or not at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
+//! egui. `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files
+//! that are written whole or not at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
 //!
 //! # Spaces
 //!
@@ -91,6 +91,7 @@ pub mod cli;
 pub mod colour;
 pub mod geometry;
 pub mod image;
+mod json;
 pub mod look;
 pub mod pick;
 pub mod render;

@@ -3,6 +3,7 @@
 use super::{CliError, SceneArgs, load_with};
 use crate::{
     geometry::Aabb,
+    json,
     scene::{Detail, Scene},
 };
 use glam::DVec3;
@@ -46,7 +47,7 @@ pub(super) fn run(args: &ListArgs) -> Result<(), CliError> {
     let mut out = BufWriter::new(std::io::stdout().lock());
     let written = if args.json {
         lines(&loaded.scene).try_for_each(|line| {
-            serde_json::to_writer(&mut out, &line)?;
+            json::write(&mut out, &line)?;
             writeln!(out)
         })
     } else {

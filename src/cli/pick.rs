@@ -3,6 +3,7 @@
 use super::{CliError, SceneArgs, ViewArgs, build_trees, load, stored, value};
 use crate::{
     camera::{View, Viewport},
+    json,
     pick::{self, PickLine, PickLines},
     scene::Scene,
     verify,
@@ -131,21 +132,20 @@ impl Picker<'_> {
         let in_one_place = verify::in_one_place(scene, self.view, px);
         let line = if self.all_hits {
             let hits = pick::pick_all(scene, self.view, px);
-            serde_json::to_string(&PickLines {
+            json::text(&PickLines {
                 px,
                 hits,
                 in_one_place,
             })
         } else {
             let hit = pick::pick(scene, self.view, px);
-            serde_json::to_string(&PickLine {
+            json::text(&PickLine {
                 px,
                 hit,
                 in_one_place,
             })
         };
-        line.map_err(std::io::Error::from)
-            .and_then(|line| writeln!(self.out, "{line}"))
+        line.and_then(|line| writeln!(self.out, "{line}"))
             .map_err(CliError::stdout)
     }
 

@@ -4,6 +4,7 @@ use super::CliError;
 use crate::{
     camera::View,
     geometry::{Mesh, Sides},
+    json,
     scene::{Object, Scene, Shape, matrix_rows},
 };
 use glam::DVec3;
@@ -97,8 +98,7 @@ pub(super) fn write(out: impl Write, scene: &Scene, view: &View) -> Result<(), C
             objects: Each(objects),
         },
     };
-    serde_json::to_writer(&mut out, &line)
-        .map_err(std::io::Error::from)
+    json::write(&mut out, &line)
         .and_then(|()| writeln!(out))
         .and_then(|()| out.flush())
         .map_err(CliError::stdout)

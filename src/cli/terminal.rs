@@ -1,5 +1,6 @@
 //! What people read on stderr: one line a matter, errors, warnings and phases alike.
 
+use crate::json::is_mark;
 use log::{Level, LevelFilter};
 use std::io::Write;
 
@@ -35,7 +36,7 @@ pub(super) fn say(text: &str) {
 fn line(text: &str) -> String {
     let mut line = String::from("sightline: ");
     for c in text.chars() {
-        if c.is_control() {
+        if is_mark(c) {
             line.extend(c.escape_default());
         } else {
             line.push(c);

@@ -4,7 +4,7 @@ use super::{CliError, SceneArgs, ViewArgs, build_trees, load, value};
 use crate::{
     camera::View,
     image::{Id, Image},
-    pick,
+    json, pick,
     render::{self, Gpu},
     scene::Scene,
     study::methods::usual,
@@ -207,9 +207,8 @@ impl<'a> Outcome<'a> {
             drawn_s: self.seconds[0],
             picked_s: self.seconds[1],
         };
-        let line = serde_json::to_string(&line);
-        line.map(|line| line + "\n")
-            .map_err(|error| CliError::stdout(error.into()))
+        let line = json::text(&line);
+        line.map(|line| line + "\n").map_err(CliError::stdout)
     }
 
     fn text(&self, with_image: bool) -> String {

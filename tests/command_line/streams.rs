@@ -1,6 +1,6 @@
 //! Positions by standard input, picks by standard output.
 
-use super::{Folder, error, json};
+use super::{Folder, SCENE, error, json};
 use std::{
     io::{BufRead, BufReader, Write},
     process::Stdio,
@@ -99,4 +99,27 @@ fn a_reader_that_leaves_is_no_error() {
         "{}",
         String::from_utf8_lossy(&output.stderr)
     );
+}
+
+/// Names of objects and files with marks that turn, clear or colour a terminal: none gets there, on either stream.
+#[test]
+fn no_name_does_anything_to_a_terminal() {
+    let folder = Folder::new();
+    let mark = |c: char| (c.is_control() && c != '\n') || "\u{202e}\u{2066}\u{200f}".contains(c);
+    let name = "a\u{9b}31mb\u{202e}c\u{85}d\u{2066}";
+    let scene = SCENE.replace("Front", name);
+    std::fs::write(folder.path("marks.toml"), scene).unwrap();
+    for (args, shows) in [
+        ("list marks.toml", true),
+        ("list --json marks.toml", true),
+        ("pick marks.toml --at 640.5,360.5", true),
+        ("pick marks.toml --at 640.5,360.5 --all-hits --stored", true),
+        ("list no\u{202e}thing.obj", false),
+    ] {
+        let output = folder.run(args);
+        assert_eq!(output.status.success(), shows, "{args}");
+        let said = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert!(said.contains("202e"), "{args}: {said}");
+        assert!(!said.contains(mark), "{args}: {said:?}");
+    }
 }

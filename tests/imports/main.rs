@@ -10,7 +10,8 @@ use std::{
 };
 
 /// Each module and what it may name, as the map in `lib.rs` has it: only what stands in rows above it.
-const MAY_NAME: [(&str, &str); 14] = [
+const MAY_NAME: [(&str, &str); 15] = [
+    ("json", ""),
     ("replace", ""),
     ("colour", ""),
     ("geometry", "colour"),
@@ -27,11 +28,11 @@ const MAY_NAME: [(&str, &str); 14] = [
     ("study", "replace geometry camera image scene pick render"),
     (
         "viewer",
-        "replace colour geometry look camera image scene pick render verify study",
+        "json replace colour geometry look camera image scene pick render verify study",
     ),
     (
         "cli",
-        "geometry camera image scene pick render verify study viewer",
+        "json replace geometry camera image scene pick render verify study viewer",
     ),
     ("main", "cli"),
 ];

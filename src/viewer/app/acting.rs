@@ -2,6 +2,7 @@
 
 use super::program::{App, Host};
 use crate::{
+    json,
     pick::PickLine,
     viewer::{
         jobs::Checking,
@@ -65,7 +66,7 @@ impl App {
 
 /// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
 fn print(line: &PickLine) {
-    if let Ok(json) = serde_json::to_string(line) {
+    if let Ok(json) = json::text(line) {
         let mut out = std::io::stdout().lock();
         let _ = writeln!(out, "{json}").and_then(|()| out.flush());
     }

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::{
     camera::CameraChoice,
+    json,
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
@@ -76,7 +77,7 @@ impl App {
             }
             Command::CopyPick => {
                 let line = self.state.pick_ray().map(RayHits::line);
-                match line.and_then(|line| serde_json::to_string(&line).ok()) {
+                match line.and_then(|line| json::text(&line).ok()) {
                     Some(json) => self.copy(json, "the pick is copied as JSON"),
                     None => self.complain("there is no pick to copy: click a surface first".into()),
                 }

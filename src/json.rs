@@ -1,0 +1,67 @@
+//! JSON as it goes to terminals, clipboards and pipes: a line a value, in which no name does anything.
+
+use serde::Serialize;
+use serde_json::{
+    Serializer,
+    ser::{CompactFormatter, Formatter},
+};
+use std::io::{self, Write};
+
+/// Whether a character is not shown but does something: moves the cursor, ends the line, turns the direction of what
+/// follows (Unicode's `Bidi_Control`).
+pub(crate) fn is_mark(character: char) -> bool {
+    let turns = matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    character.is_control() || turns || matches!(character, '\u{2028}' | '\u{2029}')
+}
+
+/// Writes a value as JSON without a line's end. In strings what [`is_mark`] is escaped.
+///
+/// # Errors
+/// When `out` takes no more.
+pub(crate) fn write(out: impl Write, value: &impl Serialize) -> io::Result<()> {
+    value.serialize(&mut Serializer::with_formatter(out, Escaping))?;
+    Ok(())
+}
+
+/// The same as a text.
+///
+/// # Errors
+/// When the value is none that JSON has.
+pub(crate) fn text(value: &impl Serialize) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    write(&mut bytes, value)?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
+
+/// As short as can be, with marks as `\uXXXX`.
+struct Escaping;
+
+impl Formatter for Escaping {
+    fn write_string_fragment<W: ?Sized + Write>(
+        &mut self,
+        out: &mut W,
+        mut fragment: &str,
+    ) -> io::Result<()> {
+        while let Some((at, mark)) = fragment.char_indices().find(|(_, c)| is_mark(*c)) {
+            CompactFormatter.write_string_fragment(out, &fragment[..at])?;
+            write!(out, "\\u{:04x}", u32::from(mark))?;
+            fragment = &fragment[at + mark.len_utf8()..];
+        }
+        CompactFormatter.write_string_fragment(out, fragment)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::text;
+
+    #[test]
+    fn names_do_nothing_and_are_read_back() {
+        let name = "a\u{9b}31m\u{202e}b\u{85}c\u{2028}\u{7f}\n\"\\ \u{e4}\u{5b57}";
+        let json = text(&name).expect("a string");
+        let shown = r#""a\u009b31m\u202eb\u0085c\u2028\u007f\n\"\\ ä字""#;
+        assert_eq!(json, shown);
+        let back: String = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(back, name);
+    }
+}
