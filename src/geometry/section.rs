@@ -50,8 +50,8 @@ impl Section {
         Self::new(normal, -normal.dot(point))
     }
 
-    /// Through three points; it keeps the side from which they are counter-clockwise. n is a unit vector, or along an axis
-    /// where the points are level to the last bit; it is rounded, and c so that all three points are kept as far as `f64` tells.
+    /// Through three points; it keeps the side from which they are counter-clockwise. n is a unit vector, rounded; so is c,
+    /// upwards, so that all three points are kept as far as `f64` tells.
     ///
     /// # Errors
     /// When a number is not finite, or the points lie on one line.

@@ -47,7 +47,7 @@ pub(super) fn nearest(
     best
 }
 
-/// [`closest`] by another triangle test.
+/// [`closest`] by another triangle test. A section ends the ray's interval on meshes, rounded outwards.
 #[must_use]
 pub fn closest_by(
     scene: &Scene,
