@@ -16,7 +16,8 @@ use crate::{
 };
 use glam::DVec2;
 
-/// The sphere's front and, where the near plane or a section opens it or the eye is inside, its back at a pixel: what drawing may show.
+/// The sphere's front and, where the near plane or a section opens it or the eye is inside, its back at a pixel: what
+/// drawing may show.
 pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
     let (both, is_opened) = both(space, placement, px);
     let shown = 1 + usize::from(is_opened && space.view().sides == Sides::Both);
