@@ -14,6 +14,11 @@ struct Frame {
     key: f32,
     background_bottom: vec3<f32>,
     fill: f32,
+    section_per_px: vec2<f32>,
+    section_start: f32,
+    section_per_q: f32,
+    inside: vec3<f32>,
+    section_slack: f32,
 }
 
 struct ObjectState {
@@ -50,4 +55,18 @@ fn shade(albedo: vec3<f32>, normal_view: vec3<f32>) -> vec3<f32> {
 struct ColourAndId {
     @location(0) colour: vec4<f32>,
     @location(1) id: vec2<u32>,
+}
+
+// Whether the section keeps what lies at a position of the picture: q is 1 / w in perspective, else the stored depth.
+fn kept(px: vec2<f32>, q: f32) -> bool {
+    let at = px - 0.5 * frame.viewport_px;
+    let aside = frame.section_per_px * at;
+    let ahead = frame.section_per_q * q;
+    let terms = abs(frame.section_start) + abs(aside.x) + abs(aside.y) + abs(ahead);
+    return frame.section_start + aside.x + aside.y + ahead >= -frame.section_slack * terms;
+}
+
+// A fragment's q.
+fn q_of(position: vec4<f32>) -> f32 {
+    return select(position.z, position.w, frame.perspective == 1u);
 }

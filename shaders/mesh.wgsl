@@ -54,9 +54,11 @@ fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
     return out;
 }
 
-fn lit(in: Corner, winding_front: bool) -> vec4<f32> {
+// Back faces in their own colour, or in that of a solid's inside.
+fn lit(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
     let front = winding_front != ((in.own.z & MIRRORS) != 0u);
-    return vec4<f32>(shade(in.albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
+    let albedo = select(in.albedo, frame.inside, is_cut && !front);
+    return vec4<f32>(shade(albedo, select(-in.normal_view, in.normal_view, front)), 1.0);
 }
 
 fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
@@ -65,7 +67,7 @@ fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
 
 @fragment
 fn colour(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    return lit(in, front);
+    return lit(in, front, false);
 }
 
 @fragment
@@ -79,16 +81,65 @@ fn colour_and_id(
     @builtin(front_facing) front: bool,
     @builtin(primitive_index) primitive: u32,
 ) -> ColourAndId {
-    return ColourAndId(lit(in, front), id_of(in, primitive));
+    return ColourAndId(lit(in, front, false), id_of(in, primitive));
 }
 
 // Dark, as thin as lines are.
+const EDGE = vec4<f32>(0.005, 0.005, 0.008, 1.0);
+
 @fragment
 fn edge() -> @location(0) vec4<f32> {
-    return vec4<f32>(0.005, 0.005, 0.008, 1.0);
+    return EDGE;
 }
 
 @fragment
 fn mask() -> @location(0) f32 {
+    return 1.0;
+}
+
+// The same where a section cuts the world.
+
+fn cut(in: Corner) {
+    if !kept(in.clip.xy, q_of(in.clip)) {
+        discard;
+    }
+}
+
+// Naming the sample makes the shader run once for each: the cut is smoothed like edges.
+@fragment
+fn colour_cut(
+    in: Corner,
+    @builtin(front_facing) front: bool,
+    @builtin(sample_index) sample: u32,
+) -> @location(0) vec4<f32> {
+    cut(in);
+    return lit(in, front, true);
+}
+
+@fragment
+fn id_cut(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
+    cut(in);
+    return id_of(in, primitive);
+}
+
+@fragment
+fn colour_and_id_cut(
+    in: Corner,
+    @builtin(front_facing) front: bool,
+    @builtin(primitive_index) primitive: u32,
+) -> ColourAndId {
+    cut(in);
+    return ColourAndId(lit(in, front, true), id_of(in, primitive));
+}
+
+@fragment
+fn edge_cut(in: Corner) -> @location(0) vec4<f32> {
+    cut(in);
+    return EDGE;
+}
+
+@fragment
+fn mask_cut(in: Corner) -> @location(0) f32 {
+    cut(in);
     return 1.0;
 }

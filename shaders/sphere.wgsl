@@ -52,6 +52,7 @@ struct Surface {
     depth: f32,
     // Of the side that is seen.
     normal_view: vec3<f32>,
+    front: bool,
 }
 
 // Clip z and w of a root.
@@ -68,8 +69,14 @@ fn in_range(clip: vec2<f32>) -> bool {
     return select(reversed, standard, frame.clip_per_depth > 0.0);
 }
 
-// The first surface between near and far at a position in the picture; discards where there is none.
-fn surface(index: u32, px: vec2<f32>) -> Surface {
+// Whether a root is shown that has this clip z and w: between near and far, and kept by the section where one cuts.
+fn shows(px: vec2<f32>, clip: vec2<f32>, is_cut: bool) -> bool {
+    let q = select(clip.x, 1.0 / clip.y, frame.perspective == 1u);
+    return in_range(clip) && (!is_cut || kept(px, q));
+}
+
+// The first surface that is shown at a position in the picture; discards where there is none.
+fn surface(index: u32, px: vec2<f32>, is_cut: bool) -> Surface {
     let sphere = &spheres[index];
     let at = px - (*sphere).pivot_px;
     let discriminant = evaluate((*sphere).discriminant, at);
@@ -81,16 +88,16 @@ fn surface(index: u32, px: vec2<f32>) -> Surface {
     let r2 = q / evaluate((*sphere).a, at);
     let entry = min(r1, r2);
     let exit = max(r1, r2);
-    let enters = in_range(clip(index, entry));
+    let enters = shows(px, clip(index, entry), is_cut);
     let s = select(exit, entry, enters);
     let shown = clip(index, s);
-    if !(discriminant >= 0.0) || !in_range(shown) || (!enters && frame.front_only == 1u) {
+    if !(discriminant >= 0.0) || !shows(px, shown, is_cut) || (!enters && frame.front_only == 1u) {
         discard;
     }
     let step = at.x * (*sphere).normal_right + at.y * (*sphere).normal_down;
     let normal = (*sphere).normal + s * (*sphere).normal_per_root
         + ((*sphere).origin_step + s * (*sphere).direction_step) * step;
-    return Surface(shown.x / shown.y, select(-normal, normal, enters));
+    return Surface(shown.x / shown.y, select(-normal, normal, enters), enters);
 }
 
 struct Colour {
@@ -109,8 +116,10 @@ struct IdDepth {
     @builtin(frag_depth) depth: f32,
 }
 
-fn lit(index: u32, seen: Surface) -> vec4<f32> {
-    return vec4<f32>(shade(objects[spheres[index].object].colour, seen.normal_view), 1.0);
+// The back in the sphere's colour, or in that of a solid's inside.
+fn lit(index: u32, seen: Surface, is_cut: bool) -> vec4<f32> {
+    let albedo = select(objects[spheres[index].object].colour, frame.inside, is_cut && !seen.front);
+    return vec4<f32>(shade(albedo, seen.normal_view), 1.0);
 }
 
 fn id_of(index: u32) -> vec2<u32> {
@@ -120,24 +129,50 @@ fn id_of(index: u32) -> vec2<u32> {
 // Naming the sample makes the shader run once for each: the outline is smoothed like that of triangles.
 @fragment
 fn colour(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
-    let seen = surface(in.sphere, in.position.xy);
-    return Colour(lit(in.sphere, seen), seen.depth);
+    let seen = surface(in.sphere, in.position.xy, false);
+    return Colour(lit(in.sphere, seen, false), seen.depth);
 }
 
 @fragment
 fn id(in: Corner) -> IdDepth {
-    let seen = surface(in.sphere, in.position.xy);
+    let seen = surface(in.sphere, in.position.xy, false);
     return IdDepth(id_of(in.sphere), seen.depth);
 }
 
 @fragment
 fn colour_and_id(in: Corner) -> ColourIdDepth {
-    let seen = surface(in.sphere, in.position.xy);
-    return ColourIdDepth(lit(in.sphere, seen), id_of(in.sphere), seen.depth);
+    let seen = surface(in.sphere, in.position.xy, false);
+    return ColourIdDepth(lit(in.sphere, seen, false), id_of(in.sphere), seen.depth);
 }
 
 @fragment
 fn mask(in: Corner) -> @location(0) f32 {
-    let seen = surface(in.sphere, in.position.xy);
+    let seen = surface(in.sphere, in.position.xy, false);
+    return select(0.0, 1.0, seen.depth <= 1.0);
+}
+
+// The same where a section cuts the world.
+
+@fragment
+fn colour_cut(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
+    let seen = surface(in.sphere, in.position.xy, true);
+    return Colour(lit(in.sphere, seen, true), seen.depth);
+}
+
+@fragment
+fn id_cut(in: Corner) -> IdDepth {
+    let seen = surface(in.sphere, in.position.xy, true);
+    return IdDepth(id_of(in.sphere), seen.depth);
+}
+
+@fragment
+fn colour_and_id_cut(in: Corner) -> ColourIdDepth {
+    let seen = surface(in.sphere, in.position.xy, true);
+    return ColourIdDepth(lit(in.sphere, seen, true), id_of(in.sphere), seen.depth);
+}
+
+@fragment
+fn mask_cut(in: Corner) -> @location(0) f32 {
+    let seen = surface(in.sphere, in.position.xy, true);
     return select(0.0, 1.0, seen.depth <= 1.0);
 }

@@ -40,13 +40,15 @@
 //!
 //! * **in one place**: of surfaces, closer together at a position than drawing can tell ([`verify::Places`]).
 //! * **placement**: an object's model matrix and its inverse.
-//! * **view**: camera, viewport and whether back faces show: all that decides, with the scene, what a pixel shows
+//! * **view**: camera, viewport, whether back faces show, and the section: all that decides, with the scene, what a pixel shows
 //!   ([`camera::View`]); *view space* is the camera's.
 //! * **stored numbers**: those of camera, placements and vertices, which picks take as exact ([`pick`]).
 //! * **t**: the ray parameter; rays keep it when they change spaces. The direction of a pixel's ray is not normalised, so
 //!   its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is what the GPU counts in
 //!   place of it, from where it keeps most digits ([`render::transform::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
+//! * **section**: a plane that cuts the world: what lies behind it is neither drawn nor hit ([`geometry::Section`]). It bounds
+//!   the ray as near and far do, exactly.
 //! * **bound**: how far a rounded number may be from the exact one, at most. Rays carry theirs
 //!   ([`geometry::RayError`]). **In doubt**: a decision that a bound leaves open, and that exact arithmetic makes.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.

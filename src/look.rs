@@ -25,10 +25,12 @@ pub const NORMALS: Srgb = Srgb([176, 144, 255]);
 pub const BOXES: Srgb = Srgb([236, 110, 226]);
 /// Boxes of a mesh's tree.
 pub const TREE: Srgb = Srgb([200, 158, 120]);
-/// Drawn and picked differ on an outline. This and the next five are apart for all kinds of sight (Okabe & Ito 2008).
+/// Drawn and picked differ on an outline. This and the next six are apart for all kinds of sight (Okabe & Ito 2008).
 pub const EDGE: Srgb = Srgb([86, 180, 233]);
 /// Drawn and picked differ on two surfaces as deep.
 pub const DEPTH: Srgb = Srgb([240, 228, 66]);
+/// Drawn and picked differ on a section.
+pub const AT_SECTION: Srgb = Srgb([120, 90, 0]);
 /// Drawn and picked differ by what `f32` moves.
 pub const F32_LIMIT: Srgb = Srgb([0, 158, 115]);
 /// Drawn and picked differ by more than drawing can hold.
@@ -39,7 +41,7 @@ pub const IN_ONE_PLACE: Srgb = Srgb([0, 114, 178]);
 pub const WRONG: Srgb = Srgb([213, 94, 0]);
 
 /// The colours that mean something, each one thing. What is under the cursor has none: it is lit.
-pub const MEANINGS: [Srgb; 15] = [
+pub const MEANINGS: [Srgb; 16] = [
     SELECTION,
     HIT,
     AXES[0],
@@ -51,11 +53,15 @@ pub const MEANINGS: [Srgb; 15] = [
     TREE,
     EDGE,
     DEPTH,
+    AT_SECTION,
     F32_LIMIT,
     BEYOND_F32,
     IN_ONE_PLACE,
     WRONG,
 ];
+
+/// Back faces where a section lets one look into solids.
+pub const INSIDE: Srgb = Srgb([164, 122, 58]);
 
 /// Lines of the floor's grid, and each tenth of them.
 pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];

@@ -67,7 +67,12 @@ fn structs_have_one_layout_on_both_sides() {
             background_top,
             key,
             background_bottom,
-            fill
+            fill,
+            section_per_px,
+            section_start,
+            section_per_q,
+            inside,
+            section_slack
         }
     );
     same_layout!(

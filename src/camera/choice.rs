@@ -1,8 +1,8 @@
 //! A camera that is only partly told, by flags or by a scene file, and framing for the rest.
 
 use super::{
-    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, UpAxis, Viewport, fit_near_far,
-    unit,
+    Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
+    fit_near_far, unit,
 };
 use crate::geometry::Aabb;
 use glam::DVec3;
@@ -37,6 +37,8 @@ pub struct CameraChoice {
     pub depth: Option<DepthMapping>,
     /// Which world axis points up.
     pub up_axis: Option<UpAxis>,
+    /// What cuts the world; [`Scene::section`](crate::scene::Scene::section) resolves it.
+    pub section: Option<SectionChoice>,
 }
 
 /// An array of exactly `N` values: arrays by themselves pass over what is too much.
@@ -77,6 +79,7 @@ impl CameraChoice {
             far: self.far.or(other.far),
             depth: self.depth.or(other.depth),
             up_axis: self.up_axis.or(other.up_axis),
+            section: self.section.or(other.section),
         }
     }
 

@@ -8,6 +8,7 @@ mod choice;
 mod fit;
 mod lens;
 mod orbit;
+mod section_choice;
 mod view;
 
 pub use choice::CameraChoice;
@@ -15,6 +16,7 @@ pub(crate) use choice::{exactly, some_vector};
 pub use fit::fit_near_far;
 pub use lens::{DepthMapping, Lens, Projection};
 pub use orbit::{Orbit, UpAxis};
+pub use section_choice::{SectionChoice, SectionWordError};
 pub use view::{View, Viewport, pixel_centre};
 
 use crate::geometry::{PixelGrid, WorldRay};

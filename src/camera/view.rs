@@ -1,7 +1,7 @@
 //! The picture's size, and all else besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Lens, Projected};
-use crate::geometry::{Aabb, PixelRays, PlacedPoint, Sides, ThroughPoint, WorldRay, clip};
+use crate::geometry::{Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint, WorldRay, clip};
 use glam::{DVec2, DVec3};
 
 /// The size of the picture in physical pixels, at least 1 x 1.
@@ -88,6 +88,8 @@ pub struct View {
     pub viewport: Viewport,
     /// Whether back faces show.
     pub sides: Sides,
+    /// What cuts the world, in world space; `None` where all of it shows.
+    pub section: Option<Section>,
 }
 
 impl View {
@@ -102,10 +104,19 @@ impl View {
         Some([self.project(a)?.px, self.project(b)?.px])
     }
 
+    /// The same with nothing cut away.
+    #[must_use]
+    pub fn uncut(&self) -> Self {
+        Self {
+            section: None,
+            ..*self
+        }
+    }
+
     /// The world-space ray through a pixel position; see [`Camera::ray`].
     #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
-        self.camera.ray(self.viewport, px)
+        self.rays().ray(px)
     }
 
     /// A point of a shape, for the ray that passes through it.
@@ -123,7 +134,8 @@ impl View {
     #[must_use]
     pub fn rays(&self) -> PixelRays {
         let Lens { near, far, .. } = *self.camera.lens();
-        self.camera.pixel_grid(self.viewport).rays([near, far])
+        let rays = self.camera.pixel_grid(self.viewport).rays([near, far]);
+        rays.cut_by(self.section)
     }
 
     /// From the eye to the point at view depth `t` on the ray through a pixel position, in world space.
@@ -167,7 +179,7 @@ impl View {
         } = self.viewport.size_px();
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
         std::array::from_fn(|i| {
-            let ray = self.ray(corners[i % 4].into());
+            let ray = self.camera.ray(self.viewport, corners[i % 4].into());
             ray.at(if i < 4 { ray.t_min } else { ray.t_max })
         })
     }

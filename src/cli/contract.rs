@@ -13,7 +13,8 @@ What a pick is:
     eye + t (F + a)      in perspective
     eye + a + t F        with --ortho
   F + a is not made a unit vector, so t is depth along F.
-  A hit counts where near <= t < far; with --cull only if it is a front one.
+  A hit counts where near <= t < far; with --cull only if it is a front one;
+  with --section only if its point p has n . p + c >= 0, decided exactly.
   The pick is the hit with the least t on the visible objects; of equal ones
   that on the first object, then on the first triangle. --all-hits lists all of
   them in this order.
@@ -50,7 +51,8 @@ of each of \"hits\":
   barycentric      weights of the triangle's corners; null for other shapes
   edge_px          pixels from the position to the nearest edge of the triangle
                    or face, of a sphere to its outline, as far as these lie at
-                   or behind the near plane; null where nothing does
+                   or behind the near plane and --section keeps them; null
+                   where nothing does
   gap              exact difference in t to the next hit, rounded once: 0 on an
                    edge that two triangles share; null where there is no next
   exact            whether f64 left open what is hit up to here, or which of two
@@ -111,7 +113,8 @@ The lines of --face and --vertex, after those of --at:
 pub(super) const NUMBERS: &str = "\
 The line of --stored, {\"stored\":{\"camera\",\"meshes\",\"objects\"}}:
   camera           eye, right (R), up (U), forward (F), half_height (h),
-                   orthographic, near, far, size [W,H], cull
+                   orthographic, near, far, size [W,H], cull, section (normal n
+                   and offset c, or null)
   meshes           each once: origin; positions, relative to it; triangles, by
                    the places of their corners in positions, from 0
   objects          id, name, shape, visible; matrix, the upper three rows, as in

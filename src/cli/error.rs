@@ -5,7 +5,7 @@ use crate::{
     camera::CameraError,
     image::ImageError,
     render::GpuError,
-    scene::{LoadError, obj::AgainError},
+    scene::{LoadError, NoSection, obj::AgainError},
     study::SaveError,
     viewer::ViewerError,
 };
@@ -31,6 +31,14 @@ pub enum CliError {
         file: PathBuf,
         /// What is wrong with its camera.
         source: CameraError,
+    },
+    /// The scene file's section is none.
+    #[error("{}: section: {source}", file.display())]
+    SceneSection {
+        /// The scene file.
+        file: PathBuf,
+        /// What is wrong with it.
+        source: NoSection,
     },
     /// The scene could not be loaded.
     #[error(transparent)]
@@ -108,6 +116,7 @@ impl CliError {
             | Self::TooLarge { .. }
             | Self::Again(AgainError::NoSuch { .. }) => 2,
             Self::SceneCamera { .. }
+            | Self::SceneSection { .. }
             | Self::Load(_)
             | Self::NoSuchCommand(_)
             | Self::Again(_)

@@ -43,6 +43,14 @@ struct StoredCamera {
     size: [u32; 2],
     /// Whether back faces are no hits.
     cull: bool,
+    section: Option<StoredSection>,
+}
+
+/// World space: kept is `normal . p + offset >= 0`.
+#[derive(Serialize)]
+struct StoredSection {
+    normal: DVec3,
+    offset: f64,
 }
 
 /// Object space.
@@ -101,6 +109,7 @@ fn stored_camera(
         camera,
         viewport,
         sides,
+        section,
     }: &View,
 ) -> StoredCamera {
     let lens = camera.lens();
@@ -115,6 +124,10 @@ fn stored_camera(
         far: lens.far,
         size: [viewport.width(), viewport.height()],
         cull: *sides == Sides::Front,
+        section: section.map(|section| StoredSection {
+            normal: section.normal(),
+            offset: section.offset(),
+        }),
     }
 }
 

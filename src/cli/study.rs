@@ -1,7 +1,10 @@
 //! `sightline study`: speed against accuracy.
 
 use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
-use crate::study::{self, Effort, SceneRays};
+use crate::{
+    camera::View,
+    study::{self, Effort, SceneRays},
+};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
 
@@ -39,6 +42,11 @@ const BUDGET_RAYS: usize = 2000;
 
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
+    if args.view.section.is_some() {
+        return Err(CliError::Usage(
+            "--section: the methods that are studied know no section".to_owned(),
+        ));
+    }
     if let Some(px) = args.budget {
         return budget(args, px);
     }
@@ -64,7 +72,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
         None
     } else {
         let mut loaded = load(&args.scene)?;
-        let view = args.view.apply(&mut loaded)?;
+        let view = uncut(args.view.apply(&mut loaded)?);
         Some(SceneRays::new(
             &loaded.scene,
             view,
@@ -98,7 +106,7 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
         return Err(CliError::Usage("--budget takes pixels above 0".to_owned()));
     }
     let mut loaded = load(&args.scene)?;
-    let view = args.view.apply(&mut loaded)?;
+    let view = uncut(args.view.apply(&mut loaded)?);
     let rays = SceneRays::new(&loaded.scene, view, BUDGET_RAYS, args.seed);
     let effort = Effort {
         seed: args.seed,
@@ -119,4 +127,12 @@ fn progress_bar() -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
+}
+
+/// A view without its scene file's section, which no method knows.
+fn uncut(view: View) -> View {
+    if view.section.is_some() {
+        log::warn!("the scene file's section is left out: the methods that are studied know none");
+    }
+    view.uncut()
 }

@@ -120,6 +120,7 @@ struct Line<'a> {
     same: usize,
     edge: usize,
     depth: usize,
+    section: usize,
     f32_limit: usize,
     beyond_f32: usize,
     unexplained: usize,
@@ -195,6 +196,7 @@ impl<'a> Outcome<'a> {
             same: report.same(),
             edge: report.count(Class::Edge),
             depth: report.count(Class::Depth),
+            section: report.count(Class::Section),
             f32_limit: report.count(Class::F32Limit),
             beyond_f32: report.count(Class::BeyondF32),
             unexplained: report.count(Class::Unexplained),
@@ -237,6 +239,10 @@ impl<'a> Outcome<'a> {
                 Class::Edge => "the centre lies on an outline, to 1/256 pixel".to_owned(),
                 Class::Depth => {
                     "two surfaces as deep, to the depth buffer and at most half a pixel's width"
+                        .into()
+                }
+                Class::Section => {
+                    "the section passes the surface, to 1/256 pixel or f32 and at most half a pixel's width"
                         .into()
                 }
                 Class::F32Limit => format!(
@@ -304,7 +310,11 @@ impl<'a> Outcome<'a> {
                 at.outline_px, at.outline_error_px
             )
         } else if at.strain.is_finite() {
-            format!("{:.2} of what the depth buffer may be off", at.strain)
+            let what = match at.class {
+                Class::Section => "drawing",
+                _ => "the depth buffer",
+            };
+            format!("{:.2} of what {what} may be off", at.strain)
         } else {
             "no outline and no depth comes into question".to_owned()
         };

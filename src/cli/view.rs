@@ -2,7 +2,7 @@
 
 use super::{CliError, value};
 use crate::{
-    camera::{CameraChoice, DepthMapping, Projection, UpAxis, View, Viewport},
+    camera::{CameraChoice, DepthMapping, Projection, SectionChoice, UpAxis, View, Viewport},
     geometry::Sides,
     scene::Loaded,
 };
@@ -51,6 +51,18 @@ pub struct ViewArgs {
     /// Which world axis points up [default: y]
     #[arg(long, value_name = "AXIS", value_parser = up_axis_parser())]
     pub up_axis: Option<UpAxis>,
+    /// Cut the world by a plane: what lies behind is not drawn, not picked
+    ///
+    /// NX,NY,NZ,C keeps the points p with N . p + C >= 0; x:0.5 what lies
+    /// at 0.5 and beyond along an axis, -x:0.5 what lies before;
+    /// points:X,Y,Z/X,Y,Z/X,Y,Z the side from which three points are
+    /// counter-clockwise; face:ID,TRIANGLE what lies behind a triangle, as
+    /// picks number it (of a cube a face 0 to 5: +x, -x, +y, -y, +z, -z;
+    /// face:ID is a square). The plane itself is kept. none leaves a scene
+    /// file's out.
+    #[arg(long, value_name = "PLANE", allow_hyphen_values = true)]
+    #[arg(verbatim_doc_comment)]
+    pub section: Option<SectionChoice>,
     /// Hide objects: neither drawn nor picked
     #[arg(long, value_name = "ID,...", value_delimiter = ',', value_parser = value::id)]
     #[arg(allow_hyphen_values = true)]
@@ -86,6 +98,7 @@ impl ViewArgs {
             far: self.far,
             depth: self.depth,
             up_axis: self.up_axis,
+            section: self.section,
         }
     }
 
@@ -120,6 +133,18 @@ impl ViewArgs {
             },
             _ => CliError::View(source),
         })?;
+        let section = flags.or(loaded.camera).section.unwrap_or_default();
+        let section =
+            loaded
+                .scene
+                .section(section)
+                .map_err(|source| match &loaded.camera_file {
+                    Some(file) if flags.section.is_none() => CliError::SceneSection {
+                        file: file.clone(),
+                        source,
+                    },
+                    _ => CliError::Usage(format!("--section: {source}")),
+                })?;
         let [eye, target, up] = [camera.eye(), camera.target(), camera.up_hint()]
             .map(|v| format!("{},{},{}", v.x, v.y, v.z));
         let lens = camera.lens();
@@ -136,6 +161,7 @@ impl ViewArgs {
             camera,
             viewport: self.size(),
             sides: self.sides(),
+            section,
         })
     }
 }

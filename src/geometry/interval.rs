@@ -7,7 +7,7 @@ use glam::DVec3;
 pub(crate) const HALF_OF_THE_DIGITS: f64 = power_of_two(-26);
 
 /// A computed number and an upper bound on how far it is from the exact one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Approximate {
     pub value: f64,
     pub error: f64,

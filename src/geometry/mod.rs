@@ -5,7 +5,7 @@
 //!
 //! * **t** is the ray parameter of `origin + t * direction`. `direction` need not be a unit vector; a ray
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
-//! * A hit counts when `t_min <= t < t_max`; nothing else clips.
+//! * A hit counts when `t_min <= t < t_max`, of a world-space ray also only where its [`Section`] keeps it; nothing else clips.
 //! * **The exact ray** of a decision is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`]
 //!   holds the numbers that a pixel's ray is made of ([`PixelGrid`]), a [`PlacedRay`] also the model matrix that it went
 //!   through; both carry bounds on how far their rounded numbers are off. Shapes decide as exact arithmetic would for the
@@ -31,6 +31,7 @@ mod pyramid;
 #[cfg(test)]
 pub(crate) mod random;
 mod ray;
+mod section;
 pub(crate) mod shares;
 mod sphere;
 mod square;
@@ -47,7 +48,7 @@ pub use cuboid::Cuboid;
 pub(crate) use exact::dyadic;
 pub(crate) use exact::{
     Corners, Parameter, Surface, are_coplanar, are_in_one_plane, area, compare_surfaces,
-    compare_to_point, is_point_within,
+    compare_to_point, is_point_within, keeps,
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::{LocalRay, PlacedRay};
@@ -58,6 +59,8 @@ pub use placement::{Placement, PlacementError, sin_cos_quarters};
 pub(crate) use pyramid::Pyramid;
 pub(crate) use ray::RayDifferential;
 pub use ray::{PixelGrid, PixelRays, Ray, RayError, WorldRay};
+pub(crate) use section::Across;
+pub use section::{Section, SectionError};
 pub use sphere::Sphere;
 pub use square::Square;
 pub(crate) use triangle::overlap;

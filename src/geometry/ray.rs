@@ -1,7 +1,7 @@
 //! Rays: the numbers of one, and what a pixel's ray is made of.
 
 use super::{
-    ThroughPoint, U,
+    Across, Section, ThroughPoint, U,
     binary::power_of_two,
     double_double::{Number, Vector},
 };
@@ -116,9 +116,25 @@ pub struct WorldRay<'a> {
     ray: Ray,
     error: RayError,
     line: Line<'a>,
+    section: Option<Across>,
 }
 
 impl<'a> WorldRay<'a> {
+    /// It, when hits only count where a section keeps them. Its interval ends where that cuts it, rounded outwards: what is
+    /// hit close to there is for whoever asks for hits to decide.
+    #[must_use]
+    pub fn cut_by(mut self, section: &Section) -> Self {
+        let across = Across::new(*section, &self.ray, &self.error);
+        [self.ray.t_min, self.ray.t_max] = across.of_interval([self.ray.t_min, self.ray.t_max]);
+        self.section = Some(across);
+        self
+    }
+
+    /// The section that cuts it.
+    pub(crate) fn section(&self) -> Option<&Across> {
+        self.section.as_ref()
+    }
+
     /// How far its rounded numbers may be off.
     #[must_use]
     pub fn error(&self) -> RayError {
@@ -131,7 +147,12 @@ impl<'a> WorldRay<'a> {
 
     /// A line whose numbers are rounded to those of a ray, with bounds on what that takes.
     pub(super) fn of_line(ray: Ray, error: RayError, line: Line<'a>) -> Self {
-        Self { ray, error, line }
+        Self {
+            ray,
+            error,
+            line,
+            section: None,
+        }
     }
 }
 
@@ -152,6 +173,7 @@ impl From<Ray> for WorldRay<'_> {
                 origin: ray.origin,
                 direction: ray.direction,
             },
+            section: None,
         }
     }
 }
@@ -260,6 +282,7 @@ impl PixelGrid {
         PixelRays {
             grid: *self,
             interval,
+            section: None,
             right,
             up,
             is_bounded,
@@ -272,6 +295,7 @@ impl PixelGrid {
 pub struct PixelRays {
     grid: PixelGrid,
     interval: [f64; 2],
+    section: Option<Section>,
     /// For half a pixel to the right: `(h / H) R`.
     right: DVec3,
     /// For half a pixel upwards: `(h / H) U`.
@@ -281,6 +305,12 @@ pub struct PixelRays {
 }
 
 impl PixelRays {
+    /// They, when hits only count where a section keeps them; by none, where nothing does.
+    #[must_use]
+    pub fn cut_by(self, section: Option<Section>) -> Self {
+        Self { section, ..self }
+    }
+
     /// The ray through a position in pixels; see [`PixelGrid::ray`].
     ///
     /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once, the sum
@@ -309,13 +339,18 @@ impl PixelRays {
         } else {
             [DVec3::ZERO, error]
         };
-        WorldRay {
+        let ray = WorldRay {
             ray,
             error: RayError { origin, direction },
             line: Line::Pixel {
                 grid: self.grid,
                 px,
             },
+            section: None,
+        };
+        match &self.section {
+            None => ray,
+            Some(section) => ray.cut_by(section),
         }
     }
 

@@ -11,9 +11,15 @@ use glam::DVec2;
 /// How far, in pixels, to look for a pixel with another answer.
 pub(super) const REACH: f64 = 8.0;
 
-/// The rays through the corners of a square about a position that holds all centres within reach.
+/// The corners, in pixels, of a square about a position that holds all centres within reach.
+pub(super) fn corners_px(px: DVec2) -> [DVec2; 4] {
+    beam::corners([px - REACH, px + REACH])
+}
+
+/// The rays through them, not cut by a section.
 pub(super) fn corners(view: &View, px: DVec2) -> [WorldRay<'static>; 4] {
-    beam::corners([px - REACH, px + REACH]).map(|px| view.ray(px))
+    let rays = view.uncut().rays();
+    corners_px(px).map(|px| rays.ray(px))
 }
 
 /// About these rays, in the object space of a placement; `None` where rounding leaves none.

@@ -32,6 +32,7 @@ impl<'a> Beam<'a> {
 
     /// The rays through a rectangle of pixels, given by its corners in pixels.
     pub fn of_tile(scene: &'a Scene, rays: &PixelRays, [min, max]: [DVec2; 2]) -> Self {
+        let rays = rays.cut_by(None);
         let corners = corners([min, max]).map(|px| rays.ray(px));
         let side_px = (max - min).max_element() + 2.0 * ROOM;
         let batches = batches(scene, |placement| pyramid(&corners, placement, side_px));

@@ -8,13 +8,13 @@
 
 use super::{
     SceneHit,
-    around::{REACH, corners, pyramid},
+    around::{REACH, corners, corners_px, pyramid},
     nearest::{closest, first_on, shows_part},
     order::{comes_later, order},
 };
 use crate::{
     camera::{View, pixel_centre},
-    geometry::{Cuboid, Placement, Sphere, WorldRay, binary::power_of_two},
+    geometry::{Cuboid, Placement, Sides, Sphere, WorldRay, binary::power_of_two},
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
@@ -141,8 +141,10 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
         let spread = spread + ROOM * size;
         lens.near < depth - spread && depth + spread < lens.far
     });
-    let mut corners = corners(view, px).into_iter();
-    lies_between && corners.all(|ray| first_of(scene, view, &ray, shown).is_some())
+    // A section leaves convex what shows of a solid's both sides together, not of its front.
+    let is_convex = spread.is_none() || view.section.is_none() || view.sides == Sides::Both;
+    let meets = |px: &DVec2| first_of(scene, view, &view.ray(*px), shown).is_some();
+    lies_between && is_convex && corners_px(px).iter().all(meets)
 }
 
 /// The first shown hit on it.

@@ -23,7 +23,8 @@
 //! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
 //!
 //! **The answer.** A hit counts where `near <= t < far`, each hit for itself: where the near plane cuts a sphere, its
-//! exit counts and its entry does not. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits count. The
+//! exit counts and its entry does not. A [`Section`](crate::geometry::Section) counts likewise: hits whose exact point has
+//! `n . p + c >= 0`, closed, for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits count. The
 //! pick is the hit with the least t on the visible objects; of equal ones that on the first object, and then on the
 //! first triangle. [`all`] has every hit in this order, of a solid the entry before the exit.
 //!

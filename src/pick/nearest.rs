@@ -3,7 +3,7 @@
 
 use super::{
     Beam, SceneHit,
-    order::{by_name, is_same_place, order},
+    order::{by_name, is_at_section, is_kept, is_same_place, order},
 };
 use crate::{
     geometry::{
@@ -36,6 +36,7 @@ pub(super) fn nearest(
         let local = &placement.local_ray(ray);
         let found = in_batch(scene, batch, entry, &local.until(limit), sides, |found| {
             after.is_none_or(|after| order(scene, ray, found, after).is_gt())
+                && is_kept(scene, ray, found)
         });
         best = lesser(scene, ray, best, found);
         if let Some(best) = &best {
@@ -46,7 +47,7 @@ pub(super) fn nearest(
     best
 }
 
-/// [`closest`] by another triangle test.
+/// [`closest`] by another triangle test. A section ends the ray's interval on meshes, rounded outwards.
 #[must_use]
 pub fn closest_by<'a>(
     scene: &Scene,
@@ -67,7 +68,9 @@ pub fn closest_by<'a>(
                 let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
-            _ => in_batch(scene, batch, None, &local, sides, |_| true),
+            _ => in_batch(scene, batch, None, &local, sides, |found| {
+                is_kept(scene, ray, found)
+            }),
         };
         best = lesser(scene, ray, best, found);
     }
@@ -128,6 +131,9 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
         }
         ray.t_max
     });
+    if ray.section().is_some() {
+        all.retain(|hit| is_kept(scene, ray, hit));
+    }
     all
 }
 
@@ -148,8 +154,9 @@ pub(super) fn first_on(
         (Shape::Mesh { mesh, .. }, Some(triangle)) => [mesh.hit(&local, triangle), None],
         _ => analytic_hits(shape, &local),
     };
-    let shown = hits.iter().flatten().find(|hit| sides.shows(hit));
-    shown.map(|hit| SceneHit { object, hit: *hit })
+    let shown = hits.into_iter().flatten().filter(|hit| sides.shows(hit));
+    let mut shown = shown.map(|hit| SceneHit { object, hit });
+    shown.find(|hit| is_kept(scene, ray, hit))
 }
 
 /// Whether `f64` alone leaves open if a world-space ray hits one of the visible surfaces no later than at `limit`. The
@@ -180,7 +187,12 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
                     Shape::Sphere => Sphere::is_in_doubt(&local),
                     Shape::Cube => Cuboid::is_in_doubt(&local),
                     Shape::Square => Square::is_in_doubt(&local),
-                };
+                }
+            || ray.section().is_some() && {
+                // A tree may leave out what is met behind the limit.
+                let is_open = |hit: &SceneHit| hit.limit() <= limit && is_at_section(ray, hit);
+                in_batch(scene, batch, None, &local, Sides::Both, is_open).is_some()
+            };
         // Once is enough: nothing lies before this.
         if found { f64::NEG_INFINITY } else { limit }
     });
@@ -196,7 +208,8 @@ pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHi
         let placement = &scene.objects()[batch.start].placement;
         let placed = placement.local_ray(ray);
         let local = placed.until(limit);
-        let overlaps = |other: &SceneHit| other != hit && other.overlaps(hit);
+        let overlaps =
+            |other: &SceneHit| other != hit && other.overlaps(hit) && is_kept(scene, ray, other);
         found = found || in_batch(scene, batch, None, &local, sides, overlaps).is_some();
         if found { f64::NEG_INFINITY } else { limit }
     });

@@ -4,6 +4,7 @@ use super::SceneHit;
 use crate::{
     geometry::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
+        keeps,
     },
     scene::{Object, Scene, Shape},
 };
@@ -20,6 +21,21 @@ pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
     (a.object.cmp(&b.object))
         .then(a.triangle().cmp(&b.triangle()))
         .then(b.hit.front.cmp(&a.hit.front))
+}
+
+/// Whether the section that cuts a ray, if one does, keeps one of its hits.
+#[inline]
+pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
+    ray.section().is_none_or(|across| {
+        let sure = across.keeps(hit.hit.t, hit.hit.t_error);
+        sure.unwrap_or_else(|_| keeps(ray, &across.section, &surface(scene, hit)))
+    })
+}
+
+/// Whether `f64` leaves [`is_kept`] to exact arithmetic.
+pub(super) fn is_at_section(ray: &WorldRay, hit: &SceneHit) -> bool {
+    let across = ray.section();
+    across.is_some_and(|across| across.keeps(hit.hit.t, hit.hit.t_error).is_err())
 }
 
 /// How far `next` lies behind `hit`, which is at `t`: the exact difference in `t`, rounded once.

@@ -132,9 +132,10 @@ fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
         .direction
         .dot(object.placement.normal_to_world(hit.hit.normal))
         < 0.0;
-    let light = look::shade(
-        object.albedo(&hit.hit),
-        if front { normal } else { -normal },
-    );
+    let albedo = match view.section {
+        Some(_) if !front => look::INSIDE.to_linear(),
+        _ => object.albedo(&hit.hit),
+    };
+    let light = look::shade(albedo, if front { normal } else { -normal });
     Srgb::from_linear(light)
 }

@@ -22,7 +22,8 @@ pub enum Sight {
     Seen(SceneHit),
     /// This lies before it, nearest to the eye.
     Hidden(SceneHit),
-    /// Nothing is shown there: it lies before the near plane or not before the far one, or no surface through it shows.
+    /// Nothing is shown there: it lies before the near plane or not before the far one, a section cuts it away, or no surface
+    /// through it shows.
     NotShown,
 }
 
@@ -33,6 +34,7 @@ pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
     let Some(ray) = through.ray().filter(is_point_within) else {
         return Sight::NotShown;
     };
+    let ray = view.section.map_or(ray, |section| ray.cut_by(&section));
     let hit = closest(scene, ray, view.sides);
     let order = hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit)));
     match (hit, order) {

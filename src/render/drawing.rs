@@ -190,14 +190,13 @@ impl Renderer {
         let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let mut encoder = gpu.encoder();
         {
-            let depth = view.camera.lens().depth;
             let mut render_pass = match pass {
                 Pass::Mask => outline::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &bindings.triangles, &[]);
             if is_first && has_colours {
-                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, depth));
+                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }
             // What is drawn past the rows, as drivers may, is drawn again: the same.
@@ -212,7 +211,7 @@ impl Renderer {
                 self.draw_edges(gpu, &mut render_pass, pass, &view, &bindings, draw, slice);
             }
             if !line_ends.is_empty() {
-                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, depth));
+                render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));
                 render_pass.set_vertex_buffer(0, line_buffer.slice(..));
                 render_pass.draw(line_ends, 0..1);
             }

@@ -96,6 +96,7 @@ mod tests {
             camera: camera.expect("a camera"),
             viewport: Viewport::new(320, 200).expect("a viewport"),
             sides: Sides::Both,
+            section: None,
         }
     }
 

@@ -35,6 +35,16 @@ pub struct Frame {
     pub background_bottom: [f32; 3],
     /// Light from above.
     pub fill: f32,
+    /// Of the section's test, per pixel right and down.
+    pub section_per_px: [f32; 2],
+    /// Its value in the picture's middle.
+    pub section_start: f32,
+    /// Per w in perspective, per stored depth in orthographic projection.
+    pub section_per_q: f32,
+    /// Linear colour of back faces where a section lets one look into solids.
+    pub inside: [f32; 3],
+    /// What of the test's terms is drawn before the plane.
+    pub section_slack: f32,
 }
 
 /// One model matrix under this frame's view, for the triangles of a batch.

@@ -35,6 +35,7 @@ mod pipelines;
 mod raster;
 mod readback;
 mod scene_buffers;
+pub(crate) mod section;
 mod seen;
 mod slices;
 pub mod sphere;

@@ -6,7 +6,7 @@ use super::{
     layout::{LineVertex, Vertex},
     targets::{COLOUR, DEPTH, IDS, MARKS},
 };
-use crate::camera::DepthMapping;
+use crate::camera::{DepthMapping, View};
 use std::{collections::HashMap, mem::offset_of};
 use wgpu::{VertexAttribute, VertexFormat};
 
@@ -85,7 +85,8 @@ pub(super) enum Drawn {
     Background,
 }
 
-type Key = (Pass, Drawn, DepthMapping);
+/// With whether a section cuts the world.
+type Key = (Pass, Drawn, DepthMapping, bool);
 
 /// All pipelines that draw the scene.
 #[derive(Debug)]
@@ -182,9 +183,11 @@ impl Pipelines {
         gpu: &Gpu,
         pass: Pass,
         drawn: Drawn,
-        depth: DepthMapping,
+        view: &View,
     ) -> wgpu::RenderPipeline {
-        let key = (pass, drawn, depth);
+        let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background);
+        let is_cut = view.section.is_some() && !is_uncut;
+        let key = (pass, drawn, view.camera.lens().depth, is_cut);
         if let Some(pipeline) = self.made.get(&key) {
             return pipeline.clone();
         }
@@ -193,16 +196,21 @@ impl Pipelines {
         pipeline
     }
 
-    fn make(&self, gpu: &Gpu, (pass, drawn, depth): Key) -> wgpu::RenderPipeline {
-        let surface_entry = match pass {
-            Pass::ColourAndIds => "colour_and_id",
-            Pass::Colour => "colour",
-            Pass::Ids => "id",
-            Pass::Mask => "mask",
+    fn make(&self, gpu: &Gpu, (pass, drawn, depth, is_cut): Key) -> wgpu::RenderPipeline {
+        let surface_entry = match (pass, is_cut) {
+            (Pass::ColourAndIds, false) => "colour_and_id",
+            (Pass::ColourAndIds, true) => "colour_and_id_cut",
+            (Pass::Colour, false) => "colour",
+            (Pass::Colour, true) => "colour_cut",
+            (Pass::Ids, false) => "id",
+            (Pass::Ids, true) => "id_cut",
+            (Pass::Mask, false) => "mask",
+            (Pass::Mask, true) => "mask_cut",
         };
+        let edge_entry = if is_cut { "edge_cut" } else { "edge" };
         let (module, vertex, fragment) = match drawn {
             Drawn::Triangles { .. } => (&self.mesh, "vertex", surface_entry),
-            Drawn::Edges => (&self.mesh, "vertex", "edge"),
+            Drawn::Edges => (&self.mesh, "vertex", edge_entry),
             Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
             Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
             Drawn::Background => (&self.overlay, "cover", "background_colour"),

@@ -106,8 +106,7 @@ impl Renderer {
         slice: &Slice,
     ) {
         if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
-            let depth = view.camera.lens().depth;
-            pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, depth));
+            pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, view));
             pass.set_bind_group(0, &bindings.triangles, &[]);
             pass.set_vertex_buffer(0, buffers.vertices.slice(..));
             pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
@@ -128,7 +127,6 @@ impl Renderer {
         draws: &[Draw],
         slice: &Slice,
     ) {
-        let depth = view.camera.lens().depth;
         let draw = &draws[slice.draw];
         let instances = slice.instances.clone();
         match &draw.shape {
@@ -136,14 +134,14 @@ impl Renderer {
                 let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
                 let drawn = Drawn::Triangles { culled_mirrored };
                 let indices = 3 * slice.triangles.start..3 * slice.triangles.end;
-                pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, depth));
+                pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, view));
                 pass.set_bind_group(0, &bindings.triangles, &[]);
                 pass.set_vertex_buffer(0, buffers.vertices.slice(..));
                 pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
                 pass.draw_indexed(indices, 0, instances);
             }
             DrawnShape::Spheres => {
-                pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, depth));
+                pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, view));
                 pass.set_bind_group(0, &bindings.spheres, &[]);
                 pass.draw(0..4, instances);
             }

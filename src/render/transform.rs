@@ -1,7 +1,11 @@
 //! From the `f64` camera and model matrices to the few `f32` numbers that shaders get. All products are composed
 //! before they are rounded: the error is that of one rounding of the result, wherever in the world things stand.
 
-use super::{layout, view_space::ViewSpace};
+use super::{
+    layout,
+    section::{KEPT_BEFORE, ScreenSection},
+    view_space::ViewSpace,
+};
 use crate::{
     camera::{DepthMapping, Projection, View},
     geometry::{
@@ -52,6 +56,8 @@ pub fn frame(view: &View) -> layout::Frame {
     let perspective = matches!(lens.projection, Projection::Perspective { .. });
     let [ambient, key, fill] = look::LIGHT;
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
+    let section = ScreenSection::of(view).map_or([0.0; 4], |section| section.numbers());
+    let [right, down, section_start, section_per_q] = section;
     // In perspective both sides of the division have the unit.
     let unit = if perspective { 1.0 } else { view_unit(view) };
     layout::Frame {
@@ -68,6 +74,11 @@ pub fn frame(view: &View) -> layout::Frame {
         key,
         background_bottom,
         fill,
+        section_per_px: [right, down],
+        section_start,
+        section_per_q,
+        inside: look::INSIDE.to_linear(),
+        section_slack: narrow(KEPT_BEFORE * U),
     }
 }
 

@@ -10,6 +10,7 @@
 //! far = 100
 //! depth = "reversed"         # or "standard"
 //! up_axis = "y"              # or "z"
+//! section = "-x:0.5"         # what cuts the world, in the words of [`SectionChoice`](crate::camera::SectionChoice)
 //!
 //! [[object]]
 //! shape = "sphere"           # sphere (radius 0.5), cube (side 1), square (side 1, facing +z) or mesh

@@ -15,6 +15,7 @@ mod object;
 mod problem;
 mod progress;
 mod save;
+mod section;
 mod sums;
 mod tree;
 mod warning;
@@ -30,6 +31,7 @@ pub use object::{Object, Shape};
 pub use problem::{DescriptionError, Problem, SaveError};
 pub use progress::{Cancelled, Progress};
 pub use save::save;
+pub use section::NoSection;
 pub use warning::Warning;
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};

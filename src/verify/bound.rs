@@ -230,6 +230,6 @@ pub(super) fn beyond_f32(error_px: f64, depth_error: f64, depth_ceiling: f64) ->
 }
 
 /// What is needed over what is allowed, when it suffices. Neither nothing nor infinity nor NaN allows anything.
-fn strain(needed: f64, allowed: f64) -> Option<f64> {
+pub(super) fn strain(needed: f64, allowed: f64) -> Option<f64> {
     (allowed > 0.0 && allowed.is_finite() && needed <= allowed).then(|| needed / allowed)
 }

@@ -8,7 +8,7 @@ use super::{
     adjoining::Adjoining,
     bound::Reason,
     polygon::{Corner, Polygon, outline, polygon},
-    surface::{Source, Surface},
+    surface::{Source, Surface, with_cut_neighbours},
 };
 use crate::{
     camera::Projection,
@@ -90,7 +90,7 @@ impl Flat<'_> {
             };
             Some(surface(polygon, goes_on))
         });
-        faces.collect()
+        with_cut_neighbours(faces.collect())
     }
 
     /// A triangle of the mesh of the batch that begins with this object, and all that may show in its place of those that
@@ -143,7 +143,7 @@ impl Flat<'_> {
                 ..own
             });
         }
-        surfaces
+        with_cut_neighbours(surfaces)
     }
 
     fn polygon(&self, corners_vertex_space: &[DVec3]) -> Option<Polygon> {

@@ -3,7 +3,6 @@
 use super::{
     GRID_PX,
     polygon::{project, w},
-    surface::Depths,
 };
 use crate::{
     camera::View,
@@ -15,7 +14,8 @@ use glam::{DVec2, DVec3};
 /// A corner in the picture, in pixels, and what the depth buffer stores there.
 type Corner = (DVec2, f64);
 
-/// How far off, at a pixel, what the depth buffer stores for a flat polygon may be beside what it stores for its corners:
+/// How far off, at a pixel, what the depth buffer stores for a flat polygon may be beside what it stores for its corners, or
+/// another number that is linear over the picture, given by depth past near:
 /// those of what [`within_picture`] leaves of it. The pixel may lie `reach_px` outside.
 ///
 /// It is drawn as triangles between these corners, nobody knows which. The plane through three corners has slopes that
@@ -24,14 +24,14 @@ type Corner = (DVec2, f64);
 /// largest depth.
 pub(super) fn error(
     view: &View,
-    depths: &Depths,
+    stored: impl Fn(f64) -> f64,
     within_picture: &[DVec3],
     px: DVec2,
     reach_px: f64,
 ) -> f64 {
     let corners = within_picture.iter();
     let corners: Vec<Corner> = corners
-        .map(|corner| (project(view, *corner), depths.stored(corner.z)))
+        .map(|corner| (project(view, *corner), stored(corner.z)))
         .collect();
     let n = corners.len();
     let triangles = (0..n).flat_map(|i| (1..n - 1).map(move |j| [i, (i + j) % n, (i + j + 1) % n]));

@@ -10,6 +10,9 @@
 //!   [`sphere`](crate::render::sphere)), carry it across, and its depth there is one that the answer needs;
 //! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell, or closer together than the ceiling;
 //!   the empty buffer counts as a surface at the far plane, and so does the near plane;
+//! * **section**: a section passes one side's surface at the centre so near that the grid, and what `f32` makes of the test
+//!   in the shaders ([`ScreenSection`](crate::render)), leave open whether it is kept, and its depth there is one that the
+//!   answer needs;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
 //! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]); or a
 //!   surface for which there is no bound, or one larger than the picture; or one well before the far plane that the buffer
@@ -58,6 +61,7 @@ mod picture;
 mod polygon;
 mod report;
 mod round;
+mod section;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -86,7 +90,8 @@ pub const OUTLINE_CEILING_PX: f64 = 0.5;
 /// between near and far where that is less: 1/8192 of it. Nor may it be off by more than half a pixel's width, or by more
 /// than moving the surface aside by half a pixel makes of it, where that is more.
 ///
-/// These are lengths, and do not depend on what a depth buffer stores.
+/// These are lengths, and do not depend on what a depth buffer stores. They hold for sections, too: for how far off along
+/// the line of sight the shaders may be about where the plane passes.
 pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
 
 /// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.
@@ -100,6 +105,8 @@ pub enum Class {
     Edge,
     /// Both surfaces are as deep, to the depth buffer's steps.
     Depth,
+    /// The section passes a surface at the centre, to what drawing can tell.
+    Section,
     /// The centre lies on an outline, to what `f32` can tell, which here is less than the grid.
     F32Limit,
     /// One of these by a bound above the ceiling, or there is no bound: drawing in `f32` cannot hold the view.
@@ -110,9 +117,10 @@ pub enum Class {
 
 impl Class {
     /// All, in order.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Edge,
         Self::Depth,
+        Self::Section,
         Self::F32Limit,
         Self::BeyondF32,
         Self::Unexplained,
@@ -124,6 +132,7 @@ impl Class {
         match self {
             Self::Edge => "edge",
             Self::Depth => "depth",
+            Self::Section => "section",
             Self::F32Limit => "f32 limit",
             Self::BeyondF32 => "beyond f32",
             Self::Unexplained => "unexplained",

@@ -9,9 +9,10 @@ use crate::{
 };
 
 /// What each class is painted in, and the colour's name.
-pub const COLOURS: [(Class, Srgb, &str); 5] = [
+pub const COLOURS: [(Class, Srgb, &str); 6] = [
     (Class::Edge, look::EDGE, "blue"),
     (Class::Depth, look::DEPTH, "yellow"),
+    (Class::Section, look::AT_SECTION, "brown"),
     (Class::F32Limit, look::F32_LIMIT, "green"),
     (Class::BeyondF32, look::BEYOND_F32, "pink"),
     (Class::Unexplained, look::WRONG, "vermilion"),

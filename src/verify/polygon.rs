@@ -4,6 +4,7 @@ use super::{
     GRID_PX, OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
     interpolation,
+    section::Sectioned,
     surface::{Depths, Source, Surface, ViewRay},
 };
 use crate::{
@@ -55,10 +56,8 @@ pub(super) fn polygon(
     let normal = (b - a).cross(c - a);
     let past_near = ray.depth_on(a, normal);
     let clipped = clipping_error(view, corners);
-    let error = corners
-        .iter()
-        .fold(ViewError::default(), |all, at| all.max(at.error))
-        + clipped;
+    let errors = corners.iter().map(|at| at.error);
+    let error = errors.fold(ViewError::default(), ViewError::max) + clipped;
     let exact = corners
         .iter()
         .all(|corner| depths.clips_exactly(corner.view.z));
@@ -87,7 +86,8 @@ pub(super) fn polygon(
         .map(|[from, to]| (from.edge, edge(view, px, [from.at, to.at], clipped)))
         .collect();
     // Seen edge-on it may be as deep as any of it.
-    let slope = ray.slope(near + past_near, normal).length();
+    let slope_px = ray.slope(near + past_near, normal);
+    let slope = slope_px.length();
     let at = if past_near.is_finite() {
         past_near
     } else {
@@ -103,7 +103,7 @@ pub(super) fn polygon(
     };
     let rounding = may_be.map(|end| depths.error(end, &error));
     let rounding = larger(rounding[0], rounding[1])
-        + interpolation::error(view, &depths, &shown, px, GRID_PX + f32_px);
+        + interpolation::error(view, |z| depths.stored(z), &shown, px, GRID_PX + f32_px);
     let rounding = if is_known(&depths, corners, past_near) {
         rounding
     } else {
@@ -127,14 +127,20 @@ pub(super) fn polygon(
         ceiling(0.0),
     );
     let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
+    let section = Sectioned::new(space);
+    let section = section.face(px, past_near, slope_px, f32_px, &error, || {
+        interpolation::error(view, |z| section.q(z), &shown, px, GRID_PX + f32_px)
+    });
+    let cuts = cut.into_iter().chain(section.reason.filter(|_| covers));
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
     let outlines = edges.iter().map(|(_, outline)| *outline);
     let surface = Surface {
-        loose: border.reason().into_iter().chain(cut).reduce(Reason::or),
+        loose: border.reason().into_iter().chain(cuts).reduce(Reason::or),
         crossed: None,
+        cut: section.reason,
         triangle: None,
         outline: outlines.fold(border, Outline::nearer),
-        covers: covers && past_near >= 0.0,
+        covers: covers && past_near >= 0.0 && section.keeps,
         depth: near + past_near,
         stored: Stored {
             nearness: depths.nearness(at),

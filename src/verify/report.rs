@@ -54,7 +54,7 @@ pub enum Verdict {
     /// So many pixels differ where drawing in `f32` cannot hold the view. The rest is explained.
     BeyondF32(usize),
     /// So many pixels are picked and not one is drawn, whatever explains them one by one; unless all that is picked is at
-    /// most four pixels, each on an edge: something smaller than a pixel may be seen or not.
+    /// most four pixels, each on an edge: something smaller than a pixel may be seen or not; or a section passes all of them.
     NothingDrawn(usize),
     /// So many pixels are drawn and not one is picked, likewise.
     NothingPicked(usize),
@@ -96,11 +96,17 @@ impl Report {
         let [beyond, unexplained] = [Class::BeyondF32, Class::Unexplained].map(|c| self.count(c));
         match (self.drawn, self.picked) {
             _ if unexplained > 0 => Verdict::Unexplained(unexplained),
-            (0, 1..) if !self.is_a_speck() => Verdict::NothingDrawn(self.picked),
-            (1.., 0) if !self.is_a_speck() => Verdict::NothingPicked(self.drawn),
+            (0, 1..) if !self.may_be_empty() => Verdict::NothingDrawn(self.picked),
+            (1.., 0) if !self.may_be_empty() => Verdict::NothingPicked(self.drawn),
             _ if beyond > 0 => Verdict::BeyondF32(beyond),
             _ => Verdict::Agrees,
         }
+    }
+
+    /// Whether one picture may show nothing where the other does: a speck, or a face in the plane of a section, of which
+    /// drawing cannot tell whether it is kept.
+    fn may_be_empty(&self) -> bool {
+        self.is_a_speck() || self.count(Class::Section) == self.disagreements.len()
     }
 
     /// Whether all that differs is so little that it may be one thing smaller than a pixel, beside whose edge the centre lies.

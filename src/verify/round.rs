@@ -3,6 +3,7 @@
 use super::{
     OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
+    section::Sectioned,
     surface::{Depths, Source, Surface},
 };
 use crate::{
@@ -15,14 +16,15 @@ use crate::{
 };
 use glam::DVec2;
 
-/// The sphere's front and, where the near plane opens it or the eye is inside, its back at a pixel: what drawing may show.
+/// The sphere's front and, where the near plane or a section opens it or the eye is inside, its back at a pixel: what
+/// drawing may show.
 pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
     let (both, is_opened) = both(space, placement, px);
     let shown = 1 + usize::from(is_opened && space.view().sides == Sides::Both);
     both.into_iter().take(shown).collect()
 }
 
-/// The sphere's front and its back at a pixel, and whether the near plane may open it.
+/// The sphere's front and its back at a pixel, and whether the near plane or a section may open it.
 ///
 /// No vertices make a sphere, so no grid moves it: the shader solves the ray's quadratic at the pixel's very centre.
 /// Only `f32` is to blame, as far as [`sphere::rounding`] goes.
@@ -53,7 +55,11 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         depth: error.depth[i],
         measured: error.measured[i],
     });
-    let is_opened = ends[0] < depths.near_error(&errors[0], false);
+    let section = Sectioned::new(space);
+    let sections = [0, 1].map(|i| section.sphere(px, ends[i], of_slope, &errors[i]));
+    let is_opened = ends[0] < depths.near_error(&errors[0], false)
+        || !sections[0].keeps
+        || sections[0].reason.is_some();
     let both = [0, 1].map(|i| {
         let (past_near, error) = (ends[i], errors[i]);
         let nearness = depths.nearness(past_near);
@@ -71,11 +77,14 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         };
         let cut = cut.reason(bound::beyond_f32(0.0, cut_error, ceiling(0.0)));
         Surface {
-            loose: rim.reason().into_iter().chain(cut).reduce(Reason::or),
+            loose: (rim.reason().into_iter().chain(cut))
+                .chain(sections[i].reason)
+                .reduce(Reason::or),
             crossed: None,
+            cut: None,
             triangle: None,
             outline: rim,
-            covers: discriminant >= 0.0 && past_near >= 0.0,
+            covers: discriminant >= 0.0 && past_near >= 0.0 && sections[i].keeps,
             depth: lens.near + past_near,
             stored: Stored {
                 nearness,

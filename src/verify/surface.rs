@@ -21,6 +21,8 @@ pub(super) struct Surface {
     pub loose: Option<Reason>,
     /// Why a neighbour may be there in its place, or it in a neighbour's: an edge between them is near enough.
     pub crossed: Option<Reason>,
+    /// Why drawing may see otherwise whether the section keeps it, if it is there.
+    pub cut: Option<Reason>,
     /// Of a mesh's triangle: its batch's first object and its number.
     pub triangle: Option<(usize, u32)>,
     /// Its nearest outline, near enough or not.
@@ -57,6 +59,7 @@ impl Surface {
         Self {
             loose: None,
             crossed: None,
+            cut: None,
             triangle: None,
             outline: Outline::NONE,
             covers: true,
@@ -100,6 +103,19 @@ impl Surface {
             .into_iter()
             .any(|plane| (self.depth - plane).abs() <= ceiling)
     }
+}
+
+/// A neighbour across an edge may be cut away where a surface is kept, or the other way round: what lies behind may then
+/// show at the edge between them.
+pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
+    let cut = surfaces.iter().filter_map(|surface| surface.cut);
+    if let Some(cut) = cut.reduce(Reason::or) {
+        for surface in &mut surfaces {
+            let at_edge = surface.crossed.map(|reason| cut.and(reason.class));
+            surface.loose = surface.loose.into_iter().chain(at_edge).reduce(Reason::or);
+        }
+    }
+    surfaces
 }
 
 /// Those of an object's surfaces at a pixel that drawing may show there: not a solid's far side where drawing is certain to
@@ -287,6 +303,11 @@ impl Depths {
     ///
     /// In lengths, whatever the buffer stores: one that holds less is no excuse for showing more of it wrong.
     pub fn ceiling(&self, past_near: f64) -> f64 {
+        self.stored_per_depth(past_near) * self.ceiling_world(past_near)
+    }
+
+    /// The same as a length along the line of sight.
+    pub fn ceiling_world(&self, past_near: f64) -> f64 {
         let range = self.lens.far - self.lens.near;
         let w = self.w(past_near).abs();
         let known = match self.lens.projection {
@@ -295,7 +316,7 @@ impl Depths {
         };
         let steps = DEPTH_CEILING_STEPS * f64::from(f32::EPSILON) * known;
         let aside = OUTLINE_CEILING_PX * self.pixel_at_w_1 * w;
-        self.stored_per_depth(past_near) * steps.min(aside)
+        steps.min(aside)
     }
 
     /// How fast the stored number changes with depth.

@@ -82,6 +82,7 @@ fn view(random: &mut Random, depth: DepthMapping, orthographic: bool) -> View {
         camera: Camera::new(eye, target, random.point(), lens).expect("a camera"),
         viewport: Viewport::new(1280, 720).expect("a size"),
         sides: Sides::Both,
+        section: None,
     }
 }
 

@@ -139,5 +139,6 @@ fn view() -> View {
         camera: Camera::new(eye, DVec3::ZERO, DVec3::Y, lens).expect("a camera"),
         viewport: Viewport::new(640, 480).expect("a size"),
         sides: Sides::Both,
+        section: None,
     }
 }

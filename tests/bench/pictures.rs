@@ -56,6 +56,7 @@ fn measure(name: &str, scene: &Scene) {
         camera: camera.expect("a view of it"),
         viewport,
         sides: Sides::Both,
+        section: None,
     };
     let one_by_one = || {
         pick::ids_by(scene, &view, |px| {

@@ -9,6 +9,7 @@ mod pictures;
 mod refusals;
 mod snap;
 mod stored;
+mod stored_line;
 mod streams;
 
 use serde_json::Value;

@@ -43,6 +43,19 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 5,5 --hide Front", "3,5"),
         ("pick scene.toml --at 5,5 --hide -1", "3,5"),
         ("pick scene.toml --at 5,5 --look 0,0,0", "zero"),
+        ("pick scene.toml --at 5,5 --section 1,2", "NX,NY,NZ,C"),
+        ("pick scene.toml --at 5,5 --section w:3", "x:0.5"),
+        (
+            "pick scene.toml --at 5,5 --section 0,0,0,1",
+            "must not be 0,0,0",
+        ),
+        ("pick scene.toml --at 5,5 --section x:nan", "finite"),
+        (
+            "pick scene.toml --at 5,5 --section points:0,0,0/1,1,1/2,2,2",
+            "one line",
+        ),
+        ("pick scene.toml --at 5,5 --section face:4", "1 to 3"),
+        ("study --section x:0", "no section"),
         ("study --budget -1", "above 0"),
         ("study --budget 1 --out a", "cannot be used with"),
         ("study --budget 1 --quick", "cannot be used with"),
@@ -77,7 +90,19 @@ fn a_bad_file_is_exit_code_3_and_named() {
         "[[object]]\nshape = \"cu\\nbe\\u0007\"\n",
     )
     .unwrap();
+    for (name, section) in [("no_plane", "0,0,0,1"), ("no_face", "face:3")] {
+        let text = format!("[camera]\nsection = \"{section}\"\n[[object]]\nshape = \"cube\"\n");
+        std::fs::write(folder.path(&format!("{name}.toml")), text).unwrap();
+    }
     for (args, word) in [
+        (
+            "pick no_plane.toml --at 1,1",
+            "no_plane.toml:2: a section's normal",
+        ),
+        (
+            "pick no_face.toml --at 1,1",
+            "no_face.toml: section: there is no object 3",
+        ),
         ("pick missing.toml --at 1,1", "missing.toml"),
         ("missing.obj", "missing.obj"),
         ("rendr scene.toml", "commands are render, pick, "),

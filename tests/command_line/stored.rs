@@ -6,6 +6,7 @@ use crate::exact::{
     number::{Dyadic, plus, times, vector},
     truth::{Hit, World},
 };
+use crate::stored_line::{Camera, Stored, StoredMesh, StoredObject, StoredSection};
 use clap::Parser;
 use glam::{DAffine3, DMat3, DVec3};
 use serde::Deserialize;
@@ -70,49 +71,6 @@ v 401000.4 0.1 -0.9
 f 5 6 3
 ";
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Stored {
-    camera: Camera,
-    meshes: Vec<StoredMesh>,
-    objects: Vec<StoredObject>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Camera {
-    eye: [f64; 3],
-    right: [f64; 3],
-    up: [f64; 3],
-    forward: [f64; 3],
-    half_height: f64,
-    orthographic: bool,
-    near: f64,
-    far: f64,
-    size: [u32; 2],
-    cull: bool,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredMesh {
-    origin: [f64; 3],
-    positions: Vec<[f64; 3]>,
-    triangles: Vec<[u32; 3]>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredObject {
-    id: usize,
-    name: String,
-    shape: String,
-    visible: bool,
-    matrix: [[f64; 4]; 3],
-    mesh: Option<usize>,
-    triangles: Option<[u32; 2]>,
-}
-
 fn folder() -> Folder {
     let folder = Folder::new();
     std::fs::write(folder.path("scene.toml"), SCENE).unwrap();
@@ -150,6 +108,7 @@ fn same_camera(
         camera,
         viewport,
         sides,
+        section,
     }: &View,
 ) {
     let vectors = [camera.eye(), camera.right(), camera.up(), camera.forward()];
@@ -168,6 +127,11 @@ fn same_camera(
         (printed.orthographic, printed.cull),
         (lens.is_orthographic(), *sides == Sides::Front)
     );
+    let section = section.map(|section| StoredSection {
+        normal: section.normal().to_array(),
+        offset: section.offset(),
+    });
+    assert_eq!(printed.section, section);
 }
 
 fn same_scene(printed: &Stored, scene: &Scene) {
@@ -331,6 +295,8 @@ fn line_of(camera: &Camera, [x, y]: [f64; 2]) -> Line {
         scale: height,
         near: Dyadic::of(camera.near),
         far: Dyadic::of(camera.far),
+        section: (camera.section.as_ref())
+            .map(|section| (vector(section.normal), Dyadic::of(section.offset))),
     }
 }
 
@@ -366,7 +332,12 @@ fn picks_can_be_checked_from_the_stored_numbers_alone() {
     let lines: Vec<String> = positions.iter().map(|[x, y]| format!("{x},{y}")).collect();
     let input = lines.join("\n");
     let flags = "--size 200x140 --stored --all-hits --at -";
-    for view in ["", "--cull --hide 5", "--ortho 7 --near -20 --far 40"] {
+    for view in [
+        "",
+        "--cull --hide 5",
+        "--ortho 7 --near -20 --far 40",
+        "--section 0.1,0.2,-1,0.4",
+    ] {
         let lines = json(&folder.run_with(&format!("pick scene.toml {view} {flags}"), &input));
         let (first, picks) = lines.split_first().expect("lines");
         let printed = stored(first);

@@ -37,6 +37,7 @@ pub fn view(eye: [f64; 3], target: [f64; 3], lens: Lens, size: [u32; 2]) -> View
         camera: Camera::new(eye.into(), target.into(), DVec3::Y, lens).expect("a camera"),
         viewport: Viewport::new(size[0], size[1]).expect("a viewport"),
         sides: sightline::geometry::Sides::Both,
+        section: None,
     }
 }
 

@@ -155,6 +155,7 @@ fn the_nearest_other_answer_through_long_lenses() {
                 camera,
                 viewport: Viewport::new(1280, 720).expect("a size"),
                 sides: Sides::Both,
+                section: None,
             };
             let px = DVec2::new(640.25, 360.25);
             let here = pick::pick(&scene, &view, px).expect("the large one");

@@ -222,5 +222,6 @@ pub fn view_of(random: &mut Random, camera: Camera) -> View {
         } else {
             Sides::Both
         },
+        section: None,
     }
 }

@@ -20,6 +20,7 @@ fn line(origin: DVec3, direction: DVec3) -> Line {
         scale: Dyadic::whole(1),
         near: Dyadic::of(-100.0),
         far: Dyadic::of(100.0),
+        section: None,
     }
 }
 

@@ -46,6 +46,7 @@ pub fn short_view(random: &mut Random, eye: DVec3, forward: DVec3, near: f64, fa
         } else {
             Sides::Both
         },
+        section: None,
     }
 }
 

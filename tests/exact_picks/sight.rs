@@ -3,6 +3,7 @@
 use super::{
     blocks::Sample,
     borders,
+    cuts::some_section,
     exact::{
         line::Line,
         number::{Dyadic, Vector, cross, dot, minus, plus, times, vector},
@@ -88,6 +89,9 @@ pub fn expected(world: &World, view: &View, point: &Vector) -> Told {
         scale,
         near,
         far,
+        section: view
+            .section
+            .map(|section| (vector(section.normal()), Dyadic::of(section.offset()))),
     };
     let first = world.hits(&line, view.sides).into_iter().next();
     let name = |hit: &Hit| (hit.object, hit.triangle, hit.front);
@@ -102,7 +106,12 @@ fn run(seed: u64, make: Make) -> [usize; 3] {
     let mut counts = [0; 3];
     let mut points = 0;
     while points < POINTS {
-        let Sample { scene, view, .. } = make(&mut random);
+        let Sample {
+            scene, mut view, ..
+        } = make(&mut random);
+        if random.below(2) == 0 {
+            view.section = Some(some_section(&mut random, &scene, &view));
+        }
         let world = World::of(&scene);
         if random.below(2) == 0 {
             scene.build_trees();

@@ -22,6 +22,10 @@ pub struct Tally {
     pub borders: usize,
     /// Positions where something lies exactly on the near or the far plane.
     pub planes: usize,
+    /// Positions where a section cuts away what would be hit first.
+    pub cut: usize,
+    /// Positions where something lies exactly on the section's plane.
+    pub on_section: usize,
     /// Positions where two hits, or a hit and near or far, are apart but less than [`HAIR`].
     pub hairs: usize,
     /// Pairs of positions, one step of `f64` apart, with two answers.
@@ -54,12 +58,14 @@ impl Tally {
 
     pub fn row(&self) -> String {
         format!(
-            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  hairs {:6}  steps {:6}  walks {:6}  narrowed {:6}  together {:7}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
+            "positions {:7}  hits {:7}  ties {:6}  borders {:6}  planes {:6}  cut {:6}  on section {:6}  hairs {:6}  steps {:6}  walks {:6}  narrowed {:6}  together {:7}  worst t {:8.1e}  wrong {:6}  with trees {:6}",
             self.positions,
             self.hits,
             self.ties,
             self.borders,
             self.planes,
+            self.cut,
+            self.on_section,
             self.hairs,
             self.steps,
             self.walks,
@@ -107,6 +113,20 @@ impl Tally {
         self.hairs += usize::from(at_end || truth.array_windows().any(apart));
         let on_end = |hit: &Hit| ends.iter().any(|end| hit.t.compare(end).is_eq());
         self.planes += usize::from(everywhere.iter().any(on_end));
+        if line.section.is_some() {
+            let in_range = |hit: &&Hit| {
+                hit.t.compare_to(&line.near).is_ge() && hit.t.compare_to(&line.far).is_lt()
+            };
+            let mut seen = everywhere.iter().filter(in_range);
+            let is_before = |hit: &Hit| {
+                let first = truth.first();
+                first.is_none_or(|first| hit.t.compare(&first.t).is_lt())
+            };
+            let is_cut = |hit: &Hit| line.side(&hit.t).is_lt() && is_before(hit);
+            self.cut += usize::from(seen.any(is_cut));
+            let is_on = |hit: &Hit| line.side(&hit.t).is_eq();
+            self.on_section += usize::from(everywhere.iter().any(is_on));
+        }
         let Some(first) = truth.first() else { return };
         self.hits += 1;
         self.borders += usize::from(first.on_border);

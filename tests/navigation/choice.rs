@@ -8,7 +8,8 @@ use crate::{
 use glam::{DVec2, DVec3, dvec3};
 use sightline::{
     camera::{
-        Camera, CameraChoice, CameraError, DepthMapping, Lens, Projection, UpAxis, fit_near_far,
+        Camera, CameraChoice, CameraError, DepthMapping, Lens, Projection, SectionChoice, UpAxis,
+        fit_near_far,
     },
     geometry::Aabb,
 };
@@ -90,6 +91,7 @@ fn flags_beat_the_scene_and_the_scene_beats_framing() {
         far: Some(2.0),
         depth: Some(DepthMapping::Standard),
         up_axis: Some(UpAxis::Z),
+        section: Some(SectionChoice::Uncut),
     };
     let two = CameraChoice {
         eye: Some(DVec3::NEG_X),
@@ -102,6 +104,7 @@ fn flags_beat_the_scene_and_the_scene_beats_framing() {
         far: Some(4.0),
         depth: Some(DepthMapping::Reversed),
         up_axis: Some(UpAxis::Y),
+        section: Some(SectionChoice::Face { id: 1, face: None }),
     };
     let none = CameraChoice::default();
     assert_eq!(one.or(two), one);
@@ -153,6 +156,7 @@ fn flags_beat_the_scene_and_the_scene_beats_framing() {
         far: two.far,
         depth: two.depth,
         up_axis: two.up_axis,
+        section: two.section,
         ..none
     };
     let expected = CameraChoice {
@@ -160,6 +164,7 @@ fn flags_beat_the_scene_and_the_scene_beats_framing() {
         far: two.far,
         depth: two.depth,
         up_axis: two.up_axis,
+        section: two.section,
         ..one
     };
     assert_eq!(rest.or(one), expected);

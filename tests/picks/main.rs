@@ -7,6 +7,7 @@ mod edge_cases;
 mod edges;
 #[path = "../common/exact/mod.rs"]
 mod exact;
+mod sections;
 mod wide;
 
 use common::{

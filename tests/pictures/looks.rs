@@ -83,6 +83,7 @@ fn no_face_of_the_demo_is_near_black() {
             camera: camera.expect("a camera"),
             viewport,
             sides: Sides::Both,
+            section: None,
         };
         let (ids, colours) = pick::raycast(&demo.scene, &view);
         for (id, colour) in ids.pixels().iter().zip(colours.pixels()) {

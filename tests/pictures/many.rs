@@ -103,6 +103,7 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
             } else {
                 Sides::Front
             },
+            section: None,
         };
         let picked = pick::ids(&scene, &view);
         let report = verify::compare(&scene, &view, &ids(&gpu, &buffers, &view), &picked);

@@ -6,9 +6,9 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
-    camera::{CameraChoice, DepthMapping, UpAxis},
+    camera::{CameraChoice, DepthMapping, SectionChoice, UpAxis},
     colour::Srgb,
-    geometry::Placement,
+    geometry::{Placement, Section},
     scene::{Loaded, MeshFile, Object, Scene, Shape, description::to_toml},
 };
 use std::path::PathBuf;
@@ -74,6 +74,7 @@ fn what_is_saved_reads_back_to_the_bit() {
         object
     });
     let scene = Scene::new(objects.collect());
+    let section = Section::new(dvec3(0.1, -0.0, 1e-300), -1.0 / 3.0).unwrap();
     let camera = CameraChoice {
         eye: Some(dvec3(0.1, 1.0 / 3.0, -1e-17)),
         look: Some(dvec3(-0.0, 5e-324, 1e300)),
@@ -83,6 +84,7 @@ fn what_is_saved_reads_back_to_the_bit() {
         far: Some(1e9),
         depth: Some(DepthMapping::Reversed),
         up_axis: Some(UpAxis::Y),
+        section: Some(SectionChoice::Plane(section)),
         ..CameraChoice::default()
     };
     for camera in [camera, CameraChoice::default()] {

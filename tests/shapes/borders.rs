@@ -204,6 +204,7 @@ fn cubes_seen_along_an_axis_are_decided_by_f64() {
                 camera: camera.expect("a camera"),
                 viewport: Viewport::new(40, 40).expect("a viewport"),
                 sides: Sides::Both,
+                section: None,
             };
             let (mut hits, mut exact) = (0, 0);
             for (x, y) in (0..40).flat_map(|y| (0..40).map(move |x| (x, y))) {

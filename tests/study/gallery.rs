@@ -27,6 +27,7 @@ pub fn view_of(loaded: &Loaded, width: u32, height: u32) -> View {
         camera,
         viewport,
         sides: Sides::Both,
+        section: None,
     }
 }
 

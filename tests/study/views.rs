@@ -91,6 +91,7 @@ fn views(scene: &Scene) -> Vec<View> {
             camera: camera.expect("a camera"),
             viewport,
             sides,
+            section: None,
         }
     };
     vec![

@@ -277,6 +277,7 @@ fn framed(scene: &Scene, choice: CameraChoice) -> View {
             .expect("a camera"),
         viewport,
         sides: Sides::Both,
+        section: None,
     }
 }
 

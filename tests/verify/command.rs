@@ -34,6 +34,7 @@ fn json_counts_every_pixel_once() {
         "same",
         "edge",
         "depth",
+        "section",
         "f32_limit",
         "beyond_f32",
         "unexplained",

@@ -37,7 +37,7 @@ struct Tally {
     shown: usize,
     outline: usize,
     outline_differ: usize,
-    classes: [usize; 5],
+    classes: [usize; 6],
 }
 
 impl Tally {
@@ -183,7 +183,7 @@ impl Sweep {
         );
         let rows = self.tallies.iter().map(|(name, tally)| (*name, tally));
         for (name, tally) in rows.chain([("ordinary, together", &self.ordinary)]) {
-            let [edge, depth, limit, beyond, unexplained] = tally.classes;
+            let [edge, depth, _, limit, beyond, unexplained] = tally.classes;
             println!(
                 "{name:<44}{:>6}{:>10}{:>9}{edge:>6}{depth:>7}{limit:>6}{beyond:>7}{unexplained:>6}{:>7.2}%",
                 tally.views,

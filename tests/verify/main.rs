@@ -14,6 +14,8 @@ mod command;
 #[path = "../common/mod.rs"]
 mod common;
 mod conditions;
+#[path = "../common/sections.rs"]
+mod cuts;
 mod depths;
 mod excuses;
 mod extremes;
@@ -28,6 +30,7 @@ mod models;
 mod one_place;
 #[path = "../common/scenes.rs"]
 mod scenes;
+mod sections;
 #[path = "../exact_picks/ties.rs"]
 mod ties;
 mod views;

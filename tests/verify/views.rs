@@ -30,7 +30,7 @@ const SIZES: [[u32; 2]; 3] = [[64, 48], [61, 37], [31, 80]];
 struct Tally {
     picked: usize,
     drawn: usize,
-    classes: [usize; 5],
+    classes: [usize; 6],
     /// Views that were beyond `f32` by their planes or their depth mapping, and are not by others.
     by_planes: usize,
     /// Views with pixels that are beyond `f32`, and with nothing drawn or nothing picked.
@@ -113,7 +113,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
         pixels += report.pixels;
         tally.add(&report, &sample);
     }
-    let [edge, depth, limit, beyond, unexplained] = tally.classes;
+    let [edge, depth, _, limit, beyond, unexplained] = tally.classes;
     println!(
         "{name:16} {pixels:>9} pixels, {:>8} picked, {:>8} drawn: {edge} edge, {depth} depth, {limit} f32 limit, \
          {beyond} beyond in {} views, {} only by their planes, {} one-sided, {unexplained} unexplained, {} of two",

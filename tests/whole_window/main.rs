@@ -27,6 +27,7 @@ mod pictures;
 mod red_fields;
 mod remembering;
 mod rest;
+mod section;
 mod stalls;
 mod tour;
 

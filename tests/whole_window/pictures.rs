@@ -40,6 +40,11 @@ fn shown(name: &str) -> (Offscreen, [u32; 4]) {
             window.send([Event::PointerGone]);
             (window, [0, 0, 970, 690])
         }
+        "section" => {
+            press_key(&mut window, Modifiers::NONE, Key::Num9);
+            press_key(&mut window, Modifiers::NONE, Key::Z);
+            (window, [260, 0, 1020, 720])
+        }
         "pipeline" => {
             press_key(&mut window, Modifiers::NONE, Key::P);
             (window, [0, 25, 280, 670])
@@ -79,7 +84,9 @@ fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
 
 #[test]
 fn panels_look_as_they_did() {
-    for name in ["panels", "light", "small", "pipeline", "help", "gallery"] {
+    for name in [
+        "panels", "light", "small", "section", "pipeline", "help", "gallery",
+    ] {
         let (mut window, at) = shown(name);
         let picture = crop(&window.picture().expect("a picture"), at);
         compare(

@@ -20,6 +20,7 @@ mod matrix;
 mod number;
 mod parameter;
 mod root;
+mod section;
 mod solids;
 mod triangle;
 mod world;
@@ -29,6 +30,8 @@ pub(crate) use coplanar::{are_coplanar, are_in_one_plane};
 pub(super) use matrix::{inverse, mirrors};
 pub(crate) use parameter::Parameter;
 use root::Root;
+pub(crate) use section::keeps;
+pub(super) use section::keeps_corners;
 pub(super) use solids::{cube, sphere, square};
 pub(crate) use triangle::Corners;
 #[cfg(test)]

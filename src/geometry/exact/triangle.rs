@@ -34,9 +34,9 @@ impl Corners<'_> {
 }
 
 /// Where a ray meets a triangle's plane: at `t = numerator / denominator`. It runs along it where the denominator is 0.
-struct Plane<I> {
-    numerator: Number<I>,
-    denominator: Number<I>,
+pub(super) struct Plane<I> {
+    pub numerator: Number<I>,
+    pub denominator: Number<I>,
 }
 
 /// What the corners weigh there, times a sum that has the sign of `direction . normal` (Moeller & Trumbore, "Fast, Minimum
@@ -47,17 +47,17 @@ struct Weights<I> {
 }
 
 /// A triangle as a ray sees it.
-struct Seen<I> {
-    line: ExactLine<I>,
+pub(super) struct Seen<I> {
+    pub line: ExactLine<I>,
     /// From the ray's origin to the first corner, times the ray's weight.
     corner: Vector<I>,
     /// From the second corner to the first, and on to the third.
     edges: [Vector<I>; 2],
-    plane: Plane<I>,
+    pub plane: Plane<I>,
 }
 
 impl<I: Ring> Seen<I> {
-    fn new(line: &Line, triangle: &Corners) -> Self {
+    pub fn new(line: &Line, triangle: &Corners) -> Self {
         let line = ExactLine::new(line);
         let Corners {
             placement,

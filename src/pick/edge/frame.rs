@@ -24,6 +24,7 @@ pub(in crate::pick) struct Frame<I> {
     w: Weight<I>,
     depth: Row<I>,
     near: Number<I>,
+    section: Option<Row<I>>,
 }
 
 /// What makes `w`.
@@ -93,6 +94,10 @@ impl<I: Decided> Frame<I> {
             },
             near: Number::new(view.camera.lens().near).times(&determinant),
             depth: Row::through(&eye, per_depth),
+            section: view.section.map(|section| Row {
+                normal: Vector::new(section.normal()),
+                constant: Number::new(section.offset()),
+            }),
         })
     }
 
@@ -120,6 +125,17 @@ impl<I: Decided> Frame<I> {
     /// How far a point lies behind the near plane, in units of its `depth`; below 0 before the plane.
     pub(in crate::pick) fn behind_near(&self, point: &Shown<I>) -> Number<I> {
         point.depth.minus(&self.near)
+    }
+
+    /// How far the section keeps a point of world space; below 0 where it cuts it away, `None` where there is none.
+    pub(super) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
+        let section = self.section.as_ref()?;
+        Some(section.normal.dot(world).plus(&section.constant))
+    }
+
+    /// By how much a step along a direction changes that.
+    pub(super) fn kept_along(&self, direction: &Vector<I>) -> Option<Number<I>> {
+        Some(self.section.as_ref()?.normal.dot(direction))
     }
 }
 

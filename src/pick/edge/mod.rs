@@ -5,6 +5,7 @@
 //! with bounds stand for the exact numbers where they round to the same.
 
 mod frame;
+mod kept;
 mod nearest;
 mod outline;
 
@@ -21,7 +22,7 @@ use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
 /// How far `px` is from the nearest edge of the triangle or face that was hit there, in pixels; for a sphere from
-/// its outline. Only what lies at or behind the near plane counts; `None` when nothing does, as inside a sphere, or when
+/// its outline. Only what lies at or behind the near plane, and what a section keeps, counts; `None` when nothing does, as inside a sphere, or when
 /// it lies farther off than `f64` can tell.
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
@@ -51,53 +52,85 @@ fn polygon_px<I: Decided>(
     corners: &[DVec3],
 ) -> Result<Option<f64>, InDoubt> {
     let frame = Frame::<I>::new(view, px)?;
-    let shown = |&corner| frame.point(&vertex_world(placement, origin, corner));
-    let shown: Vec<_> = corners.iter().map(shown).collect();
+    let end = |&corner| {
+        let world = vertex_world(placement, origin, corner);
+        let shown = frame.point(&world);
+        let sides = [Some(frame.behind_near(&shown)), frame.kept(&world)];
+        End {
+            picture: [shown.u, shown.v, shown.w],
+            sides: sides.into_iter().flatten().collect(),
+        }
+    };
+    let ends: Vec<End<I>> = corners.iter().map(end).collect();
     let mut nearest: Option<f64> = None;
-    for (a, b) in shown.iter().zip(shown.iter().cycle().skip(1)) {
-        if let Some(side) = segment_px(&frame, a, b)? {
+    for (a, b) in ends.iter().zip(ends.iter().cycle().skip(1)) {
+        if let Some(side) = segment_px(a, b)? {
             nearest = Some(nearest.map_or(side, |nearest| nearest.min(side)));
         }
     }
     Ok(nearest)
 }
 
+/// An end of what is seen of a segment; all numbers times one that is above 0.
+#[derive(Clone)]
+struct End<I> {
+    /// u, v and w.
+    picture: [Number<I>; 3],
+    /// How far it lies behind the near plane and within the section; below 0 beyond them.
+    sides: Vec<Number<I>>,
+}
+
+impl<I: Decided> End<I> {
+    /// Where the way to an end that is seen comes to a plane that this one lies beyond.
+    fn cut(&self, seen: &Self, plane: usize) -> Self {
+        let cut = |of_self: &_, of_seen: &_| {
+            determinant([&seen.sides[plane], &self.sides[plane]], [of_seen, of_self])
+        };
+        Self {
+            picture: [0, 1, 2].map(|i| cut(&self.picture[i], &seen.picture[i])),
+            sides: (self.sides.iter().zip(&seen.sides))
+                .map(|(of_self, of_seen)| cut(of_self, of_seen))
+                .collect(),
+        }
+    }
+
+    fn distance_px(&self) -> Result<f64, InDoubt> {
+        let [u, v, w] = &self.picture;
+        frame::distance_px(u, v, w)
+    }
+}
+
 /// Distance in pixels to what the picture shows of a segment.
 ///
 /// Where the near plane cuts it just before the eye, the cut is shown so far out that its coordinates hide the distance.
-/// So the distance is that of the line through both *ends*, and the cut only tells by a sign which part of it counts.
-fn segment_px<I: Decided>(
-    frame: &Frame<I>,
-    a: &Shown<I>,
-    b: &Shown<I>,
-) -> Result<Option<f64>, InDoubt> {
-    let (depth_a, depth_b) = (frame.behind_near(a), frame.behind_near(b));
-    let (a, depth_a, b, depth_b) = match (depth_a.decided_negative()?, depth_b.decided_negative()?)
-    {
-        (true, true) => return Ok(None),
-        (true, false) => (b, depth_b, a, depth_a),
-        _ => (a, depth_a, b, depth_b),
-    };
-    // The line in homogeneous coordinates, a x b. The segment runs along (line_v, -line_u).
-    let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
-    let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
-    let along = |p: &Shown<I>| determinant([&p.u, &p.v], [&line_u, &line_v]);
-    let along_a = along(a);
-    let is_point = line_u.decided_zero()? && line_v.decided_zero()?;
-    if is_point || !along_a.decided_negative()? {
-        return a.distance_px().map(Some);
-    }
-    let along_b = along(b);
-    let cut = |of_a: &_, of_b: &_| determinant([&depth_a, &depth_b], [of_a, of_b]);
-    if depth_b.decided_negative()? {
-        if cut(&along_a, &along_b).decided_negative()? {
-            let [u, v, w] = [(&a.u, &b.u), (&a.v, &b.v), (&a.w, &b.w)].map(|(a, b)| cut(a, b));
-            return frame::distance_px(&u, &v, &w).map(Some);
+/// So the distance is that of the line through both *ends*, and a cut only tells by a sign which part of it counts.
+fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt> {
+    let (mut from, mut to) = (a.clone(), b.clone());
+    for plane in 0..a.sides.len() {
+        let [is_from, is_to] = [&from, &to].map(|end| end.sides[plane].decided_negative());
+        match (is_from?, is_to?) {
+            (true, true) => return Ok(None),
+            (true, false) => from = from.cut(&to, plane),
+            (false, true) => to = to.cut(&from, plane),
+            (false, false) => {}
         }
-    } else if along_b.decided_negative()? {
-        return b.distance_px().map(Some);
     }
-    let offset = determinant([&a.u, &a.v], [&b.u, &b.v]);
+    // The line in homogeneous coordinates, a x b. The segment runs along (line_v, -line_u).
+    let ([a_u, a_v, a_w], [b_u, b_v, b_w]) = (&a.picture, &b.picture);
+    let line_u = determinant([a_v, a_w], [b_v, b_w]);
+    let line_v = determinant([a_w, a_u], [b_w, b_u]);
+    let is_along_negative = |end: &End<I>| {
+        let [u, v, _] = &end.picture;
+        determinant([u, v], [&line_u, &line_v]).decided_negative()
+    };
+    let is_point = line_u.decided_zero()? && line_v.decided_zero()?;
+    if is_point || !is_along_negative(&from)? {
+        return from.distance_px().map(Some);
+    }
+    if is_along_negative(&to)? {
+        return to.distance_px().map(Some);
+    }
+    let offset = determinant([a_u, a_v], [b_u, b_v]);
     frame::ratio(&offset, &line_u, &line_v).map(Some)
 }
 

@@ -2,6 +2,7 @@
 
 use super::{
     frame::{Frame, Shown},
+    kept::Kept,
     nearest::Arcs,
 };
 use crate::geometry::{
@@ -26,7 +27,7 @@ use std::{array, cmp::Ordering};
 /// since the eye has none. So the circle is shown, up to a factor, as
 ///
 /// sqrt(k q) centre + cos a + sin sqrt(g) b.
-struct Circle {
+pub(super) struct Circle {
     /// Picture coordinates of the sphere's centre.
     center: Vec3,
     /// Those of the direction a.
@@ -39,20 +40,24 @@ struct Circle {
     threshold: Dyadic,
     /// All points have the same depth: what has to be at least the threshold is 0.
     is_level: bool,
+    kept: Option<Kept>,
 }
 
 /// Picture coordinates (u, v, w).
 type Vec3 = [Dyadic; 3];
 
-/// A part of the circle, in both halves alike, which a range of p in (1 - p^2, 2 p, 1 + p^2) stands for. That is the
+/// A part of the circle, in one of both halves, which a range of p in (1 - p^2, 2 p, 1 + p^2) stands for. That is the
 /// (cosine, sine, 1) of the angle from the deepest point or, where `turned`, from the other end.
-struct Part {
-    turned: bool,
-    from: Dyadic,
-    to: Dyadic,
+#[derive(Clone)]
+pub(super) struct Part {
+    pub turned: bool,
+    pub left: bool,
+    pub from: Dyadic,
+    pub to: Dyadic,
 }
 
-/// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane; `None` when there is none.
+/// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane and that a section keeps;
+/// `None` when there is none.
 pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Option<f64> {
     let circle = Circle::new(frame, placement)?;
     if !circle.is_visible() {
@@ -60,10 +65,10 @@ pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Optio
     }
     // 112 bits are enough for all but the strangest views. Coordinates need at most three more, and a sign.
     let narrow = |n: BigInt| i128::try_from(n).unwrap_or_default();
-    let mut distance = circle.arcs(112, narrow).distance_px();
+    let mut distance = circle.arcs(112, narrow)?.distance_px();
     for bits in [448, 1792, 7168] {
         if distance.is_err() {
-            distance = circle.arcs(bits, |n| n).distance_px();
+            distance = circle.arcs(bits, |n| n)?.distance_px();
         }
     }
     Some(distance.unwrap_or_else(|nearest_known| nearest_known))
@@ -99,15 +104,18 @@ impl Circle {
         let is_level = steepest.is_zero();
         let b = if is_level { across(&o) } else { steepest };
         let center = frame.point(&DyadicVector::new(model.translation));
+        let (a, q) = (b.cross(&o), b.dot(&b));
+        let kept = Kept::new(frame, placement, [&o, &a, &b], [&m, &four_g, &q]);
         Some(Self {
-            a: shown(&b.cross(&o)),
-            kq: k.times(&b.dot(&b)),
+            a: shown(&a),
+            kq: k.times(&q),
             b: shown(&b),
             threshold: (m_squared.times(&center.depth))
                 .minus(&four_g.times(&frame.behind_near(&center))),
             center: [center.u, center.v, center.w],
             g,
             is_level,
+            kept,
         })
     }
 
@@ -124,29 +132,42 @@ impl Circle {
         self.kq.minus(&self.threshold.squared())
     }
 
-    /// The parts at or behind the near plane, with tangents of half angles to so many bits.
-    fn visible_parts(&self, root: &Dyadic, bits: i64) -> Vec<Part> {
-        let part = |turned, from, to| Part { turned, from, to };
+    /// The parts at or behind the near plane that a section keeps, with tangents of half angles to so many bits.
+    fn visible_parts(&self, [root, root_g]: [&Dyadic; 2], bits: i64) -> Vec<Part> {
         let [zero, one] = [0.0, 1.0].map(Dyadic::new);
         let sine = self.beyond_threshold();
-        if self.is_level || (self.threshold.is_negative() && sine.is_negative()) {
-            return vec![
-                part(false, zero.clone(), one.clone()),
-                part(true, zero, one),
-            ];
-        }
         // tan(angle / 2) = sin / (1 + cos), by the angle from the end on whose side it is.
-        let sine = sine.sqrt(bits);
-        let tangent = sine.quotient(&root.plus(&self.threshold.abs()), bits);
-        if self.threshold.is_negative() {
-            vec![part(false, zero, one.clone()), part(true, tangent, one)]
+        let tangent = || {
+            let sine = sine.sqrt(bits);
+            sine.quotient(&root.plus(&self.threshold.abs()), bits)
+        };
+        let ends = if self.is_level || (self.threshold.is_negative() && sine.is_negative()) {
+            vec![(false, zero.clone(), one.clone()), (true, zero, one)]
+        } else if self.threshold.is_negative() {
+            vec![(false, zero, one.clone()), (true, tangent(), one)]
         } else {
-            vec![part(false, zero, tangent)]
+            vec![(false, zero, tangent())]
+        };
+        let parts = ends.into_iter().flat_map(|(turned, from, to)| {
+            [false, true].map(|left| Part {
+                turned,
+                left,
+                from: from.clone(),
+                to: to.clone(),
+            })
+        });
+        match &self.kept {
+            None => parts.collect(),
+            Some(kept) => {
+                let squares = [&self.kq, &self.g];
+                let of_part = |part| kept.of_part(&part, squares, [root, root_g], bits);
+                parts.flat_map(of_part).collect()
+            }
         }
     }
 
-    /// The visible part in fixed point of so many bits.
-    fn arcs<T>(&self, bits: i64, fixed: impl Fn(BigInt) -> T) -> Arcs<T> {
+    /// The visible part in fixed point of so many bits; `None` where there is none.
+    fn arcs<T>(&self, bits: i64, fixed: impl Fn(BigInt) -> T) -> Option<Arcs<T>> {
         // Guard bits: what is cut off before the end adds up to less than a unit.
         let longer = bits + 8;
         let root = self.kq.sqrt(longer);
@@ -166,37 +187,43 @@ impl Circle {
         let opposite: Vec3 = array::from_fn(|i| center[i].minus(&a[i]));
         let left = right.each_ref().map(Dyadic::negated);
         let mut controls = Vec::new();
-        for Part { turned, from, to } in self.visible_parts(&root, longer) {
+        let parts = self.visible_parts([&root, &root_g], longer);
+        for Part {
+            turned,
+            left: is_left,
+            from,
+            to,
+        } in parts
+        {
             let (first, last) = if turned {
                 (&opposite, &deepest)
             } else {
                 (&deepest, &opposite)
             };
-            for side in [&right, &left] {
-                // The polar form of first + 2 p side + p^2 last.
-                let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
-                    let (sum, product) = (p.plus(q), p.times(q));
-                    array::from_fn(|i| {
-                        let c = first[i]
-                            .plus(&side[i].times(&sum))
-                            .plus(&last[i].times(&product));
-                        fixed(c.in_units(sizes[i] - bits))
-                    })
-                };
-                controls.push([
-                    control(&from, &from),
-                    control(&from, &to),
-                    control(&to, &to),
-                ]);
-            }
+            let side = if is_left { &left } else { &right };
+            // The polar form of first + 2 p side + p^2 last.
+            let control = |p: &Dyadic, q: &Dyadic| -> [T; 3] {
+                let (sum, product) = (p.plus(q), p.times(q));
+                array::from_fn(|i| {
+                    let c = first[i]
+                        .plus(&side[i].times(&sum))
+                        .plus(&last[i].times(&product));
+                    fixed(c.in_units(sizes[i] - bits))
+                })
+            };
+            controls.push([
+                control(&from, &from),
+                control(&from, &to),
+                control(&to, &to),
+            ]);
         }
-        Arcs {
+        (!controls.is_empty()).then(|| Arcs {
             controls,
             bits,
             // One for what fixed point cuts off, one for all that was cut off before.
             error: 2.0,
             px: times_power_of_two(1.0, size_uv - size_w),
-        }
+        })
     }
 }
 

@@ -23,7 +23,7 @@ impl App {
         if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
             self.projecting = None;
             if let Ok((scene, of)) = made {
-                self.state.take_projected(scene, of);
+                self.state.take_projected(scene, &of);
                 self.context.request_repaint();
             }
         }

@@ -5,6 +5,7 @@ use super::{
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
+    geometry::Section,
     study::swap::Swap,
 };
 use glam::{DAffine3, DVec2, DVec3};
@@ -53,6 +54,12 @@ pub enum Action {
     UpAxis(UpAxis),
     /// Show both sides of surfaces or only fronts.
     ToggleSides,
+    /// Cut the world by a section, or by none.
+    Section(Option<Section>),
+    /// Turn the section off, or on again.
+    ToggleSection,
+    /// Lay a section through the next three picks, or no longer.
+    SectionByPoints(bool),
     /// Pick this surface of those on the last click's ray, from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.
@@ -126,6 +133,8 @@ impl Action {
                 | Self::ToggleProjection
                 | Self::UpAxis(_)
                 | Self::Camera(_)
+                | Self::Section(_)
+                | Self::ToggleSection
                 | Self::Recentre(_)
                 | Self::GoTo(..)
         )
@@ -136,6 +145,7 @@ impl Action {
         matches!(
             self,
             Self::Lens(_)
+                | Self::Section(_)
                 | Self::Place(..)
                 | Self::Hover(_)
                 | Self::Light(_)

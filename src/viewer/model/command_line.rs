@@ -2,7 +2,7 @@
 
 use super::{hits::RayHits, state::State};
 use crate::{
-    camera::{DepthMapping, Projection, UpAxis, View},
+    camera::{DepthMapping, Projection, SectionChoice, UpAxis, View},
     geometry::Sides,
 };
 use glam::{DVec2, DVec3};
@@ -72,6 +72,9 @@ fn line(state: &State, view: &View, command: &str) -> String {
     }
     if lens.depth == DepthMapping::Standard {
         flag("depth", lens.depth.to_string());
+    }
+    if let Some(section) = view.section {
+        flag("section", SectionChoice::Plane(section).to_string());
     }
     let hidden = (state.scene())
         .objects()

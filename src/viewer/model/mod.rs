@@ -16,6 +16,8 @@ mod ortho_height;
 mod overlay;
 mod pane_mouse;
 mod picking;
+mod section_memory;
+mod sectioning;
 mod seeing;
 mod showing;
 mod stages;

@@ -140,6 +140,7 @@ impl Observer {
             camera,
             viewport: self.viewport,
             sides,
+            section: None,
         })
     }
 }

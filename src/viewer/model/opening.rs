@@ -6,6 +6,7 @@ use super::{
     measuring::Measuring,
     ortho_height::OrthoHeight,
     overlay::Overlays,
+    section_memory::SectionMemory,
     showing::Showing,
     state::{Edits, Selection, Source, State, Step},
     timeline::Timeline,
@@ -30,6 +31,11 @@ impl State {
     ) -> Result<Self, CameraError> {
         let choice = choice.or(loaded.camera);
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
+        let section = loaded.scene.section(choice.section.unwrap_or_default());
+        let section = section.unwrap_or_else(|error| {
+            log::warn!("section: {error}");
+            None
+        });
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
@@ -49,6 +55,7 @@ impl State {
                 camera,
                 viewport,
                 sides,
+                section,
             },
             seen: None,
             pivot_world: orbit.target(),
@@ -60,6 +67,7 @@ impl State {
             hits: None,
             landmarks: Vec::new(),
             measuring: Measuring::default(),
+            section_memory: SectionMemory::default(),
             source: Source {
                 paths: Vec::new(),
                 meshes: loaded.meshes,

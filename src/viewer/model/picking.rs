@@ -47,7 +47,7 @@ impl State {
     pub(super) fn cursor_at(&self, px: DVec2) -> Cursor {
         let px = pixel_centre(px);
         let ray = self.seen_view().ray(px);
-        let hit = self.quick_hit(ray);
+        let hit = self.quick_hit(&ray);
         let point = |hit: SceneHit| {
             let placement = &self.scene.objects()[hit.object].placement;
             (hit.object, placement.ray_to_object(&ray).at(hit.hit.t))
@@ -76,6 +76,7 @@ impl State {
                 });
                 let old = self.landmarks.len().saturating_sub(2);
                 self.landmarks.drain(..old);
+                self.take_point(hit.point_world);
             }
         }
         self.hits = Some(hits);

@@ -21,6 +21,7 @@ impl State {
     }
 
     /// What is on screen, while that is not yet what it is to be; `None` once it is.
+    #[expect(clippy::large_types_passed_by_value, reason = "once a frame, and kept")]
     pub(in crate::viewer) fn see(&mut self, seen: Option<OnScreen>) {
         self.seen = seen;
     }
@@ -48,7 +49,7 @@ impl State {
     }
 
     /// The nearest hit, for what follows the mouse: nothing until trees are there.
-    pub(super) fn quick_hit(&self, ray: WorldRay) -> Option<SceneHit> {
+    pub(super) fn quick_hit(&self, ray: &WorldRay) -> Option<SceneHit> {
         let is_quick = self.rays_are_quick();
         is_quick.then(|| pick::closest(&self.scene, ray, self.view.sides))?
     }

@@ -117,8 +117,14 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     // Vertices are shared within an object, so that shading stays smooth, and not beyond.
     let mut known = HashMap::new();
     for (corners, colour) in surface(object, rings) {
-        let seen =
-            corners.map(|corner| view.camera.to_view(object.placement.point_to_world(corner)));
+        let world = corners.map(|corner| object.placement.point_to_world(corner));
+        let kept = match view.section {
+            Some(section) => clip(&world, |p| section.side(*p), |a, b, s| a.lerp(*b, s)),
+            None => world.into(),
+        };
+        let seen: Vec<_> = (kept.into_iter())
+            .map(|point| view.camera.to_view(point))
+            .collect();
         let polygon = clip(&seen, |p| p.z - lens.near, |a, b, s| a.lerp(*b, s));
         let mut polygon: Vec<_> = (polygon.iter())
             .map(|&p| ndc_drawn(p, half, &lens).as_vec3())

@@ -91,7 +91,7 @@ impl State {
                     ..self.scene.objects()[object].clone()
                 };
                 let alone = Scene::new(vec![alone]);
-                panes.alone.take(alone, of, &mut self.unused);
+                panes.alone.take(alone, &of, &mut self.unused);
                 let corners = with_axes(&panes.alone.scene.bounds());
                 panes.observers[Stage::Object as usize].frame(&corners);
             }
@@ -99,7 +99,7 @@ impl State {
         let through = self.projected_of();
         if panes.ndc.of != Some(through) && self.is_projected_at_once() {
             let scene = projected(&self.scene, &self.view);
-            panes.ndc.take(scene, through, &mut self.unused);
+            panes.ndc.take(scene, &through, &mut self.unused);
         }
         let is_of_another = panes.of.replace(self.document) != Some(self.document);
         self.panes = Some(panes);
@@ -126,9 +126,9 @@ impl State {
     }
 
     /// Takes NDC as it was made beside the window, unless the scene is another by now.
-    pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: Source) {
+    pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: &Source) {
         let is_of_now =
-            matches!(of, Source::Through([revision, _], _) if revision == self.scene_revision);
+            matches!(of, Source::Through([revision, _], _) if *revision == self.scene_revision);
         match &mut self.panes {
             Some(panes) if is_of_now => panes.ndc.take(scene, of, &mut self.unused),
             _ => self.unused.push(scene),
@@ -138,7 +138,7 @@ impl State {
     /// What the camera has in its middle, else the first that is visible.
     fn object_in_the_middle(&self) -> Option<usize> {
         let ray = self.view.ray(self.view.viewport.size_px() / 2.0);
-        let hit = self.quick_hit(ray).map(|hit| hit.object);
+        let hit = self.quick_hit(&ray).map(|hit| hit.object);
         hit.or_else(|| {
             let mut objects = self.scene.objects().iter();
             objects.position(|object| object.visible)
@@ -196,7 +196,14 @@ impl State {
             Stage::World | Stage::View => self.bounds_with_camera(),
             Stage::Ndc => scene.bounds().union(NDC_DRAWN),
         };
-        panes.observers[stage as usize].view(&self.drawn_to_scene(stage), &bounds, self.view.sides)
+        let observer = &panes.observers[stage as usize];
+        let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
+        // Alone an object is whole, and in NDC the cut is made beforehand.
+        let section = match stage {
+            Stage::World | Stage::View => self.view.section,
+            Stage::Object | Stage::Ndc => None,
+        };
+        Some(View { section, ..view })
     }
 
     /// From the space that a stage is drawn in, which is right-handed, to that of the scene that is drawn. What is called

@@ -9,13 +9,14 @@ use super::{
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
+    section_memory::SectionMemory,
     showing::Showing,
     timeline::Timeline,
     views::Panes,
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
-    geometry::Placement,
+    geometry::{Placement, Section},
     pick::PickLine,
     scene::{MeshFile, Scene},
     study::swap::Swap,
@@ -63,6 +64,7 @@ pub(super) struct Stand {
     pub ortho: OrthoHeight,
     pub camera: Camera,
     pub pivot_world: DVec3,
+    pub section: Option<Section>,
 }
 
 /// What is selected, and the ray that it was picked by.
@@ -156,6 +158,7 @@ pub struct State {
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
+    pub(super) section_memory: SectionMemory,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
@@ -331,6 +334,7 @@ impl State {
             ortho: self.ortho,
             camera: self.view.camera,
             pivot_world: self.pivot_world,
+            section: self.view.section,
         }
     }
 

@@ -34,6 +34,10 @@ pub(in crate::viewer) struct Subject<'a> {
 
 /// A stage, and what stands there beside the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "four at a time, and a view is most of one"
+)]
 pub(in crate::viewer) enum Lesson {
     /// Nothing.
     Object,

@@ -14,7 +14,11 @@ impl State {
         if !action.may_be_of_a_gesture() {
             self.timeline.end_gesture();
         }
-        let gesture = matches!(action, Action::Lens(_)).then_some(Gesture::Lens);
+        let gesture = match action {
+            Action::Lens(_) => Some(Gesture::Lens),
+            Action::Section(_) => Some(Gesture::Section),
+            _ => None,
+        };
         let entered = self.panes.as_ref().and_then(|panes| panes.entered);
         if let Some(stage) = entered.filter(|_| action.is_of_a_pane()) {
             let picked = self.act_in(stage, action);
@@ -38,7 +42,7 @@ impl State {
             Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
-                if let Some(hit) = self.quick_hit(self.view.ray(px)) {
+                if let Some(hit) = self.quick_hit(&self.view.ray(px)) {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }
@@ -92,6 +96,9 @@ impl State {
                     Sides::Front => Sides::Both,
                 };
             }
+            Action::Section(section) => self.set_section(section),
+            Action::ToggleSection => self.toggle_section(),
+            Action::SectionByPoints(awaits) => self.await_points(awaits),
             Action::StepTo(at) => return self.step_to(at),
             Action::Step { forward } => return self.step(forward),
             Action::GoTo(object, triangle, at) => return self.go_to(object, triangle, at),

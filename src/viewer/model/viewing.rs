@@ -6,7 +6,10 @@ use super::{
     state::{Frozen, Stand, State},
 };
 use crate::{
-    camera::{Camera, CameraChoice, CameraError, Lens, Orbit, Projection, View, fit_near_far},
+    camera::{
+        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
+        fit_near_far,
+    },
     geometry::{Aabb, Placement, PlacementError},
 };
 use glam::{DVec2, DVec3};
@@ -52,6 +55,7 @@ impl Stand {
             far: self.controls.far,
             depth: Some(self.controls.depth),
             up_axis: Some(self.up_axis),
+            section: self.section.map(SectionChoice::Plane),
         }
     }
 }
@@ -128,6 +132,11 @@ impl State {
         self.ortho = OrthoHeight::chosen(&choice, &self.orbit);
         self.pivot_world = self.orbit.target();
         self.view.camera = camera;
+        if let Some(section) = choice.section
+            && let Ok(section) = self.scene.section(section)
+        {
+            self.view.section = section;
+        }
     }
 
     pub(super) fn set_lens(&mut self, controls: LensControls) {
@@ -173,7 +182,7 @@ impl State {
         if !self.rays_are_quick() {
             return;
         }
-        let Some(hit) = self.quick_hit(ray) else {
+        let Some(hit) = self.quick_hit(&ray) else {
             return self.frame(self.shown_bounds());
         };
         self.pivot_world = ray.at(hit.hit.t);
@@ -184,7 +193,7 @@ impl State {
     /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
-        if let Some(hit) = self.quick_hit(ray) {
+        if let Some(hit) = self.quick_hit(&ray) {
             return ray.at(hit.hit.t);
         }
         let depth = self.view.camera.to_view(self.pivot_world).z;
@@ -225,6 +234,7 @@ impl State {
         self.ortho = stand.ortho;
         self.pivot_world = stand.pivot_world;
         self.view.camera = stand.camera;
+        self.view.section = stand.section;
         self.fit();
     }
 

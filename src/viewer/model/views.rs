@@ -50,6 +50,10 @@ pub(super) struct Staged {
 
 /// What such a scene is made of.
 #[derive(Clone, Copy, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one at a time, and a view is most of one"
+)]
 pub(in crate::viewer) enum Source {
     /// An object of a scene, of which only colour and shape count.
     Alone([u64; 2], usize),
@@ -59,9 +63,9 @@ pub(in crate::viewer) enum Source {
 
 impl Staged {
     /// Takes another, and gives up the one before.
-    pub fn take(&mut self, scene: Scene, of: Source, unused: &mut Vec<Scene>) {
+    pub fn take(&mut self, scene: Scene, of: &Source, unused: &mut Vec<Scene>) {
         unused.push(mem::replace(&mut self.scene, scene));
-        self.of = Some(of);
+        self.of = Some(*of);
         self.revision += 1;
     }
 }

@@ -39,7 +39,7 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let ray = frozen.view.ray(frozen.px);
     lines.push(Line {
         from: ray.origin,
-        to: ray.at(ray.t_max),
+        to: ray.at(camera.lens().far),
         colour: look::SELECTION,
     });
     for hit in pick::all(scene, ray, frozen.view.sides) {

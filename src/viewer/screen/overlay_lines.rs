@@ -2,7 +2,7 @@
 
 use super::box_edges::edges;
 use crate::{
-    geometry::Cuboid,
+    geometry::{Cuboid, Section, clip},
     look,
     render::Line,
     scene::{Object, Shape},
@@ -63,7 +63,23 @@ pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
             }
         }
     }
-    lines
+    match subject.view.section {
+        None => lines,
+        Some(section) => lines
+            .iter()
+            .filter_map(|line| kept(line, &section))
+            .collect(),
+    }
+}
+
+/// What a section keeps of a line.
+fn kept(line: &Line, section: &Section) -> Option<Line> {
+    let side = |point: &DVec3| section.side(*point);
+    let kept = clip(&[line.from, line.to], side, |a, b, s| a.lerp(*b, s));
+    let [from, to, ..] = kept[..] else {
+        return None;
+    };
+    Some(Line { from, to, ..*line })
 }
 
 /// A line from the middle of each face, outwards.

@@ -7,6 +7,10 @@ use crate::{
 use std::path::{Path, PathBuf};
 
 /// Something the user asks for: a change of what is shown, or else something that the program does.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "few at a time, and a camera is most of one"
+)]
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::viewer) enum Command {
     /// A change of what is shown.

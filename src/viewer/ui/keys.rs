@@ -96,6 +96,12 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::Act(Action::ToggleSides),
     },
     Binding {
+        keys: "Z",
+        does: "section",
+        shortcuts: &[(NONE, Key::Z)],
+        command: Command::Act(Action::ToggleSection),
+    },
+    Binding {
         keys: "G",
         does: "grid and axes",
         shortcuts: &[(NONE, Key::G)],
@@ -341,6 +347,10 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     (
         "click on the cross of axes",
         "look along one, from the end that is clicked",
+    ),
+    (
+        "drag the section's arrow",
+        "move the plane along its normal",
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! The ray through a position, by the numbers that a camera holds.
 
 use super::{
-    number::{Dyadic, Vector, minus, plus, times, vector},
+    number::{Dyadic, Vector, dot, minus, plus, times, vector},
     root::Parameter,
 };
 use glam::{DVec2, DVec3};
@@ -9,6 +9,7 @@ use sightline::{
     camera::{Projection, View},
     geometry::Ray,
 };
+use std::cmp::Ordering;
 
 /// The ray through a position. Its points are `(origin + t direction) / scale`.
 #[derive(Clone, Debug)]
@@ -19,6 +20,8 @@ pub struct Line {
     pub scale: Dyadic,
     pub near: Dyadic,
     pub far: Dyadic,
+    /// n and c.
+    pub section: Option<(Vector, Dyadic)>,
 }
 
 impl Line {
@@ -46,6 +49,9 @@ impl Line {
             scale,
             near: Dyadic::of(lens.near),
             far: Dyadic::of(lens.far),
+            section: view
+                .section
+                .map(|section| (vector(section.normal()), Dyadic::of(section.offset()))),
         }
     }
 
@@ -57,6 +63,22 @@ impl Line {
             scale: Dyadic::whole(1),
             near: Dyadic::of(ray.t_min),
             far: Dyadic::of(ray.t_max),
+            section: None,
+        }
+    }
+
+    /// On which side of the section the point at `t` lies: `Greater` and `Equal` are kept.
+    pub fn side(&self, t: &Parameter) -> Ordering {
+        let Some((normal, offset)) = &self.section else {
+            return Ordering::Greater;
+        };
+        // Times the scale.
+        let start = &dot(normal, &self.origin) + &(offset * &self.scale);
+        let ahead = dot(normal, &self.direction);
+        match ahead.sign() {
+            Ordering::Equal => start.sign(),
+            Ordering::Greater => t.compare(&Parameter::fraction(&-&start, &ahead)),
+            Ordering::Less => Parameter::fraction(&-&start, &ahead).compare(t),
         }
     }
 

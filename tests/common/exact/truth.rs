@@ -76,6 +76,7 @@ impl World {
         hits.retain(|hit| {
             hit.t.compare_to(&line.near).is_ge()
                 && hit.t.compare_to(&line.far).is_lt()
+                && line.side(&hit.t).is_ge()
                 && (sides == Sides::Both || hit.front)
         });
         hits.sort_by(|a, b| {

@@ -73,6 +73,7 @@ pub fn ball_scene(offset: f64) -> (Scene, View) {
         camera: camera.expect("a camera"),
         viewport: viewport.expect("a picture"),
         sides: Sides::Both,
+        section: None,
     };
     let object = Object::new("Ball", Shape::Mesh { mesh, part: 0 }, Placement::IDENTITY);
     (Scene::new(vec![object]), view)

@@ -1,9 +1,10 @@
-//! The camera: lens, planes and pose.
+//! The camera: lens, planes, pose and section.
 
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
     names::{Hint, named},
+    section,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, Projection, UpAxis},
@@ -53,6 +54,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             commands.push(Command::Act(Action::ToggleSides));
         }
     });
+    section::show(ui, state, commands);
 }
 
 /// What copies the camera.

@@ -4,7 +4,7 @@
 use super::{
     axis_cross, banner, corners, differences,
     docks::{Section, Side, room},
-    help, marks, menu, panes, question,
+    help, marks, menu, panes, question, section_handle,
     shown::Shown,
     status, toolbar, tour_card, wings,
 };
@@ -70,6 +70,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         commands.extend(actions.into_iter().map(Command::Act));
         differences::show(ui, rect, place, shown.checking, shown.marks);
         marks::show(ui, rect, place, shown.state);
+        section_handle::show(ui, rect, place, shown.state, &mut commands);
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);

@@ -29,6 +29,8 @@ mod pipeline;
 mod plot;
 mod question;
 mod record;
+mod section;
+mod section_handle;
 mod shown;
 mod status;
 #[cfg(test)]

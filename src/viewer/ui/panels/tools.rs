@@ -28,6 +28,10 @@ pub(super) struct Tool {
 }
 
 /// What a click on it does.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "few at a time, and a camera is most of one"
+)]
 pub(super) enum Does {
     Ask(Command),
     Open(Menu),

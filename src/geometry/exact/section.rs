@@ -1,0 +1,82 @@
+//! Whether a section keeps what a ray hits, in integers.
+
+use super::{
+    super::{Section, WorldRay, ray::Line},
+    Surface,
+    integer::{Bits, Formula, Integer, Ring, solve},
+    number::{Number, Vector},
+    root::Root,
+    triangle::{Corners, Seen},
+    world::{ExactLine, point},
+};
+use num_bigint::BigInt;
+use std::cmp::Ordering;
+
+/// Whether a section keeps the point in which a ray meets a surface; the ray must meet it.
+pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> bool {
+    let line = ray.line();
+    if !super::is_finite(line) {
+        return false;
+    }
+    if let Surface::Triangle(triangle) = surface {
+        return triangle.is_finite() && solve(&OfTriangle(line, triangle, section));
+    }
+    let [start, ahead] = along(&ExactLine::<BigInt>::new(line), section);
+    let Some(at) = super::root(ray, surface) else {
+        return false;
+    };
+    let from_plane = |start: Number<BigInt>, ahead| {
+        Root::quotient(start.negated(), ahead).map(|plane| at.compare(&plane))
+    };
+    match ahead.sign() {
+        Ordering::Equal => start.sign().is_ge(),
+        Ordering::Greater => from_plane(start, ahead).is_some_and(Ordering::is_ge),
+        Ordering::Less => from_plane(start, ahead).is_some_and(Ordering::is_le),
+    }
+}
+
+/// Whether a section keeps all corners of a triangle; one that is not finite counts as kept.
+pub(in super::super) fn keeps_corners(section: &Section, triangle: &Corners) -> bool {
+    let normal = Vector::<BigInt>::new(section.normal());
+    let offset = Number::new(section.offset());
+    let is_kept = |corner| {
+        let at = point(triangle.placement, [triangle.origin, corner]);
+        normal.dot(&at).plus(&offset).sign().is_ge()
+    };
+    !triangle.is_finite() || triangle.corners.into_iter().all(is_kept)
+}
+
+/// `n . p + c` where a ray starts, and by how much it grows for one unit of t; times the ray's weight, which is above 0.
+fn along<I: Ring>(line: &ExactLine<I>, section: &Section) -> [Number<I>; 2] {
+    let normal = Vector::new(section.normal());
+    let offset = Number::new(section.offset()).times(&line.weight);
+    [
+        normal.dot(&line.origin).plus(&offset),
+        normal.dot(&line.direction),
+    ]
+}
+
+struct OfTriangle<'a>(&'a Line<'a>, &'a Corners<'a>, &'a Section);
+
+impl Formula for OfTriangle<'_> {
+    /// `n . p + c` where the ray meets the plane, times the denominator of t, and that.
+    type Numbers<I: Ring> = [Number<I>; 2];
+    type Answer = bool;
+
+    fn numbers<I: Ring>(&self) -> Self::Numbers<I> {
+        let Seen { line, plane, .. } = Seen::new(self.0, self.1);
+        let [start, ahead] = along(&line, self.2);
+        let side = start
+            .times(&plane.denominator)
+            .plus(&ahead.times(&plane.numerator));
+        [side, plane.denominator]
+    }
+
+    fn most_bits(numbers: &Self::Numbers<Bits>) -> u32 {
+        Bits::most(numbers.each_ref().map(|number| number.integer))
+    }
+
+    fn answer<I: Integer>(&self, [side, denominator]: Self::Numbers<I>) -> bool {
+        side.sign().is_eq() || side.sign() == denominator.sign()
+    }
+}

@@ -1,0 +1,178 @@
+//! A plane that cuts the world: what lies behind it is neither drawn nor hit.
+
+use super::{
+    Corners, Ray, RayError, U, exact,
+    interval::{Approximate, InDoubt},
+};
+use glam::DVec3;
+
+/// Keeps the points p of the world with `n . p + c >= 0`, the plane among them. The stored numbers are taken as exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Section {
+    normal: DVec3,
+    offset: f64,
+}
+
+/// Why there is no such section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SectionError {
+    /// The numbers make no plane.
+    #[error("a section's numbers must be finite")]
+    NotFinite,
+    /// A normal of 0 has no direction.
+    #[error("a section's normal must not be 0,0,0")]
+    NoNormal,
+    /// Three points of one line, or less, span no plane.
+    #[error("the three points of a section must not lie on one line")]
+    OneLine,
+}
+
+impl Section {
+    /// From n, of any length, and c.
+    ///
+    /// # Errors
+    /// When a number is not finite, or n is 0.
+    pub fn new(normal: DVec3, offset: f64) -> Result<Self, SectionError> {
+        if !(normal.is_finite() && offset.is_finite()) {
+            Err(SectionError::NotFinite)
+        } else if normal == DVec3::ZERO {
+            Err(SectionError::NoNormal)
+        } else {
+            Ok(Self { normal, offset })
+        }
+    }
+
+    /// Through a point, across a normal: c is rounded.
+    ///
+    /// # Errors
+    /// As [`Section::new`].
+    pub fn through(point: DVec3, normal: DVec3) -> Result<Self, SectionError> {
+        Self::new(normal, -normal.dot(point))
+    }
+
+    /// Through three points; it keeps the side from which they are counter-clockwise. n is a unit vector, rounded; so is c,
+    /// upwards, so that all three points are kept as far as `f64` tells.
+    ///
+    /// # Errors
+    /// When a number is not finite, or the points lie on one line.
+    pub fn through_points(points: [DVec3; 3]) -> Result<Self, SectionError> {
+        if !points.iter().all(|point| point.is_finite()) {
+            return Err(SectionError::NotFinite);
+        }
+        let [a, b, c] = points;
+        let unit = |v: DVec3| v / v.abs().max_element();
+        let normal = unit(b - a).cross(unit(c - a));
+        // Less is what the differences were rounded by.
+        let size = points.iter().map(|p| p.abs().max_element());
+        let size = size.fold(0.0, f64::max);
+        let lost = |v: DVec3| 4.0 * U * size / v.abs().max_element();
+        if !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a)) {
+            return Err(SectionError::OneLine);
+        }
+        let normal = normal.normalize() + DVec3::ZERO;
+        let offsets = points.map(|point| -normal.dot(point));
+        Self::new(
+            normal,
+            offsets.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        )
+    }
+
+    /// The same with c raised until it keeps a triangle's corners.
+    pub(crate) fn moved_to_keep(self, triangle: &Corners) -> Result<Self, SectionError> {
+        let mut section = self;
+        let mut step = U * self.offset.abs().max(f64::MIN_POSITIVE);
+        while !exact::keeps_corners(&section, triangle) {
+            section = Self::new(self.normal, self.offset + step)?;
+            step *= 2.0;
+        }
+        Ok(section)
+    }
+
+    /// n: it points to what is kept.
+    #[must_use]
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// c.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+
+    /// What keeps the other side; the plane belongs to both.
+    #[must_use]
+    pub fn flipped(&self) -> Self {
+        // Added to 0, -0 is 0.
+        Self {
+            normal: DVec3::ZERO - self.normal,
+            offset: 0.0 - self.offset,
+        }
+    }
+
+    /// `n . p + c`, rounded: not below 0 for what is kept.
+    #[must_use]
+    pub fn side(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) + self.offset
+    }
+}
+
+/// A section along a ray `o + t d`, where `n . p + c` is `start + t ahead`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Across {
+    pub section: Section,
+    start: Approximate,
+    ahead: Approximate,
+}
+
+impl Across {
+    /// Bounds: three products and the sums of them and c round by less than `5 U` of the sizes of what is added up. An error
+    /// of the ray counts as often as n says. The least normal number is slack for underflow.
+    pub(super) fn new(section: Section, ray: &Ray, error: &RayError) -> Self {
+        let Section { normal, offset } = section;
+        let along = |v: DVec3, error: DVec3, constant: f64| {
+            let terms = normal * v;
+            let rounding = 6.0 * U * (terms.abs().element_sum() + constant.abs());
+            Approximate {
+                value: terms.element_sum() + constant,
+                error: 1.01 * normal.abs().dot(error) + rounding + f64::MIN_POSITIVE,
+            }
+        };
+        Self {
+            section,
+            start: along(ray.origin, error.origin, offset),
+            ahead: along(ray.direction, error.direction, 0.0),
+        }
+    }
+
+    /// Whether the point at a parameter is kept, which may be off by `t_error`. Written so that NaN is in doubt.
+    ///
+    /// The product and the sum round by less than `2 U` of both terms; 1.01 absorbs what the bound itself rounds.
+    pub fn keeps(&self, t: f64, t_error: f64) -> Result<bool, InDoubt> {
+        let Self { start, ahead, .. } = self;
+        let way = t * ahead.value;
+        let side = start.value + way;
+        let error = start.error
+            + (t.abs() + t_error) * ahead.error
+            + t_error * ahead.value.abs()
+            + 3.0 * U * (start.value.abs() + way.abs())
+            + f64::MIN_POSITIVE;
+        let error = 1.01 * error;
+        if side > error {
+            Ok(true)
+        } else if side < -error {
+            Ok(false)
+        } else {
+            Err(InDoubt)
+        }
+    }
+
+    /// What of an interval of parameters may be kept: rounded outwards, and of it all where the ray runs along the plane.
+    pub(super) fn of_interval(&self, [t_min, t_max]: [f64; 2]) -> [f64; 2] {
+        match self.start.negative().over(self.ahead) {
+            Ok(at) if self.ahead.value > 0.0 => [t_min.max(at.low()), t_max],
+            Ok(at) => [t_min, t_max.min(at.high().next_up())],
+            Err(InDoubt) => [t_min, t_max],
+        }
+    }
+}

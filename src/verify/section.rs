@@ -1,0 +1,124 @@
+//! The section at a pixel: what of a surface it keeps, and how far off drawing may be about that.
+//!
+//! The shaders' test ([`ScreenSection`]) is linear over the picture on every plane, so moving a face aside changes it by its
+//! slope there. Bounds have the ceiling of depths: [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) of the depth and half
+//! a pixel's width, and what half a pixel aside makes of it.
+
+use super::{
+    Class, GRID_PX, OUTLINE_CEILING_PX,
+    bound::{self, Outline, Reason},
+    surface::Depths,
+};
+use crate::render::{
+    section::{ScreenSection, q},
+    transform::{U, ViewError},
+    view_space::ViewSpace,
+};
+use glam::DVec2;
+
+/// A surface at a pixel, as a section sees it.
+pub(super) struct AtSection {
+    /// Whether it is kept at the centre.
+    pub keeps: bool,
+    /// Why drawing may see that otherwise.
+    pub reason: Option<Reason>,
+}
+
+/// A section in a view.
+pub(super) struct Sectioned<'a> {
+    space: &'a ViewSpace,
+    depths: Depths,
+    screen: Option<ScreenSection>,
+}
+
+impl<'a> Sectioned<'a> {
+    pub fn new(space: &'a ViewSpace) -> Self {
+        Self {
+            space,
+            depths: Depths::new(space),
+            screen: ScreenSection::of(space.view()),
+        }
+    }
+
+    /// What a fragment has at a depth past near, by which the shaders test.
+    pub fn q(&self, past_near: f64) -> f64 {
+        q(self.space, past_near)[0]
+    }
+
+    /// A face by its depth past near at a pixel's centre and the slope of that, in depth per pixel. `f32` moves it aside by
+    /// `f32_px` and off by `error`; interpolation over it takes `interpolation` of [`Sectioned::q`].
+    pub fn face(
+        &self,
+        px: DVec2,
+        past_near: f64,
+        slope: DVec2,
+        f32_px: f64,
+        error: &ViewError,
+        interpolation: impl FnOnce() -> f64,
+    ) -> AtSection {
+        let Some(screen) = &self.screen else {
+            return AtSection::WHOLE;
+        };
+        let per_depth = q(self.space, past_near)[1];
+        let gradient = (screen.per_px + screen.per_q * per_depth * slope).length();
+        let moved = gradient * (GRID_PX + f32_px);
+        let room = gradient * OUTLINE_CEILING_PX;
+        let off = screen.per_q.abs() * interpolation();
+        self.at(screen, px, past_near, error, [moved, off, room])
+    }
+
+    /// A sphere, which nothing moves aside; half a pixel aside makes `of_slope` of its depth.
+    pub fn sphere(&self, px: DVec2, past_near: f64, of_slope: f64, error: &ViewError) -> AtSection {
+        let Some(screen) = &self.screen else {
+            return AtSection::WHOLE;
+        };
+        let per_depth = q(self.space, past_near)[1];
+        let room = (screen.per_q * per_depth).abs() * of_slope
+            + screen.per_px.length() * OUTLINE_CEILING_PX;
+        self.at(screen, px, past_near, error, [0.0, 0.0, room])
+    }
+
+    /// What moves the test's value aside, and what else takes of it, are given; so is what moving aside may take.
+    fn at(
+        &self,
+        screen: &ScreenSection,
+        px: DVec2,
+        past_near: f64,
+        error: &ViewError,
+        [moved, off, room]: [f64; 3],
+    ) -> AtSection {
+        let [q, per_depth] = q(self.space, past_near);
+        let value = screen.value(px, q);
+        // A reciprocal (2.5 units in the last place), or what the depth buffer stores.
+        let off_q = if self.space.view().camera.lens().is_orthographic() {
+            self.depths.error(past_near, error)
+        } else {
+            per_depth.abs() * error.depth + 6.0 * U * q
+        };
+        let off = off + screen.per_q.abs() * off_q + screen.bound(px, q);
+        let length = self.depths.ceiling_world(past_near);
+        let ceiling = (screen.per_q * per_depth).abs() * length + room;
+        let strain = bound::strain(value.abs(), moved + off);
+        let reason = strain.map(|strain| Reason {
+            class: if bound::beyond_f32(0.0, off, ceiling) {
+                Class::BeyondF32
+            } else {
+                Class::Section
+            },
+            strain,
+            outline: Outline::NONE,
+        });
+        AtSection {
+            keeps: value >= 0.0,
+            reason,
+        }
+    }
+}
+
+impl AtSection {
+    /// Nothing cuts.
+    const WHOLE: Self = Self {
+        keeps: true,
+        reason: None,
+    };
+}

@@ -1,0 +1,113 @@
+//! The section in the window: where it can be laid, and what turns it on again. The view holds it.
+
+use super::state::{Selection, State};
+use crate::{
+    camera::SectionChoice,
+    geometry::{Cuboid, Section},
+    pick::Pick,
+    scene::Shape,
+};
+use glam::DVec3;
+
+impl State {
+    /// Whether there can be a section: not in the gallery, whose scenes stay as they are.
+    #[must_use]
+    pub fn takes_sections(&self) -> bool {
+        self.showing.is_none()
+    }
+
+    /// How many more picks a section by three points waits for; `None` where nothing does.
+    #[must_use]
+    pub fn points_wanted(&self) -> Option<usize> {
+        Some(3 - self.section_memory.points.as_ref()?.len())
+    }
+
+    /// Across an axis of the world, through the middle of what is visible; what lies towards the eye is cut away.
+    #[must_use]
+    pub fn section_across(&self, axis: DVec3) -> Option<Section> {
+        let bounds = self.scene.visible_bounds();
+        if bounds.is_empty() {
+            return None;
+        }
+        let middle = bounds.center();
+        let is_before = (self.view.camera.eye() - middle).dot(axis) > 0.0;
+        // Added to 0, -0 is 0.
+        let normal = if is_before { -axis } else { axis } + DVec3::ZERO;
+        Section::through(middle, normal).ok()
+    }
+
+    /// Along the picked face, which it keeps with what lies behind.
+    #[must_use]
+    pub fn section_along_pick(&self) -> Option<Section> {
+        let Selection { object, pick } = self.selection.as_ref()?;
+        let pick: &Pick = pick.as_ref()?.hit.as_ref()?;
+        let face = match &self.scene.objects().get(*object)?.shape {
+            Shape::Sphere => return None,
+            Shape::Square => None,
+            Shape::Cube => {
+                let is_it = |normal: &DVec3| normal.dot(pick.normal_object) > 0.5;
+                let face = Cuboid::NORMALS.iter().position(is_it)?;
+                Some(u32::try_from(face).ok()?)
+            }
+            Shape::Mesh { .. } => Some(pick.triangle?),
+        };
+        let id = object + 1;
+        self.scene
+            .section(SectionChoice::Face { id, face })
+            .ok()
+            .flatten()
+    }
+
+    /// Cuts by a section, or by none.
+    pub(super) fn set_section(&mut self, section: Option<Section>) {
+        if !self.takes_sections() {
+            return;
+        }
+        let before = std::mem::replace(&mut self.view.section, section);
+        if section.is_none() {
+            self.section_memory.off = before.or(self.section_memory.off);
+        }
+        self.section_memory.points = None;
+    }
+
+    /// Turns it off, or on again: where it was, or else across the axis that runs most towards the eye.
+    pub(super) fn toggle_section(&mut self) {
+        let on = || {
+            let forward = self.view.camera.forward().abs();
+            let axis = DVec3::AXES[forward.max_position()];
+            self.section_memory
+                .off
+                .or_else(|| self.section_across(axis))
+        };
+        let next = match self.view.section {
+            Some(_) => None,
+            None => on(),
+        };
+        self.set_section(next);
+    }
+
+    /// Waits for three picks, or no longer.
+    pub(super) fn await_points(&mut self, awaits: bool) {
+        let awaits = awaits && self.takes_sections();
+        self.section_memory.points = awaits.then(Vec::new);
+    }
+
+    /// Takes a pick for a section by three points, where one is waited for. Points on one line begin anew.
+    pub(super) fn take_point(&mut self, point_world: DVec3) {
+        let Some(points) = &mut self.section_memory.points else {
+            return;
+        };
+        points.push(point_world);
+        let Ok(points) = <[DVec3; 3]>::try_from(points.as_slice()) else {
+            return;
+        };
+        match Section::through_points(points) {
+            Ok(section) => {
+                let was = self.stand();
+                self.set_section(Some(section));
+                self.record_stand(None, &was);
+            }
+            Err(_) => self.section_memory.points = Some(Vec::new()),
+        }
+    }
+}

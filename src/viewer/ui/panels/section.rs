@@ -1,0 +1,136 @@
+//! The section: where it is laid, and its numbers.
+
+use super::{
+    field::{AXES, Field, WIDTH},
+    gesture::Gesture,
+    names::{Hint, named},
+};
+use crate::{
+    geometry::Section,
+    viewer::{
+        model::{Action, State},
+        ui::command::Command,
+    },
+};
+use egui::{Grid, Slider, Ui};
+use glam::DVec3;
+
+/// Nothing where there can be none.
+pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    if !state.takes_sections() {
+        return;
+    }
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| where_to(ui, state, commands));
+    if let Some(section) = &state.view().section {
+        numbers(ui, state, section, commands);
+    }
+}
+
+fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let section = state.view().section;
+    let mut is_on = section.is_some();
+    let on = ui.checkbox(&mut is_on, "section");
+    let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and one looks into solids (Z)";
+    if on.hint(hint).changed() {
+        commands.push(Command::Act(Action::ToggleSection));
+    }
+    let mut button = |ui: &mut Ui, word: &str, name: &str, hint: &str, to: Option<Action>| {
+        let button = ui.add_enabled(to.is_some(), egui::Button::new(word).small());
+        named(&button, name);
+        if button.hint(hint).clicked()
+            && let Some(action) = to
+        {
+            commands.extend([action, Action::Release].map(Command::Act));
+        }
+    };
+    let lay = |section: Option<Section>| section.map(|section| Action::Section(Some(section)));
+    for (axis, word) in DVec3::AXES.into_iter().zip(AXES) {
+        let hint = format!("across the world's {word} axis, through the middle of what is visible");
+        let name = format!("section across {word}");
+        button(ui, word, &name, &hint, lay(state.section_across(axis)));
+    }
+    let hint = "along the picked face, which stays with what lies behind it";
+    let along = lay(state.section_along_pick());
+    button(ui, "face", "section along the face", hint, along);
+    let wanted = state.points_wanted();
+    let word = match wanted {
+        None => "3 points".to_owned(),
+        Some(1) => "1 more pick".to_owned(),
+        Some(more) => format!("{more} more picks"),
+    };
+    let hint = "through the next three picks: the side stays from which they are counter-clockwise; again gives up";
+    let name = "section by three points";
+    let next = Action::SectionByPoints(wanted.is_none());
+    button(ui, &word, name, hint, Some(next));
+    if let Some(section) = section {
+        let hint = "keep the other side";
+        let to = lay(Some(section.flipped()));
+        button(ui, "flip", "flip the section", hint, to);
+    }
+}
+
+const NORMAL: &str =
+    "n of the section: it points to what is kept, the points p with n . p + c at least 0";
+const OFFSET: &str =
+    "c of the section: kept is what has n . p + c at least 0; an arrow in the picture drags it";
+
+fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Command>) {
+    let (normal, offset) = (section.normal(), section.offset());
+    let bounds = state.scene().visible_bounds();
+    let along = bounds.corners().map(|corner| -normal.dot(corner));
+    let [least, most] = [f64::min, f64::max].map(|end| along.into_iter().fold(along[0], end));
+    let check = |normal: DVec3, offset: f64| {
+        let section = Section::new(normal, offset).map(|_| ());
+        section.map_err(|error| error.to_string())
+    };
+    let (mut next, mut gesture) = (None, Gesture::default());
+    Grid::new("section").num_columns(4).show(ui, |ui| {
+        ui.label("n").hint(NORMAL);
+        for (i, axis) in AXES.into_iter().enumerate() {
+            let with = |number| {
+                let mut normal = normal;
+                normal[i] = number;
+                normal
+            };
+            let field = Field {
+                name: &format!("section n {axis}"),
+                hint: NORMAL,
+                of: state.scene_revision(),
+                value: normal[i],
+                width: WIDTH,
+                step: 0.01 * normal.abs().max_element(),
+            };
+            if let Some(number) = field.show(ui, |number| check(with(number), offset)) {
+                next = Some((with(number), offset));
+            }
+        }
+        ui.end_row();
+    });
+    ui.horizontal_top(|ui| {
+        ui.label("c").hint(OFFSET);
+        let field = Field {
+            name: "section c",
+            hint: OFFSET,
+            of: state.scene_revision(),
+            value: offset,
+            width: WIDTH,
+            step: 0.01 * (most - least),
+        };
+        if let Some(number) = field.show(ui, |number| check(normal, number)) {
+            next = Some((normal, number));
+        }
+        if least < most {
+            let mut slid = offset;
+            let slider = ui.add(Slider::new(&mut slid, least..=most).show_value(false));
+            named(&slider, "section c, slid");
+            let slider = slider.hint(OFFSET);
+            gesture.note(&slider);
+            if slider.changed() && check(normal, slid).is_ok() {
+                next = Some((normal, slid));
+            }
+        }
+    });
+    let next = next.and_then(|(normal, offset)| Section::new(normal, offset).ok());
+    gesture.push(next.map(|next| Action::Section(Some(next))), commands);
+}

@@ -1,0 +1,147 @@
+//! The section in the picture: its rim about what is visible, and an arrow along n that drags it.
+
+use super::gesture::Gesture;
+use crate::{
+    camera::View,
+    geometry::{Aabb, Section, clip},
+    look,
+    viewer::{
+        model::{Action, State},
+        screen::SceneRect,
+        ui::{command::Command, theme::color32},
+    },
+};
+use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use glam::DVec3;
+
+/// Length of the arrow over the radius of what is visible.
+const LENGTH: f64 = 0.25;
+/// The arrow is no shorter in the picture than this, in points, so that it can be taken.
+const SHORTEST: f32 = 28.0;
+/// How far from its head it is taken, in points.
+const REACH: f32 = 11.0;
+
+/// Over the scene's rectangle; nothing where nothing is cut.
+pub(super) fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    place: SceneRect,
+    state: &State,
+    commands: &mut Vec<Command>,
+) {
+    let bounds = state.scene().visible_bounds();
+    let view = state.view();
+    let Some(section) = view.section.filter(|_| !bounds.is_empty()) else {
+        return;
+    };
+    let painter = ui.painter().with_clip_rect(rect);
+    draw_rim(&painter, place, view, &section, &bounds);
+    let Some(arrow) = Arrow::new(place, view, &section, &bounds) else {
+        return;
+    };
+    let taken = Rect::from_center_size(arrow.head, vec2(2.0, 2.0) * REACH);
+    let id = ui.scope_id().with("section handle");
+    let response = ui.interact(taken.intersect(rect), id, Sense::DRAG);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "drag the section"));
+    let is_lit = response.hovered() || response.dragged();
+    arrow.draw(&painter, is_lit);
+    let mut gesture = Gesture::default();
+    gesture.note(&response);
+    let moved = response.dragged().then(|| {
+        let by = response.drag_delta();
+        let along = f64::from(by.dot(arrow.per_world)) / f64::from(arrow.per_world.length_sq());
+        let normal = section.normal();
+        Section::new(normal, section.offset() - along * normal.length())
+    });
+    let moved = moved.and_then(Result::ok).filter(|moved| *moved != section);
+    gesture.push(moved.map(|moved| Action::Section(Some(moved))), commands);
+    if is_lit {
+        ui.set_cursor_icon(CursorIcon::Grab);
+    }
+    if !response.dragged() {
+        response.on_hover_text(
+            "drag: moves the section along its normal, which points to what is kept",
+        );
+    }
+}
+
+/// From the plane along n, in the picture.
+struct Arrow {
+    foot: Pos2,
+    head: Pos2,
+    /// Points in the picture for one world unit along n.
+    per_world: egui::Vec2,
+}
+
+impl Arrow {
+    /// `None` where the picture does not show it, or only its end.
+    fn new(place: SceneRect, view: &View, section: &Section, bounds: &Aabb) -> Option<Self> {
+        let unit = section.normal().normalize_or_zero();
+        let middle = bounds.center();
+        let foot = middle - unit * (section.side(middle) / section.normal().length());
+        let length = LENGTH * bounds.radius();
+        let [from, to] = view.project_segment(foot, foot + length * unit)?;
+        let [foot, head] = [from, to].map(|px| place.to_position(px));
+        let along = head - foot;
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "points of a picture need no more"
+        )]
+        let per_world = along / length as f32;
+        let is_seen = per_world.length_sq() > 0.0 && along.length().is_finite();
+        is_seen.then(|| Self {
+            foot,
+            head: foot + along * (SHORTEST / along.length()).max(1.0),
+            per_world,
+        })
+    }
+
+    fn draw(&self, painter: &Painter, is_lit: bool) {
+        let colour = if is_lit {
+            Color32::WHITE
+        } else {
+            color32(look::INSIDE)
+        };
+        let along = (self.head - self.foot).normalized();
+        let aside = vec2(-along.y, along.x);
+        for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (colour, 0.0)] {
+            let stroke = Stroke::new(2.5 + more, colour);
+            painter.line_segment([self.foot, self.head], stroke);
+            let tip = self.head + 6.0 * along;
+            let wing = |side: f32| self.head - 6.0 * along + side * 6.0 * aside;
+            let head = vec![tip, wing(1.0), wing(-1.0)];
+            painter.add(egui::Shape::convex_polygon(
+                head,
+                colour,
+                Stroke::new(more, colour),
+            ));
+            painter.circle_filled(self.foot, 3.0 + 0.5 * more, colour);
+        }
+    }
+}
+
+/// Where the plane meets the box about what is visible.
+fn draw_rim(painter: &Painter, place: SceneRect, view: &View, section: &Section, bounds: &Aabb) {
+    let normal = section.normal().normalize_or_zero();
+    let middle = bounds.center();
+    let foot = middle - normal * (section.side(middle) / section.normal().length());
+    let right = normal.any_orthonormal_vector();
+    let up = normal.cross(right);
+    let far = 2.0 * bounds.radius();
+    let around = [(-far, -far), (far, -far), (far, far), (-far, far)];
+    let mut rim: Vec<DVec3> = around.map(|(x, y)| foot + x * right + y * up).into();
+    for axis in DVec3::AXES {
+        let ends = [(axis, bounds.min), (-axis, bounds.max)];
+        for (inwards, at) in ends {
+            let side = |p: &DVec3| inwards.dot(*p - at);
+            rim = clip(&rim, side, |a, b, s| a.lerp(*b, s));
+        }
+    }
+    let colour = color32(look::INSIDE);
+    for (a, b) in rim.iter().zip(rim.iter().cycle().skip(1)) {
+        if let Some(ends) = view.uncut().project_segment(*a, *b) {
+            let ends = ends.map(|end| place.to_position(end));
+            painter.line_segment(ends, Stroke::new(1.0, colour));
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Hundreds of cuts, along faces, through vertices and the eye, along rays, across axes and anywhere: what is drawn is what
+//! is picked, or lies as near to the plane as drawing can tell.
+
+use crate::{
+    cameras::few_shots,
+    common::{self, Random},
+    cuts::some_section,
+    drawn,
+    scenes::{gpu, shapes},
+};
+use glam::DVec3;
+use sightline::{
+    camera::View,
+    geometry::{Section, Sides},
+    image::{Id, Image},
+    pick,
+    render::{Renderer, SceneBuffers},
+    scene::{self, Progress, Scene, gallery::GALLERY},
+    verify::{Class, Verdict, compare},
+};
+use std::path::PathBuf;
+
+/// Cuts of each of a scene's four views in an ordinary run.
+const CUTS: usize = 8;
+
+fn wanted() -> usize {
+    std::env::var("SIGHTLINE_CUTS").map_or(CUTS, |count| {
+        count.parse().expect("SIGHTLINE_CUTS is a number")
+    })
+}
+
+/// What many cuts came to.
+#[derive(Default)]
+struct Tally {
+    cuts: usize,
+    /// Pixels that show another thing, or nothing, for the cut.
+    changed: usize,
+    /// Pixels that still show something.
+    shown: usize,
+    /// Pixels of each class.
+    classes: [usize; 6],
+    defects: Vec<String>,
+}
+
+impl Tally {
+    fn check(&mut self, name: &str, scene: &Scene, cuts: usize, random: &mut Random) {
+        let gpu = gpu();
+        let mut renderer = Renderer::new(&gpu, 1);
+        scene.build_trees();
+        let buffers = SceneBuffers::upload(&gpu, scene).expect("fits");
+        for shot in few_shots(scene, "cut", true) {
+            let whole = pick::ids(scene, &shot.view);
+            for _ in 0..cuts {
+                let section = Some(some_section(random, scene, &shot.view));
+                let view = View {
+                    section,
+                    ..shot.view
+                };
+                let picked = pick::ids(scene, &view);
+                let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
+                self.compare(name, scene, &view, [&whole, &picked, &drawn]);
+            }
+        }
+    }
+
+    fn compare(
+        &mut self,
+        name: &str,
+        scene: &Scene,
+        view: &View,
+        [whole, picked, drawn]: [&Image<Id>; 3],
+    ) {
+        let report = compare(scene, view, drawn, picked);
+        self.cuts += 1;
+        let pixels = whole.pixels().iter().zip(picked.pixels());
+        self.changed += pixels.filter(|(whole, picked)| whole != picked).count();
+        self.shown += report.drawn.min(report.picked);
+        for (count, class) in self.classes.iter_mut().zip(Class::ALL) {
+            *count += report.count(class);
+        }
+        if report.verdict() != Verdict::Agrees {
+            let (verdict, worst) = (report.verdict(), report.worst());
+            (self.defects).push(format!("{name}: {verdict:?}, {worst:?}, {view:?}"));
+        }
+    }
+
+    fn finish(&self, [changed, shown]: [usize; 2]) {
+        let [edge, depth, section, limit, beyond, unexplained] = self.classes;
+        println!(
+            "{} cuts: {} pixels changed, {} shown; {edge} edge, {depth} depth, {section} section, {limit} f32 limit, \
+             {beyond} beyond, {unexplained} unexplained",
+            self.cuts, self.changed, self.shown
+        );
+        assert!(
+            self.changed / self.cuts >= changed && self.shown / self.cuts >= shown,
+            "little was cut, or little left"
+        );
+        assert!(
+            self.defects.is_empty(),
+            "{} defects:\n{}",
+            self.defects.len(),
+            self.defects[..self.defects.len().min(5)].join("\n")
+        );
+    }
+}
+
+fn load(path: &str) -> Scene {
+    let paths: Vec<PathBuf> = (!path.is_empty())
+        .then(|| path.into())
+        .into_iter()
+        .collect();
+    let loaded = scene::load(&paths, &Progress::default());
+    loaded.expect("a scene").scene
+}
+
+#[test]
+fn of_own_scenes() {
+    let mut tally = Tally::default();
+    let mut random = Random::new(31);
+    tally.check("shapes", &shapes(DVec3::ZERO), 3 * wanted(), &mut random);
+    tally.check("demo", &load(""), 3 * wanted(), &mut random);
+    for exhibit in &GALLERY {
+        let path = exhibit.path();
+        let scene = load(&path.to_string_lossy());
+        tally.check(exhibit.name, &scene, wanted() / 4, &mut random);
+    }
+    tally.finish([500, 500]);
+}
+
+#[test]
+fn of_real_files() {
+    let Some(folder) = common::shared() else {
+        println!("real files: absent");
+        return;
+    };
+    let mut tally = Tally::default();
+    let mut random = Random::new(32);
+    for name in [
+        "stanford-bunny",
+        "spot",
+        "cornell_box",
+        "teapot",
+        "linz_x0410_utm33n",
+        "hundred_cubes",
+    ] {
+        let path = folder.join("models").join(name).with_extension("obj");
+        let scene = load(&path.to_string_lossy());
+        tally.check(name, &scene, wanted(), &mut random);
+    }
+    tally.finish([500, 300]);
+}
+
+/// A face that lies in the plane is drawn as a whole and picked as a whole, from both sides; the rest of the cube beyond it
+/// is not there.
+#[test]
+fn a_face_in_the_plane_shows_as_a_whole() {
+    let cube = sightline::scene::Object::new(
+        "cube",
+        sightline::scene::Shape::Cube,
+        sightline::geometry::Placement::IDENTITY,
+    );
+    let scene = Scene::new(vec![cube]);
+    let gpu = gpu();
+    let mut renderer = Renderer::new(&gpu, 1);
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let mut shown = 0;
+    for shot in few_shots(&scene, "a face in the plane", true) {
+        for axis in DVec3::AXES {
+            for sign in [1.0, -1.0] {
+                // What lies beyond the face: only that is left.
+                let section = Section::new(sign * axis, -0.5).expect("a section");
+                let view = View {
+                    section: Some(section),
+                    sides: Sides::Both,
+                    ..shot.view
+                };
+                let picked = pick::ids(&scene, &view);
+                let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
+                let report = compare(&scene, &view, &drawn, &picked);
+                assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+                // Specks would be everywhere, and not at the face's rim only.
+                assert!(report.count(Class::Section) < 4);
+                shown += report.picked;
+            }
+        }
+    }
+    assert!(shown > 20_000, "{shown} pixels");
+}

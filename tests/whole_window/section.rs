@@ -1,0 +1,190 @@
+//! The section in the window: laid, typed, dragged, taken back, saved; what it cuts away is neither seen nor picked.
+
+use super::*;
+use glam::DVec3;
+use sightline::{camera::SectionChoice, geometry::Section, look};
+
+fn section(window: &Offscreen) -> Option<Section> {
+    window.state().view().section
+}
+
+/// The cube in front cut through its middle: a click there picks its back, from within, in a colour of its own.
+#[test]
+fn a_cut_solid_shows_and_picks_its_inside() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    let whole = window.picture().expect("a picture");
+    type_section(&mut window, [0.0, 0.0, -1.0], 2.0);
+    let cut = window.picture().expect("a picture");
+    let [x, y] = [590, 385];
+    assert_ne!(whole.at(x, y), cut.at(x, y));
+    let inside = look::shade(look::INSIDE.to_linear(), glam::Vec3::NEG_Z);
+    let inside = sightline::colour::Srgb::from_linear(inside).0;
+    let apart = |a: u8, b: u8| a.abs_diff(b);
+    let seen = cut.at(x, y);
+    assert!(
+        seen.iter().zip(inside).all(|(a, b)| apart(*a, b) < 3),
+        "{seen:?} for {inside:?}"
+    );
+    click(&mut window, pos2(590.5, 385.5));
+    let selection = window.state().selection().expect("a selection");
+    let hit = selection.pick.as_ref().and_then(|pick| pick.hit.as_ref());
+    let hit = hit.expect("a hit");
+    assert_eq!((hit.object.as_str(), hit.front), ("front", false));
+    assert!(
+        (hit.point_world.z - 1.5).abs() < 1e-12,
+        "{}",
+        hit.point_world
+    );
+}
+
+/// As a user types it.
+fn type_section(window: &mut Offscreen, normal: [f64; 3], offset: f64) {
+    if section(window).is_none() {
+        click_on(window, "section");
+    }
+    let names = ["section n x", "section n y", "section n z"];
+    // z first: n is 0 nowhere on the way.
+    for i in [2, 1, 0] {
+        type_into(window, names[i], &normal[i].to_string());
+        press_key(window, Modifiers::NONE, Key::Enter);
+    }
+    type_into(window, "section c", &offset.to_string());
+    press_key(window, Modifiers::NONE, Key::Enter);
+    let wanted = Section::new(normal.into(), offset).expect("a section");
+    assert_eq!(section(window), Some(wanted));
+}
+
+#[test]
+fn it_is_laid_flipped_and_taken_back_step_by_step() {
+    let (mut window, _folder) = row(1.0);
+    assert!(!has_control(&window, "flip the section"));
+    let mut stood = vec![None];
+    click_on(&mut window, "section across x");
+    stood.push(section(&window));
+    // The eye looks along -z: what is to be seen stays on the far side.
+    click_on(&mut window, "section across z");
+    stood.push(section(&window));
+    let across = section(&window).expect("a section");
+    assert_eq!(across.normal(), DVec3::NEG_Z);
+    click_on(&mut window, "flip the section");
+    stood.push(section(&window));
+    assert_eq!(section(&window), Some(across.flipped()));
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    stood.push(section(&window));
+    assert_eq!(section(&window), None);
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert_eq!(section(&window), Some(across.flipped()), "where it was");
+    stood.push(section(&window));
+    for was in stood.iter().rev().skip(1) {
+        press_key(&mut window, CTRL, Key::Z);
+        assert_eq!(section(&window), *was);
+    }
+    for will in &stood[1..] {
+        press_key(&mut window, CTRL, Key::Y);
+        assert_eq!(section(&window), *will);
+    }
+}
+
+#[test]
+fn what_makes_no_section_is_refused_in_red() {
+    let (mut window, _folder) = row(1.0);
+    click_on(&mut window, "section across z");
+    let before = section(&window);
+    type_into(&mut window, "section n z", "0");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(section(&window), before);
+    let field = control(&window, "section n z");
+    let description = format!("{field:?}");
+    assert!(description.contains("must not be 0,0,0"), "{description}");
+}
+
+/// A drag of the arrow moves the plane by as much as the cursor moves along it, and is one step; it does not turn the view.
+#[test]
+fn the_arrow_in_the_picture_drags_it() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num3);
+    click_on(&mut window, "section across z");
+    let (before, view) = (section(&window).expect("a section"), *window.state().view());
+    let at = control(&window, "drag the section").rect.center();
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        at,
+        at + egui::vec2(40.0, 3.0),
+    );
+    let after = section(&window).expect("a section");
+    assert_eq!(
+        window.state().view().camera,
+        view.camera,
+        "it does not turn"
+    );
+    assert_eq!(after.normal(), before.normal());
+    let shown = |section: &Section| {
+        let on_plane = -section.offset() * section.normal();
+        view.project(on_plane).expect("before the eye").px
+    };
+    let moved_px = shown(&after) - shown(&before);
+    assert!(
+        (moved_px.x - 40.0).abs() < 2.0 && moved_px.y.abs() < 1.0,
+        "{moved_px}"
+    );
+    press_key(&mut window, CTRL, Key::Z);
+    assert_eq!(section(&window), Some(before), "one step");
+}
+
+#[test]
+fn along_the_picked_face_and_by_three_picks() {
+    let (mut window, _folder) = row(1.0);
+    assert!(!control(&window, "section along the face").is_enabled);
+    click(&mut window, pos2(590.5, 385.5));
+    assert_eq!(selected(&window), Some("front"));
+    click_on(&mut window, "section along the face");
+    let along = Section::new(DVec3::NEG_Z, 2.5).expect("a section");
+    assert_eq!(section(&window), Some(along));
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    // Counter-clockwise as they are seen: what lies before the face would stay.
+    click_on(&mut window, "section by three points");
+    for at in [pos2(560.5, 390.5), pos2(620.5, 390.5)] {
+        window.wait_s(1.0);
+        click(&mut window, at);
+        assert_eq!(section(&window), None);
+    }
+    window.wait_s(1.0);
+    click(&mut window, pos2(590.5, 330.5));
+    let through = section(&window).expect("a section");
+    assert!(
+        (through.normal() - DVec3::Z).length() < 1e-12 && (through.offset() + 2.5).abs() < 1e-9,
+        "{through:?}"
+    );
+}
+
+#[test]
+fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
+    let (mut window, folder) = row(1.0);
+    type_section(&mut window, [0.1, 0.25, -1.0], 0.3);
+    let laid = section(&window);
+    press_key(&mut window, Modifiers::SHIFT, Key::C);
+    let copied = window.copied().expect("a camera");
+    assert!(copied.contains("section = \"0.1,0.25,-1,0.3\""), "{copied}");
+    press_key(&mut window, Modifiers::NONE, Key::C);
+    let command = window.copied().expect("a command");
+    assert!(command.contains(" --section 0.1,0.25,-1,0.3"), "{command}");
+    let file = folder.path().join("cut.toml");
+    window.save_as(file.clone());
+    let window = open(vec![file], 1.0);
+    assert_eq!(section(&window), laid);
+    let word: SectionChoice = "0.1,0.25,-1,0.3".parse().expect("a section");
+    assert_eq!(laid.map(SectionChoice::Plane), Some(word));
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert!(section(&window).is_some());
+    press_key(&mut window, Modifiers::NONE, Key::E);
+    assert_eq!(section(&window), None);
+    press_key(&mut window, Modifiers::NONE, Key::Z);
+    assert_eq!(section(&window), None);
+    assert!(!has_control(&window, "section"));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(section(&window).is_some(), "back");
+}
