@@ -61,7 +61,8 @@ pub(in crate::viewer) enum Command {
     /// An answer to the question whether edits may go.
     Reply(Reply),
     /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method
-    /// again, else close the comparison, else select nothing, else leave the gallery.
+    /// again, else close the comparison, else select nothing, else close the four
+    /// views, else leave the gallery.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
