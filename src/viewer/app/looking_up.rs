@@ -6,7 +6,7 @@ use crate::{
     scene::{MeshFile, Shape},
     viewer::{
         jobs::{Found, Question, ReadingAgain, Snapping},
-        model::{Action, Stage, State},
+        model::{Action, State},
         ui::GoTo,
     },
 };
@@ -60,7 +60,7 @@ impl App {
     pub(super) fn snap(&mut self) {
         self.numbers.snapping = None;
         let ray = self.state.hits().filter(|_| self.state.measuring().is_on);
-        if let (Some(ray), Stage::World) = (ray, self.state.stage()) {
+        if let Some(ray) = ray {
             let wake = self.wake.clone();
             let files = self.state.source().meshes.clone();
             let scene = self.state.scene().clone();
@@ -126,7 +126,7 @@ impl App {
             Found::Face(face) => face.map(|face| {
                 let name = format!("face {}, line {}", face.face, face.line);
                 let places = |state: &State| {
-                    let (scene, view) = state.world();
+                    let (scene, view) = (state.scene(), state.view());
                     Whereabouts::of_face(scene, view, &file.mesh, face.triangles.clone())
                 };
                 (name, self.go_to_first(places))
@@ -137,7 +137,7 @@ impl App {
                     vertex.vertex, vertex.written, vertex.line
                 );
                 let places = |state: &State| {
-                    let (scene, view) = state.world();
+                    let (scene, view) = (state.scene(), state.view());
                     match vertex.value {
                         Some(_) => Whereabouts::of_vertex(scene, view, &file.mesh, vertex.position),
                         None => Vec::new(),
@@ -201,7 +201,7 @@ fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
 fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     let files = &state.source().meshes;
     let selected = state.selection().map(|selection| selection.object);
-    let of_selected = selected.and_then(|object| match &state.world().0.objects()[object].shape {
+    let of_selected = selected.and_then(|object| match &state.scene().objects()[object].shape {
         Shape::Mesh { mesh, .. } => MeshFile::of(files, mesh),
         _ => None,
     });
