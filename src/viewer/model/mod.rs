@@ -8,6 +8,7 @@ mod editing;
 mod hits;
 mod made;
 mod matrices;
+mod measures;
 mod measuring;
 mod observer;
 mod on_screen;

@@ -14,7 +14,13 @@ use crate::{
 };
 use egui::{Align, Label, Layout, RichText, Ui};
 
-pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+/// `going_to` is what came of the last way to something by its number.
+pub(super) fn show(
+    ui: &mut Ui,
+    state: &State,
+    going_to: Option<&str>,
+    commands: &mut Vec<Command>,
+) {
     if state.method().is_some() {
         ui.label("Another method picks now. What it says is beside the picture and is not copied or printed.")
             .hint("Esc: pick by Sightline's own method again");
@@ -23,6 +29,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.")
             .hint("a ray from the eye through the clicked pixel finds what that pixel shows");
+        in_file::go_to(ui, going_to, commands);
         return;
     };
     let object = &state.scene().objects()[selection.object];
@@ -38,6 +45,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             });
         });
     });
+    in_file::go_to(ui, going_to, commands);
     // First, so that it stays where it is while what it does changes the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());

@@ -3,7 +3,7 @@
 use super::{
     camera,
     docks::{FIELDS, Section, Side},
-    exhibit, in_file, measure,
+    exhibit, measure,
     names::{Hint, bounded, named},
     objects, pick, pipeline,
     shown::Shown,
@@ -142,10 +142,7 @@ fn contents(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec
         }
         Section::Camera => camera::show(ui, state, commands),
         Section::Pipeline => pipeline::show(ui, state, commands),
-        Section::Pick => {
-            in_file::go_to(ui, shown.going_to, commands);
-            pick::show(ui, state, commands);
-        }
+        Section::Pick => pick::show(ui, state, shown.going_to, commands),
         Section::Measure => measure::show(ui, state, commands),
         Section::Objects => {
             objects::show(ui, state, shown.filter, shown.reveal_selection, commands);

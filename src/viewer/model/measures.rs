@@ -1,0 +1,56 @@
+//! What is done to the list of measures.
+
+use super::{
+    measuring::{Entry, MeasureAction, Measuring},
+    state::{State, Step},
+};
+use crate::pick::{measure::Measured, snap::Snap};
+use std::mem;
+
+impl State {
+    /// Where clicks were led to, and what was measured.
+    #[must_use]
+    pub fn measuring(&self) -> &Measuring {
+        &self.measuring
+    }
+
+    pub(super) fn measure(&mut self, action: MeasureAction) {
+        let list = self.measuring.list.clone();
+        match action {
+            MeasureAction::Toggle => {
+                self.measuring.is_on ^= true;
+                self.forget_points();
+            }
+            MeasureAction::Add(what) => {
+                let entry = self.measuring.entry(what);
+                self.measuring.list.extend(entry);
+            }
+            MeasureAction::Remove(at) if at < list.len() => drop(self.measuring.list.remove(at)),
+            MeasureAction::Remove(_) => {}
+            MeasureAction::Clear => self.measuring.list.clear(),
+        }
+        if self.measuring.list != list {
+            self.record(Step::Measured(list));
+        }
+    }
+
+    /// A click was led there.
+    pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<Measured>) {
+        let points = &mut self.measuring.points;
+        points.push(snap);
+        let old = points.len().saturating_sub(2);
+        points.drain(..old);
+        self.measuring.object_area = object_area;
+    }
+
+    /// The scene is another: its points are not where they were.
+    pub(super) fn forget_points(&mut self) {
+        self.measuring.points.clear();
+        self.measuring.object_area = None;
+    }
+
+    /// Has another list; returns the one before.
+    pub(super) fn exchange_measures(&mut self, list: Vec<Entry>) -> Vec<Entry> {
+        mem::replace(&mut self.measuring.list, list)
+    }
+}
