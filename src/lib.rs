@@ -59,7 +59,9 @@
 //! * **at rest**: of the window's picture, that nothing has moved in it for a moment: its edges are made smooth. *Rough*:
 //!   that they are not yet. Ids are the same in both. *Coarse*: that its pixels are larger than the window's, as those of
 //!   a picture that moves are in software.
-//! * **stage**: how far along M, V, P the window shows the scene ([`viewer::model::Stage`]).
+//! * **stage**: how far along M, V, P something is shown: object, world, view, NDC ([`viewer::model::Stage`]). The *four
+//!   views* show them, each seen by an *observer* of its own; what is in none of them is the *picture*, the camera's.
+//! * **followed**: of a point, that it is shown at each stage: the pick's, or what is under the cursor.
 //! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!

@@ -7,6 +7,7 @@ use crate::{
     pick,
     render::{self, Gpu},
     scene::Scene,
+    viewer::{self, model::Views},
 };
 use glam::DVec2;
 use std::{path::PathBuf, time::Instant};
@@ -29,6 +30,9 @@ pub struct RenderArgs {
     /// Write object ids too, as 16-bit grey: 0 where there is nothing, n for the object of id n
     #[arg(long, value_name = "FILE.png", value_parser = value::png())]
     pub ids: Option<PathBuf>,
+    /// Draw the four views side by side, or one of them, as the window does [default: picture]
+    #[arg(long, value_name = "VIEWS", value_parser = value::views(), conflicts_with_all = ["ids", "by"])]
+    pub views: Option<Views>,
     /// How to look at it.
     #[command(flatten)]
     pub view: ViewArgs,
@@ -56,6 +60,18 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
+    if let Some(views) = args.views.filter(|views| *views != Views::Picture) {
+        let options = viewer::Options {
+            paths: args.scene.scenes.clone(),
+            camera: args.view.choice(),
+            sides: args.view.sides(),
+            hidden: args.view.hide.clone(),
+            views,
+            ..viewer::Options::default()
+        };
+        let picture = viewer::picture_of_views(options, args.view.size(), args.pick)?;
+        return Ok(picture.write_png(&args.output)?);
+    }
     let scene = &loaded.scene;
     if args.ids.is_some() {
         let last = u32::try_from(scene.objects().len()).unwrap_or(u32::MAX);

@@ -1,7 +1,10 @@
 //! Values as people type them.
 
-use crate::camera::Viewport;
-use clap::builder::{PathBufValueParser, TypedValueParser};
+use crate::{
+    camera::Viewport,
+    viewer::model::{Stage, Views},
+};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use glam::{DVec2, DVec3};
 use std::path::PathBuf;
 
@@ -35,6 +38,22 @@ pub(super) fn vector(text: &str) -> Result<DVec3, String> {
 /// `X,Y`
 pub(super) fn point(text: &str) -> Result<DVec2, String> {
     numbers(text, "X,Y").map(DVec2::from_array)
+}
+
+/// What is shown of a scene.
+pub(super) fn views() -> impl TypedValueParser<Value = Views> {
+    const WORDS: [(&str, Views); 6] = [
+        ("picture", Views::Picture),
+        ("four", Views::Four),
+        ("object", Views::One(Stage::Object)),
+        ("world", Views::One(Stage::World)),
+        ("view", Views::One(Stage::View)),
+        ("ndc", Views::One(Stage::Ndc)),
+    ];
+    PossibleValuesParser::new(WORDS.map(|(word, _)| word)).map(|word| {
+        let named = WORDS.into_iter().find(|(name, _)| *name == word);
+        named.map_or(Views::Picture, |(_, views)| views)
+    })
 }
 
 /// Where random numbers start.

@@ -1,9 +1,9 @@
 //! `sightline` without a command: the window.
 
-use super::{CliError, SceneArgs, ViewArgs, terminal::start_log};
+use super::{CliError, SceneArgs, ViewArgs, terminal::start_log, value};
 use crate::{
     scene::{FileError, LoadError, gallery::Exhibit},
-    viewer,
+    viewer::{self, model::Views},
 };
 
 /// Arguments of the window.
@@ -15,6 +15,9 @@ pub struct WindowArgs {
     /// Print each pick to standard output, a line of JSON each
     #[arg(long)]
     pub print_picks: bool,
+    /// What to show: the camera's picture, the four views side by side, or one of them [default: picture]
+    #[arg(long, value_name = "VIEWS", value_parser = value::views())]
+    pub views: Option<Views>,
     /// Begin the tour through cameras and raycasting, in the demo
     #[arg(long, conflicts_with = "scenes")]
     pub tour: bool,
@@ -50,8 +53,10 @@ pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
         hidden: args.view.hide.clone(),
         size: args.view.size,
         memory: viewer::memory_file(),
+        views: args.views.unwrap_or_default(),
         print_picks: args.print_picks,
         tour: args.tour,
+        ..viewer::Options::default()
     };
     Ok(viewer::run(options)?)
 }

@@ -4,6 +4,7 @@ use crate::{
     camera::{CameraChoice, Viewport},
     geometry::Sides,
     render::GpuError,
+    viewer::model::Views,
 };
 use std::path::PathBuf;
 
@@ -23,6 +24,10 @@ pub struct Options {
     /// The file that remembers, from one run to the next, the window, its panels and what was opened; `None` for a window
     /// that remembers nothing.
     pub memory: Option<PathBuf>,
+    /// What it shows of the first scene: with others than its camera's picture the matrices stand beside.
+    pub views: Views,
+    /// The picture alone, without panels.
+    pub is_bare: bool,
     /// Whether each pick is printed as a line of JSON.
     pub print_picks: bool,
     /// Whether the tour begins at once.

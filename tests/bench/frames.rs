@@ -135,9 +135,9 @@ fn scene(file: Option<PathBuf>) {
         );
     }
     press(&mut window, Key::P);
-    for stage in ["no matrix", "V M", "P V M", "M"] {
+    for stage in ["object", "world", "view", "NDC", "four", "picture"] {
         let mut costs = Costs::default();
-        let at = named(&window, &format!("show with {stage}"));
+        let at = named(&window, &format!("show {stage}"));
         window.send([Event::PointerMoved(at), button(at, true)]);
         costs.of(&mut window, button(at, false));
         costs.report(stage);

@@ -98,3 +98,32 @@ fn a_picture_by_raycast_shows_what_is_picked() {
     );
     assert_eq!(read_png(&folder.path("c.png")).3, plain);
 }
+
+#[test]
+fn views_are_drawn_by_the_words_that_the_window_has() {
+    let folder = Folder::new();
+    let draw = |views: &str, more: &str| {
+        let args =
+            format!("render scene.toml --views {views} --size 320x240 -o {views}.png {more}");
+        folder.run(&args)
+    };
+    let mut pictures = Vec::new();
+    for views in ["picture", "four", "object", "world", "view", "ndc"] {
+        let output = draw(views, "--pick 160,120");
+        assert!(
+            output.status.success() && output.stdout.is_empty(),
+            "{views}: {output:?}"
+        );
+        let (_, _, size, bytes) = read_png(&folder.path(&format!("{views}.png")));
+        assert_eq!(size, [320, 240]);
+        assert!(!pictures.contains(&bytes), "{views} is none of the others");
+        pictures.push(bytes);
+    }
+    for (views, more) in [
+        ("five", ""),
+        ("four", "--ids ids.png"),
+        ("four", "--by raycast"),
+    ] {
+        assert_eq!(draw(views, more).status.code(), Some(2), "{views} {more}");
+    }
+}

@@ -67,7 +67,7 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
 }
 
 #[test]
-fn the_command_is_about_the_world_at_every_stage() {
+fn the_command_is_about_the_camera_whatever_shows() {
     let (path, _folder) = row_file();
     let mut window = opened(Options {
         paths: vec![path],
@@ -83,22 +83,19 @@ fn the_command_is_about_the_world_at_every_stage() {
     };
     key(&mut window, Key::P);
     let in_world = command(&mut window);
-    click_on(&mut window, "show with P V M");
-    assert_eq!(window.state().stage(), Stage::Ndc);
-    assert_eq!(command(&mut window), in_world);
-    window.send([Event::Paste("[camera]\nfov = 20\neye = [3, 3, 3]".into())]);
-    window.resize(px([1180, 620], 1.0));
-    assert_eq!(command(&mut window), in_world);
-}
-
-#[test]
-fn trees_are_built_of_each_stage() {
-    let (mut window, _folder) = row(1.0);
-    key(&mut window, Key::P);
-    click_on(&mut window, "show with P V M");
-    assert_eq!(window.state().stage(), Stage::Ndc);
-    assert!(window.state().scene().triangle_count() > 1000);
-    assert!(window.state().scene().trees_are_built());
+    for stage in Stage::ALL {
+        click_on(&mut window, &format!("show {}", stage.1));
+        assert_eq!(window.state().views(), Views::One(stage.0));
+        assert_eq!(command(&mut window), in_world);
+        // Dragging there turns that view alone.
+        drag(
+            &mut window,
+            PointerButton::Primary,
+            MIDDLE,
+            MIDDLE + egui::vec2(80.0, 9.0),
+        );
+        assert_eq!(command(&mut window), in_world);
+    }
 }
 
 #[test]

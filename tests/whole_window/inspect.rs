@@ -159,22 +159,6 @@ fn the_panels_say_what_is_so() {
         press_key(&mut window, Modifiers::NONE, Key::Enter);
         control(&window, said);
     }
-    // Other stages have no picks.
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    for stage in ["no matrix", "V M", "P V M"] {
-        click_on(&mut window, &format!("show with {stage}"));
-        click_on(&mut window, "middle");
-        control(
-            &window,
-            "At this stage a click only selects. Show the scene with M to pick points.",
-        );
-        control(
-            &window,
-            "Points are followed where the scene is shown with M",
-        );
-        click_on(&mut window, "middle");
-    }
-    click_on(&mut window, "show with M");
     click_on(&mut window, "middle");
     control(&window, "No point of it is picked: click its surface.");
 }

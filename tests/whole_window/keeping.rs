@@ -200,11 +200,11 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     press_key(&mut window, Modifiers::NONE, Key::U);
     press_key(&mut window, Modifiers::NONE, Key::Num7);
     press_key(&mut window, Modifiers::NONE, Key::P);
-    click_on(&mut window, "show with P V M");
+    click_on(&mut window, "show NDC");
     window.save_as(folder.path().join("kept.toml"));
     assert_eq!(
-        window.state().stage(),
-        Stage::Ndc,
+        window.state().views(),
+        Views::One(Stage::Ndc),
         "saving changes nothing on screen"
     );
     let kept = scene::load(&[folder.path().join("kept.toml")], &Progress::default());
@@ -213,8 +213,8 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     assert_eq!(kept.camera.eye, Some(DVec3::new(0.0, 0.0, 10.0)));
     assert_eq!(window.state().name(), "kept.toml");
     assert!(is_marked(&window), "what came after is not in it");
-    click_on(&mut window, "show with M");
-    for _ in 0..4 {
+    click_on(&mut window, "show picture");
+    for _ in 0..2 {
         press_key(&mut window, CTRL, Key::Z);
     }
     assert!(!is_marked(&window), "back at what the file has");

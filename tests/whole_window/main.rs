@@ -5,6 +5,7 @@ mod device;
 mod earlier_view;
 mod events;
 mod files;
+mod four;
 mod gallery;
 #[path = "../common/images.rs"]
 mod images;
@@ -32,7 +33,10 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2};
 use glam::DVec2;
 use sightline::{
     camera::Viewport,
-    viewer::{Control, Offscreen, Options, model::Stage},
+    viewer::{
+        Control, Offscreen, Options,
+        model::{Stage, Views},
+    },
 };
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -103,6 +107,15 @@ fn button(at: Pos2, button: PointerButton, pressed: bool) -> Event {
 
 fn click(window: &mut Offscreen, at: Pos2) {
     drag(window, PointerButton::Primary, at, at);
+}
+
+/// Two clicks that follow each other quickly.
+fn double_click(window: &mut Offscreen, at: Pos2) {
+    // One that came before is none of them.
+    window.wait_s(1.0);
+    let press = |pressed| button(at, PointerButton::Primary, pressed);
+    let clicks = [true, false, true, false].map(press);
+    window.send([Event::PointerMoved(at)].into_iter().chain(clicks));
 }
 
 /// Presses at one point, moves in ten steps and releases at another.

@@ -7,9 +7,10 @@ use super::{
     open, press_key, px, row,
 };
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
+use glam::DVec2;
 use sightline::{
     image::{Image, Rgb},
-    viewer::Offscreen,
+    viewer::{Offscreen, Options, model::Views, picture_of_views},
 };
 use std::path::Path;
 
@@ -141,4 +142,18 @@ fn readme_shows_this_gallery() {
     press_key(&mut window, Modifiers::NONE, Key::M);
     click(&mut window, pos2(345.0, 480.0));
     compare_asset("gallery", window);
+}
+
+/// The four views, as the command that README names draws them.
+#[test]
+fn readme_shows_these_four_views() {
+    let options = Options {
+        views: Views::Four,
+        ..Options::default()
+    };
+    let size = px([1600, 1000], 1.0);
+    let picture = picture_of_views(options, size, Some(DVec2::new(820.5, 540.5)));
+    let path = here("../../assets/four.png");
+    let picture = picture.expect("a picture");
+    compare(&picture, &path, picture.pixels().len() / 20);
 }

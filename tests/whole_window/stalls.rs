@@ -74,38 +74,28 @@ fn many(folder: &Path) -> PathBuf {
 }
 
 #[test]
-fn stages_of_many_objects_are_made_beside_the_window() {
+fn ndc_of_many_objects_is_made_beside_the_window() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = open(vec![many(folder.path())], 1.0);
     window.picture().expect("a picture");
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    for (name, stage) in [
-        ("show with V M", Stage::View),
-        ("show with P V M", Stage::Ndc),
-    ] {
-        let before = window.state().stage();
-        let at = control(&window, name).rect.center();
-        window.send([
-            Event::PointerMoved(at),
-            button(at, PointerButton::Primary, true),
-        ]);
-        let release = button(at, PointerButton::Primary, false);
-        window.frame(release).expect("a frame");
-        assert_eq!(window.state().stage(), before, "{name}: not yet");
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    let first = window.picture().expect("a picture");
+    // The camera goes on: the window answers at once, and NDC follows.
+    for _ in 0..3 {
+        let key = Event::Key {
+            key: Key::Num7,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        window.frame(key).expect("a frame");
         assert!(!window.is_at_rest());
-        window.send([]);
-        assert_eq!(window.state().stage(), stage);
-        window.picture().expect("a picture");
     }
-    assert_eq!(
-        window.state().scene().meshes().len(),
-        1,
-        "parts of one mesh"
-    );
-    // A stage that is wanted no more does not come.
-    let world = control(&window, "show with M").rect.center();
-    click(&mut window, world);
-    assert_eq!(window.state().stage(), Stage::World);
+    window.send([]);
+    let second = window.picture().expect("a picture");
+    let differ = four::differing(&first, &second, control(&window, "stage NDC").rect);
+    assert!(differ > 3000, "{differ}");
     assert_eq!(window.messages().count(), 0);
 }
 
@@ -120,28 +110,4 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     let dropped = window.picture().expect("a picture");
     let fresh = open(vec![path], 1.0).picture().expect("a picture");
     assert_eq!(dropped.pixels(), fresh.pixels());
-}
-
-#[test]
-fn a_step_back_onto_a_stage_is_made_beside_the_window() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut window = open(vec![many(folder.path())], 1.0);
-    window.picture().expect("a picture");
-    press_key(&mut window, Modifiers::NONE, Key::P);
-    for name in ["show with V M", "show with M"] {
-        let at = control(&window, name).rect.center();
-        click(&mut window, at);
-    }
-    assert_eq!(window.state().stage(), Stage::World);
-    let undo = Event::Key {
-        key: Key::Z,
-        physical_key: None,
-        pressed: true,
-        repeat: false,
-        modifiers: Modifiers::COMMAND | Modifiers::CTRL,
-    };
-    window.frame(undo).expect("a frame");
-    assert_eq!(window.state().stage(), Stage::World, "not yet");
-    window.send([]);
-    assert_eq!(window.state().stage(), Stage::View);
 }

@@ -55,14 +55,15 @@ const DEEDS: [Deed; 22] = [
         click_object(window, "Ring");
         press_key(window, NONE, Key::Y);
     }),
-    ("In the panel Matrices", |window| {
-        click_on(window, "show with no matrix");
+    ("Press 4: object, world", |window| {
+        press_key(window, NONE, Key::Num4);
     }),
-    ("Show it with P V M", |window| {
-        click_on(window, "show with P V M");
+    ("Double click NDC", |window| {
+        let at = control(window, "stage NDC").rect.right_center();
+        double_click(window, at - egui::vec2(9.0, 0.0));
     }),
-    ("Show it with M again", |window| {
-        click_on(window, "show with M");
+    ("Press 4 again", |window| {
+        press_key(window, NONE, Key::Num4);
     }),
     ("Set near to 0.001", |window| {
         set(window, "near", "0.001");

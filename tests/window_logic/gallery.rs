@@ -124,9 +124,9 @@ fn switching_back_leaving_or_opening_a_file_restores_the_default() {
     assert_eq!(pick.expect("a pick").px, MIDDLE + 0.5);
 
     state.apply(Action::PickBy(broken.swap()));
-    state.apply(Action::Stage(Stage::Ndc));
-    assert_eq!(state.method(), None, "other stages know no other method");
-    state.apply(Action::Stage(Stage::World));
+    state.apply(Action::Views(Views::Four));
+    assert_eq!(state.method(), None, "the four views know no other method");
+    state.apply(Action::Views(Views::Picture));
     assert_eq!(state.method(), broken.swap());
     state.open(row(), Vec::new()).expect("a scene");
     assert_eq!((state.showing(), state.method()), (None, None));

@@ -66,26 +66,6 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
 }
 
 #[test]
-fn points_of_another_stage_are_no_picks() {
-    let mut state = front_view();
-    state.apply(Action::Stage(Stage::View));
-    let centre = state.scene().bounds_of(1).center();
-    let px = state.view().project(centre).expect("in front").px;
-    let step = Action::Step { forward: true };
-    for action in [
-        Action::Click(px, 0.0),
-        step,
-        step,
-        Action::SetVisible(0, false),
-    ] {
-        assert_eq!(state.apply(action), None, "{action:?}");
-        assert!(state.selection().is_some(), "{action:?}");
-        assert_eq!(picked(&state), None, "{action:?}");
-        assert!(state.landmarks().is_empty(), "{action:?}");
-    }
-}
-
-#[test]
 fn the_last_two_picks_are_so_far_apart() {
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));

@@ -4,6 +4,7 @@
 mod common;
 mod earlier_view;
 mod editing;
+mod four;
 mod gallery;
 mod inspect;
 mod lens;
@@ -18,7 +19,7 @@ use sightline::{
     geometry::{Aabb, Placement, Sides},
     pick,
     scene::{self, Loaded, Object, Progress, Scene, Shape, description},
-    viewer::model::{Action, DOUBLE_CLICK_S, LensControls, Matrices, Stage, State, Steps},
+    viewer::model::{Action, DOUBLE_CLICK_S, LensControls, Matrices, Stage, State, Steps, Views},
 };
 
 const MIDDLE: DVec2 = DVec2::new(400.0, 300.0);

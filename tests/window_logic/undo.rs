@@ -1,7 +1,7 @@
 //! Undo and redo: what was there before is there again, to the bit.
 
 use super::*;
-use crate::inspect::{STILL, picked};
+use crate::inspect::STILL;
 use sightline::{
     geometry::Trs,
     scene::gallery::Exhibit,
@@ -17,7 +17,6 @@ struct Seen {
     view: sightline::camera::View,
     controls: LensControls,
     up_axis: UpAxis,
-    stage: Stage,
     selection: Option<Selection>,
     hits: Option<RayHits>,
     name: String,
@@ -32,7 +31,6 @@ fn seen(state: &State) -> Seen {
         view: *state.view(),
         controls: state.controls(),
         up_axis: state.up_axis(),
-        stage: state.stage(),
         selection: state.selection().cloned(),
         hits: state.hits().cloned(),
         name: state.name().to_owned(),
@@ -74,9 +72,6 @@ fn every_change_is_undone_and_done_again_to_the_bit() {
         Action::UpAxis(UpAxis::Z),
         Action::Camera(pasted),
         Action::Recentre(MIDDLE + 20.0),
-        Action::Stage(Stage::Object),
-        Action::Stage(Stage::View),
-        Action::Stage(Stage::Ndc),
     ];
     for change in changes {
         let mut state = front_view();
@@ -111,13 +106,9 @@ fn a_history_is_walked_there_and_back() {
         moved(0.1),
         Action::LookFrom(DVec3::ONE),
         Action::SetVisible(2, false),
-        Action::Stage(Stage::View),
         Action::ToggleProjection,
         Action::SetVisible(2, true),
-        Action::Stage(Stage::World),
         Action::FrameAll,
-        Action::Stage(Stage::Ndc),
-        Action::Stage(Stage::World),
         moved(0.3),
         Action::ShowAll,
         Action::HideSelection,
@@ -216,7 +207,6 @@ fn what_changes_nothing_is_no_step() {
             fov_deg: 0.0,
             ..state.controls()
         }),
-        Action::Stage(Stage::World),
         Action::LeaveGallery,
     ] {
         state.apply(nothing);
@@ -239,43 +229,6 @@ fn undoing_a_move_leaves_the_view() {
     assert_eq!(state.view().camera.eye(), view.eye());
     let at = |state: &State| state.scene().objects()[0].placement.model();
     assert_eq!(at(&state), STILL.to_model());
-}
-
-#[test]
-fn leaving_a_stage_brings_back_view_and_pick() {
-    let mut state = front_view();
-    state.apply(Action::Turn(DVec2::new(31.0, -17.0)));
-    state.apply(Action::Click(MIDDLE, 0.0));
-    let before = seen(&state);
-    for stage in [Stage::Object, Stage::View, Stage::Ndc] {
-        state.apply(Action::Stage(stage));
-        assert_eq!(picked(&state), None);
-        state.apply(Action::Turn(DVec2::new(70.0, 5.0)));
-        state.apply(Action::Stage(Stage::World));
-        assert_eq!(seen(&state), before, "{stage:?}");
-    }
-    // Also with a camera that was left standing: the stage is of that one, the view is the user's.
-    state.apply(Action::ToggleFreeze);
-    state.apply(Action::FrameAll);
-    let before = seen(&state);
-    state.apply(Action::Stage(Stage::Ndc));
-    state.apply(Action::Stage(Stage::World));
-    assert_eq!(seen(&state), before);
-    // What is selected at the stage stays selected.
-    state.apply(Action::Stage(Stage::Ndc));
-    state.apply(Action::Select(Some(2)));
-    state.apply(Action::Stage(Stage::World));
-    assert_eq!((selected(&state), picked(&state)), (Some("back"), None));
-    // What was hidden there is on no ray here.
-    let mut state = front_view();
-    state.apply(Action::Click(MIDDLE, 9.0));
-    let count = |state: &State| state.hits().map(|hits| hits.picks.len());
-    let (all, name) = (count(&state), selected(&state).map(str::to_owned));
-    state.apply(Action::Stage(Stage::View));
-    state.apply(Action::SetVisible(1, false));
-    state.apply(Action::Stage(Stage::World));
-    assert_eq!(selected(&state), name.as_deref());
-    assert!(count(&state) < all, "{all:?}");
 }
 
 fn exhibit(name: &str) -> (Loaded, Vec<std::path::PathBuf>) {

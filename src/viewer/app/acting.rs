@@ -6,21 +6,16 @@ use crate::{
     pick::PickLine,
     viewer::{
         jobs::Checking,
-        model::{Action, pick_command},
+        model::{Action, Views, pick_command},
     },
 };
-use std::{io::Write, time::Instant};
+use std::{io::Write, mem, time::Instant};
 
 impl App {
     /// Does something to scene or view.
     pub fn act(&mut self, action: Action) {
-        if let Some(stage) = self.state.stage_after(action)
-            && self.begin_stage(stage, action)
-        {
-            return;
-        }
         let clicks = matches!(action, Action::Click(..));
-        if clicks && !self.state.rays_are_quick() {
+        if clicks && !self.state.rays_are_quick() && self.state.stages().is_empty() {
             self.waiting = Some((action, *self.state.view()));
             return;
         }
@@ -50,6 +45,25 @@ impl App {
                 print(&line);
             }
         }
+    }
+
+    /// The four views, or the camera's picture again.
+    pub(super) fn toggle_views(&mut self) {
+        self.show_views(match self.state.views() {
+            Views::Picture => Views::Four,
+            _ => Views::Picture,
+        });
+    }
+
+    /// Shows stages of the scene with the matrices beside them; with the picture these go where they were.
+    pub(super) fn show_views(&mut self, views: Views) {
+        let (was, floating) = (self.state.views(), &mut self.floating);
+        if was == Views::Picture && views != Views::Picture {
+            floating.pipeline_was = mem::replace(&mut floating.pipeline, true);
+        } else if was != Views::Picture && views == Views::Picture {
+            floating.pipeline &= floating.pipeline_was;
+        }
+        self.act(Action::Views(views));
     }
 
     /// Does the click that waited for trees, unless the view is another by now.

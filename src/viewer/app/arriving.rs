@@ -1,4 +1,4 @@
-//! What is made ready beside the window before it is shown: stages, and scenes on their way into graphics memory.
+//! What is made ready beside the window before it is shown: NDC, and scenes on their way into graphics memory.
 
 use super::{
     program::{App, Arrival},
@@ -6,10 +6,9 @@ use super::{
 };
 use crate::{
     render::GpuError,
-    scene::Scene,
     viewer::{
-        jobs::{Making, Staging, Upload},
-        model::{Action, Made, Stage},
+        jobs::{Making, Projecting, Upload},
+        model::Made,
         ui::Underway,
     },
 };
@@ -18,35 +17,21 @@ use crate::{
 const LITTLE: usize = 20_000;
 
 impl App {
-    /// Begins to make a stage that takes long; the action that shows it is done when it is ready. Returns whether that is
-    /// so.
-    pub(super) fn begin_stage(&mut self, stage: Stage, then: Action) -> bool {
-        self.staging = None;
-        self.arriving
-            .take_if(|(_, what)| matches!(what, Arrival::Stage(..)));
-        let (scene, through) = self.state.stage_source();
-        let is_there = stage == Stage::World || stage == self.state.stage();
-        if is_there || size(scene) < LITTLE || self.state.is_prepared(stage) {
-            return false;
+    /// Begins to project the scene for NDC where that takes long, and takes what is there: one at a time, so that what is
+    /// shown follows a camera that goes on and on.
+    pub(super) fn take_projected(&mut self) {
+        if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
+            self.projecting = None;
+            if let Ok((scene, of)) = made {
+                self.state.take_projected(scene, of);
+                self.context.request_repaint();
+            }
         }
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        let staging = Staging::start(stage, scene.clone(), through, wake);
-        self.staging = Some((staging, then));
-        true
-    }
-
-    /// Takes a stage that is made.
-    pub(super) fn take_staged(&mut self) {
-        let made = self.staging.as_ref();
-        let Some((made, then)) = made.and_then(|(job, then)| Some((job.poll()?, *then))) else {
-            return;
-        };
-        self.staging = None;
-        if let Ok(prepared) = made {
-            let (stage, scene) = (prepared.stage, prepared.scene.clone());
-            self.state.prepare(prepared);
-            self.arrive(Making::Scene(scene), Arrival::Stage(stage, then));
+        if self.projecting.is_none()
+            && let Some(what) = self.state.to_project()
+        {
+            let wake = self.wake.clone();
+            self.projecting = Some(Projecting::start(what, move || wake(Wake::Look)));
         }
     }
 
@@ -86,10 +71,7 @@ impl App {
 
     fn arrived(&mut self, what: Arrival, made: Option<Made>) {
         match what {
-            // What would lead elsewhere by now is not what was asked for.
-            Arrival::Stage(stage, then) if self.state.stage_after(then) != Some(stage) => {}
-            Arrival::Stage(_, then) => self.act(then),
-            Arrival::Loaded(loaded, paths, purpose) => {
+            Arrival(loaded, paths, purpose) => {
                 match self.show_scene(*loaded, paths, purpose, made) {
                     Ok(()) => self.build_trees(),
                     Err(text) => self.complain(text),
@@ -101,7 +83,7 @@ impl App {
     /// Gives up what is on its way. Returns whether there was anything.
     pub(super) fn stop_arriving(&mut self) -> bool {
         let was = self.underway().is_some();
-        (self.loading, self.staging, self.arriving) = (None, None, None);
+        (self.loading, self.arriving) = (None, None);
         was
     }
 
@@ -115,12 +97,7 @@ impl App {
             what: "loading",
             fraction: Some(load.fraction()),
         });
-        let staging = self.staging.as_ref().map(|_| unknown("multiplying"));
         let arriving = self.arriving.as_ref().map(|_| unknown("getting ready"));
-        loading.or(staging).or(arriving)
+        loading.or(arriving)
     }
-}
-
-fn size(scene: &Scene) -> usize {
-    scene.objects().len() + scene.triangle_count()
 }

@@ -10,7 +10,7 @@ use crate::{
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
-        model::{Action, RayHits, view_command},
+        model::{Action, RayHits, Views, view_command},
         ui::{Command, Intent, Reply},
     },
 };
@@ -89,6 +89,11 @@ impl App {
             Command::Escape if matches!(self.checking, Checking::On(..)) => {
                 self.checking = Checking::Off;
             }
+            Command::Escape
+                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
+            {
+                self.toggle_views();
+            }
             Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
                 self.act(Action::LeaveGallery);
             }
@@ -97,8 +102,13 @@ impl App {
             Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
             // The gallery was opened first: what the program opens by itself is all that there is outside.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
-            Command::ToggleCheck => self.toggle_check(),
+            Command::ToggleCheck => {
+                // It is about the camera's picture.
+                self.act(Action::Views(Views::Picture));
+                self.toggle_check();
+            }
             Command::ToggleHelp => self.floating.help ^= true,
+            Command::ToggleFour => self.toggle_views(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {

@@ -53,13 +53,13 @@ impl App {
         };
         match result {
             Ok(loaded) => {
-                let (now, came) = (self.state.world().0.clone(), loaded.scene.clone());
+                let (now, came) = (self.state.scene().clone(), loaded.scene.clone());
                 let making = match purpose {
                     Purpose::Open => Making::Scene(came),
                     Purpose::Add => Making::With(now, came),
                     Purpose::Reload | Purpose::Follow => Making::Again(now, came),
                 };
-                let what = Arrival::Loaded(Box::new(loaded), paths, purpose);
+                let what = Arrival(Box::new(loaded), paths, purpose);
                 self.arrive(making, what);
             }
             Err(error) => {
@@ -96,6 +96,9 @@ impl App {
                     Some(file) => format!("{}: {error}", file.display()),
                     None => error.to_string(),
                 })?;
+                if self.first {
+                    self.show_views(self.options.views);
+                }
                 self.first = false;
                 self.remember_opened(&paths);
             }

@@ -10,7 +10,7 @@ use crate::{
     render::GpuError,
     viewer::{
         jobs::let_go,
-        model::{Action, Overlay},
+        model::{Action, Overlay, Stage},
         screen::{Canvas, Laid, Motion, Progress, SceneRect, Screen, write_screenshot},
         ui::{self, Command, Shown},
     },
@@ -34,6 +34,8 @@ struct Pass {
     pixels_per_point: f32,
     /// Where the scene goes; `None` where there is no room for it.
     place: Option<SceneRect>,
+    /// Where the stages go within it.
+    panes: Vec<(Stage, SceneRect)>,
     platform: egui::PlatformOutput,
     /// The panels showed the state before what they asked for.
     is_outdated: bool,
@@ -67,9 +69,10 @@ impl App {
         let (now_s, is_held) = (self.context).input(|input| (input.time, input.pointer.any_down()));
         let laid = Laid {
             place,
+            panes: pass.panes,
             primitives,
             pixels_per_point,
-            motion: (self.rest).motion(&self.state.to_show(), now_s, is_held),
+            motion: (self.rest).motion(self.state.all_to_show(), now_s, is_held),
         };
         let drawn = self.draw(&laid, screen);
         self.rest.is_settled = pass.next_in > Duration::ZERO
@@ -109,7 +112,7 @@ impl App {
     /// Takes what jobs have done by now.
     pub fn take_finished(&mut self) {
         self.take_loaded();
-        self.take_staged();
+        self.take_projected();
         self.take_uploaded();
         self.take_saved();
         self.take_checked();
@@ -130,7 +133,7 @@ impl App {
         let dropped = input.dropped_files.iter();
         let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
         let mut commands = Vec::new();
-        let mut place = None;
+        let (mut place, mut panes) = (None, Vec::new());
         let context = self.context.clone();
         self.notice_step(None);
         let (underway, docks, offers_tour) = (self.underway(), self.docks, self.offers_tour());
@@ -151,11 +154,12 @@ impl App {
                 recent: &self.memory.recent,
                 look: self.memory.look,
                 filter: &mut self.filter,
+                is_bare: self.options.is_bare,
                 reveal_selection: self.reveal_selection,
             };
-            let (scene, asked) = ui::show(ui, &mut shown, &mut self.drag);
-            place = scene;
-            commands.extend(asked);
+            let asked = ui::show(ui, &mut shown, &mut self.drag);
+            (place, panes) = (asked.place, asked.panes);
+            commands.extend(asked.commands);
         });
         self.reveal_selection = false;
         self.textures.append(output.textures_delta);
@@ -168,11 +172,15 @@ impl App {
             });
         }
         let idle = |command: &Command| {
-            use Action::{Hover, Light, Resize};
-            matches!(command, Command::Act(Hover(_) | Light(_) | Resize(_)))
+            use Action::{Enter, Hover, Light, LightRow, Resize};
+            matches!(
+                command,
+                Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
+            )
         };
         let acted = !commands.iter().all(idle);
-        let (cursor, hover) = (self.state.cursor(), self.state.hover());
+        let before = (self.state.hover(), self.state.row());
+        let cursor = self.state.cursor();
         // A row lights its object only as long as the cursor rests on it.
         self.state.apply(Action::Light(None));
         for command in commands {
@@ -180,9 +188,11 @@ impl App {
             self.run_command(command);
             self.notice_step(done.as_ref());
         }
-        let follows_cursor = self.floating.pipeline && cursor != self.state.cursor();
-        let is_outdated =
-            acted || follows_cursor || hover != self.state.hover() || docks != self.docks;
+        let follows_cursor = self.floating.pipeline || !self.state.stages().is_empty();
+        let is_outdated = acted
+            || (follows_cursor && cursor != self.state.cursor())
+            || before != (self.state.hover(), self.state.row())
+            || docks != self.docks;
         if self.underway().is_some() {
             context.request_repaint_after(Duration::from_millis(50));
         }
@@ -192,6 +202,7 @@ impl App {
             shapes: output.shapes,
             pixels_per_point: output.pixels_per_point,
             place,
+            panes,
             platform: output.platform_output,
             is_outdated,
             next_in: (output.viewport_output.values())
@@ -238,7 +249,8 @@ impl App {
         }
         if let Some(canvas) = screen.canvas() {
             self.gpu = Some((canvas.gpu.clone(), canvas.meshes()));
-            let seen = canvas.on_screen().filter(|_| self.picture.behind.is_some());
+            let is_late = self.picture.behind.is_some() && laid.panes.is_empty();
+            let seen = canvas.on_screen().filter(|_| is_late);
             self.state.see(seen);
             self.follow_up(canvas, laid);
         }
@@ -267,7 +279,7 @@ impl App {
             return;
         };
         let picture = match laid.place.filter(|_| alone) {
-            Some(place) => canvas.picture_alone(&self.state, place),
+            Some(place) => canvas.picture_alone(&self.state, laid, place),
             None => canvas.picture(&self.state, laid),
         };
         let written = picture

@@ -11,10 +11,10 @@ use crate::{
     scene::{Loaded, Warning},
     viewer::{
         jobs::{
-            Chart, Checking, Loading, Saving, Staging, TreeBuild, Typefaces, Upload, Uploaded,
+            Chart, Checking, Loading, Projecting, Saving, TreeBuild, Typefaces, Upload, Uploaded,
             Watching,
         },
-        model::{Action, Snapshot, Stage, State},
+        model::{Action, Snapshot, State},
         options::Options,
         screen::{Progress, Textures},
         ui::{
@@ -44,14 +44,7 @@ pub(super) enum Purpose {
 }
 
 /// What is shown once it is in graphics memory.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "few at a time, and a camera is most of one"
-)]
-pub(super) enum Arrival {
-    Loaded(Box<Loaded>, Vec<PathBuf>, Purpose),
-    Stage(Stage, Action),
-}
+pub(super) struct Arrival(pub Box<Loaded>, pub Vec<PathBuf>, pub Purpose);
 
 /// How much of the screen the window has.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -97,8 +90,8 @@ pub(in crate::viewer) struct App {
     pub state: State,
     /// The device that pictures are drawn with, once one was, and the meshes that it has.
     pub(super) gpu: Option<(Gpu, MeshStore)>,
-    /// The stage that is being made, and what shows it.
-    pub(super) staging: Option<(Staging, Action)>,
+    /// The scene that is being projected for NDC.
+    pub(super) projecting: Option<Projecting>,
     /// What is on its way into graphics memory, to be shown then.
     pub(super) arriving: Option<(Upload, Arrival)>,
     /// What is there, for the next picture.
@@ -168,7 +161,7 @@ impl App {
         ui::note_missing(&context, typefaces.missing.clone());
         Self {
             gpu: None,
-            staging: None,
+            projecting: None,
             arriving: None,
             uploaded: None,
             loading: None,
@@ -221,6 +214,7 @@ impl App {
             || checks
             || studies
             || self.typefaces.is_busy()
+            || self.projecting.is_some()
             || !self.state.scene().trees_are_built()
     }
 

@@ -9,5 +9,5 @@ mod window;
 
 pub use controls::Control;
 pub use mark::{APP_ID, ICON_PNG};
-pub use offscreen::Offscreen;
+pub use offscreen::{Offscreen, picture_of_views};
 pub use window::run;

@@ -12,11 +12,12 @@ use crate::{
     viewer::{
         app::{App, Extent, Frame, Host, REST_S, Wake},
         jobs::Answer,
-        model::State,
+        model::{Action, State, Views},
         options::Options,
         ui::{Command, Notice},
     },
 };
+use glam::DVec2;
 use std::{
     path::{Path, PathBuf},
     sync::{
@@ -45,6 +46,34 @@ impl egui::DroppedFile for Dropped {
     fn bytes(&self) -> Result<Vec<u8>, String> {
         std::fs::read(&self.0).map_err(|error| error.to_string())
     }
+}
+
+/// A picture of `size` pixels of what `options` name, as a window shows it without panels: stages with all that is written on
+/// them. The pixel at `pick`, where that is given, is clicked in the camera's own picture, of that size too.
+///
+/// # Errors
+/// When there is no graphics adapter, or it fails.
+pub fn picture_of_views(
+    options: Options,
+    size: Viewport,
+    pick: Option<DVec2>,
+) -> Result<Image<Rgb>, GpuError> {
+    let views = options.views;
+    let mut window = Offscreen::open(
+        Options {
+            is_bare: true,
+            views: Views::Picture,
+            ..options
+        },
+        size,
+        1.0,
+    );
+    let click = pick.map(|px| Action::Click(px, 0.0));
+    for action in click.into_iter().chain([Action::Views(views)]) {
+        window.app.act(action);
+    }
+    window.settle();
+    window.picture()
 }
 
 /// A window that nobody sees.

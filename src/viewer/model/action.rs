@@ -1,6 +1,6 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
-use super::{overlay::Overlay, stages::Stage};
+use super::{matrices::Row, overlay::Overlay, stages::Stage, views::Views};
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
     geometry::Section,
@@ -17,6 +17,8 @@ pub enum Action {
     BeginTurn(DVec2),
     /// The cursor moved by this while turning.
     Turn(DVec2),
+    /// The cursor moved by this while turning the scene's camera, wherever it is: also in one of the four views.
+    Steer(DVec2),
     /// A shift begins: what lies under the cursor will follow it.
     BeginPan(DVec2),
     /// The cursor moved by this while shifting.
@@ -86,8 +88,12 @@ pub enum Action {
         /// Away from the root.
         deeper: bool,
     },
-    /// Show the scene at a stage of the pipeline.
-    Stage(Stage),
+    /// Show what the camera sees, the four views, or one of them large.
+    Views(Views),
+    /// The mouse is in this one of the four views, until it leaves: what it does now it does there.
+    Enter(Option<Stage>),
+    /// The cursor rests on a row of a matrix. Asked for in each pass that it does: the next puts the light out.
+    LightRow(Row),
     /// In the gallery: pick by this method, or by this program's own.
     PickBy(Option<Swap>),
     /// In the gallery: pick by the next method, or the one before.
@@ -103,12 +109,12 @@ pub enum Action {
     Release,
     /// Back to what was open before the gallery, as it was; nothing where nothing was.
     LeaveGallery,
-    /// Leave the present camera standing in the world, as lines, or take it away; nothing at other stages.
+    /// Leave the present camera standing in the world, as lines, or take it away; nothing in the four views.
     ToggleFreeze,
 }
 
 impl Action {
-    /// Whether the view leaps, or shows another stage: a step back leads to where it stood.
+    /// Whether the view leaps: a step back leads to where it stood.
     pub(super) fn jumps(&self) -> bool {
         matches!(
             self,
@@ -124,7 +130,6 @@ impl Action {
                 | Self::Section(_)
                 | Self::ToggleSection
                 | Self::Recentre(_)
-                | Self::Stage(_)
         )
     }
 
@@ -137,7 +142,26 @@ impl Action {
                 | Self::Place(..)
                 | Self::Hover(_)
                 | Self::Light(_)
+                | Self::LightRow(_)
+                | Self::Enter(_)
                 | Self::Resize(_)
+        )
+    }
+
+    /// Whether within one of the four views it is about that view alone.
+    pub(super) fn is_of_a_pane(&self) -> bool {
+        matches!(
+            self,
+            Self::Resize(_)
+                | Self::BeginTurn(_)
+                | Self::Turn(_)
+                | Self::BeginPan(_)
+                | Self::Pan(_)
+                | Self::Zoom(..)
+                | Self::Click(..)
+                | Self::Hover(_)
+                | Self::LookFrom(_)
+                | Self::ResetView
         )
     }
 }

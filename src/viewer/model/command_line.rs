@@ -21,7 +21,7 @@ pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
 
 /// `sightline pick` that repeats the pick, or without one picks in the middle of the world as the window shows it.
 pub(in crate::viewer) fn view_command(state: &State) -> String {
-    let view = state.world().1;
+    let view = state.view();
     state.pick_ray().map_or_else(
         || pick_at(state, view, view.viewport.size_px() / 2.0),
         |ray| pick_command(state, ray),
@@ -30,7 +30,7 @@ pub(in crate::viewer) fn view_command(state: &State) -> String {
 
 /// `sightline verify` with all that the window shows now.
 pub(in crate::viewer) fn verify_command(state: &State) -> String {
-    line(state, state.world().1, "verify")
+    line(state, state.view(), "verify")
 }
 
 fn pick_at(state: &State, view: &View, at_px: DVec2) -> String {
@@ -76,7 +76,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
     if let Some(section) = view.section {
         flag("section", SectionChoice::Plane(section).to_string());
     }
-    let hidden = (state.world().0)
+    let hidden = (state.scene())
         .objects()
         .iter()
         .enumerate()

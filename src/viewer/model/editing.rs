@@ -2,13 +2,12 @@
 
 use super::{
     made::Made,
-    stages::Stage,
     state::{Chosen, Edits, State, Step},
     timeline::Gesture,
 };
 use crate::{geometry::Placement, scene::Loaded};
 use glam::DAffine3;
-use std::{iter, mem, path::PathBuf};
+use std::{mem, path::PathBuf};
 
 impl State {
     /// Moves an object; its pick follows.
@@ -16,9 +15,7 @@ impl State {
         let Ok(placement) = Placement::new(model) else {
             return;
         };
-        // Other stages are made from the world, and show it as it was when they were.
-        let here = self.scene.objects().get(object);
-        let Some(here) = here.filter(|_| self.stage == Stage::World) else {
+        let Some(here) = self.scene.objects().get(object) else {
             return;
         };
         let before = here.placement;
@@ -71,12 +68,9 @@ impl State {
 
     /// Shows what was hidden of these, and hides what was shown.
     pub(super) fn toggle(&mut self, objects: &[usize]) {
-        let world = self.world.as_mut().map(|world| &mut world.scene);
-        for scene in iter::once(&mut self.scene).chain(world) {
-            for &index in objects {
-                let visible = scene.objects()[index].visible;
-                scene.set_visible(index, !visible);
-            }
+        for &index in objects {
+            let visible = self.scene.objects()[index].visible;
+            self.scene.set_visible(index, !visible);
         }
         self.rearranged();
     }
@@ -88,9 +82,6 @@ impl State {
         paths: Vec<PathBuf>,
         made: Option<Made>,
     ) {
-        let was = (self.stand(), self.stage);
-        self.show_stage(Stage::World);
-        self.record_stand(None, &was);
         let chosen = self.chosen();
         let mut edits = self.edit(|edits| &mut edits.objects);
         let mut source = self.source.clone();
@@ -116,6 +107,7 @@ impl State {
         self.scene_revision += 1;
         self.rearranged();
         self.record(step);
+        self.refresh_panes();
     }
 
     /// Objects came, went or moved: what is known of the picture follows.

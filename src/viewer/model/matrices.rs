@@ -15,6 +15,20 @@ pub struct Matrices {
     pub projection: DMat4,
 }
 
+/// One of the three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Matrix {
+    /// M.
+    Model,
+    /// V.
+    View,
+    /// P.
+    Projection,
+}
+
+/// A row of one of them, counted from 0: it makes one coordinate of what comes out.
+pub type Row = (Matrix, usize);
+
 /// A point in every space that it passes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {

@@ -7,7 +7,6 @@ use super::{
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    stages::Stage,
     state::{Edits, Selection, Source, State, Step},
     timeline::Timeline,
 };
@@ -79,9 +78,8 @@ impl State {
             grid: true,
             overlays: Overlays::default(),
             frozen: None,
-            stage: Stage::World,
-            world: None,
-            prepared: None,
+            panes: None,
+            row: None,
             showing: loaded.exhibit.map(Showing::new),
             unused: Vec::new(),
         })
@@ -116,6 +114,7 @@ impl State {
         }
         self.document = self.timeline.mark();
         self.opened_at = Some(self.stand());
+        self.refresh_panes();
         Ok(())
     }
 
@@ -125,11 +124,13 @@ impl State {
         let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
         let is_another = self.view.viewport != viewport;
         self.view.viewport = viewport;
-        if !(is_as_opened && is_another && self.stage == Stage::World) {
-            return;
+        if is_as_opened && is_another {
+            self.stand_as_opened();
+            self.opened_at = Some(self.stand());
         }
-        self.stand_as_opened();
-        self.opened_at = Some(self.stand());
+        if is_another {
+            self.frame_untouched();
+        }
     }
 
     /// Stands where the scene would open in a picture of this size, with what is visible now.
@@ -164,11 +165,10 @@ impl State {
             self.timeline = timeline;
             return true;
         }
-        let made_it = match self.timeline.last(true) {
-            Some(Step::Open(_) | Step::Composed { .. }) => true,
-            Some(Step::Stood(_, stage)) => *stage != self.stage,
-            _ => false,
-        };
+        let made_it = matches!(
+            self.timeline.last(true),
+            Some(Step::Open(_) | Step::Composed { .. })
+        );
         made_it && self.step_in_time(true)
     }
 
@@ -179,7 +179,6 @@ impl State {
 
     /// The same; the scene that comes of it may have been made before.
     pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
-        self.show_stage(Stage::World);
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
         }
@@ -204,15 +203,14 @@ impl State {
         }
         self.forget_own_steps();
         self.fit();
+        self.refresh_panes();
     }
 
     /// The scene as it is now, to be saved.
     pub(in crate::viewer) fn snapshot(&self) -> Snapshot {
-        let world = self.world.as_ref();
-        let stand = world.map_or_else(|| self.stand(), |world| world.stand);
         Snapshot {
-            scene: self.world().0.clone(),
-            camera: stand.camera_choice(),
+            scene: self.scene.clone(),
+            camera: self.camera_choice(),
             meshes: self.source.meshes.clone(),
             document: self.document,
             edits: self.edits,

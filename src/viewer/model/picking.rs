@@ -2,7 +2,6 @@
 
 use super::{
     hits::{Landmark, PickView, RayHits},
-    stages::Stage,
     state::{Cursor, DOUBLE_CLICK_S, Selection, State},
 };
 use crate::{
@@ -29,7 +28,7 @@ impl State {
     /// view is on screen.
     #[must_use]
     pub fn pick_ray(&self) -> Option<&RayHits> {
-        let ray = (self.hits.as_ref()).filter(|_| self.stage == Stage::World)?;
+        let ray = self.hits.as_ref()?;
         let counts = match &self.selection {
             Some(selection) => selection.pick.is_some(),
             None => ray.picks.is_empty() && ray.view == self.view,
@@ -57,12 +56,11 @@ impl State {
         }
     }
 
-    /// Makes one of a ray's surfaces the pick. At other stages than the world's it only selects: their points are not the
-    /// scene's.
+    /// Makes one of a ray's surfaces the pick.
     pub(super) fn take_hits(&mut self, hits: RayHits) -> Option<PickLine> {
         let line = hits.line();
         let object = line.hit.as_ref().map(|hit| hit.id - 1);
-        let pick = Some(line).filter(|_| self.stage == Stage::World);
+        let pick = Some(line);
         self.selection = object.map(|object| Selection {
             object,
             pick: pick.clone(),
@@ -124,8 +122,7 @@ impl State {
             let mut picks = hits.picks.iter();
             let now = (picks.position(alike)).or_else(|| hits.picks.iter().position(of_selected));
             hits.at = now.unwrap_or(0);
-            let pick = now.filter(|_| self.stage == Stage::World);
-            selection.pick = pick.map(|_| hits.line());
+            selection.pick = now.map(|_| hits.line());
         }
         self.hits = Some(hits);
     }

@@ -1,9 +1,6 @@
 //! The section in the window: where it can be laid, and what turns it on again. The view holds it.
 
-use super::{
-    stages::Stage,
-    state::{Selection, State},
-};
+use super::state::{Selection, State};
 use crate::{
     camera::SectionChoice,
     geometry::{Cuboid, Section},
@@ -13,10 +10,10 @@ use crate::{
 use glam::DVec3;
 
 impl State {
-    /// Whether there can be a section: in the world, and not in the gallery, whose scenes stay as they are.
+    /// Whether there can be a section: not in the gallery, whose scenes stay as they are.
     #[must_use]
     pub fn takes_sections(&self) -> bool {
-        self.stage == Stage::World && self.showing.is_none()
+        self.showing.is_none()
     }
 
     /// How many more picks a section by three points waits for; `None` where nothing does.
@@ -106,7 +103,7 @@ impl State {
         };
         match Section::through_points(points) {
             Ok(section) => {
-                let was = (self.stand(), self.stage);
+                let was = self.stand();
                 self.set_section(Some(section));
                 self.record_stand(None, &was);
             }

@@ -1,4 +1,4 @@
-//! The scene as each matrix leaves it: with none, after M, after V M, and after P V M with its division by w.
+//! The stages of the pipeline, and the scene at its last one: after P V M and the division by w.
 
 use crate::{
     camera::{DepthMapping, Lens, View},
@@ -7,33 +7,39 @@ use crate::{
         ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Sphere, Square, clip, crease_normals,
         sin_cos_quarters,
     },
-    scene::{Object, Scene, SceneKey, Shape},
+    scene::{Object, Scene, Shape},
 };
-use glam::{DAffine3, DVec3};
+use glam::{DVec2, DVec3};
 use std::{collections::HashMap, f64::consts::PI, sync::Arc};
 
-/// How far along the pipeline the scene is shown.
+/// How far along the pipeline something is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stage {
-    /// No matrix at all: every shape about the origin.
+    /// Before any matrix: one object in its own space.
     Object,
-    /// M: the world, as it is drawn and picked.
+    /// After M: the scene as it stands, with the camera in it.
     #[default]
     World,
-    /// V M: the eye at the origin, x right, y up, z forward. Left-handed, so it shows mirrored.
+    /// After V M: the eye at the origin, x right, y up, z forward. Left-handed.
     View,
-    /// P V M, divided by w: the frustum as the box x, y in [-1, 1], z in [0, 1], with standard depth.
+    /// After P V M and the division by w: the frustum as the box x, y in [-1, 1], z in [0, 1].
     Ndc,
 }
 
 impl Stage {
     /// All of them, in order, with their names.
     pub const ALL: [(Self, &'static str); 4] = [
-        (Self::Object, "no matrix"),
-        (Self::World, "M"),
-        (Self::View, "V M"),
-        (Self::Ndc, "P V M"),
+        (Self::Object, "object"),
+        (Self::World, "world"),
+        (Self::View, "view"),
+        (Self::Ndc, "NDC"),
     ];
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
 }
 
 /// Rings of the spheres that stand in for projected ones: of a few.
@@ -45,42 +51,10 @@ const SPHERE_QUADS: usize = 500_000;
 /// Edges of a projected shape that bend by more stay sharp. Radians.
 const CREASE: f32 = 0.5;
 
-/// A stage that was made beforehand.
-pub(in crate::viewer) struct Prepared {
-    pub stage: Stage,
-    /// The scene at the stage.
-    pub scene: Scene,
-    /// What it was made of.
-    pub of: SceneKey,
-    /// The view that its matrices are of.
-    pub through: View,
-}
-
-/// The scene at a stage, seen through the camera of `view`: the same objects in the same order. In NDC they are parts of
-/// one mesh, cut at the near plane; what lies before it is gone.
+/// The scene in NDC as it is drawn, see [`ndc_drawn`]: the same objects in the same order, parts of one mesh, cut at the near
+/// plane. What lies before it is gone; an object of which nothing is left is hidden.
 #[must_use]
-pub fn staged(scene: &Scene, view: &View, stage: Stage) -> Scene {
-    let to_view = DAffine3::from_mat4(view.camera.view());
-    let placed = |placement: &dyn Fn(&Object) -> Placement| {
-        let objects = scene.objects().iter().map(|object| Object {
-            placement: placement(object),
-            ..object.clone()
-        });
-        Scene::new(objects.collect())
-    };
-    match stage {
-        Stage::World => scene.clone(),
-        Stage::Object => placed(&|_| Placement::IDENTITY),
-        // V is a rotation, a mirror and a shift: what had an inverse still has one.
-        Stage::View => placed(&|object| {
-            Placement::new(to_view * object.placement.model()).unwrap_or(object.placement)
-        }),
-        Stage::Ndc => Scene::new(projected(scene, view)),
-    }
-}
-
-/// The objects in NDC. Of one of which nothing lies behind the near plane, nothing is to be seen.
-fn projected(scene: &Scene, view: &View) -> Vec<Object> {
+pub fn projected(scene: &Scene, view: &View) -> Scene {
     let mut data = MeshData::default();
     let spheres = scene.objects().iter();
     let spheres = spheres.filter(|object| matches!(object.shape, Shape::Sphere));
@@ -92,31 +66,52 @@ fn projected(scene: &Scene, view: &View) -> Vec<Object> {
     data.normals = crease_normals(&data.positions, &data.triangles, CREASE);
     let mesh = Mesh::new(data).ok().map(Arc::new);
     let objects = scene.objects().iter().zip(parts);
-    objects
-        .map(|(object, part)| match (part, &mesh) {
-            (Some(part), Some(mesh)) => Object {
-                shape: Shape::Mesh {
-                    mesh: Arc::clone(mesh),
-                    part,
-                },
-                placement: Placement::IDENTITY,
-                colour: None,
-                ..object.clone()
+    let objects = objects.map(|(object, part)| match (part, &mesh) {
+        (Some(part), Some(mesh)) => Object {
+            shape: Shape::Mesh {
+                mesh: Arc::clone(mesh),
+                part,
             },
-            _ => Object {
-                visible: false,
-                ..object.clone()
-            },
-        })
-        .collect()
+            placement: Placement::IDENTITY,
+            colour: None,
+            ..object.clone()
+        },
+        _ => Object {
+            visible: false,
+            ..object.clone()
+        },
+    });
+    Scene::new(objects.collect())
 }
 
-/// Adds an object's surface in NDC to a mesh; returns which part it is, where there is any of it.
-fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Option<usize> {
-    let lens = Lens {
+/// Where a view space point is drawn in NDC: x, y and minus z of standard depth, whatever the lens stores. So the near face is
+/// the one towards the viewer, and nothing is mirrored: view space is left-handed, what is drawn is not.
+pub(super) fn ndc_drawn(p_view: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
+    (p_view.truncate() / (half * lens.w(p_view.z))).extend(-lens.ndc_depth(p_view.z))
+}
+
+/// The view space point that is drawn there: the opposite of [`ndc_drawn`].
+pub(super) fn view_of_ndc_drawn(at: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
+    let (a, b) = lens.depth_row();
+    let depth = if lens.is_orthographic() {
+        (-at.z - b) / a
+    } else {
+        b / (-at.z - a)
+    };
+    (at.truncate() * half * lens.w(depth)).extend(depth)
+}
+
+/// The lens with standard depth.
+pub(super) fn standard(view: &View) -> Lens {
+    Lens {
         depth: DepthMapping::Standard,
         ..*view.camera.lens()
-    };
+    }
+}
+
+/// Adds an object's surface in NDC, as it is drawn, to a mesh; returns which part it is, where there is any of it.
+fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Option<usize> {
+    let (lens, half) = (standard(view), view.half_extent());
     let count = |data: &MeshData| u32::try_from(data.triangles.len()).ok();
     let begin = count(data)?;
     // Vertices are shared within an object, so that shading stays smooth, and not beyond.
@@ -125,9 +120,12 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
         let seen =
             corners.map(|corner| view.camera.to_view(object.placement.point_to_world(corner)));
         let polygon = clip(&seen, |p| p.z - lens.near, |a, b, s| a.lerp(*b, s));
-        let polygon: Vec<_> = (polygon.iter())
-            .map(|&p| to_ndc(p, view, &lens).as_vec3())
+        let mut polygon: Vec<_> = (polygon.iter())
+            .map(|&p| ndc_drawn(p, half, &lens).as_vec3())
             .collect();
+        if object.placement.mirrors() {
+            polygon.reverse();
+        }
         if polygon.is_empty() || !polygon.iter().all(|corner| corner.is_finite()) {
             continue;
         }
@@ -167,11 +165,6 @@ fn vertex(
         positions.push(position);
         u32::try_from(positions.len() - 1).unwrap_or(u32::MAX)
     })
-}
-
-fn to_ndc(p_view: DVec3, view: &View, lens: &Lens) -> DVec3 {
-    let clip = lens.projection(view.viewport.aspect()) * p_view.extend(1.0);
-    clip.truncate() / clip.w
 }
 
 /// The triangles of an object in its own space, each with its colour. A sphere has so many rings.

@@ -1,161 +1,304 @@
-//! The scene at a stage of the pipeline, a camera that is left standing, and the way back.
+//! The four views: the scene at each stage of the pipeline, each seen by somebody of its own, all of the one scene and its
+//! one camera.
 
 use super::{
-    action::Action,
-    stages::{Prepared, Stage, staged},
-    state::{Frozen, Selection, State, Step, World},
+    observer::{Observer, Points},
+    stages::{Stage, ndc_drawn, projected, standard},
+    state::State,
+    viewing::with_frustum,
+    views::{NDC_DRAWN, Panes, Source, Staged, Views},
 };
 use crate::{
-    camera::{Orbit, UpAxis, View},
-    geometry::Aabb,
-    scene::Scene,
+    camera::{UpAxis, View},
+    geometry::{Aabb, Placement},
+    scene::{Object, Scene},
 };
-use glam::DVec3;
-use std::mem;
+use glam::{DAffine3, DMat3, DVec3};
+
+/// Objects and triangles that are projected within a pass; more of them beside the window.
+const LITTLE: usize = 20_000;
 
 impl State {
-    /// What stages are made of: the scene itself, and the view that its matrices are of.
-    pub(in crate::viewer) fn stage_source(&self) -> (&Scene, View) {
-        let through = || self.frozen.map_or(self.view, |frozen| frozen.view);
-        match &self.world {
-            Some(world) => (&world.scene, world.through),
-            None => (&self.scene, through()),
+    /// What the window shows of the scene.
+    #[must_use]
+    pub fn views(&self) -> Views {
+        match &self.panes {
+            None => Views::Picture,
+            Some(panes) => panes.large.map_or(Views::Four, Views::One),
         }
     }
 
-    /// The stage that an action leads to; `None` where it shows none.
-    pub(in crate::viewer) fn stage_after(&self, action: Action) -> Option<Stage> {
-        let step = |back| match self.timeline.last(back)? {
-            Step::Stood(_, stage) => Some(*stage),
-            _ => None,
-        };
-        match action {
-            Action::Stage(stage) => Some(stage),
-            Action::Undo => step(true),
-            Action::Redo => step(false),
-            _ => None,
+    /// The stages on screen; none where the picture is.
+    #[must_use]
+    pub fn stages(&self) -> Vec<Stage> {
+        match self.views() {
+            Views::Picture => Vec::new(),
+            Views::Four => Stage::ALL.map(|(stage, _)| stage).into(),
+            Views::One(stage) => vec![stage],
         }
     }
 
-    /// Takes a stage that is to be shown soon.
-    pub(in crate::viewer) fn prepare(&mut self, prepared: Prepared) {
-        let before = self.prepared.replace(prepared);
-        self.unused.extend(before.map(|before| before.scene));
-    }
-
-    /// Whether a stage is there to be shown.
-    pub(in crate::viewer) fn is_prepared(&self, stage: Stage) -> bool {
-        let (scene, through) = self.stage_source();
-        let is_it = |made: &Prepared| {
-            made.stage == stage && made.through == through && made.of.is_of(scene)
-        };
-        self.prepared.as_ref().is_some_and(is_it)
-    }
-
-    /// Shows the scene at a stage of the pipeline of the frozen camera, or else of the present one. Back in the world the
-    /// view stands where it stood, and what is still selected is picked again.
-    pub(super) fn show_stage(&mut self, stage: Stage) {
-        if stage == self.stage {
+    pub(super) fn show_views(&mut self, views: Views) {
+        if views == Views::Picture {
+            if let Some(panes) = self.panes.take() {
+                self.unused.extend([panes.alone.scene, panes.ndc.scene]);
+            }
             return;
         }
-        let is_prepared = self.is_prepared(stage);
-        let prepared = self.prepared.take().filter(|_| is_prepared);
-        let through = self.stage_source().1;
-        let world = self.world.take().unwrap_or_else(|| World {
-            through,
-            stand: self.stand(),
-            chosen: self.chosen(),
-            edits: self.edits,
-            scene: mem::take(&mut self.scene),
-        });
-        self.stage = stage;
-        self.scene_revision += 1;
-        self.visibility_revision += 1;
-        (self.cursor, self.lit) = (None, None);
-        if let Some(selection) = &mut self.selection {
-            selection.pick = None;
+        self.cursor = None;
+        let large = match views {
+            Views::One(stage) => Some(stage),
+            _ => None,
+        };
+        if let Some(panes) = &mut self.panes {
+            panes.large = large;
+            return;
         }
-        self.hits = None;
-        if stage == Stage::World {
-            self.come_back(world);
-        } else {
-            let make = || staged(&world.scene, &world.through, stage);
-            let scene = prepared.map_or_else(make, |prepared| prepared.scene);
-            self.unused.push(mem::replace(&mut self.scene, scene));
-            self.world = Some(world);
-            // The world's planes are nowhere here.
-            (self.controls.near, self.controls.far) = (None, None);
-            self.view.section = None;
-            self.frame_stage();
-        }
+        self.panes = Some(Box::new(Panes {
+            large,
+            entered: None,
+            observers: Stage::ALL.map(|(stage, _)| self.observer(stage, &NDC_DRAWN)),
+            of: None,
+            object: None,
+            alone: Staged::default(),
+            ndc: Staged::default(),
+            point: None,
+        }));
+        self.refresh_panes();
     }
 
-    fn come_back(&mut self, world: World) {
-        let (up_axis, opened_with) = (self.up_axis, self.opened_with);
-        self.unused.push(mem::replace(&mut self.scene, world.scene));
-        self.stand_at(&world.stand);
-        if up_axis != self.up_axis {
-            // It was turned meanwhile: the same camera about another axis.
-            (self.up_axis, self.opened_with) = (up_axis, opened_with);
-            self.orbit = Orbit::of_camera(&self.view.camera, up_axis);
+    /// After each change: what the views are made of follows the scene, its camera and what is selected.
+    pub(super) fn refresh_panes(&mut self) {
+        let Some(mut panes) = self.panes.take() else {
+            return;
+        };
+        let count = self.scene.objects().len();
+        let is_there = |object: &usize| *object < count;
+        let selected = self.selection.as_ref().map(|selection| selection.object);
+        let before = panes.object;
+        panes.object = selected
+            .or(before.filter(|_| panes.of == Some(self.document)))
+            .or_else(|| self.object_in_the_middle())
+            .filter(is_there);
+        panes.point = panes.point.filter(|(of, _)| selected == Some(*of));
+        if let Some(object) = panes.object {
+            // Its colour and shape are the scene's for good; where it stands is of no matter.
+            let of = Source::Alone([self.scene_revision, 0], object);
+            if panes.alone.of != Some(of) {
+                let alone = Object {
+                    placement: Placement::IDENTITY,
+                    visible: true,
+                    ..self.scene.objects()[object].clone()
+                };
+                let alone = Scene::new(vec![alone]);
+                panes.alone.take(alone, of, &mut self.unused);
+                let corners = with_axes(&panes.alone.scene.bounds());
+                panes.observers[Stage::Object as usize].frame(&corners);
+            }
         }
-        let object = |selection: &Option<Selection>| Some(selection.as_ref()?.object);
-        if object(&self.selection) == object(&world.chosen.selection) {
-            self.selection = world.chosen.selection;
-            self.hits = world.chosen.hits;
-            if world.edits != self.edits {
-                // What was hidden or shown meanwhile is on its ray, or is not.
-                self.repick(&View {
-                    camera: world.stand.camera,
-                    ..self.view
-                });
+        let through = self.projected_of();
+        if panes.ndc.of != Some(through) && self.is_projected_at_once() {
+            let scene = projected(&self.scene, &self.view);
+            panes.ndc.take(scene, through, &mut self.unused);
+        }
+        let is_of_another = panes.of.replace(self.document) != Some(self.document);
+        self.panes = Some(panes);
+        if is_of_another {
+            for (stage, _) in Stage::ALL {
+                self.frame_pane(stage);
             }
         }
     }
 
-    /// The view that another stage than the world's opens with.
-    pub(super) fn frame_stage(&mut self) {
-        if matches!(self.stage, Stage::View | Stage::Ndc) {
-            // From the eye's side, a little to the right and above.
-            self.orbit.look_from(UpAxis::Y, DVec3::new(0.7, 0.6, -1.6));
-        }
-        self.frame(self.shown_bounds());
+    fn is_projected_at_once(&self) -> bool {
+        self.scene.objects().len() + self.scene.triangle_count() < LITTLE
     }
 
-    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
-    pub(super) fn shown_bounds(&self) -> Aabb {
-        let bounds = self.scene.visible_bounds();
-        let frozen = self.frozen();
-        let frustum = frozen
-            .into_iter()
-            .flat_map(|frozen| frozen.view.frustum_corners());
-        let eye = frozen.map(|frozen| frozen.view.camera.eye());
-        frustum.chain(eye).fold(bounds, Aabb::including)
+    fn projected_of(&self) -> Source {
+        Source::Through([self.scene_revision, self.visibility_revision], self.view)
     }
 
-    pub(super) fn toggle_freeze(&mut self) {
-        // A camera stands in the world.
-        if self.stage != Stage::World {
-            return;
+    /// The scene and the view that NDC is to be made of beside the window: where it is of others, and much.
+    pub(in crate::viewer) fn to_project(&self) -> Option<(Scene, View, Source)> {
+        let (panes, of) = (self.panes.as_ref()?, self.projected_of());
+        let is_wanted = panes.ndc.of != Some(of) && !self.is_projected_at_once();
+        is_wanted.then(|| (self.scene.clone(), self.view, of))
+    }
+
+    /// Takes NDC as it was made beside the window, unless the scene is another by now.
+    #[expect(
+        clippy::large_types_passed_by_value,
+        reason = "once a change, and kept"
+    )]
+    pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: Source) {
+        let is_of_now =
+            matches!(of, Source::Through([revision, _], _) if revision == self.scene_revision);
+        match &mut self.panes {
+            Some(panes) if is_of_now => panes.ndc.take(scene, of, &mut self.unused),
+            _ => self.unused.push(scene),
         }
-        let pick = self.pick_ray().filter(|ray| ray.view == self.view);
-        let middle = self.view.viewport.size_px() / 2.0;
-        self.frozen = match self.frozen {
-            Some(_) => None,
-            None => Some(Frozen {
-                view: self.view,
-                px: pick.map_or(middle, |pick| pick.px),
-            }),
+    }
+
+    /// What the camera has in its middle, else the first that is visible.
+    fn object_in_the_middle(&self) -> Option<usize> {
+        let ray = self.view.ray(self.view.viewport.size_px() / 2.0);
+        let hit = self.quick_hit(&ray).map(|hit| hit.object);
+        hit.or_else(|| {
+            let mut objects = self.scene.objects().iter();
+            objects.position(|object| object.visible)
+        })
+    }
+
+    /// The object whose space the object view shows.
+    #[must_use]
+    pub fn pane_object(&self) -> Option<usize> {
+        self.panes.as_ref()?.object
+    }
+
+    /// The box about an object in its own space.
+    #[must_use]
+    pub fn object_bounds(&self, object: usize) -> Aabb {
+        let alone = self
+            .panes
+            .as_ref()
+            .filter(|panes| panes.object == Some(object));
+        alone.map_or(Aabb::EMPTY, |panes| panes.alone.scene.bounds())
+    }
+
+    /// Where a world point is drawn in NDC; `None` for what lies before the near plane.
+    #[must_use]
+    pub fn ndc_drawn(&self, point_world: DVec3) -> Option<DVec3> {
+        let lens = standard(&self.view);
+        let p = self.view.camera.to_view(point_world);
+        // A point on the plane is as often before it as behind by rounding.
+        let is_behind = p.z >= lens.near - 1e-9 * lens.near.abs();
+        is_behind.then(|| ndc_drawn(p, self.view.half_extent(), &lens))
+    }
+
+    /// What a stage shows, and a number that changes with it; `None` while the views are closed.
+    pub(super) fn pane_scene(&self, stage: Stage) -> Option<(&Scene, u64)> {
+        let panes = self.panes.as_ref()?;
+        Some(match stage {
+            Stage::Object => (&panes.alone.scene, panes.alone.revision),
+            Stage::World | Stage::View => (&self.scene, self.scene_revision),
+            Stage::Ndc => (&panes.ndc.scene, panes.ndc.revision),
+        })
+    }
+
+    fn bounds_with_camera(&self) -> Aabb {
+        with_frustum(self.scene.visible_bounds(), self.view)
+    }
+
+    /// How a stage is seen, in the space of the scene that it shows: for the view stage that is the world's. `None` while
+    /// the views are closed.
+    #[must_use]
+    pub fn pane_view(&self, stage: Stage) -> Option<View> {
+        let panes = self.panes.as_ref()?;
+        let (scene, _) = self.pane_scene(stage)?;
+        let bounds = match stage {
+            Stage::Object => scene.bounds(),
+            Stage::World | Stage::View => self.bounds_with_camera(),
+            Stage::Ndc => scene.bounds().union(NDC_DRAWN),
         };
-        self.fit();
+        let observer = &panes.observers[stage as usize];
+        let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
+        // The others show other scenes than the section's.
+        let is_of_world = matches!(stage, Stage::World | Stage::View);
+        Some(View {
+            section: self.view.section.filter(|_| is_of_world),
+            ..view
+        })
     }
 
-    /// Back to the view that the scene opened with, projection and planes and all.
-    pub(super) fn reset_view(&mut self) {
-        if self.stage != Stage::World {
-            return self.frame_stage();
+    /// From the space that a stage is drawn in, which is right-handed, to that of the scene that is drawn. What is called
+    /// view space is left-handed, (right, up, forward); drawn are (right, up, backward): the same things in the same
+    /// places, by other numbers.
+    pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
+        let camera = &self.view.camera;
+        match stage {
+            Stage::View => DAffine3::from_mat3_translation(
+                DMat3::from_cols(camera.right(), camera.up(), -camera.forward()),
+                camera.eye(),
+            ),
+            _ => DAffine3::IDENTITY,
         }
-        self.stand_as_opened();
-        self.fit();
     }
+
+    /// Somebody who sees all of a stage.
+    fn observer(&self, stage: Stage, object: &Aabb) -> Observer {
+        let camera = &self.view.camera;
+        let panes = self.panes.as_ref();
+        let viewport = panes.map_or(self.view.viewport, |panes| {
+            panes.observers[stage as usize].viewport
+        });
+        let to_drawn = self.drawn_to_scene(stage).inverse();
+        // The scene, the frustum and its eye.
+        let mut points = corners_of(&self.scene.visible_bounds());
+        points[..8].copy_from_slice(&self.view.frustum_corners());
+        points[8] = camera.eye();
+        let points = points.map(|point| to_drawn.transform_point3(point));
+        match stage {
+            Stage::Object => Observer::new(
+                self.up_axis,
+                DVec3::new(1.0, 0.8, 1.6),
+                &corners_of(object),
+                viewport,
+            ),
+            Stage::World => {
+                let frame = self.up_axis.frame();
+                // Beside the camera, above and behind: all of its frustum shows.
+                let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
+                let from = frame.transpose() * side;
+                Observer::new(self.up_axis, from, &points, viewport)
+            }
+            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &points, viewport),
+            Stage::Ndc => Observer::new(
+                UpAxis::Y,
+                DVec3::new(0.8, 0.6, 1.5),
+                &corners_of(&NDC_DRAWN),
+                viewport,
+            ),
+        }
+    }
+
+    /// The camera's picture has another shape: where nobody has moved, all of its frustum is in view again.
+    pub(super) fn frame_untouched(&mut self) {
+        for (stage, _) in Stage::ALL {
+            let observer = self
+                .panes
+                .as_ref()
+                .map(|panes| panes.observers[stage as usize]);
+            if observer.is_some_and(|observer| observer.is_untouched()) {
+                self.frame_pane(stage);
+            }
+        }
+    }
+
+    /// Shows all of a stage, from where it was seen first.
+    pub(super) fn frame_pane(&mut self, stage: Stage) {
+        let Some(panes) = &self.panes else { return };
+        let observer = self.observer(stage, &panes.alone.scene.bounds());
+        if let Some(panes) = &mut self.panes {
+            panes.observers[stage as usize] = observer;
+        }
+    }
+}
+
+/// The corners of a box with room for axes about it.
+fn with_axes(bounds: &Aabb) -> Points {
+    let room = DVec3::splat(0.25 * bounds.radius());
+    corners_of(&Aabb {
+        min: bounds.min - room,
+        max: bounds.max + room,
+    })
+}
+
+/// A box's corners, of an empty one those of a box about the origin: the last eight, and the first again.
+fn corners_of(bounds: &Aabb) -> Points {
+    let corners = if bounds.is_empty() {
+        Aabb::around([DVec3::NEG_ONE, DVec3::ONE]).corners()
+    } else {
+        bounds.corners()
+    };
+    std::array::from_fn(|i| corners[i.saturating_sub(9) % 8])
 }

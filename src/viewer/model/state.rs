@@ -4,13 +4,14 @@
 use super::{
     action::LensControls,
     hits::{DepthSteps, Landmark, RayHits},
+    matrices::Row,
     on_screen::OnScreen,
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
     showing::Showing,
-    stages::{Prepared, Stage},
     timeline::Timeline,
+    views::Panes,
 };
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
@@ -83,18 +84,6 @@ pub(super) struct Edits {
     pub objects: u64,
 }
 
-/// The scene itself while a stage of it is shown.
-pub(super) struct World {
-    pub scene: Scene,
-    /// The view that the matrices are of.
-    pub through: View,
-    /// Where the user's own view stood.
-    pub stand: Stand,
-    pub chosen: Chosen,
-    /// Those that it had.
-    pub edits: Edits,
-}
-
 /// What takes a change back; see [`Timeline`].
 pub(super) enum Step {
     /// An object had this placement.
@@ -117,8 +106,8 @@ pub(super) enum Step {
         edits: Edits,
         chosen: Chosen,
     },
-    /// The view stood there, at this stage.
-    Stood(Stand, Stage),
+    /// The view stood there.
+    Stood(Stand),
     /// All of this was open, in place of a scene of the gallery.
     Open(Box<State>),
 }
@@ -176,11 +165,10 @@ pub struct State {
     pub(super) grid: bool,
     pub(super) overlays: Overlays,
     pub(super) frozen: Option<Frozen>,
-    pub(super) stage: Stage,
-    /// The scene itself, while a stage of it is shown instead.
-    pub(super) world: Option<World>,
-    /// A stage that may be shown next.
-    pub(super) prepared: Option<Prepared>,
+    /// The four views, while they are open.
+    pub(super) panes: Option<Box<Panes>>,
+    /// The row of a matrix that the cursor rests on.
+    pub(super) row: Option<Row>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
     /// Scenes that were given up: to free what is large takes long.
@@ -230,15 +218,6 @@ impl State {
         self.up_axis
     }
 
-    /// Which axis points up in what is shown: the world's, or y of view space and NDC.
-    #[must_use]
-    pub fn shown_up_axis(&self) -> UpAxis {
-        match self.stage {
-            Stage::Object | Stage::World => self.up_axis,
-            Stage::View | Stage::Ndc => UpAxis::Y,
-        }
-    }
-
     /// What is selected.
     #[must_use]
     pub fn selection(&self) -> Option<&Selection> {
@@ -276,8 +255,7 @@ impl State {
             Step::Placed { .. } => "model matrix",
             Step::Shown { .. } => "hide and show",
             Step::Composed { .. } => "objects added",
-            Step::Stood(_, stage) if *stage != self.stage => "stage",
-            Step::Stood(..) => "view",
+            Step::Stood(_) => "view",
             Step::Open(_) => "gallery",
         })
     }
@@ -316,10 +294,10 @@ impl State {
         self.grid
     }
 
-    /// The camera that was left standing in the scene. At other stages than the world's it is not shown.
+    /// The camera that was left standing in the scene.
     #[must_use]
     pub fn frozen(&self) -> Option<&Frozen> {
-        self.frozen.as_ref().filter(|_| self.stage == Stage::World)
+        self.frozen.as_ref()
     }
 
     /// The gallery's scene that this is, and by which method it is picked from.
@@ -328,27 +306,17 @@ impl State {
         self.showing.as_ref()
     }
 
-    /// The method of others that picks now; `None` for this program's own. Stages other than the world's know no other.
+    /// The method of others that picks now; `None` for this program's own. The four views know no other.
     #[must_use]
     pub fn method(&self) -> Option<Swap> {
-        let showing = self.showing.as_ref().filter(|_| self.stage == Stage::World);
+        let showing = self.showing.as_ref().filter(|_| self.panes.is_none());
         showing?.method
     }
 
-    /// How far along the pipeline the scene is shown.
+    /// The row of a matrix that the cursor rests on.
     #[must_use]
-    pub fn stage(&self) -> Stage {
-        self.stage
-    }
-
-    /// The scene itself and the view that its matrices are of, whatever stage is shown.
-    #[must_use]
-    pub fn world(&self) -> (&Scene, &View) {
-        self.world
-            .as_ref()
-            .map_or((&self.scene, &self.view), |world| {
-                (&world.scene, &world.through)
-            })
+    pub fn row(&self) -> Option<Row> {
+        self.row
     }
 
     /// Where the view stands.

@@ -1,7 +1,6 @@
 //! What can be undone: each change leaves a step that takes it back.
 
 use super::{
-    stages::Stage,
     state::{Chosen, Edits, Stand, State, Step},
     timeline::Gesture,
 };
@@ -26,11 +25,11 @@ impl State {
     }
 
     /// Keeps where the view stood, unless it still does.
-    pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &(Stand, Stage)) {
-        if *was == (self.stand(), self.stage) {
+    pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &Stand) {
+        if *was == self.stand() {
             return;
         }
-        let step = Step::Stood(was.0, was.1);
+        let step = Step::Stood(*was);
         match gesture {
             Some(gesture) => self.record_gesture(gesture, step),
             None => self.record(step),
@@ -117,9 +116,8 @@ impl State {
                 self.choose(chosen);
                 inverse
             }
-            Step::Stood(stand, stage) => {
-                let inverse = Step::Stood(self.stand(), self.stage);
-                self.show_stage(stage);
+            Step::Stood(stand) => {
+                let inverse = Step::Stood(self.stand());
                 self.stand_at(&stand);
                 inverse
             }
@@ -138,10 +136,12 @@ impl State {
         other.scene_revision = self.scene_revision + 1;
         other.visibility_revision = self.visibility_revision + 1;
         (other.grid, other.overlays) = (self.grid, self.overlays);
+        other.panes = self.panes.take();
         other.view.viewport = self.view.viewport;
         (other.cursor, other.lit, other.clicked_s) = (None, None, None);
         mem::swap(self, &mut *other);
         self.fit();
+        self.refresh_panes();
         other
     }
 

@@ -2,7 +2,7 @@
 
 use super::{
     action::{Action, LensControls},
-    state::{Selection, State},
+    state::State,
     timeline::Gesture,
 };
 use crate::{
@@ -23,11 +23,18 @@ impl State {
             Action::Section(_) => Some(Gesture::Section),
             _ => None,
         };
-        let stood = action.jumps().then(|| (self.stand(), self.stage));
+        let entered = self.panes.as_ref().and_then(|panes| panes.entered);
+        if let Some(stage) = entered.filter(|_| action.is_of_a_pane()) {
+            let picked = self.act_in(stage, action);
+            self.refresh_panes();
+            return picked;
+        }
+        let stood = action.jumps().then(|| self.stand());
         let picked = self.perform(action);
         if let Some(stood) = stood {
             self.record_stand(gesture, &stood);
         }
+        self.refresh_panes();
         picked
     }
 
@@ -43,7 +50,7 @@ impl State {
                     self.pivot_world = self.view.ray(px).at(hit.hit.t);
                 }
             }
-            Action::Turn(by_px) => self.turn(by_px),
+            Action::Turn(by_px) | Action::Steer(by_px) => self.turn(by_px),
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
             Action::Pan(by_px) => self.pan(by_px),
             Action::Zoom(px, factor) => {
@@ -54,7 +61,8 @@ impl State {
             Action::Click(px, time_s) => return self.click(px, time_s),
             Action::Recentre(px) => self.recentre(px),
             Action::Hover(px) => self.cursor = px.map(|px| self.cursor_at(px)),
-            Action::Light(object) => self.lit = object,
+            Action::Light(object) => (self.lit, self.row) = (object, None),
+            Action::LightRow(row) => self.row = Some(row),
             Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
                 let selected = self
@@ -64,13 +72,13 @@ impl State {
                 self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
             }
             Action::LookFrom(direction) => {
-                self.orbit.look_from(self.shown_up_axis(), direction);
+                self.orbit.look_from(self.up_axis, direction);
                 self.moved();
             }
             Action::ResetView => self.reset_view(),
             Action::Pose([eye, target, up]) => {
                 if let Ok(camera) = Camera::new(eye, target, up, *self.view.camera.lens()) {
-                    self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
+                    self.orbit = Orbit::of_camera(&camera, self.up_axis);
                     self.view.camera = camera;
                     self.fit();
                 }
@@ -102,13 +110,7 @@ impl State {
             Action::Step { forward } => return self.step(forward),
             Action::Place(object, model) => self.place(object, model),
             Action::Camera(choice) => self.set_camera(choice),
-            Action::Select(object) => {
-                self.selection = object.map(|object| Selection { object, pick: None });
-                self.hits = None;
-                if object.is_none() {
-                    self.landmarks.clear();
-                }
-            }
+            Action::Select(object) => self.select(object),
             Action::SetVisible(object, visible) => {
                 self.show(|index| (index == object).then_some(visible));
             }
@@ -129,7 +131,12 @@ impl State {
                     self.pick_by(showing.next_method(forward));
                 }
             }
-            Action::Stage(stage) => self.show_stage(stage),
+            Action::Views(views) => self.show_views(views),
+            Action::Enter(stage) => {
+                if let Some(panes) = &mut self.panes {
+                    panes.entered = stage;
+                }
+            }
         }
         None
     }

@@ -3,11 +3,12 @@
 use super::{
     action::{Action, LensControls},
     ortho_height::OrthoHeight,
-    state::{Stand, State},
+    state::{Frozen, Stand, State},
 };
 use crate::{
     camera::{
-        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, fit_near_far,
+        Camera, CameraChoice, CameraError, Lens, Orbit, Projection, SectionChoice, View,
+        fit_near_far,
     },
     geometry::{Aabb, Placement, PlacementError},
 };
@@ -25,6 +26,14 @@ pub enum CannotBe {
     /// It makes no model matrix.
     #[error(transparent)]
     Placement(#[from] PlacementError),
+}
+
+/// A world-space box and all of a camera's frustum, with its eye.
+pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
+    let frustum = view.frustum_corners().into_iter();
+    frustum
+        .chain([view.camera.eye()])
+        .fold(bounds, Aabb::including)
 }
 
 impl Stand {
@@ -115,7 +124,7 @@ impl State {
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
-        self.orbit = Orbit::of_camera(&camera, self.shown_up_axis());
+        self.orbit = Orbit::of_camera(&camera, self.up_axis);
         let choice = CameraChoice {
             fov: Some(self.controls.fov_deg),
             ..choice
@@ -242,5 +251,35 @@ impl State {
         if let Ok(camera) = self.camera_with(&self.controls) {
             self.view.camera = camera;
         }
+    }
+
+    /// The world-space box about all that shows: visible objects and a frozen camera's frustum.
+    pub(super) fn shown_bounds(&self) -> Aabb {
+        let bounds = self.scene.visible_bounds();
+        let views = self.frozen.iter().map(|frozen| frozen.view);
+        views.fold(bounds, with_frustum)
+    }
+
+    pub(super) fn toggle_freeze(&mut self) {
+        // The four views show the camera as it is.
+        if self.panes.is_some() {
+            return;
+        }
+        let pick = self.pick_ray().filter(|ray| ray.view == self.view);
+        let middle = self.view.viewport.size_px() / 2.0;
+        self.frozen = match self.frozen {
+            Some(_) => None,
+            None => Some(Frozen {
+                view: self.view,
+                px: pick.map_or(middle, |pick| pick.px),
+            }),
+        };
+        self.fit();
+    }
+
+    /// Back to the view that the scene opened with, projection and planes and all.
+    pub(super) fn reset_view(&mut self) {
+        self.stand_as_opened();
+        self.fit();
     }
 }

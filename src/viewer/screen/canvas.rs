@@ -3,16 +3,17 @@
 use super::{
     panels_picture::PanelsPicture,
     place::SceneRect,
-    scene_picture::{Look, Progress, ScenePicture},
+    progress::Progress,
+    scene_picture::{Brush, Look, ScenePicture},
     wanted::Motion,
 };
 use crate::{
-    camera::Viewport,
+    camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, read_rgb},
+    render::{Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb},
     viewer::{
         jobs::Uploaded,
-        model::{OnScreen, State},
+        model::{OnScreen, Stage, State, Subject},
     },
 };
 use egui_wgpu::ScreenDescriptor;
@@ -23,7 +24,11 @@ pub(in crate::viewer) struct Canvas {
     pub gpu: Gpu,
     /// What it draws onto: values as they are, viewed as sRGB where the scene goes in.
     pub format: TextureFormat,
+    renderer: Renderer,
+    /// Of the scene itself: what its camera sees, or the world with that in it.
     scene: ScenePicture,
+    /// Of the object, view and NDC stages, once they were asked for.
+    stages: Option<Box<[ScenePicture; 3]>>,
     panels: PanelsPicture,
     /// The frame, which stays: only what changes in it is drawn again.
     page: wgpu::Texture,
@@ -31,13 +36,15 @@ pub(in crate::viewer) struct Canvas {
     /// It is another than the one that was shown last.
     pub unshown: bool,
     /// What the page shows of the scene, and where.
-    shown: Option<(SceneRect, Look)>,
+    shown: Vec<(SceneRect, Option<Look>)>,
 }
 
 /// One frame, laid out.
 pub(in crate::viewer) struct Laid {
     /// Where the scene goes; `None` where there is no room for it.
     pub place: Option<SceneRect>,
+    /// Which stages go where within it, in place of the scene's picture; none where that shows.
+    pub panes: Vec<(Stage, SceneRect)>,
     /// The panels' triangles.
     pub primitives: Vec<egui::ClippedPrimitive>,
     /// Physical pixels for a point.
@@ -69,11 +76,13 @@ impl Canvas {
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
         Self {
             panels: PanelsPicture::new(&gpu, format),
+            renderer: Renderer::new(&gpu, SMOOTH_SAMPLES),
             scene: ScenePicture::new(&gpu),
+            stages: None,
             page: page(&gpu, Viewport::DEFAULT, format),
             size: Viewport::DEFAULT,
             unshown: true,
-            shown: None,
+            shown: Vec::new(),
             gpu,
             format,
         }
@@ -123,37 +132,87 @@ impl Canvas {
         if is_new {
             (self.page, self.size) = (page(&self.gpu, size, self.format), size);
         }
-        let mut scene = Ok(Progress::default());
-        if let Some(place) = laid.place {
-            self.scene.scale_factor = laid.pixels_per_point;
-            scene = (self.scene).advance(&self.gpu, state, place.viewport, laid.motion);
+        let places = places(laid);
+        if laid.panes.is_empty() {
+            self.stages = None;
         }
-        let look = laid.place.zip(self.scene.look(state));
+        let (mut progress, mut looks) = (Ok(Progress::default()), Vec::new());
+        for (stage, place) in &places {
+            let (picture, mut brush, meshes) = self.picture_of(*stage, laid.pixels_per_point);
+            picture.scenes.meshes = meshes;
+            let Some(subject) = subject(state, *stage, *place) else {
+                looks.push((*place, None));
+                continue;
+            };
+            let advanced = picture.advance(&mut brush, &subject, laid.motion);
+            looks.push((*place, picture.look(&subject)));
+            let meshes = picture.scenes.meshes.clone();
+            self.scene.scenes.meshes = meshes;
+            progress = progress.and_then(|progress| Ok(progress.and(advanced?)));
+        }
         let screen = ScreenDescriptor {
             size_in_pixels: [size.width(), size.height()],
             pixels_per_point: laid.pixels_per_point,
         };
         let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
-        if is_new || look.map(|(place, _)| place) != self.shown.map(|(place, _)| place) {
+        let moved = |shown: &[(SceneRect, Option<Look>)]| {
+            !shown
+                .iter()
+                .map(|(place, _)| place)
+                .eq(places.iter().map(|(_, place)| place))
+        };
+        let is_moved = moved(&self.shown);
+        if is_new || is_moved {
             painted = vec![[[0, 0], screen.size_in_pixels]];
         }
         if !painted.is_empty() {
             self.panels.copy(&self.gpu, &self.page, &painted);
         }
-        let is_over = |place: SceneRect| painted.iter().any(|rect| place.touches(*rect));
-        let is_drawn = look != self.shown || look.is_some_and(|(place, _)| is_over(place));
-        if let Some((place, look)) = look.filter(|_| is_drawn) {
-            (self.scene).composite(&self.gpu, &look, &self.page, place);
-            self.panels.draw_over(&self.gpu, &self.page, place);
+        self.unshown |= !painted.is_empty();
+        for (at, (stage, place)) in places.iter().enumerate() {
+            let is_over = painted.iter().any(|rect| place.touches(*rect));
+            let look = looks[at];
+            if !is_over && self.shown.get(at) == Some(&look) {
+                continue;
+            }
+            if let (place, Some(look)) = look {
+                let page = self.page.clone();
+                let (picture, mut brush, _) = self.picture_of(*stage, laid.pixels_per_point);
+                picture.composite(&mut brush, &look, &page, place);
+                self.panels.draw_over(&self.gpu, &self.page, place);
+                self.unshown = true;
+            }
         }
-        self.shown = look;
-        self.unshown |= is_drawn || !painted.is_empty();
+        self.shown = looks;
         if self.gpu.is_software() {
             // The frame time that is shown is the frame's, then, and not that of handing it over.
             self.gpu.wait()?;
         }
         self.gpu.check()?;
-        scene
+        progress
+    }
+
+    /// The picture of a stage, or of the scene, what draws it, and the meshes that are there.
+    fn picture_of(
+        &mut self,
+        stage: Option<Stage>,
+        scale_factor: f32,
+    ) -> (&mut ScenePicture, Brush<'_>, MeshStore) {
+        let brush = Brush {
+            gpu: &self.gpu,
+            renderer: &mut self.renderer,
+            scale_factor,
+        };
+        let meshes = self.scene.scenes.meshes.clone();
+        let new = || Box::new([(); 3].map(|()| ScenePicture::new(brush.gpu)));
+        let stage = match stage {
+            None | Some(Stage::World) => return (&mut self.scene, brush, meshes),
+            Some(Stage::Object) => 0,
+            Some(Stage::View) => 1,
+            Some(Stage::Ndc) => 2,
+        };
+        let stages = self.stages.get_or_insert_with(new);
+        (&mut stages[stage], brush, meshes)
     }
 
     /// Shows the page on a texture of its format.
@@ -184,6 +243,7 @@ impl Canvas {
         let rested = Laid {
             motion: Motion::Rests,
             primitives: laid.primitives.clone(),
+            panes: laid.panes.clone(),
             ..*laid
         };
         self.smooth_picture(self.size, state, &rested)
@@ -196,13 +256,19 @@ impl Canvas {
     pub fn picture_alone(
         &mut self,
         state: &State,
+        laid: &Laid,
         place: SceneRect,
     ) -> Result<Image<Rgb>, GpuError> {
+        let origin = place.origin_px;
+        let moved = |place: SceneRect| SceneRect {
+            origin_px: [0, 1].map(|axis| place.origin_px[axis].saturating_sub(origin[axis])),
+            ..place
+        };
         let bare = Laid {
-            place: Some(SceneRect {
-                origin_px: [0, 0],
-                ..place
-            }),
+            place: Some(moved(place)),
+            panes: (laid.panes.iter())
+                .map(|(stage, place)| (*stage, moved(*place)))
+                .collect(),
             primitives: Vec::new(),
             pixels_per_point: place.pixels_per_point,
             motion: Motion::Rests,
@@ -238,6 +304,30 @@ impl Canvas {
         let pixels = picture.pixels().iter().map(|[b, g, r]| [*r, *g, *b]);
         Ok(Image::new(self.size, pixels.collect()))
     }
+}
+
+/// What is drawn, and where: stages, or else the scene's picture.
+fn places(laid: &Laid) -> Vec<(Option<Stage>, SceneRect)> {
+    if laid.panes.is_empty() {
+        return laid.place.map(|place| (None, place)).into_iter().collect();
+    }
+    let panes = laid.panes.iter();
+    panes.map(|(stage, place)| (Some(*stage), *place)).collect()
+}
+
+/// What the picture at a place is of.
+fn subject(state: &State, stage: Option<Stage>, place: SceneRect) -> Option<Subject<'_>> {
+    let subject = match stage {
+        Some(stage) => state.pane_subject(stage)?,
+        None => state.subject(),
+    };
+    Some(Subject {
+        view: View {
+            viewport: place.viewport,
+            ..subject.view
+        },
+        ..subject
+    })
 }
 
 /// A texture of this size that can be drawn onto, copied and read.

@@ -1,19 +1,36 @@
 //! A frozen camera as lines: what "casting a ray" looks like from outside.
 
-use crate::{geometry::Placement, look, pick, render::Line, scene::Scene, viewer::model::Frozen};
+use crate::{
+    camera::{View, Viewport},
+    geometry::Placement,
+    look, pick,
+    render::Line,
+    scene::Scene,
+    viewer::model::Frozen,
+};
 use glam::{DVec2, DVec3};
 
 /// Cells of the pixel grid across the picture's longer side, at the most: single pixels would be too many lines.
 const CELLS: u32 = 24;
 
-/// The frustum with its near and far planes, the pixel grid on the near plane, the axes R, U and F at the eye (red,
-/// green, blue), the ray with a cross and the outward normal at each hit.
+/// The frustum with its near and far planes, and the pixel grid on the near plane.
+pub(super) fn camera(view: &View) -> Vec<Line> {
+    let mut lines = frustum(view);
+    let rays = view.uncut().rays();
+    let on_near = |px: DVec2| {
+        let ray = rays.ray(px);
+        ray.at(ray.t_min)
+    };
+    lines.extend(pixel_grid(view.viewport, on_near));
+    lines
+}
+
+/// The camera with its axes R, U and F at the eye (red, green, blue), the ray with a cross and the outward normal at each hit.
 pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     let camera = &frozen.view.camera;
     let size = scene.visible_bounds().radius();
     let size = if size > 0.0 { size } else { camera.lens().far };
-    let mut lines = frustum(frozen);
-    lines.extend(pixel_grid(frozen));
+    let mut lines = self::camera(&frozen.view);
     let axes = [camera.right(), camera.up(), camera.forward()];
     lines.extend(axes.into_iter().zip(look::AXES).map(|(axis, colour)| Line {
         from: camera.eye(),
@@ -44,8 +61,8 @@ pub(in crate::viewer) fn lines(frozen: &Frozen, scene: &Scene) -> Vec<Line> {
     lines
 }
 
-fn frustum(frozen: &Frozen) -> Vec<Line> {
-    let corners = frozen.view.frustum_corners();
+fn frustum(view: &View) -> Vec<Line> {
+    let corners = view.frustum_corners();
     let edges = (0..4).flat_map(|i| [(i, (i + 1) % 4), (i + 4, (i + 1) % 4 + 4), (i, i + 4)]);
     let mut lines: Vec<Line> = edges
         .map(|(a, b)| Line {
@@ -56,7 +73,7 @@ fn frustum(frozen: &Frozen) -> Vec<Line> {
         .collect();
     // From where the rays start to the near plane, where there is room between the two.
     lines.extend(corners[..4].iter().map(|&corner| Line {
-        from: frozen.view.camera.eye(),
+        from: view.camera.eye(),
         to: corner,
         colour: look::CAMERA_PIXELS,
     }));
@@ -64,16 +81,10 @@ fn frustum(frozen: &Frozen) -> Vec<Line> {
 }
 
 /// Lines between pixels on the near plane; where there are many, between blocks of them.
-fn pixel_grid(frozen: &Frozen) -> Vec<Line> {
-    let (width, height) = (frozen.view.viewport.width(), frozen.view.viewport.height());
+pub(super) fn pixel_grid(viewport: Viewport, on_near: impl Fn(DVec2) -> DVec3) -> Vec<Line> {
+    let (width, height) = (viewport.width(), viewport.height());
     let step = width.max(height).div_ceil(CELLS).max(1);
-    let on_near = |x: u32, y: u32| {
-        let ray = frozen
-            .view
-            .uncut()
-            .ray(DVec2::new(f64::from(x), f64::from(y)));
-        ray.at(ray.t_min)
-    };
+    let on_near = |x: u32, y: u32| on_near(DVec2::new(f64::from(x), f64::from(y)));
     let block = step as usize;
     let columns = (step..width)
         .step_by(block)

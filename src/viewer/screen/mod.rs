@@ -9,6 +9,7 @@ mod overlay_lines;
 mod pace;
 mod panels_picture;
 mod place;
+mod progress;
 mod scene_picture;
 mod scenes_on_gpu;
 mod screenshot;
@@ -20,7 +21,7 @@ mod wanted;
 
 pub(super) use canvas::{Canvas, Laid, Screen};
 pub(super) use place::SceneRect;
-pub(super) use scene_picture::Progress;
+pub(super) use progress::Progress;
 pub(super) use screenshot::write_screenshot;
 pub(super) use surface::Surface;
 pub(super) use surroundings::grid_step;

@@ -6,7 +6,7 @@ use crate::{
     look,
     render::Line,
     scene::{Object, Shape},
-    viewer::model::{Overlay, State},
+    viewer::model::{Overlay, Subject},
 };
 use glam::DVec3;
 
@@ -14,9 +14,13 @@ use glam::DVec3;
 const MOST: usize = 100_000;
 
 /// Normals, boxes and trees of the selection, or of all that is visible where nothing is selected: the first [`MOST`] lines.
-pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
-    let (scene, overlays) = (state.scene(), state.overlays());
-    let selected = state.selection().map(|selection| selection.object);
+pub(in crate::viewer) fn lines(subject: &Subject) -> Vec<Line> {
+    let Subject {
+        scene,
+        overlays,
+        selection: selected,
+        ..
+    } = *subject;
     let shows_lines = [Overlay::Normals, Overlay::Boxes].map(|overlay| overlays.shows(overlay));
     let asked = if shows_lines.contains(&true) {
         scene.objects()
@@ -59,7 +63,7 @@ pub(in crate::viewer) fn lines(state: &State) -> Vec<Line> {
             }
         }
     }
-    match state.view().section {
+    match subject.view.section {
         None => lines,
         Some(section) => lines
             .iter()

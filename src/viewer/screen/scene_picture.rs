@@ -4,6 +4,7 @@ use super::{
     finish::Finish,
     pace::Pace,
     place::SceneRect,
+    progress::Progress,
     scenes_on_gpu::ScenesOnGpu,
     wanted::{Drawn, Motion, lines},
 };
@@ -12,9 +13,8 @@ use crate::{
     image::{Id, Image},
     render::{
         Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, SMOOTH_SAMPLES, Targets,
-        Wireframe,
     },
-    viewer::model::{OnScreen, Overlay, State},
+    viewer::model::{OnScreen, Subject},
 };
 use std::{
     mem,
@@ -28,9 +28,16 @@ const EDGES_COST: u64 = 4;
 /// For so long nothing is asked of an adapter that draws: to ask at once would only keep a processor busy.
 const WAIT: Duration = Duration::from_millis(4);
 
-/// The scene on the GPU, and pictures of it.
+/// What draws all pictures.
+pub(super) struct Brush<'a> {
+    pub gpu: &'a Gpu,
+    pub renderer: &'a mut Renderer,
+    /// Pixels of the window for one of its points.
+    pub scale_factor: f32,
+}
+
+/// A scene on the GPU, and pictures of it.
 pub(super) struct ScenePicture {
-    pub renderer: Renderer,
     pub scenes: ScenesOnGpu,
     shown: Option<Picture>,
     next: Option<UnderWay>,
@@ -38,8 +45,6 @@ pub(super) struct ScenePicture {
     spare: Vec<Targets>,
     /// Of coarse pictures, and of others.
     paces: [Pace; 2],
-    /// Pixels of the window for one of its points.
-    pub scale_factor: f32,
     /// Counts what is shown.
     changes: u64,
 }
@@ -71,31 +76,14 @@ struct UnderWay {
     refines: bool,
 }
 
-/// How far the picture has come in a pass.
-#[derive(Clone, Copy, Debug, Default)]
-pub(in crate::viewer) struct Progress {
-    /// Whether another picture of the scene is shown than before.
-    pub anew: bool,
-    /// How soon another pass is needed, while it is not yet the one that is wanted.
-    pub behind: Option<Duration>,
-    /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
-    pub rough: bool,
-    /// About so many triangles were drawn.
-    pub drawn: u64,
-    /// So many objects and triangles were taken into graphics memory by the pass itself.
-    pub uploaded: usize,
-}
-
 impl ScenePicture {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            renderer: Renderer::new(gpu, SMOOTH_SAMPLES),
             scenes: ScenesOnGpu::default(),
             shown: None,
             next: None,
             spare: Vec::new(),
             paces: [Pace::new(gpu), Pace::new(gpu)],
-            scale_factor: 1.0,
             changes: 0,
         }
     }
@@ -119,14 +107,13 @@ impl ScenePicture {
     /// exact and then smooth edges, which nothing waits for.
     pub fn advance(
         &mut self,
-        gpu: &Gpu,
-        state: &State,
-        viewport: Viewport,
+        brush: &mut Brush,
+        subject: &Subject,
         motion: Motion,
     ) -> Result<Progress, GpuError> {
-        let revision = state.scene_revision();
+        let (gpu, revision) = (brush.gpu, subject.revision);
         self.scenes.forget_unused();
-        let wanted = Drawn::wanted(state, viewport);
+        let wanted = Drawn::wanted(subject);
         let unwanted = self.next.take_if(|next| {
             let is_of_another = next.of.revision != revision;
             is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
@@ -134,13 +121,13 @@ impl ScenePicture {
         self.spare.extend(unwanted.and_then(|next| next.targets));
         let mut uploaded = 0;
         if self.next.is_none() {
-            uploaded = self.scenes.upload(gpu, state)?;
-            self.begin(gpu, state, &wanted, motion)?;
+            uploaded = self.scenes.upload(gpu, subject)?;
+            self.begin(gpu, subject, &wanted, motion)?;
         }
         if self.next.is_none() && motion == Motion::Rests {
-            self.begin_to_smooth(state, &wanted);
+            self.begin_to_smooth(subject, &wanted);
         }
-        let ([anew, waits], drawn) = self.proceed(gpu)?;
+        let ([anew, waits], drawn) = self.proceed(brush)?;
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         Ok(Progress {
@@ -156,7 +143,7 @@ impl ScenePicture {
     fn begin(
         &mut self,
         gpu: &Gpu,
-        state: &State,
+        subject: &Subject,
         wanted: &Drawn,
         motion: Motion,
     ) -> Result<(), GpuError> {
@@ -187,10 +174,6 @@ impl ScenePicture {
             });
             return Ok(());
         }
-        let overlays = state.overlays();
-        self.renderer.wireframe = overlays
-            .shows(Overlay::Wireframe)
-            .then(|| wanted.selection.map_or(Wireframe::OfAll, Wireframe::Of));
         let samples = gpu.samples_in_motion();
         let finish = match samples {
             SMOOTH_SAMPLES => Finish::Smooth,
@@ -198,10 +181,10 @@ impl ScenePicture {
             _ => Finish::Rough,
         };
         let view = finish.drawn(&wanted.view);
-        let drawing = Drawing::of_scene(samples, &view, lines(state, wanted));
+        let drawing = Drawing::of_scene(samples, &view, lines(subject));
         let most = self.paces[usize::from(finish.is_exact())].most();
         let mut whole = drawing.whole(&scene.buffers);
-        if self.renderer.wireframe.is_some() {
+        if wanted.wireframe().is_some() {
             whole.work *= EDGES_COST;
         }
         let at_once = most.holds(&whole) && scene.buffers.is_little();
@@ -240,13 +223,13 @@ impl ScenePicture {
     }
 
     /// Begins to draw the picture on screen with smooth edges, where it has none.
-    fn begin_to_smooth(&mut self, state: &State, wanted: &Drawn) {
+    fn begin_to_smooth(&mut self, subject: &Subject, wanted: &Drawn) {
         let shown = (self.shown.as_ref())
             .filter(|shown| shown.of == *wanted && shown.finish == Finish::Rough);
         let (Some(_), Some(scene)) = (shown, &self.scenes.now) else {
             return;
         };
-        let lines = lines(state, wanted);
+        let lines = lines(subject);
         let bare = Drawing::of_smooth_colours(&wanted.view, Vec::new(), 1);
         let mut each = bare.whole(&scene.buffers);
         each.work += lines.len() as u64;
@@ -263,7 +246,8 @@ impl ScenePicture {
 
     /// Draws on. Returns whether another picture of the scene is shown than before, and whether nothing could be drawn,
     /// since the adapter has not done yet what it is to; and how much was drawn.
-    fn proceed(&mut self, gpu: &Gpu) -> Result<([bool; 2], u64), GpuError> {
+    fn proceed(&mut self, brush: &mut Brush) -> Result<([bool; 2], u64), GpuError> {
+        let gpu = brush.gpu;
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
         let is_free = self.paces.iter_mut().all(|pace| pace.is_free(gpu));
         let finish = self.next.as_ref().map(|next| next.finish);
@@ -298,8 +282,11 @@ impl ScenePicture {
             let buffers = &scene.buffers;
             #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
             let coarseness = next.finish.coarseness() as f32;
-            self.renderer.scale_factor = self.scale_factor / coarseness;
-            let advanced = self.renderer.advance(gpu, buffers, targets, drawing, piece);
+            brush.renderer.wireframe = next.of.wireframe();
+            brush.renderer.scale_factor = brush.scale_factor / coarseness;
+            let advanced = brush
+                .renderer
+                .advance(gpu, buffers, targets, drawing, piece);
             let is_whole = advanced.inspect_err(|_| self.next = None)?;
             let progress = self.next.as_ref().map_or(0, |next| next.drawing.done()) - before;
             done += progress;
@@ -352,29 +339,35 @@ impl ScenePicture {
     }
 
     /// What is to be seen of the picture; `None` where there is none.
-    pub fn look(&self, state: &State) -> Option<Look> {
+    pub fn look(&self, subject: &Subject) -> Option<Look> {
         let (scene, shown) = (self.scenes.now.as_ref()?, self.shown.as_ref()?);
         // Objects of one scene are none of another's.
         let is_of_scene = |of: &u64| *of == scene.revision;
-        let hover = Some(state.scene_revision()).filter(is_of_scene);
+        let hover = Some(subject.revision).filter(is_of_scene);
         let selection = Some(shown.of.revision).filter(is_of_scene);
         Some(Look {
             change: self.changes,
             marks: Marks {
                 selection: selection.and(shown.of.selection),
-                hover: hover.and(selection).and(state.hover()),
+                hover: hover.and(selection).and(subject.hover),
             },
         })
     }
 
     /// Puts the picture into its place on a page.
-    pub fn composite(&mut self, gpu: &Gpu, look: &Look, page: &wgpu::Texture, place: SceneRect) {
+    pub fn composite(
+        &self,
+        brush: &mut Brush,
+        look: &Look,
+        page: &wgpu::Texture,
+        place: SceneRect,
+    ) {
         let (Some(scene), Some(shown)) = (&self.scenes.now, &self.shown) else {
             return;
         };
         let coarseness = shown.finish.coarseness();
-        self.renderer.composite(
-            gpu,
+        brush.renderer.composite(
+            brush.gpu,
             &scene.buffers,
             &shown.targets,
             &shown.finish.drawn(&shown.of.view),

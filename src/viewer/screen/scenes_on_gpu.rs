@@ -5,12 +5,12 @@ use crate::{
     scene::{Scene, SceneKey},
     viewer::{
         jobs::{Uploaded, let_go},
-        model::State,
+        model::Subject,
     },
 };
 use std::mem;
 
-/// A stage's scene, and that of the world behind it.
+/// Those of the gallery, and what was open before it.
 const MOST_BEFORE: usize = 2;
 
 /// A scene on the GPU and which one it is.
@@ -24,7 +24,7 @@ pub(super) struct OnGpu {
 /// All that are there.
 #[derive(Default)]
 pub(super) struct ScenesOnGpu {
-    /// The state's, once it was uploaded.
+    /// The picture's, once it was uploaded.
     pub now: Option<OnGpu>,
     /// What came ahead of its scene.
     ready: Option<Uploaded>,
@@ -53,37 +53,37 @@ impl ScenesOnGpu {
         }
     }
 
-    /// Sees to the state's scene, as it is now. Returns how many objects and triangles were taken there for that.
+    /// Sees to a picture's scene, as it is now. Returns how many objects and triangles were taken there for that.
     ///
     /// # Errors
     /// When it does not fit.
-    pub fn upload(&mut self, gpu: &Gpu, state: &State) -> Result<usize, GpuError> {
+    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<usize, GpuError> {
         let mut taken = 0;
-        let (revision, visibility) = (state.scene_revision(), state.visibility_revision());
+        let (revision, visibility) = (subject.revision, subject.visibility);
         match &mut self.now {
             Some(scene) if scene.revision == revision => {
                 if scene.visibility != visibility {
-                    scene.buffers.update(gpu, state.scene())?;
+                    scene.buffers.update(gpu, subject.scene)?;
                     scene.visibility = visibility;
-                    scene.key = state.scene().key();
+                    scene.key = subject.scene.key();
                 }
             }
             _ => {
                 if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                     return Err(error.clone());
                 }
-                let buffers = if let Some(buffers) = self.known(state.scene()) {
+                let buffers = if let Some(buffers) = self.known(subject.scene) {
                     Ok(buffers)
                 } else {
-                    taken = state.scene().objects().len() + state.scene().triangle_count();
-                    SceneBuffers::upload_beside(gpu, state.scene(), &mut self.meshes)
+                    taken = subject.scene.objects().len() + subject.scene.triangle_count();
+                    SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes)
                 };
                 let buffers = buffers.inspect_err(|error| {
                     self.unfit = Some((revision, error.clone()));
                 })?;
                 let before = self.now.replace(OnGpu {
                     buffers,
-                    key: state.scene().key(),
+                    key: subject.scene.key(),
                     revision,
                     visibility,
                 });

@@ -2,7 +2,7 @@
 
 use super::{
     canvas::{Canvas, Laid, Screen},
-    scene_picture::Progress,
+    progress::Progress,
 };
 use crate::{
     camera::Viewport,

@@ -1,15 +1,15 @@
 //! What stands around the scene: a floor grid with the world's axes on it.
 
-use super::box_edges::edges;
+use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
-    camera::UpAxis,
+    camera::{UpAxis, Viewport},
     colour::Srgb,
     geometry::Aabb,
     look,
     render::Line,
-    viewer::model::{Stage, State},
+    viewer::model::{NDC_DRAWN, State},
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Lines to each side of the middle, at the most.
 const LINES: f64 = 40.0;
@@ -100,14 +100,12 @@ fn axis_colour(direction: DVec3) -> Srgb {
     }]
 }
 
-/// What stands beside the scene at a stage of the pipeline: in NDC, the box that the frustum becomes.
-pub(in crate::viewer) fn of(stage: Stage) -> Vec<Line> {
-    let frustum = Aabb {
-        min: DVec3::new(-1.0, -1.0, 0.0),
-        max: DVec3::ONE,
-    };
-    let edges = (stage == Stage::Ndc).then(|| edges(&frustum, look::CAMERA));
-    edges.into_iter().flatten().collect()
+/// The box that the frustum becomes in NDC, as it is drawn, with the pixels of a picture on its near face.
+pub(super) fn ndc(viewport: Viewport) -> Vec<Line> {
+    let on_near = |px: DVec2| viewport.px_to_ndc(px).extend(0.0);
+    let mut lines = pixel_grid(viewport, on_near);
+    lines.extend(edges(&NDC_DRAWN, look::CAMERA));
+    lines
 }
 
 #[cfg(test)]

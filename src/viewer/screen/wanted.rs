@@ -2,9 +2,9 @@
 
 use super::{frozen, overlay_lines, surroundings};
 use crate::{
-    camera::{UpAxis, View, Viewport},
-    render::Line,
-    viewer::model::{Frozen, OnScreen, Overlays, State},
+    camera::{UpAxis, View},
+    render::{Line, Wireframe},
+    viewer::model::{Frozen, Lesson, OnScreen, Overlay, Overlays, Subject},
 };
 
 /// How what is to be shown of the scene moves.
@@ -28,25 +28,27 @@ pub(super) struct Drawn {
     frozen: Option<Frozen>,
     /// What is drawn with the scene, about which object, and whether the trees that it may show are there.
     overlays: Option<(Overlays, Option<usize>, bool)>,
+    lesson: Option<Lesson>,
     pub selection: Option<usize>,
 }
 
 impl Drawn {
-    /// The picture that a state is to have.
-    pub fn wanted(state: &State, viewport: Viewport) -> Self {
-        let selection = state.selection().map(|selection| selection.object);
-        let overlays = state.overlays();
+    /// The picture that there is to be.
+    pub fn wanted(subject: &Subject) -> Self {
+        let Subject {
+            overlays,
+            selection,
+            ..
+        } = *subject;
         Self {
             overlays: (overlays.in_scene())
-                .then(|| (overlays, selection, state.scene().trees_are_built())),
-            view: View {
-                viewport,
-                ..*state.view()
-            },
-            revision: state.scene_revision(),
-            visibility: state.visibility_revision(),
-            grid: state.grid().then_some(state.shown_up_axis()),
-            frozen: state.frozen().copied(),
+                .then(|| (overlays, selection, subject.scene.trees_are_built())),
+            view: subject.view,
+            revision: subject.revision,
+            visibility: subject.visibility,
+            grid: subject.grid,
+            frozen: subject.frozen,
+            lesson: subject.lesson,
             selection,
         }
     }
@@ -59,6 +61,13 @@ impl Drawn {
         }
     }
 
+    /// Whose edges are drawn.
+    pub fn wireframe(&self) -> Option<Wireframe> {
+        let (overlays, selection, _) = self.overlays?;
+        let of = selection.map_or(Wireframe::OfAll, Wireframe::Of);
+        overlays.shows(Overlay::Wireframe).then_some(of)
+    }
+
     pub fn on_screen(&self) -> OnScreen {
         OnScreen {
             view: self.view,
@@ -69,15 +78,18 @@ impl Drawn {
 }
 
 /// The lines that are drawn with a scene.
-pub(super) fn lines(state: &State, wanted: &Drawn) -> Vec<Line> {
-    let scene = state.scene();
-    let eye = wanted.view.camera.eye();
-    let floor = |up_axis| surroundings::floor(&scene.bounds(), up_axis, eye);
-    let floor = wanted.grid.map(floor);
-    let frozen = wanted.frozen.map(|frozen| frozen::lines(&frozen, scene));
-    let stage = surroundings::of(state.stage());
+pub(super) fn lines(subject: &Subject) -> Vec<Line> {
+    let Subject { scene, view, .. } = *subject;
+    let floor = |up_axis| surroundings::floor(&scene.bounds(), up_axis, view.camera.eye());
+    let floor = subject.grid.map(floor);
+    let frozen = subject.frozen.map(|frozen| frozen::lines(&frozen, scene));
+    let lesson = match subject.lesson {
+        Some(Lesson::Camera(camera)) => frozen::camera(&camera),
+        Some(Lesson::Ndc(viewport)) => surroundings::ndc(viewport),
+        Some(Lesson::Object) | None => Vec::new(),
+    };
     let all = floor.into_iter().chain(frozen);
-    all.chain([stage, overlay_lines::lines(state)])
+    all.chain([lesson, overlay_lines::lines(subject)])
         .flatten()
         .collect()
 }

@@ -65,6 +65,8 @@ pub(in crate::viewer) enum Command {
     ToggleHelp,
     /// Show or hide the matrices.
     TogglePipeline,
+    /// Show the four views with the matrices beside them, or the camera's picture again.
+    ToggleFour,
     /// Begin the tour, or go on in it.
     Tour(TourMove),
     /// Give the panels the next of the looks that they can have.

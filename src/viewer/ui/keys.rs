@@ -228,6 +228,12 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
         command: Command::Act(Action::ToggleFreeze),
     },
     Binding {
+        keys: "4",
+        does: "object, world, view and NDC side by side; the picture again",
+        shortcuts: &[(NONE, Key::Num4)],
+        command: Command::ToggleFour,
+    },
+    Binding {
         keys: "P",
         does: "the matrices, and the pick's way through them",
         shortcuts: &[(NONE, Key::P)],
@@ -326,6 +332,10 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
 /// What the mouse does, for the help.
 pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     ("left drag", "orbit about the point under the cursor"),
+    (
+        "Ctrl+left drag",
+        "turn the scene's camera, also from one of the four views",
+    ),
     ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),

@@ -5,7 +5,7 @@ use crate::viewer::{
     model::{Action, DOUBLE_CLICK_S},
     screen::SceneRect,
 };
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use egui::{Event, Id, MouseWheelUnit, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::DVec2;
 
 /// A press that travels further than this, in points, is a drag.
@@ -27,25 +27,30 @@ pub(in crate::viewer) fn options(ctx: &egui::Context) {
 /// The drag that is under way on the scene: what it does and where the cursor was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) struct Drag {
-    turns: bool,
+    of: Id,
+    does: Does,
     at: DVec2,
 }
 
-/// What the mouse did on the scene, which is returned too.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Does {
+    Turn,
+    Pan,
+    Steer,
+}
+
+/// What the mouse did on the scene, or on one of the views of it, which is returned too.
 pub(in crate::viewer) fn scene(
     ui: &mut Ui,
+    id: Id,
     rect: Rect,
     place: SceneRect,
     drag: &mut Option<Drag>,
 ) -> (Response, Vec<Action>) {
     // Tab does not stop here: there is nothing to type.
-    let response = ui.interact(
-        rect,
-        ui.scope_id().with("scene"),
-        Sense::CLICK | Sense::DRAG,
-    );
+    let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
     let mut actions = vec![Action::Resize(place.viewport)];
-    let (shift, time_s) = ui.input(|input| (input.modifiers.shift, input.time));
+    let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
 
     // A widget gets what happens a little beside it, too; the lines about the picture show nothing of it.
     let within =
@@ -55,28 +60,33 @@ pub(in crate::viewer) fn scene(
             .input(|input| input.pointer.press_origin())
             .and_then(within)
     {
-        let turns = response.dragged_by(PointerButton::Primary) && !shift;
-        actions.push(if turns {
-            Action::BeginTurn(at)
-        } else {
-            Action::BeginPan(at)
-        });
-        *drag = Some(Drag { turns, at });
+        let does = match response.dragged_by(PointerButton::Primary) {
+            true if modifiers.command => Does::Steer,
+            true if !modifiers.shift => Does::Turn,
+            _ => Does::Pan,
+        };
+        match does {
+            Does::Turn => actions.push(Action::BeginTurn(at)),
+            Does::Pan => actions.push(Action::BeginPan(at)),
+            Does::Steer => {}
+        }
+        *drag = Some(Drag { of: id, does, at });
     }
-    if let (Some(moving), Some(pointer)) = (drag.as_mut(), response.interact_pointer_pos()) {
+    let own = drag.as_mut().filter(|drag| drag.of == id);
+    if let (Some(moving), Some(pointer)) = (own, response.interact_pointer_pos()) {
         let to = place.to_px(pointer);
         let by = to - moving.at;
         if by != DVec2::ZERO {
-            actions.push(if moving.turns {
-                Action::Turn(by)
-            } else {
-                Action::Pan(by)
+            actions.push(match moving.does {
+                Does::Turn => Action::Turn(by),
+                Does::Pan => Action::Pan(by),
+                Does::Steer => Action::Steer(by),
             });
             moving.at = to;
         }
     }
     if !response.dragged() {
-        *drag = None;
+        drag.take_if(|drag| drag.of == id);
     }
     if response.clicked()
         && let Some(at) = released_at(ui).and_then(within)

@@ -6,7 +6,7 @@ use crate::{
     scene::{Object, Shape},
     viewer::{
         jobs::Checking,
-        model::{Action, Compared, Overlay, Stage, State},
+        model::{Action, Compared, Overlay, Stage, State, Views},
     },
 };
 use glam::DVec3;
@@ -186,21 +186,21 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Object space and back",
         steps: &[
             step(
-                "In the panel Matrices (P) show the scene with no matrix.",
-                "This is object space, where every sphere is the same one. A ray is taken there by the inverse of M and meets the simple shape. It is not made a unit long there either, so its t is the world's.",
-                |seen| seen.stage_is(Stage::Object),
+                "Press 4: object, world, view and NDC side by side.",
+                "Object space is one object before any matrix: every sphere is the same one there. A ray is taken there by the inverse of M and meets the simple shape. It is not made a unit long there either, so its t is the world's.",
+                |seen| seen.state.views() == Views::Four,
             ),
             step(
-                "Show it with P V M.",
+                "Double click NDC.",
                 "After P and the division by w the frustum is a box, and what is far away is small. Normals come back from object space by the inverse transpose of M, or they would lean.",
-                |seen| seen.stage_is(Stage::Ndc),
+                |seen| seen.state.views() == Views::One(Stage::Ndc),
             ),
             step(
-                "Show it with M again.",
-                "This is the world, where picks of all objects are compared by their t.",
+                "Press 4 again: the picture.",
+                "Its picks are made in the world, where those of all objects are compared by their t.",
                 |seen| {
-                    seen.acts(|action| *action == Action::Stage(Stage::World))
-                        && seen.stage_is(Stage::World)
+                    let is_asked = matches!(seen.command, Some(Command::ToggleFour));
+                    is_asked && seen.state.views() == Views::Picture
                 },
             ),
         ],
@@ -323,7 +323,7 @@ impl Step {
     /// What the present lens makes of the step's point, in words.
     pub fn example(&self, state: &State) -> Option<String> {
         let Example(point) = self.example?;
-        let view = state.world().1;
+        let view = state.view();
         let lens = view.camera.lens();
         let clip = lens.projection(view.viewport.aspect()) * DVec3::from(point).extend(1.0);
         let [x, y, z] = (clip.truncate() / clip.w).to_array();
@@ -356,10 +356,6 @@ impl Seen<'_> {
         self.clicks() && self.picked().is_some_and(|object| is_it(&object.shape))
     }
 
-    fn stage_is(&self, stage: Stage) -> bool {
-        self.state.stage() == stage
-    }
-
     /// The object that a click has selected.
     fn picked(&self) -> Option<&Object> {
         let selection = self.state.selection()?;
@@ -369,7 +365,7 @@ impl Seen<'_> {
 
     /// Whether the near plane has left nothing of an object.
     fn near_is_past(&self, name: &str) -> bool {
-        let (scene, view) = self.state.world();
+        let (scene, view) = (self.state.scene(), self.state.view());
         let objects = scene.objects();
         let Some(object) = objects.iter().position(|object| object.name == name) else {
             return false;

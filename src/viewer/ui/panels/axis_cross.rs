@@ -13,7 +13,7 @@ use egui::{
     Align2, Color32, FontId, Label, Painter, Pos2, Rect, Response, RichText, Role, Sense, Stroke,
     Ui, WidgetInfo, pos2, vec2,
 };
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 /// From the middle to the end of an axis that runs across, in points.
 const LENGTH: f32 = 30.0;
@@ -24,7 +24,7 @@ const RADIUS: f32 = LENGTH + END + 3.0;
 
 /// One of the six ends.
 struct End {
-    /// The unit vector to it, in the world.
+    /// The unit vector to it, in the space whose axes these are.
     to: DVec3,
     name: &'static str,
     colour: Color32,
@@ -41,18 +41,12 @@ impl End {
 
 /// In the lower left corner of the picture, with the step of the grid beside it.
 pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Command>) {
-    let middle = pos2(rect.left(), rect.bottom()) + vec2(RADIUS + 6.0, -RADIUS - 6.0);
-    let painter = ui.painter().with_clip_rect(rect);
-    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(90));
-    for end in ends(state, middle) {
-        let response = interact(ui, rect, &end);
-        draw(&painter, middle, &end, response.hovered());
-        if response.clicked() {
-            // From that end: the world's axes as the front view has them.
-            let frame = state.shown_up_axis().frame();
-            commands.push(Command::Act(Action::LookFrom(frame.transpose() * end.to)));
-        }
+    if let Some(to) = cross(ui, rect, &state.view().camera.rotation()) {
+        // From that end: the world's axes as the front view has them.
+        let frame = state.up_axis().frame();
+        commands.push(Command::Act(Action::LookFrom(frame.transpose() * to)));
     }
+    let middle = middle(rect);
     if let Some(step) = grid_step(state) {
         let at = middle + vec2(RADIUS + 6.0, RADIUS - 16.0);
         let text = RichText::new(format!("grid step {}", short(step)));
@@ -62,15 +56,35 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Co
     }
 }
 
+fn middle(rect: Rect) -> Pos2 {
+    pos2(rect.left(), rect.bottom()) + vec2(RADIUS + 6.0, -RADIUS - 6.0)
+}
+
+/// The axes of a space in the lower left corner of a picture, which sees their unit vectors as the columns of `seen`: right,
+/// up, into the picture. Returns the end that was clicked.
+pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
+    let middle = middle(rect);
+    let painter = ui.painter().with_clip_rect(rect);
+    painter.circle_filled(middle, RADIUS, Color32::from_black_alpha(90));
+    let mut clicked = None;
+    for end in ends(seen, middle) {
+        let response = interact(ui, rect, &end);
+        draw(&painter, middle, &end, response.hovered());
+        if response.clicked() {
+            clicked = Some(end.to);
+        }
+    }
+    clicked
+}
+
 /// The ends, the farthest first: the nearest lie over them.
-fn ends(state: &State, middle: Pos2) -> Vec<End> {
-    let rotation = state.view().camera.rotation();
+fn ends(seen: &DMat3, middle: Pos2) -> Vec<End> {
     let names = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
     let axes = DVec3::AXES.into_iter().zip(names).zip(look::AXES);
     let mut ends: Vec<End> = axes
         .flat_map(|((axis, names), colour)| {
             [axis, -axis].into_iter().zip(names).map(move |(to, name)| {
-                let view = rotation * to;
+                let view = *seen * to;
                 let along = view.as_vec3();
                 End {
                     to,

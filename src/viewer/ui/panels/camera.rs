@@ -15,6 +15,7 @@ use crate::{
     },
 };
 use egui::{Grid, Slider, Ui};
+use std::ops::RangeInclusive;
 
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
@@ -78,6 +79,8 @@ fn projection(ui: &mut Ui, next: &mut LensControls) {
     ui.end_row();
 }
 
+/// Degrees.
+pub(super) const FOV_RANGE: RangeInclusive<f64> = 1.0..=170.0;
 const FOV: &str = "field of view: the angle that the picture spans from bottom to top, in degrees";
 
 fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
@@ -95,7 +98,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.add_enabled_ui(!next.orthographic, |ui| {
         ui.horizontal_top(|ui| {
             let mut slid = next.fov_deg;
-            let slider = ui.add(Slider::new(&mut slid, 1.0..=170.0).show_value(false));
+            let slider = ui.add(Slider::new(&mut slid, FOV_RANGE).show_value(false));
             named(&slider, "fov, slid");
             let slider = slider.hint(FOV);
             gesture.note(&slider);
@@ -125,16 +128,26 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.end_row();
 }
 
+fn size(state: &State) -> f64 {
+    let bounds = state.scene().visible_bounds();
+    if bounds.is_empty() {
+        1.0
+    } else {
+        bounds.radius().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Where planes are slid, in world units.
+pub(super) fn plane_range(state: &State) -> RangeInclusive<f64> {
+    let size = size(state);
+    1e-6 * size..=1e4 * size
+}
+
 /// Near and far: a slider over decades of the scene's size, which therefore does not jump while it is in use; a
 /// typed value; and a box that hands the plane back to the fit.
 fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
-    let bounds = state.scene().visible_bounds();
-    let size = if bounds.is_empty() {
-        1.0
-    } else {
-        bounds.radius().max(f64::MIN_POSITIVE)
-    };
+    let range = plane_range(state);
     for (name, hint, value, which) in [
         (
             "near",
@@ -159,7 +172,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         };
         ui.horizontal_top(|ui| {
             let mut slid = value;
-            let slider = Slider::new(&mut slid, 1e-6 * size..=1e4 * size)
+            let slider = Slider::new(&mut slid, range.clone())
                 .logarithmic(true)
                 .show_value(false);
             let slider = ui.add(slider);
@@ -175,7 +188,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 of: state.scene_revision(),
                 value,
                 width: WIDTH,
-                step: 0.01 * size,
+                step: 0.01 * size(state),
             };
             if let Some(number) = field.show(ui, typed) {
                 *which(next) = Some(number);

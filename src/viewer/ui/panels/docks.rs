@@ -56,13 +56,16 @@ impl Section {
     fn least_width(self) -> f32 {
         match self {
             Self::Objects => 140.0,
-            Self::Gallery | Self::Camera | Self::Pipeline | Self::Pick => FIELDS,
+            Self::Pipeline => MATRIX,
+            Self::Gallery | Self::Camera | Self::Pick => FIELDS,
         }
     }
 }
 
 /// The least width in points for three numbers in a row beside their name.
 pub(super) const FIELDS: f32 = 272.0;
+/// The least for four.
+const MATRIX: f32 = 290.0;
 /// Narrower than this, in points, a side is folded.
 const NARROWEST: f32 = 100.0;
 

@@ -4,11 +4,12 @@
 use super::{
     axis_cross, banner, corners, differences,
     docks::{Section, Side, room},
-    help, marks, menu, question, section_handle,
+    help, marks, menu, panes, question, section_handle,
     shown::Shown,
     status, toolbar, tour_card, wings,
 };
 use crate::viewer::{
+    model::{Action, Stage},
     screen::SceneRect,
     ui::{
         command::Command,
@@ -18,17 +19,25 @@ use crate::viewer::{
 };
 use egui::{CentralPanel, Panel, Rect, Ui};
 
-/// Lays out the window; returns the scene's rectangle and all that the user asks for.
-pub(in crate::viewer) fn show(
-    ui: &mut Ui,
-    shown: &mut Shown,
-    drag: &mut Option<Drag>,
-) -> (Option<SceneRect>, Vec<Command>) {
+/// What a pass over the panels comes to.
+pub(in crate::viewer) struct Asked {
+    /// The scene's rectangle, where there is room for it.
+    pub place: Option<SceneRect>,
+    /// Which stages show in it, and where.
+    pub panes: Vec<(Stage, SceneRect)>,
+    /// All that the user asks for.
+    pub commands: Vec<Command>,
+}
+
+/// Lays out the window.
+pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<Drag>) -> Asked {
     let mut commands = Vec::new();
     let window = ui.max_rect().size();
     let wanted = sections(shown);
-    Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
-    Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
+    if !shown.is_bare {
+        Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
+        Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
+    }
     let widths = shown
         .docks
         .widths(&wanted, room(window, ui.available_size()));
@@ -46,7 +55,16 @@ pub(in crate::viewer) fn show(
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
-        let (response, actions) = mouse::scene(ui, rect, place, drag);
+        if !shown.state.stages().is_empty() {
+            // The picture that it stands for keeps its size.
+            commands.push(Command::Act(Action::Resize(place.viewport)));
+            let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
+            corners::messages(ui, rect, shown, &mut commands);
+            touring(ui, rect, shown, &mut commands);
+            return Some((place, panes));
+        }
+        let id = ui.scope_id().with("scene");
+        let (response, actions) = mouse::scene(ui, id, rect, place, drag);
         let px = response.interact_pointer_pos().map(|at| place.to_px(at));
         menu::of_picture(&response, shown.state, px, &mut commands);
         commands.extend(actions.into_iter().map(Command::Act));
@@ -56,12 +74,8 @@ pub(in crate::viewer) fn show(
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
-        match shown.tour {
-            Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, &mut commands),
-            None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, &mut commands),
-            None => {}
-        }
-        Some(place)
+        touring(ui, rect, shown, &mut commands);
+        Some((place, Vec::new()))
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
         if let Some(rect) = edge {
@@ -75,11 +89,31 @@ pub(in crate::viewer) fn show(
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
-    (place.inner, commands)
+    let (place, panes) = match place.inner {
+        Some((place, panes)) => (Some(place), panes),
+        None => (None, Vec::new()),
+    };
+    Asked {
+        place,
+        panes,
+        commands,
+    }
+}
+
+/// The tour's card, or what offers it.
+fn touring(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
+    match shown.tour {
+        Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, commands),
+        None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, commands),
+        None => {}
+    }
 }
 
 /// The panels that there are: in the gallery its scene's in place of the list.
 fn sections(shown: &Shown) -> Vec<Section> {
+    if shown.is_bare {
+        return Vec::new();
+    }
     let in_gallery = shown.state.showing().is_some();
     let is_there = |section: &Section| match section {
         Section::Gallery => in_gallery,

@@ -7,7 +7,7 @@ use crate::{
     look,
     pick::Pick,
     viewer::{
-        model::{Overlay, PickView, Stage, State, triangle},
+        model::{Overlay, PickView, State, triangle},
         screen::SceneRect,
         ui::theme::color32,
     },
@@ -20,11 +20,8 @@ const MARK: f32 = 6.0;
 /// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
 const LEGIBLE: f32 = 36.0;
 
-/// Over the scene's rectangle; nothing where there is no pick, or of another stage.
+/// Over the scene's rectangle; nothing where there is no pick.
 pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
-    if state.stage() != Stage::World {
-        return;
-    }
     let page = Page {
         painter: ui.painter().with_clip_rect(rect),
         place,

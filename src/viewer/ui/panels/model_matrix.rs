@@ -8,7 +8,7 @@ use super::{
 use crate::{
     geometry::Trs,
     viewer::{
-        model::{Action, Stage, State},
+        model::{Action, State},
         ui::command::Command,
     },
 };
@@ -56,10 +56,6 @@ const PARTS: [(Part, &str, &str); 3] = [
 ];
 
 pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec<Command>) {
-    // Other stages are made from the world, and would not follow.
-    if state.stage() != Stage::World {
-        return;
-    }
     let header = CollapsingHeader::new("Model matrix").show(ui, |ui| {
         let model = state.scene().objects()[object].placement.model();
         edit(ui, state, object, model, commands);

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     pick::Pick,
     viewer::{
-        model::{PickView, Stage, State},
+        model::{PickView, State},
         ui::command::Command,
     },
 };
@@ -61,15 +61,15 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 ],
             );
         }
-        let (text, hint) = if state.stage() == Stage::World {
+        let (text, hint) = if state.followed().is_some_and(|followed| followed.is_picked) {
             (
-                "No point of it is picked: click its surface.",
-                "it was chosen in the list, and no ray has hit it",
+                "Its point is out of the camera's view: no pixel shows it.",
+                "it was clicked in one of the four views; the camera does not see that far",
             )
         } else {
             (
-                "At this stage a click only selects. Show the scene with M to pick points.",
-                "points of a scene in another space are not those of the scene",
+                "No point of it is picked: click its surface.",
+                "it was chosen in the list, and no ray has hit it",
             )
         };
         ui.weak(text).hint(hint);

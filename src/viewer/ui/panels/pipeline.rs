@@ -1,18 +1,22 @@
 //! The matrices, live, and the pick's point on its way through them.
 
 use super::{
+    camera::{FOV_RANGE, plane_range},
     field::{short, value_text},
+    gesture::Gesture,
+    matrix_rows::{determinant, rows, title},
     names::{Hint, named},
 };
 use crate::{
-    camera::{DepthMapping, Projection, View},
+    camera::View,
+    look,
     viewer::{
-        model::{Action, Matrices, Stage, State, Steps},
-        ui::command::Command,
+        model::{Action, Matrices, Matrix, Stage, State, Steps, Views},
+        ui::{command::Command, theme::color32},
     },
 };
-use egui::{Button, Ui};
-use glam::{DMat4, DVec2, DVec3};
+use egui::{Button, Color32, Label, RichText, Slider, Ui, vec2};
+use glam::DVec2;
 
 /// What closes the panel.
 pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -26,70 +30,87 @@ pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 1.0;
     ui.spacing_mut().interact_size.y = 14.0;
-    let (scene, view) = state.world();
-    stages(ui, state, commands);
-    let point = followed_point(state);
+    views(ui, state, commands);
+    sliders(ui, state, commands);
+    let (scene, view) = (state.scene(), state.view());
+    let followed = state.followed();
     let selected = state.selection().map(|selection| selection.object);
-    let object = point.map(|(object, _)| object).or(selected);
-    let object = object.map(|object| &scene.objects()[object]);
+    let object = followed.map(|followed| followed.object).or(selected);
+    let object = object
+        .or(state.pane_object())
+        .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
-    matrix(ui, "P", "projection: view to clip", &matrices.projection);
-    ui.weak(mapping(state))
-        .hint("what the third row of P makes of a depth z in front of the eye");
-    matrix(ui, "V", "view: world to view", &matrices.view);
-    let hint = object.map_or("model: no object, so the identity".into(), |object| {
-        format!("model: object to world, of {}", object.name)
-    });
-    matrix(ui, "M", &hint, &matrices.model);
-    matrix(
-        ui,
-        "P V M",
-        "all of it: object to clip",
-        &matrices.product(),
-    );
+    for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
+        let (name, entries) = match matrix {
+            Matrix::Projection => ("P", &matrices.projection),
+            Matrix::View => ("V", &matrices.view),
+            Matrix::Model => ("M", &matrices.model),
+        };
+        let (title, hint) = title(matrix, object);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 5.0;
+            ui.strong(name).hint(&hint);
+            ui.add(Label::new(RichText::new(title).weak()).truncate())
+                .hint(hint);
+        });
+        rows(ui, name, entries, Some((matrix, state)), commands);
+        let (text, hint) = determinant(matrix, entries, state);
+        ui.weak(text).hint(hint);
+    }
     ui.separator();
-    let (title, values) = match (object, point, cursor(state)) {
-        (Some(object), Some((_, point)), _) => {
-            let title = if is_picked(state) {
+    let (title, values) = match (object, followed, state.cursor()) {
+        (Some(object), Some(followed), _) => {
+            let title = if followed.is_picked {
                 "The pick"
             } else {
                 "Under the cursor"
             };
-            match Steps::follow(state.view(), object, point) {
-                Some(steps) => (title, followed(&steps)),
+            match Steps::follow(view, object, followed.point_object) {
+                Some(steps) => (title, self::followed(&steps)),
                 None => (
                     "The picked point lies behind the eye now",
                     Values::default(),
                 ),
             }
         }
-        (_, _, Some(px)) => ("Under the cursor", background(view, px)),
-        _ if in_world(state) => (
+        (_, _, Some(cursor)) => ("Under the cursor", background(view, cursor.px)),
+        _ => (
             "Point at a surface, or click it: its point is followed",
             Values::default(),
         ),
-        _ => (
-            "Points are followed where the scene is shown with M",
-            Values::default(),
-        ),
     };
-    ui.strong(title)
-        .hint("a point on its way through the matrices, step by step, and back as a ray");
+    ui.horizontal(|ui| {
+        let (_, dot) = ui.allocate_space(vec2(8.0, 8.0));
+        ui.painter().circle_filled(dot.center(), 4.0, color32(look::SELECTION));
+        ui.strong(title)
+            .hint("a point on its way through the matrices, step by step, and back as a ray; it is the dot of this colour in the views");
+    });
     table(ui, &values);
+    ui.separator();
+    ui.strong("P V M")
+        .hint("all of it: object to clip, the product of the three");
+    rows(ui, "P V M", &matrices.product(), None, commands);
 }
 
-/// The scene with no matrix, with M, with V M, with P V M.
-fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
-    ui.horizontal(|ui| {
+/// What the window shows: the camera's picture, the four views, or one of them.
+fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        ui.spacing_mut().button_padding.x = 6.0;
-        ui.label("show with")
-            .hint("how many of the matrices move the scene that you see");
-        for (stage, name) in Stage::ALL {
-            let label = ui.selectable_label(state.stage() == stage, name);
-            named(&label, &format!("show with {name}"));
-            if label.hint(about(stage)).clicked() {
-                commands.push(Command::Act(Action::Stage(stage)));
+        ui.spacing_mut().button_padding.x = 5.0;
+        let stages = Stage::ALL.map(|(stage, name)| (Views::One(stage), name, about(stage)));
+        let all = [
+            (Views::Picture, "picture", "what the camera sees"),
+            (
+                Views::Four,
+                "four",
+                "object, world, view and NDC side by side (4)",
+            ),
+        ];
+        for (views, name, hint) in all.into_iter().chain(stages) {
+            let label = ui.selectable_label(state.views() == views, name);
+            named(&label, &format!("show {name}"));
+            if label.hint(hint).clicked() {
+                commands.push(Command::Act(Action::Views(views)));
             }
         }
     });
@@ -97,8 +118,8 @@ fn stages(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 
 fn about(stage: Stage) -> &'static str {
     match stage {
-        Stage::Object => "each object where its own file has it: no matrix moves it",
-        Stage::World => "each object in its place in the world: the usual view",
+        Stage::Object => "one object where its own file has it: no matrix moves it",
+        Stage::World => "each object in its place in the world, and the camera among them",
         Stage::View => {
             "the world as seen from the camera: the eye at the origin, x right, y up, z forward"
         }
@@ -106,75 +127,50 @@ fn about(stage: Stage) -> &'static str {
     }
 }
 
-/// The object whose point is followed and the point in its space: the pick's, or else the cursor's.
-fn followed_point(state: &State) -> Option<(usize, DVec3)> {
-    let picked = || {
-        let selection = state.selection()?;
-        let hit = selection.pick.as_ref()?.hit.as_ref()?;
-        Some((selection.object, hit.point_object))
-    };
-    let under_cursor = || state.cursor().filter(|_| in_world(state))?.hit;
-    picked().or_else(under_cursor)
-}
-
-fn is_picked(state: &State) -> bool {
-    (state.selection()).is_some_and(|selection| selection.pick.is_some())
-}
-
-/// The cursor's pixel, where it is one of the picture that the matrices make.
-fn cursor(state: &State) -> Option<DVec2> {
-    let cursor = state.cursor().filter(|_| in_world(state))?;
-    Some(cursor.px)
-}
-
-fn in_world(state: &State) -> bool {
-    state.stage() == Stage::World
-}
-
-/// What the third row of P does to depth.
-fn mapping(state: &State) -> String {
-    let lens = state.world().1.camera.lens();
-    let (a, b) = lens.depth_row();
-    let formula = match lens.projection {
-        Projection::Perspective { .. } => format!("z_ndc = {} + {} / z", short(a), short(b)),
-        Projection::Orthographic { .. } => format!("z_ndc = {} z + {}", short(a), short(b)),
-    };
-    let ends = match lens.depth {
-        DepthMapping::Reversed => "near 1, far 0",
-        DepthMapping::Standard => "near 0, far 1",
-    };
-    format!("{} depth ({ends}): {formula}", lens.depth)
-}
-
-fn matrix(ui: &mut Ui, name: &str, hint: &str, matrix: &DMat4) {
-    ui.strong(name).hint(hint);
-    // What only rounding left beside the largest entry reads better as 0.
-    let largest = matrix
-        .to_cols_array()
-        .into_iter()
-        .fold(0.0, |most: f64, value| most.max(value.abs()));
-    let entry = |value: f64| {
-        if value.abs() > 4.0 * f64::EPSILON * largest {
-            value
-        } else {
-            0.0
-        }
-    };
-    for row in 0..4 {
-        numbers(ui, &matrix.row(row).to_array().map(entry));
-    }
-}
-
-/// A row of numbers in columns of one width, each with all its digits under the cursor.
-fn numbers(ui: &mut Ui, values: &[f64]) {
+/// What P is made of, in reach of its numbers.
+fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let (controls, lens) = (state.controls(), state.view().camera.lens());
+    let (mut next, mut gesture) = (controls, Gesture::default());
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 3.0;
-        for value in values {
-            let text = format!("{:>9}", short(*value));
-            ui.label(value_text(text)).hint(value.to_string());
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.spacing_mut().slider_width = ((ui.available_width() - 106.0) / 3.0).clamp(24.0, 90.0);
+        let mut fov_deg = controls.fov_deg;
+        let [mut near, mut far] = [lens.near, lens.far];
+        let depths = plane_range(state);
+        let sliders: [(_, &mut f64, _, _); 3] = [
+            ("fov", &mut fov_deg, FOV_RANGE, !controls.orthographic),
+            ("near", &mut near, depths.clone(), true),
+            ("far", &mut far, depths, true),
+        ];
+        for (name, value, range, is_enabled) in sliders {
+            ui.label(name)
+                .hint("as in the Camera panel; watch P's numbers");
+            let is_depth = name != "fov";
+            let slider = Slider::new(value, range)
+                .logarithmic(is_depth)
+                .show_value(false);
+            let slider = ui.add_enabled(is_enabled, slider);
+            named(&slider, &format!("P's {name}"));
+            gesture.note(&slider);
+            if slider
+                .hint("slide it: P's numbers and all views follow")
+                .changed()
+            {
+                match name {
+                    "fov" => next.fov_deg = *value,
+                    "near" => next.near = Some(*value),
+                    _ => next.far = Some(*value),
+                }
+            }
         }
     });
+    let action = Action::Lens(next);
+    let can_be = next != controls && state.check(&action).is_ok();
+    gesture.push(can_be.then_some(action), commands);
 }
+
+/// The followed point's colour where the panels are light: darker than in the views, to be read.
+const ON_LIGHT: Color32 = Color32::from_rgb(150, 84, 0);
 
 /// What is followed on its way: name, how it comes from the row before, and what it is.
 const ROWS: [(&str, &str, &str); 8] = [
@@ -251,15 +247,31 @@ fn background(view: &View, px: DVec2) -> Values {
 
 /// As large with numbers as without: else the panel would come and go under the cursor that it follows.
 fn table(ui: &mut Ui, values: &Values) {
+    let colour = if ui.visuals().dark_mode {
+        color32(look::SELECTION)
+    } else {
+        ON_LIGHT
+    };
     for ((name, how, hint), values) in ROWS.into_iter().zip(values) {
         ui.horizontal(|ui| {
-            ui.label(name).hint(hint);
-            ui.weak(how).hint(hint);
+            let (_, dot) = ui.allocate_space(vec2(7.0, 7.0));
+            if !values.is_empty() {
+                ui.painter()
+                    .circle_filled(dot.center(), 3.0, color32(look::SELECTION));
+            }
+            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.label(value_text(format!("{name:<9}")))
+                .hint(format!("{how}: {hint}"));
+            for value in values {
+                // Four numbers are narrower than three.
+                let text = if values.len() > 3 {
+                    format!("{value:>7.3}")
+                } else {
+                    format!("{:>9}", short(*value))
+                };
+                ui.label(value_text(text).color(colour))
+                    .hint(value.to_string());
+            }
         });
-        if values.is_empty() {
-            ui.label(value_text(" "));
-        } else {
-            numbers(ui, values);
-        }
     }
 }

@@ -16,6 +16,8 @@ pub(in crate::viewer) struct Floating {
     pub help: bool,
     /// Matrices.
     pub pipeline: bool,
+    /// Whether they were there before the four views.
+    pub pipeline_was: bool,
 }
 
 /// What is on its way to be shown.
@@ -59,6 +61,8 @@ pub(in crate::viewer) struct Shown<'a> {
     pub recent: &'a [Vec<PathBuf>],
     /// What narrows the list of objects.
     pub filter: &'a mut Filter,
+    /// Whether the picture is alone, without any panel.
+    pub is_bare: bool,
     /// Whether to bring the selected object's row into view.
     pub reveal_selection: bool,
 }

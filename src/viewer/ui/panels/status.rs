@@ -3,7 +3,7 @@
 use super::names::Hint;
 use crate::{
     camera::{Projection, View},
-    viewer::model::{Stage, State},
+    viewer::model::State,
 };
 use egui::{RichText, Ui};
 use std::time::Duration;
@@ -43,14 +43,6 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         let projection = projection_name(state.view());
         ui.weak(format!("{projection}, {} depth", lens.depth))
             .hint("how the view is flattened, and how the depth buffer counts; the Camera panel changes both");
-        let stage = Stage::ALL
-            .into_iter()
-            .find(|(stage, _)| *stage == state.stage());
-        if let Some((_, name)) = stage.filter(|(stage, _)| *stage != Stage::World) {
-            ui.separator();
-            ui.label(RichText::new(format!("shown with {name}")).color(ui.visuals().warn_fg_color))
-                .hint("not the world: the way back is in the pipeline (P)");
-        }
         if let Some(object) = state.hover() {
             ui.separator();
             ui.label(&state.scene().objects()[object].name)

@@ -45,9 +45,9 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 state,
                 notices: &mut Notices::new(),
                 underway: None,
-                floating: Floating::default(),
                 tour: None,
                 offers_tour: false,
+                floating: Floating::default(),
                 question: None,
                 chart: None,
                 checking: &Checking::Off,
@@ -57,9 +57,10 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
                 recent: &[],
                 look: Look::default(),
                 filter: &mut Filter::default(),
+                is_bare: false,
                 reveal_selection: false,
             };
-            commands.extend(show(ui, &mut shown, &mut None).1);
+            commands.extend(show(ui, &mut shown, &mut None).commands);
         });
         // egui minds when nobody takes its textures.
         output.textures_delta.clear();

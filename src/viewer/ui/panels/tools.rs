@@ -7,7 +7,7 @@ use super::{
 };
 use crate::viewer::{
     jobs::Checking,
-    model::{Action, Overlay, Stage, State},
+    model::{Action, Overlay, State},
     ui::command::Command,
 };
 use egui::{Button, Ui};
@@ -177,7 +177,7 @@ fn showing(state: &State) -> Vec<Tool> {
             state.grid(),
         ),
         Tool {
-            enabled: state.stage() == Stage::World,
+            enabled: state.stages().is_empty(),
             ..toggle(freeze, state.frozen().is_some())
         },
         tool(
@@ -191,6 +191,15 @@ fn showing(state: &State) -> Vec<Tool> {
 
 fn learning(shown: &Shown) -> Vec<Tool> {
     vec![
+        toggle(
+            ask(
+                "\u{229e}",
+                "Four views",
+                "object, world, view and NDC side by side, all live (4)",
+                Command::ToggleFour,
+            ),
+            !shown.state.stages().is_empty(),
+        ),
         toggle(
             ask(
                 "\u{25a4}",

@@ -1,0 +1,154 @@
+//! Somebody who looks at a stage from outside, and turns, shifts and zooms that view alone.
+
+use crate::{
+    camera::{Camera, DepthMapping, Lens, Orbit, Projection, UpAxis, View, Viewport, fit_near_far},
+    geometry::{Aabb, Sides},
+};
+use glam::{DAffine3, DVec2, DVec3};
+
+/// Radians: narrow enough for boxes to look like boxes.
+const FOV_Y: f64 = 0.6;
+/// Radians of orbit for a pixel of drag.
+const TURN_PER_PX: f64 = 0.008;
+/// How much of a view what is framed fills: beside it stand names.
+const FILLED: f64 = 0.8;
+/// Framing comes nearer to that by each of these steps.
+const STEPS: u32 = 5;
+/// Points that are framed.
+pub(super) type Points = [DVec3; 17];
+
+/// Where somebody stands. All of it is in the space that the stage is drawn in, right-handed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Observer {
+    orbit: Orbit,
+    up_axis: UpAxis,
+    pub viewport: Viewport,
+    /// What dragging turns about.
+    pivot: DVec3,
+    pan_depth: f64,
+    /// What is framed, as long as nobody has moved: a view of another size frames it again.
+    framed: Option<Points>,
+}
+
+impl Observer {
+    /// Looks at points from a direction in the up axis's frame: right, up, towards the viewer.
+    pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
+        let mut orbit = Orbit::framing(&Aabb::around(*points), up_axis, FOV_Y, viewport.aspect());
+        orbit.look_from(up_axis, from);
+        let mut observer = Self {
+            orbit,
+            up_axis,
+            viewport,
+            pivot: DVec3::ZERO,
+            pan_depth: 1.0,
+            framed: None,
+        };
+        observer.frame(points);
+        observer
+    }
+
+    /// Shows all of these points from where it is, as large as there is room.
+    pub fn frame(&mut self, points: &Points) {
+        let bounds = Aabb::around(*points);
+        (self.orbit).frame_bounds(&bounds, FOV_Y, self.viewport.aspect());
+        for _ in 0..STEPS {
+            let Some(camera) = self.camera() else { break };
+            let seen = (points.iter()).filter_map(|at| camera.project(self.viewport, *at));
+            let seen = Aabb::around(seen.map(|seen| seen.ndc.with_z(0.0)));
+            let size = (seen.max - seen.min).max_element();
+            if !(size > 0.0 && size.is_finite()) {
+                break;
+            }
+            let off_px = self.viewport.ndc_to_px(seen.center().truncate());
+            let by_px = 0.5 * self.viewport.size_px() - off_px;
+            (self.orbit).pan(by_px, self.orbit.distance(), &LENS, self.viewport);
+            self.orbit.zoom(self.orbit.target(), 2.0 * FILLED / size);
+        }
+        self.pivot = bounds.center();
+        self.pan_depth = self.orbit.distance();
+        self.framed = Some(*points);
+    }
+
+    /// The view has another size.
+    pub fn resize(&mut self, viewport: Viewport) {
+        if viewport != self.viewport {
+            self.viewport = viewport;
+            if let Some(points) = self.framed {
+                self.frame(&points);
+            }
+        }
+    }
+
+    /// Whether nobody has moved it since it was framed.
+    pub fn is_untouched(&self) -> bool {
+        self.framed.is_some()
+    }
+
+    /// Looks along an axis: from a direction in the space itself.
+    pub fn look_from(&mut self, to_eye: DVec3) {
+        let direction = self.up_axis.frame().transpose() * to_eye;
+        self.orbit.look_from(self.up_axis, direction);
+        self.framed = None;
+    }
+
+    /// What somebody points at becomes the pivot.
+    pub fn begin_turn(&mut self, at: Option<DVec3>) {
+        self.pivot = at.unwrap_or(self.pivot);
+    }
+
+    pub fn turn(&mut self, by_px: DVec2) {
+        let [yaw, pitch] = [-by_px.x, by_px.y].map(|px| px * TURN_PER_PX);
+        self.orbit.turn(self.pivot, yaw, pitch);
+        self.framed = None;
+    }
+
+    /// What somebody points at will follow the cursor.
+    pub fn begin_pan(&mut self, at: Option<DVec3>) {
+        if let (Some(at), Some(camera)) = (at, self.camera()) {
+            self.pan_depth = camera.to_view(at).z;
+        }
+    }
+
+    pub fn pan(&mut self, by_px: DVec2) {
+        (self.orbit).pan(by_px, self.pan_depth, &LENS, self.viewport);
+        self.framed = None;
+    }
+
+    /// Comes nearer to what somebody points at, or else to what lies there as deep as the target.
+    pub fn zoom(&mut self, px: DVec2, at: Option<DVec3>, factor: f64) {
+        let Some(camera) = self.camera() else { return };
+        let ray = camera.ray(self.viewport, px);
+        let at = at.unwrap_or_else(|| ray.at(self.orbit.distance()));
+        self.orbit.zoom(at, factor);
+        self.framed = None;
+    }
+
+    fn camera(&self) -> Option<Camera> {
+        self.orbit.camera(LENS).ok()
+    }
+
+    /// The view of a scene that stands in a space of its own, which `to_scene`, a rotation and a shift, leads to. Planes go
+    /// about `bounds` in that. `None` where the eye is too far away to tell it from its target.
+    pub fn view(&self, to_scene: &DAffine3, bounds: &Aabb, sides: Sides) -> Option<View> {
+        let camera = self.camera()?;
+        let [eye, target] = [camera.eye(), camera.target()].map(|at| to_scene.transform_point3(at));
+        let up = to_scene.transform_vector3(camera.up());
+        let camera = Camera::new(eye, target, up, LENS).ok()?;
+        let (near, far) = fit_near_far(&camera, bounds, None, None);
+        let camera = camera.with_lens(Lens { near, far, ..LENS }).ok()?;
+        Some(View {
+            camera,
+            viewport: self.viewport,
+            sides,
+            section: None,
+        })
+    }
+}
+
+/// Every observer's; the planes are fitted.
+const LENS: Lens = Lens {
+    projection: Projection::Perspective { fov_y: FOV_Y },
+    near: 1.0,
+    far: 2.0,
+    depth: DepthMapping::Reversed,
+};

@@ -1,0 +1,171 @@
+//! What the mouse does in one of the four views, and which point of the scene it means there.
+
+use super::{
+    action::Action,
+    hits::RayHits,
+    stages::{Stage, standard, view_of_ndc_drawn},
+    state::{Cursor, Selection, State},
+};
+use crate::{
+    camera::pixel_centre,
+    pick::{self, Pick, PickLine, SceneHit},
+};
+use glam::{DVec2, DVec3};
+
+/// The pixel that a point is in stands for it, where what its centre shows is no deeper or less deep than so many pixels
+/// are wide; else its own position.
+const AS_DEEP_PX: f64 = 8.0;
+
+/// The point that is followed through the stages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Followed {
+    /// The index of its object.
+    pub object: usize,
+    /// Where it is in the object's space.
+    pub point_object: DVec3,
+    /// Whether it was clicked, and is not merely pointed at.
+    pub is_picked: bool,
+}
+
+impl State {
+    /// The point that is followed: the pick's, or else the cursor's.
+    #[must_use]
+    pub fn followed(&self) -> Option<Followed> {
+        let of_pick = || {
+            let selection = self.selection.as_ref()?;
+            let hit = selection.pick.as_ref()?.hit.as_ref()?;
+            Some((selection.object, hit.point_object))
+        };
+        let unseen = || self.panes.as_ref()?.point;
+        let picked = of_pick().or_else(unseen);
+        let (object, point_object) = picked.or_else(|| self.cursor?.hit)?;
+        Some(Followed {
+            object,
+            point_object,
+            is_picked: picked.is_some(),
+        })
+    }
+
+    /// Where it is in the world.
+    #[must_use]
+    pub fn followed_world(&self) -> Option<DVec3> {
+        let followed = self.followed()?;
+        let placement = &self.scene.objects().get(followed.object)?.placement;
+        Some(placement.point_to_world(followed.point_object))
+    }
+
+    /// Picks a point of an object as the scene's camera sees it: by the ray of its pixel, and of what that hits what lies
+    /// there. Where the camera does not see that far, the object is selected and the point followed all the same.
+    fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
+        let world = self.scene.objects()[object]
+            .placement
+            .point_to_world(point_object);
+        let (view, lens) = (self.view, self.view.camera.lens());
+        let seen = view.project(world).filter(|seen| {
+            view.viewport.contains(seen.px) && (lens.near..lens.far).contains(&seen.depth)
+        });
+        if let Some(seen) = seen {
+            let px_wide =
+                view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
+            for (px, most) in [
+                (pixel_centre(seen.px), AS_DEEP_PX * px_wide),
+                (seen.px, f64::INFINITY),
+            ] {
+                let hits = RayHits::cast(&self.scene, view, px, 0);
+                let off = |pick: &Pick| (pick.depth - seen.depth).abs();
+                let there = (hits.picks.iter().enumerate())
+                    .filter(|(_, pick)| pick.id == object + 1 && off(pick) <= most)
+                    .min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b)));
+                if let Some((at, _)) = there {
+                    return self.take_hits(RayHits { at, ..hits });
+                }
+            }
+        }
+        self.select(Some(object));
+        if let Some(panes) = &mut self.panes {
+            panes.point = Some((object, point_object));
+        }
+        None
+    }
+
+    /// Selects an object without a point of it, or nothing.
+    pub(super) fn select(&mut self, object: Option<usize>) {
+        self.selection = object.map(|object| Selection { object, pick: None });
+        self.hits = None;
+        if object.is_none() {
+            self.landmarks.clear();
+        }
+    }
+
+    /// What the mouse does within a stage.
+    pub(super) fn act_in(&mut self, stage: Stage, action: Action) -> Option<PickLine> {
+        let at = |px| Some(self.pane_hit(stage, px)?.1);
+        let hit = match action {
+            Action::BeginTurn(px) | Action::BeginPan(px) | Action::Zoom(px, _) => at(px),
+            _ => None,
+        };
+        let hit = hit.map(|at| self.drawn_to_scene(stage).inverse().transform_point3(at));
+        match action {
+            Action::Click(px, _) => match self.pane_point(stage, px) {
+                Some((object, point)) => return self.pick_point(object, point),
+                None => self.select(None),
+            },
+            Action::Hover(px) => {
+                let hit = px.and_then(|px| self.pane_point(stage, px));
+                self.cursor = hit.and_then(|(object, point)| {
+                    let world = self.scene.objects()[object].placement.point_to_world(point);
+                    Some(Cursor {
+                        px: self.view.project(world)?.px,
+                        hit,
+                    })
+                });
+            }
+            Action::ResetView => self.frame_pane(stage),
+            _ => {
+                let panes = self.panes.as_mut()?;
+                let observer = &mut panes.observers[stage as usize];
+                match action {
+                    Action::Resize(viewport) => observer.resize(viewport),
+                    Action::BeginTurn(_) => observer.begin_turn(hit),
+                    Action::Turn(by_px) => observer.turn(by_px),
+                    Action::BeginPan(_) => observer.begin_pan(hit),
+                    Action::Pan(by_px) => observer.pan(by_px),
+                    Action::Zoom(px, factor) => observer.zoom(px, hit, factor),
+                    Action::LookFrom(direction) => observer.look_from(direction),
+                    _ => {}
+                }
+            }
+        }
+        None
+    }
+
+    /// What a stage shows at a position of its view, and the point there, both of the scene that it shows.
+    fn pane_hit(&self, stage: Stage, px: DVec2) -> Option<(SceneHit, DVec3)> {
+        let (scene, _) = self.pane_scene(stage)?;
+        let view = self.pane_view(stage)?;
+        let ray = view.ray(px);
+        let is_quick = self.rays_are_quick();
+        let hit = is_quick.then(|| pick::closest(scene, ray, view.sides))??;
+        let point = ray.at(hit.hit.t);
+        Some((hit, point))
+    }
+
+    /// The object at a position of a stage's view, and the point there in its space.
+    fn pane_point(&self, stage: Stage, px: DVec2) -> Option<(usize, DVec3)> {
+        let (hit, point) = self.pane_hit(stage, pixel_centre(px))?;
+        if stage == Stage::Object {
+            return Some((self.pane_object()?, point));
+        }
+        let world = match stage {
+            Stage::Ndc => {
+                let lens = standard(&self.view);
+                let p = view_of_ndc_drawn(point, self.view.half_extent(), &lens);
+                let camera = &self.view.camera;
+                camera.eye() + camera.rotation().transpose() * p
+            }
+            _ => point,
+        };
+        let placement = &self.scene.objects().get(hit.object)?.placement;
+        Some((hit.object, placement.point_to_object(world)))
+    }
+}

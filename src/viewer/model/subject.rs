@@ -1,0 +1,104 @@
+//! What a picture is of: the scene as its camera sees it, or a stage of it with that camera in it.
+
+use super::{
+    on_screen::OnScreen,
+    overlay::Overlays,
+    stages::Stage,
+    state::{Frozen, State},
+};
+use crate::{
+    camera::{UpAxis, View},
+    scene::Scene,
+};
+
+/// What a picture is of.
+#[derive(Clone, Copy)]
+pub(in crate::viewer) struct Subject<'a> {
+    pub scene: &'a Scene,
+    /// Changes with each scene.
+    pub revision: u64,
+    /// Changes whenever objects are shown, hidden or moved.
+    pub visibility: u64,
+    /// Of the scene.
+    pub view: View,
+    /// Indices of its objects: what is selected, and what is lit.
+    pub selection: Option<usize>,
+    pub hover: Option<usize>,
+    pub overlays: Overlays,
+    /// Which axis points up from the floor's grid, where there is one.
+    pub grid: Option<UpAxis>,
+    pub frozen: Option<Frozen>,
+    /// Which of the four views it is.
+    pub lesson: Option<Lesson>,
+}
+
+/// A stage, and what stands there beside the scene.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "few at a time, and a view is most of one"
+)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::viewer) enum Lesson {
+    /// Nothing.
+    Object,
+    /// The scene's camera.
+    Camera(View),
+    /// The box that its frustum becomes, in a picture of so many pixels.
+    Ndc(crate::camera::Viewport),
+}
+
+impl State {
+    /// What the scene's camera sees.
+    pub(in crate::viewer) fn subject(&self) -> Subject<'_> {
+        Subject {
+            scene: &self.scene,
+            revision: self.scene_revision,
+            visibility: self.visibility_revision,
+            view: self.view,
+            selection: self.selection.as_ref().map(|selection| selection.object),
+            hover: self.hover(),
+            overlays: self.overlays,
+            grid: self.grid.then_some(self.up_axis),
+            frozen: self.frozen,
+            lesson: None,
+        }
+    }
+
+    /// What one of the four views is of; `None` while they are closed.
+    pub(in crate::viewer) fn pane_subject(&self, stage: Stage) -> Option<Subject<'_>> {
+        let (scene, revision) = self.pane_scene(stage)?;
+        let of_camera = self.subject();
+        let alone = self.pane_object();
+        // Alone it is the first.
+        let here = |object: Option<usize>| match stage {
+            Stage::Object => (object.is_some() && object == alone).then_some(0),
+            _ => object.filter(|object| *object < scene.objects().len()),
+        };
+        Some(Subject {
+            scene,
+            revision,
+            visibility: match stage {
+                Stage::World | Stage::View => self.visibility_revision,
+                Stage::Object | Stage::Ndc => revision,
+            },
+            view: self.pane_view(stage)?,
+            selection: here(of_camera.selection),
+            hover: here(of_camera.hover),
+            grid: of_camera.grid.filter(|_| stage == Stage::World),
+            frozen: None,
+            lesson: Some(match stage {
+                Stage::Object => Lesson::Object,
+                Stage::World | Stage::View => Lesson::Camera(self.view),
+                Stage::Ndc => Lesson::Ndc(self.view.viewport),
+            }),
+            ..of_camera
+        })
+    }
+
+    /// All that is to be on screen: another moves.
+    pub(in crate::viewer) fn all_to_show(&self) -> (OnScreen, Vec<View>) {
+        let stages = self.stages().into_iter();
+        let views = stages.filter_map(|stage| self.pane_view(stage)).collect();
+        (self.to_show(), views)
+    }
+}

@@ -1,0 +1,75 @@
+//! What the four views hold.
+
+use super::{observer::Observer, stages::Stage};
+use crate::{camera::View, geometry::Aabb, scene::Scene};
+use glam::DVec3;
+use std::mem;
+
+/// What the window shows of the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Views {
+    /// What the scene's camera sees.
+    #[default]
+    Picture,
+    /// All stages side by side.
+    Four,
+    /// One of them, large.
+    One(Stage),
+}
+
+/// The box that the frustum becomes, as it is drawn: see [`projected`].
+pub const NDC_DRAWN: Aabb = Aabb {
+    min: DVec3::new(-1.0, -1.0, -1.0),
+    max: DVec3::new(1.0, 1.0, 0.0),
+};
+
+/// The four views.
+pub(super) struct Panes {
+    pub large: Option<Stage>,
+    /// In which of them the mouse is, for the actions that come.
+    pub entered: Option<Stage>,
+    pub observers: [Observer; 4],
+    /// The document that they were framed for.
+    pub of: Option<u64>,
+    /// The object whose space is shown.
+    pub object: Option<usize>,
+    pub alone: Staged,
+    pub ndc: Staged,
+    /// A point that was picked where the scene's camera does not see it: of which object, in its space.
+    pub point: Option<(usize, DVec3)>,
+}
+
+/// A scene that was made of the one that is shown.
+#[derive(Default)]
+pub(super) struct Staged {
+    pub scene: Scene,
+    pub of: Option<Source>,
+    /// Counts them.
+    pub revision: u64,
+}
+
+/// What such a scene is made of.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "few at a time, and a view is most of one"
+)]
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::viewer) enum Source {
+    /// An object of a scene, of which only colour and shape count.
+    Alone([u64; 2], usize),
+    /// A scene through a view.
+    Through([u64; 2], View),
+}
+
+impl Staged {
+    /// Takes another, and gives up the one before.
+    #[expect(
+        clippy::large_types_passed_by_value,
+        reason = "once a change, and kept"
+    )]
+    pub fn take(&mut self, scene: Scene, of: Source, unused: &mut Vec<Scene>) {
+        unused.push(mem::replace(&mut self.scene, scene));
+        self.of = Some(of);
+        self.revision += 1;
+    }
+}

@@ -1,0 +1,195 @@
+//! A matrix in words and numbers: what it is, what each row makes, what its determinant says.
+
+use super::{
+    field::{short, value_text},
+    names::{Hint, bounded, described, named},
+};
+use crate::{
+    camera::{DepthMapping, Projection},
+    scene::Object,
+    viewer::{
+        model::{Action, Matrix, State},
+        ui::command::Command,
+    },
+};
+use egui::{Response, Sense, Shape, Ui};
+use glam::DMat4;
+
+/// A matrix in words, and what it is of.
+pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
+    match matrix {
+        Matrix::Projection => (
+            "projection: view to clip".into(),
+            "makes of a point before the eye its place in the picture, its depth for the buffer, and w".into(),
+        ),
+        Matrix::View => (
+            "view: world to view".into(),
+            "counts from the eye, along the camera's own axes R, U and F".into(),
+        ),
+        Matrix::Model => object.map_or_else(
+            || ("model: no object, so the identity".into(), "which object's it is, a click or the cursor says".into()),
+            |object| {
+                let text = format!("model: object to world, {}", object.name);
+                (text, "puts the object into its place in the world".into())
+            },
+        ),
+    }
+}
+
+/// What a row makes, in words.
+fn does(matrix: Matrix, row: usize) -> &'static str {
+    match (matrix, row) {
+        (Matrix::Projection, 0) => {
+            "clip x: 1 over half the picture's width at depth 1. The planes left and right are where it is -w and w"
+        }
+        (Matrix::Projection, 1) => {
+            "clip y: 1 over half the picture's height at depth 1. The planes below and above are where it is -w and w"
+        }
+        (Matrix::Projection, 2) => {
+            "clip z: from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
+        }
+        (Matrix::Projection, _) => {
+            "w, which the others are divided by: in perspective the depth itself"
+        }
+        (Matrix::View, 0) => {
+            "view x: along the camera's axis R. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::View, 1) => {
+            "view y: along the camera's axis U. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::View, 2) => {
+            "view z, the depth: along the camera's axis F. The last number is the eye's own place along it, negative"
+        }
+        (Matrix::Model, 0) => {
+            "world x: what each of the object's axes adds to it, and where the object's origin is"
+        }
+        (Matrix::Model, 1) => {
+            "world y: what each of the object's axes adds to it, and where the object's origin is"
+        }
+        (Matrix::Model, 2) => {
+            "world z: what each of the object's axes adds to it, and where the object's origin is"
+        }
+        (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
+    }
+}
+
+/// What a determinant says of volumes and hands.
+pub(super) fn determinant(
+    matrix: Matrix,
+    entries: &DMat4,
+    state: &State,
+) -> (String, &'static str) {
+    let value = short(entries.determinant());
+    let lens = state.view().camera.lens();
+    match matrix {
+        Matrix::Projection => {
+            let depth = match lens.depth {
+                DepthMapping::Reversed => "z turns, right-handed",
+                DepthMapping::Standard => "stays left-handed",
+            };
+            (
+                format!("det {value}: {depth}"),
+                "its sign says whether NDC has the other hand than view space. Volumes are another matter: the division by w shrinks what is far",
+            )
+        }
+        Matrix::View => (
+            format!("det {value}: sizes stay, left-handed"),
+            "the world is right-handed, and z forward makes view space left-handed: -1. What is drawn is not mirrored by that; it is only counted differently",
+        ),
+        Matrix::Model => {
+            let hand = if entries.determinant() < 0.0 {
+                ", mirrored"
+            } else {
+                ", same hand"
+            };
+            (
+                format!(
+                    "det {value}: volumes times {}{hand}",
+                    value.trim_start_matches('-')
+                ),
+                "its size is how many times as large volumes become, its sign whether the object is mirrored",
+            )
+        }
+    }
+}
+
+/// What the third row of P does to depth.
+fn mapping(state: &State) -> String {
+    let lens = state.view().camera.lens();
+    let (a, b) = lens.depth_row();
+    let formula = match lens.projection {
+        Projection::Perspective { .. } => format!("z_ndc = {} + {} / z", short(a), short(b)),
+        Projection::Orthographic { .. } => format!("z_ndc = {} z + {}", short(a), short(b)),
+    };
+    let ends = match lens.depth {
+        DepthMapping::Reversed => "near 1, far 0",
+        DepthMapping::Standard => "near 0, far 1",
+    };
+    format!("{} depth ({ends}): {formula}", lens.depth)
+}
+
+/// A matrix row by row. One that the cursor rests on is lit, and what it does in the views too.
+pub(super) fn rows(
+    ui: &mut Ui,
+    name: &str,
+    matrix: &DMat4,
+    of: Option<(Matrix, &State)>,
+    commands: &mut Vec<Command>,
+) {
+    // What only rounding left beside the largest entry reads better as 0.
+    let largest = matrix
+        .to_cols_array()
+        .into_iter()
+        .fold(0.0, |most: f64, value| most.max(value.abs()));
+    let entry = |value: f64| {
+        if value.abs() > 4.0 * f64::EPSILON * largest {
+            value
+        } else {
+            0.0
+        }
+    };
+    for row in 0..4 {
+        let values = matrix.row(row).to_array().map(entry);
+        let Some((matrix, state)) = of else {
+            numbers(ui, &values, None);
+            continue;
+        };
+        let lit = ui.painter().add(Shape::Noop);
+        let coordinate = ["x", "y", "z", "w"][row];
+        let response = numbers(ui, &values, Some((coordinate, does(matrix, row))));
+        let response = response.interact(Sense::hover());
+        named(&response, &format!("{name}, row {coordinate}"));
+        bounded(&response);
+        if state.row() == Some((matrix, row)) {
+            let colour = ui.visuals().selection.bg_fill;
+            let shape = Shape::rect_filled(response.rect.expand(1.0), 2.0, colour);
+            ui.painter().set(lit, shape);
+        }
+        if ui.rect_contains_pointer(response.rect) {
+            commands.push(Command::Act(Action::LightRow((matrix, row))));
+            let text = match (matrix, row) {
+                (Matrix::Projection, 2) => format!("{}. {}", does(matrix, row), mapping(state)),
+                _ => does(matrix, row).into(),
+            };
+            response.hint(text);
+        } else {
+            described(&response, does(matrix, row));
+        }
+    }
+}
+
+/// A row of numbers in columns of one width, each with all its digits under the cursor, after the coordinate that it makes.
+pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) -> Response {
+    let row = ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        if let Some((makes, hint)) = makes {
+            ui.label(value_text(makes).weak()).hint(hint);
+        }
+        for value in values {
+            let text = format!("{:>9}", short(*value));
+            let hint = makes.map_or(String::new(), |(_, does)| format!(". {does}"));
+            ui.label(value_text(text)).hint(format!("{value}{hint}"));
+        }
+    });
+    row.response
+}

@@ -1,0 +1,213 @@
+//! What is written and drawn over one of the four views: the ray of the followed point and its pixel, the camera's eye and
+//! planes, axes, corners, and what a row of a matrix does.
+
+use super::{field::short, pane_page::Page};
+use crate::{
+    camera::{DepthMapping, View},
+    look,
+    viewer::{
+        model::{NDC_DRAWN, Stage, State, Steps},
+        screen::SceneRect,
+        ui::theme::color32,
+    },
+};
+use egui::{Align2, Color32, Rect, Ui, Vec2, vec2};
+use glam::{DVec2, DVec3};
+
+/// What stands in the corners of a view: its heading, and its axes.
+const CORNERS: [(Align2, Vec2); 2] = [
+    (Align2::LEFT_TOP, vec2(10_000.0, 34.0)),
+    (Align2::LEFT_BOTTOM, vec2(92.0, 92.0)),
+];
+
+/// Over a view's rectangle; `seen` is how the stage is seen, in the picture at `place`.
+pub(super) fn show(
+    ui: &mut Ui,
+    stage: Stage,
+    rect: Rect,
+    place: SceneRect,
+    state: &State,
+    seen: &View,
+) {
+    let corner =
+        |(align, size): (Align2, Vec2)| align.align_size_within_rect(size.min(rect.size()), rect);
+    let mut page = Page {
+        ui,
+        rect,
+        place,
+        seen,
+        stage,
+        state,
+        names: Vec::new(),
+    };
+    page.lit_row();
+    page.followed();
+    match stage {
+        Stage::Object => page.object_axes(),
+        Stage::World | Stage::View => page.camera(),
+        Stage::Ndc => page.corners(),
+    }
+    page.write(CORNERS.map(corner).into());
+}
+
+impl Page<'_> {
+    /// The followed point with its numbers at this stage, the ray that its pixel casts, and the pixel.
+    fn followed(&mut self) {
+        let (state, colour) = (self.state, color32(look::SELECTION));
+        let (Some(followed), Some(world)) = (state.followed(), state.followed_world()) else {
+            return;
+        };
+        let steps = Steps::follow(
+            state.view(),
+            &state.scene().objects()[followed.object],
+            followed.point_object,
+        );
+        if let Some(steps) = steps {
+            let ray = state.view().ray(steps.px);
+            let begin = if self.stage == Stage::Ndc {
+                ray.at(ray.t_min)
+            } else {
+                ray.origin
+            };
+            let ends = (self.at_stage(begin), self.at_stage(ray.at(ray.t_max)));
+            if let (Some(from), Some(to)) = ends {
+                self.line(from, to, 1.5, colour);
+            }
+            let is_in = state.view().viewport.contains(steps.px);
+            if let Some(at) = self
+                .at_stage(ray.at(ray.t_min))
+                .filter(|_| is_in && self.stage != Stage::Object)
+            {
+                self.dot(at, 3.0, colour);
+                if !self.is_small() {
+                    let DVec2 { x, y } = steps.px.floor();
+                    self.name(at, format!("pixel {x}, {y}"), colour, "where the ray crosses the near plane: the pixel that shows the point, from the top left corner");
+                }
+            }
+        }
+        if self.stage == Stage::Object && state.pane_object() != Some(followed.object) {
+            return;
+        }
+        let numbers = match (self.stage, steps) {
+            (Stage::Object, _) => Some(followed.point_object),
+            (Stage::World, _) => Some(world),
+            (Stage::View, Some(steps)) => Some(steps.view),
+            (Stage::Ndc, Some(steps)) => Some(steps.ndc),
+            (_, None) => None,
+        };
+        let (Some(at), Some(DVec3 { x, y, z })) = (self.at_stage(world), numbers) else {
+            return;
+        };
+        self.dot(at, 4.5, colour);
+        self.dot(at, 1.5, Color32::BLACK);
+        let [x, y, z] = [x, y, z].map(|value| format!("{value:.3}"));
+        let hint = "the followed point in this view's own coordinates: the same point in all four";
+        self.name(at, format!("({x}, {y}, {z})"), colour, hint);
+    }
+
+    /// The object's own axes, from its origin where that is near it.
+    fn object_axes(&mut self) {
+        let Some(object) = self.state.pane_object() else {
+            return;
+        };
+        let bounds = self.state.object_bounds(object);
+        let radius = bounds.radius();
+        let is_near = bounds.center().length() <= 3.0 * radius;
+        let origin = if is_near { DVec3::ZERO } else { bounds.min };
+        for (i, (axis, name)) in DVec3::AXES.into_iter().zip(["x", "y", "z"]).enumerate() {
+            let to = origin + 0.75 * radius * axis;
+            let colour = color32(look::AXES[i]);
+            self.arrow(origin, to, colour);
+            self.name(to, name, colour, "an axis of the object's own space");
+        }
+    }
+
+    /// The scene's camera: its eye, its axes and its planes.
+    fn camera(&mut self) {
+        let view = self.state.view();
+        let (camera, lens) = (&view.camera, view.camera.lens());
+        let colour = color32(look::CAMERA);
+        let corners = view.frustum_corners();
+        let eye = camera.eye();
+        self.dot(eye, 3.5, colour);
+        let is_small = self.is_small();
+        self.name(eye, "eye", colour, "where the scene's camera stands");
+        let planes = [
+            (
+                corners[1],
+                "near",
+                lens.near,
+                "the near plane: its depth is the panel's near",
+            ),
+            (
+                corners[5],
+                "far",
+                lens.far,
+                "the far plane: its depth is the panel's far",
+            ),
+        ];
+        for (at, name, depth, hint) in planes {
+            self.name(at, format!("{name} {}", short(depth)), colour, hint);
+        }
+        let size = 0.2 * self.state.scene().visible_bounds().radius();
+        let size = if size > 0.0 { size } else { 0.1 * lens.far };
+        let names = match self.stage {
+            Stage::View => ["x right", "y up", "z forward = depth"],
+            _ => ["R", "U", "F, depth"],
+        };
+        let axes = [camera.right(), camera.up(), camera.forward()];
+        for (i, (axis, name)) in axes.into_iter().zip(names).enumerate() {
+            let (to, colour) = (eye + size * axis, color32(look::AXES[i]));
+            self.arrow(eye, to, colour);
+            if !is_small {
+                self.name(
+                    to,
+                    name,
+                    colour,
+                    "an axis of the camera: view space counts along it",
+                );
+            }
+        }
+    }
+
+    /// The box of NDC: the numbers of its corners, and its axes.
+    fn corners(&mut self) {
+        let ([near, far], origin, z) = match self.state.view().camera.lens().depth {
+            DepthMapping::Reversed => ([1, 0], DVec3::NEG_Z, DVec3::Z),
+            DepthMapping::Standard => ([0, 1], DVec3::ZERO, DVec3::NEG_Z),
+        };
+        let is_small = self.is_small();
+        for (i, (axis, name)) in [DVec3::X, DVec3::Y, z]
+            .into_iter()
+            .zip(["x", "y", "z = depth"])
+            .enumerate()
+        {
+            let (to, colour) = (origin + 0.5 * axis, color32(look::AXES[i]));
+            self.arrow(origin, to, colour);
+            if !is_small {
+                self.name(to, name, colour, "an axis of NDC, from its origin");
+            }
+        }
+        let colour = color32(look::CAMERA);
+        let corners = NDC_DRAWN.corners();
+        for (name, number, z) in [("near", near, 0.0), ("far", far, -1.0)] {
+            let at = DVec3::new(0.0, 1.0, z);
+            self.name(
+                at,
+                format!("{name}: z = {number}"),
+                colour,
+                "what the frustum's plane becomes",
+            );
+        }
+        for at in corners.into_iter().filter(|_| !is_small) {
+            let number = if at.z == 0.0 { near } else { far };
+            let text = format!("({}, {}, {number})", at.x, at.y);
+            self.name(
+                at,
+                text,
+                colour,
+                "a corner of the box that the frustum becomes",
+            );
+        }
+    }
+}

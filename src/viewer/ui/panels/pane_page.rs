@@ -1,0 +1,180 @@
+//! A view's page: points of its scene, lines between them and names beside them, each where there is room.
+
+use super::names::Hint;
+use crate::{
+    camera::View,
+    geometry::clip,
+    viewer::{
+        model::{Stage, State},
+        screen::SceneRect,
+    },
+};
+use egui::{
+    Align2, Color32, FontId, Label, Painter, Pos2, Rect, RichText, Shape, Stroke, Ui, Vec2, vec2,
+};
+use glam::DVec3;
+
+/// Views that are smaller, in points, name the least.
+const SMALL: f32 = 230.0;
+/// Size of names in points: of the least views, and of large ones.
+const TEXT: [f32; 2] = [11.0, 14.0];
+/// How far names are from their points, in points: as near as there is room.
+const BESIDE: [f32; 3] = [10.0, 24.0, 40.0];
+
+/// What is to be written beside a point, and what it means.
+pub(super) struct Name {
+    at: Pos2,
+    text: String,
+    colour: Color32,
+    hint: &'static str,
+}
+
+/// Over a view's rectangle.
+pub(super) struct Page<'a> {
+    pub ui: &'a mut Ui,
+    pub rect: Rect,
+    pub place: SceneRect,
+    /// How the stage is seen, in the picture at that place.
+    pub seen: &'a View,
+    pub stage: Stage,
+    pub state: &'a State,
+    /// The most important first.
+    pub names: Vec<Name>,
+}
+
+impl Page<'_> {
+    /// A world point in the scene that the stage shows; `None` in NDC for what lies before the near plane.
+    pub fn at_stage(&self, world: DVec3) -> Option<DVec3> {
+        match self.stage {
+            Stage::Object => {
+                let object = &self.state.scene().objects()[self.state.pane_object()?];
+                Some(object.placement.point_to_object(world))
+            }
+            Stage::World | Stage::View => Some(world),
+            Stage::Ndc => self.state.ndc_drawn(world),
+        }
+    }
+
+    fn position(&self, at: DVec3) -> Option<Pos2> {
+        let [px, _] = self.seen.project_segment(at, at)?;
+        Some(self.place.to_position(px))
+    }
+
+    fn painter(&self) -> Painter {
+        self.ui.painter().with_clip_rect(self.rect)
+    }
+
+    /// A line, dark about its colour: it shows on any picture.
+    pub fn line(&self, from: DVec3, to: DVec3, width: f32, colour: Color32) {
+        let Some(ends) = self.seen.project_segment(from, to) else {
+            return;
+        };
+        let ends = ends.map(|end| self.place.to_position(end));
+        for (more, colour) in [(2.0, Color32::from_black_alpha(140)), (0.0, colour)] {
+            (self.painter()).line_segment(ends, Stroke::new(width + more, colour));
+        }
+    }
+
+    /// The same with a head at its end.
+    pub fn arrow(&self, from: DVec3, to: DVec3, colour: Color32) {
+        self.line(from, to, 2.0, colour);
+        let Some(ends) = self.seen.project_segment(from, to) else {
+            return;
+        };
+        let [from, to] = ends.map(|end| self.place.to_position(end));
+        let along = (to - from).normalized();
+        if along != Vec2::ZERO {
+            let back = to - 8.0 * along;
+            let head = vec![to, back + 4.0 * along.rot90(), back - 4.0 * along.rot90()];
+            self.painter()
+                .add(Shape::convex_polygon(head, colour, Stroke::NONE));
+        }
+    }
+
+    /// A plane's part within these corners.
+    pub fn area(&self, corners: &[DVec3], colour: Color32) {
+        let lens = self.seen.camera.lens();
+        let past_near = |p: &DVec3| self.seen.camera.to_view(*p).z - lens.near;
+        let kept = clip(corners, past_near, |a, b, s| a.lerp(*b, s));
+        let kept: Option<Vec<Pos2>> = kept.into_iter().map(|at| self.position(at)).collect();
+        if let Some(kept) = kept.filter(|kept| kept.len() > 2) {
+            let edge = Stroke::new(2.0, colour);
+            let fill = colour.gamma_multiply(0.28);
+            self.painter().add(Shape::convex_polygon(kept, fill, edge));
+        }
+    }
+
+    /// A dot.
+    pub fn dot(&self, at: DVec3, radius: f32, colour: Color32) {
+        if let Some(at) = self.position(at) {
+            let edge = Stroke::new(1.0, Color32::from_black_alpha(200));
+            self.painter().circle(at, radius, colour, edge);
+        }
+    }
+
+    /// A name beside a point; `hint` says what it means.
+    pub fn name(
+        &mut self,
+        at: DVec3,
+        text: impl Into<String>,
+        colour: Color32,
+        hint: &'static str,
+    ) {
+        if let Some(at) = self.position(at).filter(|at| self.rect.contains(*at)) {
+            self.names.push(Name {
+                at,
+                text: text.into(),
+                colour,
+                hint,
+            });
+        }
+    }
+
+    /// Writes the names over all lines, each where nothing else is, `taken` first of all.
+    pub fn write(self, mut taken: Vec<Rect>) {
+        // What is named is not written over.
+        let at = self.names.iter().map(|name| name.at);
+        taken.extend(at.map(|at| Rect::from_center_size(at, Vec2::splat(9.0))));
+        let painter = self.painter();
+        let size_of_text = (self.rect.size().min_elem() / 32.0).clamp(TEXT[0], TEXT[1]);
+        for Name {
+            at,
+            text,
+            colour,
+            hint,
+        } in self.names
+        {
+            let font = FontId::proportional(size_of_text);
+            let galley = painter.layout_no_wrap(text.clone(), font, colour);
+            let size = galley.size() + vec2(6.0, 2.0);
+            let mut rects = BESIDE.into_iter().flat_map(|away| {
+                [
+                    (Align2::LEFT_BOTTOM, vec2(0.7, -0.5)),
+                    (Align2::LEFT_TOP, vec2(0.7, 0.5)),
+                    (Align2::RIGHT_BOTTOM, vec2(-0.7, -0.5)),
+                    (Align2::RIGHT_TOP, vec2(-0.7, 0.5)),
+                    (Align2::CENTER_BOTTOM, vec2(0.0, -1.0)),
+                    (Align2::CENTER_TOP, vec2(0.0, 1.0)),
+                ]
+                .map(|(align, by)| align.anchor_size(at + away * by, size))
+            });
+            let is_free = |rect: &Rect| {
+                self.rect.contains_rect(*rect) && !taken.iter().any(|taken| taken.intersects(*rect))
+            };
+            let Some(rect) = rects.find(is_free) else {
+                continue;
+            };
+            taken.push(rect);
+            painter.rect_filled(rect, 3.0, Color32::from_black_alpha(190));
+            let text = RichText::new(text).size(size_of_text).color(colour);
+            let label = Label::new(text).selectable(false).extend();
+            let inside = Rect::from_center_size(rect.center(), galley.size());
+            self.ui.put(inside, label).hint(hint);
+        }
+    }
+
+    /// Whether there is room for the least alone.
+    pub fn is_small(&self) -> bool {
+        self.rect.size().min_elem() < SMALL
+    }
+}

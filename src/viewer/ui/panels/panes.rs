@@ -1,0 +1,259 @@
+//! The four views side by side, or one of them large: what each is called, what the mouse does in it, and its axes.
+
+use super::{
+    axis_cross,
+    names::{Hint, bounded, named},
+    pane_labels,
+};
+use crate::{
+    camera::{DepthMapping, View},
+    viewer::{
+        model::{Action, Stage, State, Views},
+        screen::SceneRect,
+        ui::{
+            command::Command,
+            mouse::{self, Drag},
+        },
+    },
+};
+use egui::{
+    Align, Button, Color32, Label, Layout, Rect, RichText, Stroke, Ui, UiBuilder, pos2, vec2,
+};
+use glam::{DMat3, DVec3};
+
+/// Between two views, in points.
+const GAP: f32 = 2.0;
+/// Height of a view's heading in points.
+const HEADING: f32 = 34.0;
+/// Smaller than this, in points, a view has no room for a cross of axes.
+const ROOM_FOR_CROSS: f32 = 190.0;
+
+/// All of them within the scene's rectangle; returns where each is.
+pub(super) fn show(
+    ui: &mut Ui,
+    rect: Rect,
+    state: &State,
+    drag: &mut Option<Drag>,
+    commands: &mut Vec<Command>,
+) -> Vec<(Stage, SceneRect)> {
+    let stages = state.stages();
+    if stages.len() > 1 {
+        let line = Stroke::new(GAP, ui.visuals().window_stroke.color);
+        let middle = rect.center().round();
+        ui.painter().hline(rect.x_range(), middle.y, line);
+        ui.painter().vline(middle.x, rect.y_range(), line);
+    }
+    let mut places = Vec::new();
+    let mut hovers = false;
+    for (at, &stage) in stages.iter().enumerate() {
+        let rect = if stages.len() == 1 {
+            rect
+        } else {
+            quarter(rect, at)
+        };
+        let Some(place) = SceneRect::new(rect, ui.ctx().pixels_per_point()) else {
+            continue;
+        };
+        places.push((stage, place));
+        let mut asked = Vec::new();
+        hovers |= pane(ui, stage, rect, place, state, drag, &mut asked);
+        // Only what is about this view is meant for it.
+        let acts = |action| Command::Act(action);
+        commands.push(acts(Action::Enter(Some(stage))));
+        commands.extend(asked);
+        commands.push(acts(Action::Enter(None)));
+    }
+    if !hovers {
+        commands.push(Command::Act(Action::Hover(None)));
+    }
+    places
+}
+
+/// Object and world above view and NDC.
+fn quarter(rect: Rect, at: usize) -> Rect {
+    let (middle, half) = (rect.center().round(), 0.5 * GAP);
+    let (left, right) = if at.is_multiple_of(2) {
+        (rect.left(), middle.x - half)
+    } else {
+        (middle.x + half, rect.right())
+    };
+    let (top, bottom) = if at < 2 {
+        (rect.top(), middle.y - half)
+    } else {
+        (middle.y + half, rect.bottom())
+    };
+    Rect::from_min_max(pos2(left, top), pos2(right, bottom))
+}
+
+/// One of them; returns whether the cursor is in it.
+fn pane(
+    ui: &mut Ui,
+    stage: Stage,
+    rect: Rect,
+    place: SceneRect,
+    state: &State,
+    drag: &mut Option<Drag>,
+    commands: &mut Vec<Command>,
+) -> bool {
+    let id = ui.scope_id().with(("stage", stage as usize));
+    let (response, actions) = mouse::scene(ui, id, rect, place, drag);
+    named(&response, &format!("stage {}", stage.name()));
+    bounded(&response);
+    let mut hovers = false;
+    for action in actions {
+        commands.push(Command::Act(match action {
+            Action::Hover(None) => continue,
+            Action::Recentre(_) => enlarge(state, stage),
+            other => other,
+        }));
+        hovers |= matches!(action, Action::Hover(_));
+    }
+    let Some(view) = state.pane_view(stage) else {
+        return hovers;
+    };
+    let seen = View {
+        viewport: place.viewport,
+        ..view
+    };
+    pane_labels::show(ui, stage, rect, place, state, &seen);
+    if rect.size().min_elem() >= ROOM_FOR_CROSS {
+        let axes = axes(state, stage);
+        ui.push_id(stage.name(), |ui| {
+            if let Some(to) = axis_cross::cross(ui, rect, &(view.camera.rotation() * axes)) {
+                // The space that the stage is drawn in has z the other way.
+                let drawn = drawn_axes(state, stage) * to;
+                commands.push(Command::Act(Action::LookFrom(drawn)));
+            }
+        });
+    }
+    heading(ui, stage, rect, state, commands);
+    hovers
+}
+
+/// What makes one of them large, or all four equal again.
+fn enlarge(state: &State, stage: Stage) -> Action {
+    Action::Views(match state.views() {
+        Views::One(_) => Views::Four,
+        _ => Views::One(stage),
+    })
+}
+
+/// The unit vectors of a stage's axes in the space of the scene that it shows.
+fn axes(state: &State, stage: Stage) -> DMat3 {
+    match stage {
+        Stage::View => state.view().camera.rotation().transpose(),
+        _ => drawn_axes(state, stage),
+    }
+}
+
+/// The unit vectors of a stage's axes in the right-handed space that it is drawn in: where depth runs away from the viewer, z
+/// does.
+fn drawn_axes(state: &State, stage: Stage) -> DMat3 {
+    let is_left_handed = match stage {
+        Stage::Object | Stage::World => false,
+        Stage::View => true,
+        Stage::Ndc => state.view().camera.lens().depth == DepthMapping::Standard,
+    };
+    let z = if is_left_handed { -1.0 } else { 1.0 };
+    DMat3::from_diagonal(DVec3::new(1.0, 1.0, z))
+}
+
+/// What a view shows, in a line, and which way depth runs.
+fn about(state: &State, stage: Stage) -> (String, &'static str) {
+    let lens = state.view().camera.lens();
+    match stage {
+        Stage::Object => {
+            let object = state
+                .pane_object()
+                .map(|object| &state.scene().objects()[object]);
+            let text = match object {
+                Some(object) if object.placement.mirrors() => {
+                    format!("{}, before M mirrors it", object.name)
+                }
+                Some(object) => format!("{}, before M", object.name),
+                None => "no object".into(),
+            };
+            (
+                text,
+                "right-handed; depth runs along the ray: M's inverse brought it here",
+            )
+        }
+        Stage::World => (
+            "after M: right-handed; depth runs along F".into(),
+            "all objects and the camera that the panel drives: depth is measured from its eye along its axis F",
+        ),
+        Stage::View => (
+            "after V: left-handed; z is depth, away from the eye".into(),
+            "the eye is the origin, x its right, y its up, z its forward. Drawn as it stands, nothing mirrored: in a left-handed space x, y and z are the thumb, forefinger and middle finger of the left hand",
+        ),
+        Stage::Ndc => match lens.depth {
+            DepthMapping::Reversed => (
+                "after P and / w: z is depth, near 1, far 0".into(),
+                "what the camera sees fills the box. With reversed depth z runs towards the eye, and the space is right-handed. Nothing is mirrored",
+            ),
+            DepthMapping::Standard => (
+                "after P and / w: z is depth, near 0, far 1".into(),
+                "what the camera sees fills the box. With standard depth z runs away from the eye, and the space is left-handed. Nothing is mirrored",
+            ),
+        },
+    }
+}
+
+/// Its name, what it shows, and what makes it large or frames it again.
+fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut Vec<Command>) {
+    let name = stage.name();
+    let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));
+    ui.painter()
+        .with_clip_rect(rect)
+        .rect_filled(strip, 0.0, Color32::from_black_alpha(110));
+    let inside = UiBuilder::new()
+        .max_rect(strip.shrink2(vec2(6.0, 2.0)))
+        .layout(Layout::right_to_left(Align::Min));
+    ui.scope_builder(inside, |ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        let is_large = matches!(state.views(), Views::One(_));
+        let mut button = |ui: &mut Ui, icon: &str, does: &str, hint: &str, action| {
+            let icon = RichText::new(icon)
+                .size(12.0)
+                .color(Color32::from_gray(220));
+            let button = ui.add(Button::new(icon).small().frame_when_inactive(false));
+            named(&button, &format!("{does} {name}"));
+            if button.hint(hint).clicked() {
+                commands.push(Command::Act(action));
+            }
+        };
+        let (does, hint) = if is_large {
+            ("four views beside", "all four again (double click)")
+        } else {
+            ("enlarge", "this one alone, large (double click)")
+        };
+        button(
+            ui,
+            if is_large { "\u{2750}" } else { "\u{26f6}" },
+            does,
+            hint,
+            enlarge(state, stage),
+        );
+        button(
+            ui,
+            "\u{27f3}",
+            "frame",
+            "all of it in view again, as it was at first",
+            Action::ResetView,
+        );
+        ui.with_layout(Layout::top_down(Align::Min), |ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let (text, hint) = about(state, stage);
+            let title = RichText::new(name)
+                .size(14.0)
+                .strong()
+                .color(Color32::WHITE);
+            ui.add(Label::new(title).selectable(false)).hint(hint);
+            let text = RichText::new(text)
+                .size(11.0)
+                .color(Color32::from_gray(205));
+            ui.add(Label::new(text).selectable(false).truncate())
+                .hint(hint);
+        });
+    });
+}

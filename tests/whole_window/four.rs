@@ -1,0 +1,305 @@
+//! Four views side by side: key, labels, mouse, matrices, and that all of them are live.
+
+use super::*;
+use egui::{Rect, vec2};
+use glam::DVec3;
+use sightline::image::{Image, Rgb};
+
+const NAMES: [&str; 4] = ["object", "world", "view", "NDC"];
+
+/// How many pixels of a rectangle two pictures show differently.
+pub fn differing(a: &Image<Rgb>, b: &Image<Rgb>, rect: Rect) -> usize {
+    let width = a.size().width() as usize;
+    let differ = a.pixels().iter().zip(b.pixels()).enumerate();
+    #[expect(clippy::cast_precision_loss, reason = "windows are small")]
+    let is_in = |i: usize| rect.contains(pos2((i % width) as f32 + 0.5, (i / width) as f32 + 0.5));
+    differ.filter(|(i, (a, b))| a != b && is_in(*i)).count()
+}
+
+fn rects(window: &Offscreen) -> [Rect; 4] {
+    NAMES.map(|name| control(window, &format!("stage {name}")).rect)
+}
+
+/// In which of the views two pictures differ.
+fn changed(a: &Image<Rgb>, b: &Image<Rgb>, rects: [Rect; 4]) -> [bool; 4] {
+    // Below their headings.
+    rects.map(|rect| differing(a, b, rect.with_min_y(rect.top() + 36.0).shrink(2.0)) > 60)
+}
+
+fn four() -> (Offscreen, TempDir) {
+    let (mut window, folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    (window, folder)
+}
+
+fn away(window: &mut Offscreen) -> Image<Rgb> {
+    window.send([Event::PointerGone]);
+    window.picture().expect("a picture")
+}
+
+#[test]
+fn a_key_shows_four_views_with_the_matrices_and_takes_them_away() {
+    let (mut window, _folder) = row(1.0);
+    let before = window.picture().expect("a picture");
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert_eq!(window.state().views(), Views::Four);
+    control(&window, "P, row z");
+    let [object, world, view, ndc] = rects(&window);
+    assert!(object.right() < world.left() && object.bottom() < view.top());
+    assert!(view.right() < ndc.left() && world.bottom() < ndc.top());
+    assert!((object.area() / ndc.area() - 1.0).abs() < 0.02);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert!(!has_control(&window, "P, row z") && !has_control(&window, "stage world"));
+    assert_eq!(differing(&away(&mut window), &before, Rect::EVERYTHING), 0);
+    // Where the matrices were there before, they stay.
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().views(), Views::Picture);
+    control(&window, "P, row z");
+}
+
+#[test]
+fn labels_say_what_the_panel_says() {
+    let (mut window, _folder) = four();
+    window.resize(px([1600, 1000], 1.0));
+    let lens = *window.state().view().camera.lens();
+    for (name, value) in [("near", lens.near), ("far", lens.far)] {
+        let said = window.controls().iter().filter_map(|control| {
+            let number = control.name.strip_prefix(name)?.trim();
+            number.parse::<f64>().ok()
+        });
+        let said: Vec<f64> = said.collect();
+        assert_eq!(said.len(), 2, "{name} in world and view: {said:?}");
+        assert!(
+            said.iter().all(|said| (said / value - 1.0).abs() < 1e-5),
+            "{said:?} {value}"
+        );
+    }
+    for name in [
+        "eye",
+        "x right",
+        "y up",
+        "z forward = depth",
+        "F, depth",
+        "near: z = 1",
+        "far: z = 0",
+    ] {
+        control(&window, name);
+    }
+    let corner = |x: i32, y: i32, z: i32| format!("({x}, {y}, {z})");
+    for (x, y) in [(-1, -1), (-1, 1), (1, -1), (1, 1)] {
+        for z in [0, 1] {
+            control(&window, &corner(x, y, z));
+        }
+    }
+    control(&window, "after P and / w: z is depth, near 1, far 0");
+    control(
+        &window,
+        "after V: left-handed; z is depth, away from the eye",
+    );
+    control(&window, "after M: right-handed; depth runs along F");
+    control(&window, "front, before M");
+    click_on(&mut window, "standard");
+    control(&window, "near: z = 0");
+    control(&window, "after P and / w: z is depth, near 0, far 1");
+}
+
+#[test]
+fn all_views_are_live_and_each_turns_alone() {
+    let (mut window, _folder) = four();
+    let places = rects(&window);
+    let first = away(&mut window);
+    // The lens: P's numbers, the frustum and NDC, and no object's own space.
+    let slider = control(&window, "P's fov").rect;
+    let p_row = control(&window, "P, row x").rect;
+    drag(
+        &mut window,
+        PointerButton::Primary,
+        slider.left_center() + vec2(8.0, 0.0),
+        slider.center(),
+    );
+    let slid = away(&mut window);
+    assert_eq!(changed(&first, &slid, places), [false, true, true, true]);
+    assert!(differing(&first, &slid, p_row) > 20, "P's numbers");
+    // The camera itself: in view space the world moves.
+    press_key(&mut window, Modifiers::NONE, Key::Num7);
+    let above = away(&mut window);
+    assert_eq!(changed(&slid, &above, places), [false, true, true, true]);
+    // A drag in each.
+    let (mut before, camera) = (above, *window.state().view());
+    for (i, place) in places.into_iter().enumerate() {
+        drag(
+            &mut window,
+            PointerButton::Primary,
+            place.center(),
+            place.center() + vec2(40.0, 12.0),
+        );
+        let now = away(&mut window);
+        assert_eq!(changed(&before, &now, places), [0, 1, 2, 3].map(|j| i == j));
+        before = now;
+    }
+    assert_eq!(*window.state().view(), camera);
+    // With Ctrl the scene's camera, from wherever.
+    let at = places[0].center();
+    let pressed = |pressed| Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: CTRL,
+    };
+    let moved = Event::PointerMoved(at + vec2(30.0, 5.0));
+    let held = Event::ModifiersChanged(CTRL);
+    window.send([Event::PointerMoved(at), held, pressed(true), moved]);
+    window.send([pressed(false), Event::ModifiersChanged(Modifiers::NONE)]);
+    assert_ne!(window.state().view().camera, camera.camera);
+}
+
+#[test]
+fn a_matrix_that_is_edited_moves_what_it_makes() {
+    let (mut window, _folder) = four();
+    click_on(&mut window, "middle");
+    let places = rects(&window);
+    click_on(&mut window, "Model matrix");
+    let first = away(&mut window);
+    type_into(&mut window, "scale x", "-2");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let second = away(&mut window);
+    assert_eq!(changed(&first, &second, places), [false, true, true, true]);
+    control(&window, "det -2: volumes times 2, mirrored");
+    control(&window, "middle, before M mirrors it");
+}
+
+#[test]
+fn one_made_large_is_the_single_stage_and_comes_back() {
+    let (mut window, folder) = four();
+    let all = away(&mut window);
+    for (stage, name) in Stage::ALL {
+        click_on(&mut window, &format!("enlarge {name}"));
+        assert_eq!(window.state().views(), Views::One(stage));
+        let large = away(&mut window);
+        let options = Options {
+            paths: vec![folder.path().join("row.toml")],
+            views: Views::One(stage),
+            ..Options::default()
+        };
+        let mut single = Offscreen::open(options, px(SIZE, 1.0), 1.0);
+        let single = single.picture().expect("a picture");
+        assert_eq!(differing(&single, &large, Rect::EVERYTHING), 0, "{name}");
+        click_on(&mut window, &format!("four views beside {name}"));
+        assert_eq!(
+            differing(&away(&mut window), &all, Rect::EVERYTHING),
+            0,
+            "{name}"
+        );
+    }
+    // A double click does the same, beside the objects: it selects nothing.
+    let corner = rects(&window)[3].right_bottom() - vec2(6.0, 6.0);
+    double_click(&mut window, corner);
+    assert_eq!(window.state().views(), Views::One(Stage::Ndc));
+    assert_eq!(selected(&window), None);
+    double_click(&mut window, corner);
+    assert_eq!(window.state().views(), Views::Four);
+}
+
+#[test]
+fn a_point_has_one_colour_in_all_views_and_the_numbers() {
+    let (mut window, _folder) = four();
+    // Room between the near plane and the cube.
+    type_into(&mut window, "near", "4");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    let places = rects(&window);
+    // On the cube's front as the view from behind the camera shows it.
+    let state = window.state();
+    let front = state.scene().bounds_of(0).corners()[7]
+        .with_x(0.2)
+        .with_y(0.1);
+    let seen = state.pane_view(Stage::World).expect("a view");
+    let at = seen.project(front).expect("in front").px;
+    #[expect(clippy::cast_possible_truncation, reason = "points are f32")]
+    let at = places[1].min + vec2(at.x as f32, at.y as f32);
+    click(&mut window, at);
+    assert_eq!(selected(&window), Some("front"));
+    let picture = away(&mut window);
+    let amber = sightline::look::SELECTION.0;
+    let colour_at = |stage: Stage, at: Option<DVec3>, aside: f64| {
+        let seen = window.state().pane_view(stage).expect("a view");
+        let px = seen.project(at?)?.px + DVec2::new(aside, 0.0);
+        let place = places[stage as usize].min;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "within the window"
+        )]
+        let [x, y] = [place.x + px.x as f32, place.y + px.y as f32].map(|at| at as u32);
+        Some(picture.at(x, y))
+    };
+    let state = window.state();
+    let world = state.followed_world().expect("a point");
+    let ray = state.view().ray(picked_px(&window).expect("a pick"));
+    let pixel = ray.at(ray.t_min);
+    let in_object = |world| state.scene().objects()[0].placement.point_to_object(world);
+    for (stage, point, pixel) in [
+        (Stage::Object, Some(in_object(world)), None),
+        (Stage::World, Some(world), Some(pixel)),
+        (Stage::View, Some(world), Some(pixel)),
+        (Stage::Ndc, state.ndc_drawn(world), state.ndc_drawn(pixel)),
+    ] {
+        // A ring about the point, a dot at the pixel.
+        let is_amber = |at, aside: i32| colour_at(stage, at, aside.into()) == Some(amber);
+        assert!((-4..=4).any(|aside| is_amber(point, aside)), "{stage:?}");
+        let has_pixel = stage != Stage::Object;
+        assert_eq!(
+            (-1..=1).any(|aside| is_amber(pixel, aside)),
+            has_pixel,
+            "{stage:?}"
+        );
+    }
+    let title = control(&window, "The pick").rect;
+    let (x, y) = (title.left() - 8.0, title.center().y);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within the window"
+    )]
+    let dots = (0..12).map(|by| picture.at(x as u32 - by, y as u32));
+    assert!(dots.filter(|dot| *dot == amber).count() >= 4);
+    // Its numbers stand beside it in each.
+    let view = window.state().view();
+    let ndc = view.project(world).expect("in front").ndc;
+    let object = window.state().followed().expect("a point").point_object;
+    for point in [object, world, view.camera.to_view(world), ndc] {
+        control(
+            &window,
+            &format!("({:.3}, {:.3}, {:.3})", point.x, point.y, point.z),
+        );
+    }
+}
+
+#[test]
+fn a_row_under_the_cursor_lights_what_it_does() {
+    let (mut window, _folder) = four();
+    click_on(&mut window, "middle");
+    let places = rects(&window);
+    let dark = away(&mut window);
+    let planes = [false, true, true, true];
+    let axes = [false, true, true, false];
+    let model = [true, true, false, false];
+    for (matrix, rows) in [
+        ("P", [planes, planes, planes, axes]),
+        ("V", [axes; 4]),
+        ("M", [model; 4]),
+    ] {
+        for (row, expected) in ["x", "y", "z", "w"].into_iter().zip(rows) {
+            let name = format!("{matrix}, row {row}");
+            let at = control(&window, &name).rect.center();
+            window.send([Event::PointerMoved(at)]);
+            assert!(window.state().row().is_some(), "{name}");
+            let lit = window.picture().expect("a picture");
+            let changed = changed(&dark, &lit, places);
+            assert_eq!(changed, expected, "{name}");
+        }
+    }
+    assert_eq!(differing(&away(&mut window), &dark, Rect::EVERYTHING), 0);
+    assert_eq!(window.state().row(), None);
+}
