@@ -16,8 +16,9 @@ const CELLS: u32 = 24;
 /// The frustum with its near and far planes, and the pixel grid on the near plane.
 pub(super) fn camera(view: &View) -> Vec<Line> {
     let mut lines = frustum(view);
+    let rays = view.uncut().rays();
     let on_near = |px: DVec2| {
-        let ray = view.ray(px);
+        let ray = rays.ray(px);
         ray.at(ray.t_min)
     };
     lines.extend(pixel_grid(view.viewport, on_near));
