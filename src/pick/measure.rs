@@ -2,7 +2,7 @@
 //!
 //! Points are taken as they are, with nothing rounded: a vertex as its file writes it, in decimals, a point of an edge as the
 //! stored ends and its share make it. Differences, squares and sums are exact; a root or a quotient is cut off after
-//! [`BITS`] bits, and the end is rounded once. What is known only roughly brings its own bound, and the sum of all is the
+//! `BITS` bits, and the end is rounded once. What is known only roughly brings its own bound, and the sum of all is the
 //! error that is said.
 
 use crate::geometry::{

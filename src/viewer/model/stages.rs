@@ -51,7 +51,7 @@ const SPHERE_QUADS: usize = 500_000;
 /// Edges of a projected shape that bend by more stay sharp. Radians.
 const CREASE: f32 = 0.5;
 
-/// The scene in NDC as it is drawn, see [`ndc_drawn`]: the same objects in the same order, parts of one mesh, cut at the near
+/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order, parts of one mesh, cut at the near
 /// plane. What lies before it is gone; an object of which nothing is left is hidden.
 #[must_use]
 pub fn projected(scene: &Scene, view: &View) -> Scene {

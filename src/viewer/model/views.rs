@@ -17,7 +17,7 @@ pub enum Views {
     One(Stage),
 }
 
-/// The box that the frustum becomes, as it is drawn: see [`projected`].
+/// The box that the frustum becomes, as it is drawn: see `stages::projected`.
 pub const NDC_DRAWN: Aabb = Aabb {
     min: DVec3::new(-1.0, -1.0, -1.0),
     max: DVec3::new(1.0, 1.0, 0.0),
