@@ -42,6 +42,11 @@ impl Formatter for Escaping {
         out: &mut W,
         mut fragment: &str,
     ) -> io::Result<()> {
+        // Most names are plain.
+        let is_plain = |byte| (b' '..=b'~').contains(&byte);
+        if fragment.bytes().all(is_plain) {
+            return CompactFormatter.write_string_fragment(out, fragment);
+        }
         while let Some((at, mark)) = fragment.char_indices().find(|(_, c)| is_mark(*c)) {
             CompactFormatter.write_string_fragment(out, &fragment[..at])?;
             write!(out, "\\u{:04x}", u32::from(mark))?;

@@ -27,7 +27,7 @@ const DEEDS: [Deed; 22] = [
         press_key(window, NONE, Key::Num5);
         press_key(window, NONE, Key::Enter);
     }),
-    ("Slide near in the panel", |window| {
+    ("In the field near type", |window| {
         set(window, "near", "9.5");
     }),
     ("Check fit beside near", |window| {
@@ -47,18 +47,26 @@ const DEEDS: [Deed; 22] = [
         window.wait_s(1.0);
         click(window, at);
     }),
-    ("Click the leaning box", |window| {
+    ("Click the blue box", |window| {
         click_object(window, "Leaning box");
     }),
     ("Click the ground", |window| click_object(window, "Ground")),
     ("Click the ring", |window| {
-        click_object(window, "Ring");
-        press_key(window, NONE, Key::Y);
+        window.wait_s(1.0);
+        let at = place_of(window, "Ring");
+        click(window, at);
+        window.send([Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Line,
+            source: egui::MouseWheelSource::Unknown,
+            delta: egui::vec2(0.0, 3.0),
+            phase: egui::TouchPhase::Move,
+            modifiers: NONE,
+        }]);
     }),
     ("Press 4: object, world", |window| {
         press_key(window, NONE, Key::Num4);
     }),
-    ("Double click NDC", |window| {
+    ("Double click the heading", |window| {
         let at = control(window, "stage NDC").rect.right_center();
         double_click(window, at - egui::vec2(9.0, 0.0));
     }),

@@ -38,7 +38,11 @@ impl App {
             Command::Reply(reply) => self.reply(reply),
             Command::CopyCommandLine => {
                 let command = view_command(&self.state);
-                self.copy(command, "the view as a command is copied");
+                let done = match self.state.pick_ray() {
+                    Some(_) => "the pick as a command is copied",
+                    None => "the view as a command is copied",
+                };
+                self.copy(command, done);
                 if self.state.edited() {
                     self.complain(
                         "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"

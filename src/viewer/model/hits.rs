@@ -33,7 +33,7 @@ pub enum PickView {
     Own,
     /// It was made in an earlier one; this one may show something else at its pixel, or before its point.
     Earlier,
-    /// It was made in an earlier one, and this one's near, far or culling leave its point out.
+    /// It was made in an earlier one, and this one's near, far, culling or section leave its point out.
     LeftOut,
 }
 
@@ -85,7 +85,8 @@ impl RayHits {
         };
         let is_culled = view.sides == Sides::Front && sight.dot(pick.normal_world) >= 0.0;
         let is_between = (lens.near..lens.far).contains(&camera.to_view(pick.point_world).z);
-        Some(if is_between && !is_culled {
+        let is_cut = (view.section).is_some_and(|section| section.side(pick.point_world) < 0.0);
+        Some(if is_between && !is_culled && !is_cut {
             PickView::Earlier
         } else {
             PickView::LeftOut

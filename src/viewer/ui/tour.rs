@@ -116,7 +116,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Clipping",
         steps: &[
             step(
-                "Slide near in the panel until it has passed the egg.",
+                "In the field near type a larger number, such as 9.5, until near has passed the egg.",
                 "What lies before near or beyond far is cut away. Picture and picks agree on it by one number: a hit counts where near <= t < far, and t is depth along F.",
                 |seen| seen.near_is_past(EGG),
             ),
@@ -161,7 +161,7 @@ const CHAPTERS: [Chapter; 8] = [
                 },
             ),
             step(
-                "Click the leaning box.",
+                "Click the blue box behind the ring.",
                 "A cube is three slabs, one along each axis. A ray is in each of them between two values of t, and in the cube where all three agree: from the last entry to the first exit.",
                 |seen| seen.clicks_on(|shape| matches!(shape, Shape::Cube)),
             ),
@@ -171,10 +171,13 @@ const CHAPTERS: [Chapter; 8] = [
                 |seen| seen.clicks_on(|shape| matches!(shape, Shape::Square)),
             ),
             step(
-                "Click the ring and press Y.",
+                "Click the ring and turn the wheel over the point, until the picked triangle shows its three weights.",
                 "A point of a triangle is a mean of its corners with three weights, its barycentrics, which add up to 1. It is inside where none is below 0; on an edge one is 0.",
                 |seen| {
-                    seen.state.overlays().shows(Overlay::Triangle)
+                    let zooms = seen
+                        .acts(|action| matches!(action, Action::Zoom(_, factor) if *factor > 1.0));
+                    zooms
+                        && seen.state.overlays().shows(Overlay::Triangle)
                         && seen
                             .picked()
                             .is_some_and(|object| matches!(object.shape, Shape::Mesh { .. }))
@@ -191,7 +194,7 @@ const CHAPTERS: [Chapter; 8] = [
                 |seen| seen.state.views() == Views::Four,
             ),
             step(
-                "Double click NDC.",
+                "Double click the heading of NDC.",
                 "After P and the division by w the frustum is a box, and what is far away is small. Normals come back from object space by the inverse transpose of M, or they would lean.",
                 |seen| seen.state.views() == Views::One(Stage::Ndc),
             ),
@@ -209,7 +212,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Near, far and the depth buffer",
         steps: &[
             step(
-                "Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer in the panel Pick.",
+                "Set near to 0.001 and depth to standard, click the tower and look at Depth buffer, far down in the panel Pick.",
                 "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near, so at the tower they are far apart, and two surfaces within one step look like one.",
                 |seen| {
                     let lens = seen.state.controls();
@@ -257,7 +260,7 @@ const CHAPTERS: [Chapter; 8] = [
                 |seen| !matches!(seen.checking, Checking::Off),
             ),
             step(
-                "Click anything, then press C and paste the command into a terminal.",
+                "Click anything, then press C and paste the command into a terminal (cargo install --path . puts it there).",
                 "It prints the same pick, to the last bit. That was the tour: your own files open by Ctrl+O.",
                 |seen| seen.command == Some(&Command::CopyCommandLine) && seen.picked().is_some(),
             ),
@@ -339,8 +342,14 @@ impl Step {
     }
 }
 
+/// The scene's camera, and not one of the four views.
 fn turns(seen: &Seen) -> bool {
-    seen.acts(|action| matches!(action, Action::Turn(_)))
+    let in_picture = seen.state.views() == Views::Picture;
+    seen.acts(|action| match action {
+        Action::Turn(_) => in_picture,
+        Action::Steer(_) => true,
+        _ => false,
+    })
 }
 
 impl Seen<'_> {
@@ -374,9 +383,7 @@ impl Seen<'_> {
         let furthest = (corners.iter())
             .map(|&corner| view.camera.to_view(corner).z)
             .fold(f64::NEG_INFINITY, f64::max);
-        self.state
-            .controls()
-            .near
-            .is_some_and(|near| near > furthest)
+        let near = self.state.controls().near;
+        near.is_some_and(|near| near > furthest) && view.may_see(&scene.visible_bounds())
     }
 }

@@ -68,7 +68,7 @@ impl Section {
 /// The least width in points for three numbers in a row beside their name.
 pub(super) const FIELDS: f32 = 272.0;
 /// The least for four.
-const MATRIX: f32 = 290.0;
+const MATRIX: f32 = 316.0;
 /// Narrower than this, in points, a side is folded.
 const NARROWEST: f32 = 100.0;
 

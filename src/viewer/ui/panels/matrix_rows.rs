@@ -186,7 +186,7 @@ pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) 
             ui.label(value_text(makes).weak()).hint(hint);
         }
         for value in values {
-            let text = format!("{:>9}", short(*value));
+            let text = format!("{:>10}", short(*value));
             let hint = makes.map_or(String::new(), |(_, does)| format!(". {does}"));
             ui.label(value_text(text)).hint(format!("{value}{hint}"));
         }

@@ -63,7 +63,8 @@ impl Page<'_> {
             followed.point_object,
         );
         if let Some(steps) = steps {
-            let ray = state.view().ray(steps.px);
+            // A section cuts what is hit, not the pixel's place.
+            let ray = state.view().uncut().ray(steps.px);
             let begin = if self.stage == Stage::Ndc {
                 ray.at(ray.t_min)
             } else {

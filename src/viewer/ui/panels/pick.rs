@@ -228,7 +228,7 @@ fn whose_view(ui: &mut Ui, state: &State) {
     let text = match state.pick_view() {
         Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
         Some(PickView::LeftOut) => {
-            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far or culling."
+            "Picked in an earlier view. Copies repeat it there. This one leaves it out: near, far, culling or the section."
         }
         Some(PickView::Own) | None => return,
     };

@@ -51,7 +51,7 @@ fn contents(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>)
         .hint("what to do now: the window notices");
     ui.label(step.why).hint("why");
     if let Some(example) = step.example(state) {
-        ui.label(RichText::new(example).color(ui.visuals().selection.bg_fill))
+        ui.label(RichText::new(example).strong().italics())
             .hint("the same point through the matrix that is in use now");
     }
     let is_elsewhere = !state.is_demo() && state.showing().is_none();
