@@ -259,7 +259,7 @@ fn table(ui: &mut Ui, values: &Values) {
                 ui.painter()
                     .circle_filled(dot.center(), 3.0, color32(look::SELECTION));
             }
-            ui.spacing_mut().item_spacing.x = 2.0;
+            ui.spacing_mut().item_spacing.x = 6.0;
             ui.label(value_text(format!("{name:<9}")))
                 .hint(format!("{how}: {hint}"));
             for value in values {
