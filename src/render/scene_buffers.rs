@@ -110,7 +110,8 @@ impl SceneBuffers {
     /// Takes over what single objects are now.
     fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change]) {
         let seen = self.seen.get_mut();
-        if changed.len() > MANY {
+        let are_many = changed.len() > MANY;
+        if are_many {
             seen.forget();
         }
         let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
@@ -120,7 +121,8 @@ impl SceneBuffers {
             let batch = &mut all.batches[number as usize];
             let Object {
                 visible, placement, ..
-            } = scene.objects()[object];
+            } = &scene.objects()[object];
+            let visible = *visible;
             if place.visible != visible {
                 let shown = if visible { 1 } else { u32::MAX };
                 batch.shown = batch.shown.wrapping_add(shown);
@@ -131,7 +133,10 @@ impl SceneBuffers {
             if moved {
                 place.bounds_world = scene.bounds_of(object);
                 let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
-                stays &= all.place(scene, number, placement, bounds);
+                stays &= all.place(scene, number, *placement, bounds);
+            }
+            if are_many {
+                continue;
             }
             if stays {
                 seen.renew(number, &all.batches[number as usize]);
