@@ -2,7 +2,7 @@
 
 use super::{Object, Shape};
 use crate::geometry::{Aabb, BLOCK, Mesh, Placement};
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use std::ops::Range;
 
 /// Objects of fewer triangles are asked for all of them.
@@ -74,15 +74,9 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
 /// takes 3 products and 3 sums, each off by `U` of what it adds up, at most `s = |M| m + |T|` with m the largest
 /// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room enough.
 fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
-    let model = placement.model();
-    let sizes = DMat3::from_cols(
-        model.matrix3.x_axis.abs(),
-        model.matrix3.y_axis.abs(),
-        model.matrix3.z_axis.abs(),
-    );
     let largest = bounds.min.abs().max(bounds.max.abs());
-    let room: DVec3 = 32.0 * U * (sizes * largest + model.translation.abs());
-    let half = sizes * (0.5 * (bounds.max - bounds.min)) + room;
+    let room: DVec3 = 32.0 * U * placement.sizes_in_world(largest);
+    let half = placement.sizes_along(0.5 * (bounds.max - bounds.min)) + room;
     let middle = placement.point_to_world(bounds.center());
     Aabb {
         min: middle - half,
@@ -94,7 +88,7 @@ fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
 mod tests {
     use super::*;
     use crate::geometry::{ColourRun, MeshData, Part};
-    use glam::DAffine3;
+    use glam::{DAffine3, DMat3};
     use std::sync::Arc;
 
     /// A hill of `2 * side^2` triangles.

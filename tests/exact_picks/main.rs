@@ -8,6 +8,7 @@
 //! positions of each family and prints a line for each.
 
 mod aim;
+mod along_faces;
 mod attacked;
 mod blocks;
 mod borders;
