@@ -119,7 +119,7 @@ fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{ColourRun, MeshData, Part};
+    use crate::geometry::MeshData;
     use glam::DAffine3;
 
     /// A hill of `2 * side^2` triangles.
@@ -132,21 +132,9 @@ mod tests {
         });
         let cells = (0..u32::from(side)).flat_map(|j| (1..width).map(move |i| j * width + i - 1));
         let triangles = cells.flat_map(|a| [[a, a + 1, a + width], [a + 1, a + width, a]]);
-        let triangles: Vec<_> = triangles.collect();
-        let all = 0..u32::try_from(triangles.len()).expect("few");
         let mesh = Mesh::new(MeshData {
             origin: DVec3::new(1e6, -0.1, 3.0),
-            positions: positions.collect(),
-            triangles,
-            parts: vec![Part {
-                name: "hill".into(),
-                triangles: all.clone(),
-            }],
-            colours: vec![ColourRun {
-                triangles: all,
-                colour: None,
-            }],
-            ..MeshData::default()
+            ..MeshData::of_triangles("hill", positions.collect(), triangles.collect())
         });
         let mesh = Arc::new(mesh.expect("a mesh"));
         let shape = Shape::Mesh { mesh, part: 0 };

@@ -9,6 +9,7 @@ use glam::DVec3;
 
 /// Why there is no section along a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NoSection {
     /// There is no such object.
     #[error(transparent)]
@@ -77,8 +78,8 @@ fn corners(object: &Object, face: Option<u32>) -> Option<(DVec3, [DVec3; 3])> {
             let [a, b, c, _] = Cuboid::face(*normal);
             Some((DVec3::ZERO, [a, b, c]))
         }
-        (Shape::Mesh { mesh, part }, Some(face)) => {
-            let triangles = &mesh.data().parts[*part].triangles;
+        (Shape::Mesh { mesh, .. }, Some(face)) => {
+            let triangles = object.shape.triangles()?;
             let triangle = triangles.start.checked_add(face)?;
             let is_its = triangles.contains(&triangle);
             is_its.then(|| (mesh.data().origin, mesh.vertex_corners(triangle)))
