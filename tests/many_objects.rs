@@ -1,4 +1,5 @@
 //! A scene of many objects answers as each of them alone would, and asks few of them.
+#![cfg(feature = "window")]
 
 mod common;
 

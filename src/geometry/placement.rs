@@ -25,6 +25,7 @@ pub struct Placement {
 
 /// Why a model matrix was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlacementError {
     /// It flattens space, or its inverse does not fit into `f64`.
     #[error("the model matrix has no inverse (is a scale zero?)")]

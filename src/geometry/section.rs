@@ -15,6 +15,7 @@ pub struct Section {
 
 /// Why there is no such section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SectionError {
     /// The numbers make no plane.
     #[error("a section's numbers must be finite")]

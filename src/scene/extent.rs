@@ -87,7 +87,7 @@ fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{ColourRun, MeshData, Part};
+    use crate::geometry::{MeshData, Part};
     use glam::{DAffine3, DMat3};
     use std::sync::Arc;
 
@@ -102,22 +102,15 @@ mod tests {
         let cells = (0..u32::from(side)).flat_map(|j| (1..width).map(move |i| j * width + i - 1));
         let triangles = cells.flat_map(|a| [[a, a + 1, a + width], [a + 1, a + width, a]]);
         let triangles: Vec<_> = triangles.collect();
-        let all = 0..u32::try_from(triangles.len()).expect("few");
+        let end = u32::try_from(triangles.len()).expect("few");
+        let parts = [0..1001, 1001..end - 77, end - 77..end].map(|triangles| Part {
+            name: "hill".into(),
+            triangles,
+        });
         let mesh = Mesh::new(MeshData {
             origin: DVec3::new(1e6, -0.1, 3.0),
-            positions: positions.collect(),
-            triangles,
-            parts: [0..1001, 1001..all.end - 77, all.end - 77..all.end]
-                .map(|triangles| Part {
-                    name: "hill".into(),
-                    triangles,
-                })
-                .into(),
-            colours: vec![ColourRun {
-                triangles: all,
-                colour: None,
-            }],
-            ..MeshData::default()
+            parts: parts.into(),
+            ..MeshData::of_triangles("hill", positions.collect(), triangles)
         });
         let mesh = Arc::new(mesh.expect("a mesh"));
         let shape = Shape::Mesh { mesh, part: 1 };

@@ -1,38 +1,28 @@
 //! What there is to see: objects in the world, each a shape with a model matrix.
 
 mod changes;
-mod demo;
-pub mod description;
-mod entry;
 mod extent;
-mod file;
-mod files_again;
-pub mod gallery;
-mod load;
+#[cfg(feature = "files")]
+mod files;
+mod in_file;
 mod narrowed;
-pub mod obj;
 mod object;
-mod problem;
-mod progress;
-mod save;
 mod section;
 mod sums;
 mod tree;
-mod warning;
 
 pub use changes::Change;
-pub(crate) use entry::matrix_rows;
-pub use file::FileError;
-pub use files_again::FilesAgain;
-pub use load::{Detail, LoadError, Loaded, MeshFile, MeshFiles, load, load_with};
-pub(crate) use load::{is_scene_file, title};
-pub use obj::{ObjError, ObjFile};
+#[cfg(feature = "files")]
+pub use files::{
+    Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded, MeshFile,
+    MeshFiles, ObjError, ObjFile, Problem, Progress, SaveError, Warning, description, gallery,
+    load, load_with, obj, save,
+};
+#[cfg(feature = "window")]
+pub(crate) use files::{is_scene_file, matrix_rows, title};
+pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
-pub use problem::{DescriptionError, Problem, SaveError};
-pub use progress::{Cancelled, Progress};
-pub use save::save;
 pub use section::NoSection;
-pub use warning::Warning;
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
@@ -125,6 +115,9 @@ impl Scene {
     }
 
     /// The world-space box about an object; see [`Object::bounds_world`].
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     #[must_use]
     pub fn bounds_of(&self, object: usize) -> Aabb {
         self.bounds[object]
@@ -166,12 +159,18 @@ impl Scene {
     }
 
     /// Shows or hides an object.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
         Arc::make_mut(&mut self.objects)[object].visible = visible;
         self.changed(object, false);
     }
 
     /// Puts an object somewhere else.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     pub fn place(&mut self, object: usize, placement: Placement) {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
@@ -348,5 +347,7 @@ fn continues(before: &Object, object: &Object) -> bool {
     else {
         return false;
     };
-    Arc::ptr_eq(mesh, next_mesh) && part + 1 == *next_part && before.placement == object.placement
+    Arc::ptr_eq(mesh, next_mesh)
+        && part.checked_add(1) == Some(*next_part)
+        && before.placement == object.placement
 }

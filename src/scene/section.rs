@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 
 /// Why there is no section along a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NoSection {
     /// There is no such object.
     #[error(transparent)]
@@ -87,8 +88,8 @@ fn face_of(object: &Object, face: Option<u32>) -> Option<Face> {
             let normal = Cuboid::NORMALS.get(face as usize)?;
             Some(flat(Cuboid::face(*normal)))
         }
-        (Shape::Mesh { mesh, part }, Some(face)) => {
-            let triangles = &mesh.data().parts[*part].triangles;
+        (Shape::Mesh { mesh, .. }, Some(face)) => {
+            let triangles = object.shape.triangles()?;
             let triangle = triangles.start.checked_add(face)?;
             let is_its = triangles.contains(&triangle);
             is_its.then(|| Face {

@@ -1,4 +1,5 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
+#![cfg(feature = "window")]
 
 mod desktop;
 #[path = "../common/exact/mod.rs"]

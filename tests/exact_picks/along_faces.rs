@@ -8,7 +8,7 @@ use crate::common::Random;
 use glam::{DAffine3, DMat3, DVec3, EulerRot};
 use sightline::{
     camera::SectionChoice,
-    geometry::{ColourRun, Cuboid, Mesh, MeshData, Part, Placement, Square},
+    geometry::{Cuboid, Mesh, MeshData, Placement, Square},
     scene::{Object, Scene, Shape},
 };
 use std::sync::Arc;
@@ -34,20 +34,10 @@ fn placement(random: &mut Random, i: usize) -> Placement {
 fn parallelogram(random: &mut Random) -> MeshData {
     let [a, b, d] = [(); 3].map(|()| random.point(3.0));
     let corners = [a, b, b + d - a, d];
-    let all = 0..2;
+    let positions = corners.map(|corner| corner.as_vec3().into());
     MeshData {
         origin: random.point(100.0),
-        positions: corners.map(|corner| corner.as_vec3().into()).into(),
-        triangles: vec![[0, 1, 2], [0, 2, 3]],
-        parts: vec![Part {
-            name: "quad".into(),
-            triangles: all.clone(),
-        }],
-        colours: vec![ColourRun {
-            triangles: all,
-            colour: None,
-        }],
-        ..MeshData::default()
+        ..MeshData::of_triangles("quad", positions.into(), vec![[0, 1, 2], [0, 2, 3]])
     }
 }
 

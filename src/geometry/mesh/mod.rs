@@ -39,6 +39,33 @@ pub struct MeshData {
     pub crease: Option<f32>,
 }
 
+impl MeshData {
+    /// Triangles of one part, without colours of their own and with one normal a face. `positions` are in object space,
+    /// `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
+    #[must_use]
+    pub fn of_triangles(
+        name: impl Into<String>,
+        positions: Vec<[f32; 3]>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Self {
+        // More than 32 bits count are refused, since the part does not cover them.
+        let all = 0..u32::try_from(triangles.len()).unwrap_or(u32::MAX);
+        Self {
+            positions,
+            parts: vec![Part {
+                name: name.into(),
+                triangles: all.clone(),
+            }],
+            colours: vec![ColourRun {
+                triangles: all,
+                colour: None,
+            }],
+            triangles,
+            ..Self::default()
+        }
+    }
+}
+
 /// One object of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
@@ -59,6 +86,7 @@ pub struct ColourRun {
 
 /// Why data is no mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshError {
     /// A coordinate is NaN or infinite.
     #[error("vertex {0} has a coordinate that is not a finite number")]
@@ -113,10 +141,10 @@ impl Mesh {
         &self.data
     }
 
-    /// The box about the triangles of a part, in object space; empty for a part without triangles.
+    /// The box about the triangles of a part, in object space; empty for a part without triangles, and where there is none.
     #[must_use]
     pub fn part_bounds(&self, part: usize) -> Aabb {
-        self.bounds[part]
+        self.bounds.get(part).copied().unwrap_or(Aabb::EMPTY)
     }
 
     /// The part that holds a triangle.
@@ -161,6 +189,9 @@ impl Mesh {
     }
 
     /// The corners of a triangle, in object space.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
         self.vertex_corners(triangle)
@@ -212,6 +243,9 @@ impl Mesh {
     }
 
     /// The colour of a triangle, as the file gives it.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn triangle_colour(&self, triangle: u32) -> Option<Srgb> {
         let runs = &self.data.colours;
@@ -220,6 +254,9 @@ impl Mesh {
 
     /// The linear colour at a point of a triangle: its own (neutral where the file gives none, white where
     /// vertices bring theirs) times its vertices'.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn albedo(&self, at: &OnTriangle) -> [f32; 3] {
         let colours = &self.data.vertex_colours;
