@@ -104,6 +104,9 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
     )))
 }
 
+/// Bytes of a line that gives a position.
+const LONGEST_LINE: u64 = 1024;
+
 /// Prints the picks.
 pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
     for &at in &args.at {
@@ -246,13 +249,18 @@ impl Picker<'_> {
                 self.flush()?;
             }
             line.clear();
-            let read = lines.read_line(&mut line);
+            let read = lines.by_ref().take(LONGEST_LINE + 1).read_line(&mut line);
             let read = read.map_err(|source| CliError::Stream {
                 stream: "standard input",
                 source,
             })?;
             if read == 0 {
                 break;
+            }
+            if read as u64 > LONGEST_LINE {
+                return Err(CliError::Usage(format!(
+                    "standard input, line {number}: longer than {LONGEST_LINE} bytes"
+                )));
             }
             if line.trim().is_empty() {
                 continue;

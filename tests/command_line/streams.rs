@@ -79,6 +79,28 @@ fn each_position_is_answered_before_the_next_is_there() {
     assert!(lines.recv().is_err(), "no more lines than positions");
 }
 
+/// A line without an end is no reason to fill the memory: what is written after its first bytes is never read.
+#[test]
+fn a_line_without_an_end_is_refused() {
+    let folder = Folder::new();
+    let args = "pick scene.toml --size 20x10 --at -";
+    let mut child = folder
+        .command(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let mut written = 0;
+    while input.write_all(&[b'1'; 4096]).is_ok() {
+        written += 4096;
+        assert!(written < 1 << 24, "it goes on reading");
+    }
+    let error = error(&child.wait_with_output().unwrap(), 2, args);
+    assert!(error.contains("line 1: longer than 1024 bytes"), "{error}");
+}
+
 #[test]
 fn a_reader_that_leaves_is_no_error() {
     let folder = Folder::new();
