@@ -120,6 +120,21 @@ impl Placement {
         self.model.transform_point3(point_object)
     }
 
+    /// The sizes of what a point of object space is made of in the world: `|L| sizes + |T|`.
+    pub(crate) fn sizes_in_world(&self, sizes: DVec3) -> DVec3 {
+        self.sizes_along(sizes) + self.model.translation.abs()
+    }
+
+    /// How far along the world's axes reaches what has these sizes along the object's: `|L| sizes`.
+    pub(crate) fn sizes_along(&self, sizes: DVec3) -> DVec3 {
+        let DMat3 {
+            x_axis,
+            y_axis,
+            z_axis,
+        } = self.model.matrix3;
+        DMat3::from_cols(x_axis.abs(), y_axis.abs(), z_axis.abs()) * sizes
+    }
+
     /// A world-space ray in object space as picks take it, with the same `t`.
     ///
     /// Bounds: a component of inverse times vector errs by the placement's own error (see its field) and by what the

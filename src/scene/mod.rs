@@ -26,7 +26,6 @@ pub use section::NoSection;
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
-use extent::Extent;
 use std::{
     collections::HashSet,
     ops::{ControlFlow, Range},
@@ -74,8 +73,6 @@ pub struct Scene {
     /// Until an object is changed.
     sums: OnceLock<Sums>,
     changes: Changes,
-    /// Of the object that was moved last.
-    extent: Option<Arc<Extent>>,
 }
 
 impl Scene {
@@ -93,7 +90,6 @@ impl Scene {
             tree: Arc::default(),
             sums: OnceLock::new(),
             changes: Changes::default(),
-            extent: None,
         };
         scene.tree = Arc::new(SceneTree::new(&scene));
         scene.sums();
@@ -178,7 +174,7 @@ impl Scene {
     pub fn place(&mut self, object: usize, placement: Placement) {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
-        Arc::make_mut(&mut self.bounds)[object] = self.bounds_when_moved(object);
+        Arc::make_mut(&mut self.bounds)[object] = extent::bounds_world(&self.objects[object]);
         self.changed(object, true);
         if self.joins(object) == before {
             let batch = self.batches.partition_point(|batch| batch.end <= object);
@@ -189,22 +185,6 @@ impl Scene {
             self.batches = Arc::new(batches(&self.objects));
             self.tree = Arc::new(SceneTree::new(self));
             self.changes.everything();
-        }
-    }
-
-    /// The box about an object that may be moved again soon.
-    fn bounds_when_moved(&mut self, object: usize) -> Aabb {
-        let moved = &self.objects[object];
-        if self
-            .extent
-            .as_ref()
-            .is_none_or(|extent| !extent.is_of(object))
-        {
-            self.extent = Extent::of(object, moved).map(Arc::new);
-        }
-        match &self.extent {
-            Some(extent) => extent.bounds_world(&moved.placement),
-            None => moved.bounds_world(),
         }
     }
 
@@ -222,7 +202,11 @@ impl Scene {
 
     fn changed(&mut self, object: usize, moved: bool) {
         self.sums.take();
-        let change = Change { object, moved };
+        let change = Change {
+            object,
+            moved,
+            visible: self.objects[object].visible,
+        };
         self.changes.push(change, self.objects.len());
     }
 
@@ -317,6 +301,13 @@ impl Scene {
     pub fn build_trees_unless(&self, stop: &AtomicBool) {
         for mesh in self.meshes.iter() {
             mesh.build_tree_unless(stop);
+        }
+    }
+
+    /// Does beforehand what the first move of an object of each mesh needs.
+    pub fn prepare_moves(&self) {
+        for mesh in self.meshes.iter() {
+            mesh.blocks();
         }
     }
 }

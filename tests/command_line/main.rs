@@ -8,6 +8,7 @@ mod flags;
 mod in_file;
 mod pictures;
 mod refusals;
+mod section;
 mod snap;
 mod stored;
 mod stored_line;

@@ -9,6 +9,7 @@
 #![cfg(feature = "window")]
 
 mod aim;
+mod along_faces;
 mod attacked;
 mod blocks;
 mod borders;

@@ -6,12 +6,15 @@ use super::{
     Aabb, Bvh, CornerNormals, OnTriangle, normals::crease_normals_while, shares::in_shares,
 };
 use crate::colour::Srgb;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::{
     convert::Infallible,
     ops::Range,
     sync::{Arc, OnceLock},
 };
+
+/// Triangles that have a box together, to tell where an object reaches.
+pub(crate) const BLOCK: usize = 256;
 
 /// What a mesh is made of. Vertices are `f32` about one `f64` origin, so that parts which share a wall keep
 /// sharing it to the bit wherever in the world they stand; object space is `origin + position`.
@@ -101,13 +104,15 @@ pub enum MeshError {
 /// # Memory
 /// A vertex takes 12 bytes, and 3 where the file has colours; a triangle 12: what picks and a saved scene are made of, which
 /// is all that lists and single picks need. Once it is drawn, there are 12 bytes a normal, mostly one a vertex, and 12 a
-/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do. Of the file's
-/// text, and of what was read of it in `f64`, nothing stays.
+/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do, and 48 bytes
+/// for 256 triangles where one of its objects may be moved. Of the file's text, and of what was read of it in `f64`, nothing stays.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
     tree: OnceLock<Bvh>,
     normals: OnceLock<CornerNormals>,
+    /// Boxes about [`BLOCK`] triangles each.
+    blocks: OnceLock<Vec<Aabb>>,
     /// The only triangles that rays are held against, in order; `None` for all.
     few: Option<Vec<u32>>,
 }
@@ -125,6 +130,7 @@ impl Mesh {
             bounds,
             tree: OnceLock::new(),
             normals: OnceLock::new(),
+            blocks: OnceLock::new(),
             few: None,
         })
     }
@@ -148,6 +154,38 @@ impl Mesh {
         self.data
             .parts
             .partition_point(|part| part.triangles.end <= triangle)
+    }
+
+    /// Boxes about the triangles from each multiple of [`BLOCK`] on, in object space; they are made when first asked for.
+    pub(crate) fn blocks(&self) -> &[Aabb] {
+        self.blocks.get_or_init(|| {
+            let count = self.data.triangles.len().div_ceil(BLOCK);
+            let boxes = in_shares(count, |share| {
+                let blocks = self.data.triangles.chunks(BLOCK);
+                let blocks = blocks.skip(share.start).take(share.len());
+                blocks.map(|block| self.around(block)).collect::<Vec<_>>()
+            });
+            boxes.concat()
+        })
+    }
+
+    /// Whether they are there.
+    #[cfg(test)]
+    pub(crate) fn has_blocks(&self) -> bool {
+        self.blocks.get().is_some()
+    }
+
+    /// The box about triangles, in object space. To add the origin keeps the order: of the least it is the least.
+    fn around(&self, triangles: &[[u32; 3]]) -> Aabb {
+        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for vertex in triangles.as_flattened() {
+            let position = Vec3::from(self.data.positions[*vertex as usize]);
+            (min, max) = (min.min(position), max.max(position));
+        }
+        Aabb {
+            min: self.data.origin + min.as_dvec3(),
+            max: self.data.origin + max.as_dvec3(),
+        }
     }
 
     /// The corners of a triangle, in object space.
