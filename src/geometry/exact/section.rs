@@ -2,13 +2,14 @@
 
 use super::{
     super::{Section, WorldRay, ray::Line},
-    Surface,
+    Surface, dyadic,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     root::Root,
     triangle::{Corners, Seen},
     world::{ExactLine, point},
 };
+use glam::DVec3;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
@@ -44,6 +45,17 @@ pub(in super::super) fn keeps_corners(section: &Section, triangle: &Corners) -> 
         normal.dot(&at).plus(&offset).sign().is_ge()
     };
     !triangle.is_finite() || triangle.corners.into_iter().all(is_kept)
+}
+
+/// The normal of the plane through three finite points, of a size near 1 and with each component rounded once; `None` where they
+/// lie on one line.
+pub(in super::super) fn normal_of(points: [DVec3; 3]) -> Option<DVec3> {
+    let [a, b, c] = points.map(Vector::<BigInt>::new);
+    let normal = b.minus(&a).cross(&c.minus(&a));
+    let components = [0, 1, 2].map(|i| normal.component(i));
+    let unit = components.iter().filter_map(Number::magnitude).max()?;
+    let rounded = components.map(|n| dyadic::rounded(&n.integer, n.exponent - unit));
+    Some(rounded.into())
 }
 
 /// `n . p + c` where a ray starts, and by how much it grows for one unit of t; times the ray's weight, which is above 0.
