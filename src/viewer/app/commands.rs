@@ -10,7 +10,7 @@ use crate::{
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
-        model::{Action, RayHits, Views, view_command},
+        model::{Action, MeasureAction, RayHits, Views, view_command},
         ui::{Command, Intent, Reply},
     },
 };
@@ -88,6 +88,12 @@ impl App {
                 }
             }
             Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
+            Command::Escape if self.state.points_wanted().is_some() => {
+                self.act(Action::SectionByPoints(false));
+            }
+            Command::Escape if self.state.measuring().is_on => {
+                self.act(Action::Measure(MeasureAction::Toggle));
+            }
             Command::Escape if self.stop_arriving() => {}
             Command::Escape if self.floating.help => self.floating.help = false,
             Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
@@ -115,6 +121,7 @@ impl App {
             Command::ToggleHelp => self.floating.help ^= true,
             Command::ToggleFour => self.toggle_views(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
