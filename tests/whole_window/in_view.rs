@@ -197,7 +197,8 @@ fn near_and_far_slide_finely_with_shift() {
             modifiers: Modifiers::SHIFT,
         };
         let mut at = slider.center();
-        window.send([Event::PointerMoved(at), press(at, true)]);
+        let shift = Event::ModifiersChanged(Modifiers::SHIFT);
+        window.send([Event::PointerMoved(at), shift, press(at, true)]);
         assert_eq!(planes(&window), before, "{name}: a press moves nothing");
         let mut steps = 0;
         while planes(&window)[plane] < wanted && steps < 100 {
@@ -205,7 +206,8 @@ fn near_and_far_slide_finely_with_shift() {
             steps += 1;
             window.send([Event::PointerMoved(at)]);
         }
-        window.send([press(at, false)]);
+        let none = Event::ModifiersChanged(NONE);
+        window.send([press(at, false), none]);
         let is = planes(&window)[plane];
         assert!(
             (is / wanted - 1.0).abs() < 0.01,

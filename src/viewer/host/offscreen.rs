@@ -55,8 +55,6 @@ pub struct Offscreen {
     pixels_per_point: f32,
     time_s: f64,
     copied: Option<String>,
-    /// With the mouse's button.
-    held: egui::Modifiers,
     controls: Vec<Control>,
     at_rest: bool,
     theme: Option<egui::Theme>,
@@ -90,7 +88,6 @@ impl Offscreen {
             pixels_per_point,
             time_s: 0.0,
             copied: None,
-            held: egui::Modifiers::NONE,
             controls: Vec::new(),
             at_rest: false,
             theme: None,
@@ -328,19 +325,6 @@ impl Offscreen {
         dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
     ) -> egui::RawInput {
         self.time_s += FRAME_S;
-        for event in &events {
-            if let egui::Event::PointerButton {
-                pressed, modifiers, ..
-            } = event
-            {
-                // Held from press to release.
-                self.held = if *pressed {
-                    *modifiers
-                } else {
-                    egui::Modifiers::NONE
-                };
-            }
-        }
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
         let [width, height] = [self.page.size.width(), self.page.size.height()]
             .map(|px| px as f32 / self.pixels_per_point);
@@ -352,7 +336,6 @@ impl Offscreen {
             time: Some(self.time_s),
             events,
             dropped_files: dropped,
-            modifiers: self.held,
             system_theme: self.theme,
             ..egui::RawInput::default()
         };
