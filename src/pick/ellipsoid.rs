@@ -1,8 +1,8 @@
 //! The area of a sphere under a matrix: an ellipsoid, which has no elementary formula.
 //!
 //! The sphere has radius 1/2, so the half axes are the singular values of L / 2, and the area is `4 pi R_G(x, y, z)`, where x, y
-//! and z are the squares of the products of two half axes each and R_G is Carlson's integral (DLMF 19.33.1). Those squares are
-//! the eigenvalues of `C^T C / 16`, with C the cofactors of L. R_G is of degree 1/2, so the area is pi times R_G of the
+//! and z are the squares of the products of two half axes each and `R_G` is Carlson's integral (DLMF 19.33.1). Those squares are
+//! the eigenvalues of `C^T C / 16`, with C the cofactors of L. `R_G` is of degree 1/2, so the area is pi times `R_G` of the
 //! eigenvalues of `C^T C`. It grows with each of them: bounds on them bound the area.
 //!
 //! Eigenvalues: `f64` gives approximate eigenvectors Q (Jacobi's rotations). All that follows takes Q as it is, with nothing
@@ -10,7 +10,7 @@
 //! these are those of `C^T C` times factors that differ from 1 by no more than the norm of `Q^T Q - 1` (Ostrowski). Where L
 //! stretches along the axes both norms are 0, and so they are under a uniform scale s: then the area is pi s^2.
 //!
-//! R_G comes of R_F and R_D with the middle one of the three in the last place, where no term is below 0 (DLMF 19.21.10), and
+//! `R_G` comes of `R_F` and `R_D` with the middle one of the three in the last place, where no term is below 0 (DLMF 19.21.10), and
 //! these of duplication (DLMF 19.26.18 and 19.26.20): each step leaves a quarter of what the three differ by. All of it are sums,
 //! products, quotients and roots of numbers that are not below 0, each cut off after [`BITS`] bits, so that relative errors add
 //! up. Of fewer than 2^40 of them they are below 2^-120.
@@ -25,7 +25,7 @@ use std::f64::consts::PI;
 
 /// Digits of each number.
 const BITS: i64 = 160;
-/// The three are as good as one number when they differ by less than this share of it, as a power of two: R_F and R_D of them
+/// The three are as good as one number when they differ by less than this share of it, as a power of two: `R_F` and `R_D` of them
 /// lie between those of the least and of the largest, thrice.
 const ALIKE: i64 = -80;
 /// For all that is cut off, relative: far more than it is.
@@ -129,7 +129,7 @@ fn eigenvectors(cofactors: &[DyadicVector; 3]) -> [DVec3; 3] {
     vectors.map(DVec3::from_array)
 }
 
-/// R_G of three numbers, none below 0 and the first above it, from the largest down.
+/// `R_G` of three numbers, none below 0 and the first above it, from the largest down.
 fn carlson_g(x: &Dyadic, z: &Dyadic, y: &Dyadic) -> Dyadic {
     let half = Dyadic::new(0.5);
     if z.is_zero() {
@@ -142,7 +142,7 @@ fn carlson_g(x: &Dyadic, z: &Dyadic, y: &Dyadic) -> Dyadic {
     half.times(&z.times(&of_f).plus(&third).plus(&last))
 }
 
-/// R_F and R_D of numbers that are not below 0, the first and the last above it.
+/// `R_F` and `R_D` of numbers that are not below 0, the first and the last above it.
 fn carlson_f_and_d(x: &Dyadic, y: &Dyadic, z: &Dyadic) -> (Dyadic, Dyadic) {
     let one = Dyadic::new(1.0);
     let cut = |n: &Dyadic| n.quotient(&one, BITS);

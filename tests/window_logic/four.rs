@@ -297,7 +297,7 @@ fn ndc_ends_at_the_section() {
             assert!(gone.len() > 4 && kept.len() > 4, "{object}");
             let kept = kept.into_iter().filter(|at| side(at) > off);
             for at in kept {
-                assert!(after.contains(at), "{object}: {at:?}");
+                assert!(after.contains(&at), "{object}: {at:?}");
             }
         }
     }

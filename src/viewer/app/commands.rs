@@ -87,28 +87,7 @@ impl App {
                     None => self.complain("there is no pick to copy: click a surface first".into()),
                 }
             }
-            Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
-            Command::Escape if self.state.points_wanted().is_some() => {
-                self.act(Action::SectionByPoints(false));
-            }
-            Command::Escape if self.state.measuring().is_on => {
-                self.act(Action::Measure(MeasureAction::Toggle));
-            }
-            Command::Escape if self.stop_arriving() => {}
-            Command::Escape if self.floating.help => self.floating.help = false,
-            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
-            Command::Escape if matches!(self.checking, Checking::On(..)) => {
-                self.checking = Checking::Off;
-            }
-            Command::Escape
-                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
-            {
-                self.toggle_views();
-            }
-            Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
-                self.act(Action::LeaveGallery);
-            }
-            Command::Escape => self.act(Action::Select(None)),
+            Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
             Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
             // The gallery was opened first: what the program opens by itself is all that there is outside.
@@ -128,6 +107,34 @@ impl App {
                 self.memory.look.apply(&self.context);
             }
             Command::Quit => self.intend(Intent::Quit),
+        }
+    }
+
+    /// Gives up the first of what can be given up.
+    fn escape(&mut self) {
+        match () {
+            () if self.question.is_some() => self.reply(Reply::Stay),
+            () if self.state.points_wanted().is_some() => {
+                self.act(Action::SectionByPoints(false));
+            }
+            () if self.state.measuring().is_on => {
+                self.act(Action::Measure(MeasureAction::Toggle));
+            }
+            () if self.stop_arriving() => {}
+            () if self.floating.help => self.floating.help = false,
+            () if self.state.method().is_some() => self.act(Action::PickBy(None)),
+            () if matches!(self.checking, Checking::On(..)) => {
+                self.checking = Checking::Off;
+            }
+            Command::Escape
+                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
+            {
+                self.toggle_views();
+            }
+            () if self.state.selection().is_none() && self.state.has_outside() => {
+                self.act(Action::LeaveGallery);
+            }
+            () => self.act(Action::Select(None)),
         }
     }
 

@@ -2,7 +2,6 @@
 
 use super::{hits::RayHits, state::State};
 use crate::{
-    camera::View,
     geometry::PlacedPoint,
     pick::{NamedSurface, Pick, PickLine, Sight, sight},
     scene::Shape,
@@ -73,7 +72,7 @@ impl State {
                 let triangle = triangle.map_or_else(String::new, |n| format!(", triangle {n}"));
                 format!("hidden by {object}{triangle}")
             }
-            Sight::Seen(_) => match self.in_picture(&self.view, self.sought()?.point.world()) {
+            Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
                 Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
                 None => "beside the picture".to_owned(),
             },
@@ -89,7 +88,7 @@ impl State {
         self.sought = Some(sought);
         let Sought { object, point, .. } = self.sought()?;
         let point_world = point.world();
-        if self.in_picture(&self.view, point_world).is_none() {
+        if self.in_picture(point_world).is_none() {
             self.pivot_world = point_world;
             self.orbit.center_on(point_world);
             self.moved();
@@ -108,8 +107,9 @@ impl State {
         line
     }
 
-    /// Where a view shows a point between its planes; `None` beside the picture.
-    fn in_picture(&self, view: &View, point_world: DVec3) -> Option<DVec2> {
+    /// Where the view shows a point between its planes; `None` beside the picture.
+    fn in_picture(&self, point_world: DVec3) -> Option<DVec2> {
+        let view = &self.view;
         let lens = view.camera.lens();
         let at = view.project(point_world)?;
         let is_between = (lens.near..lens.far).contains(&at.depth);
@@ -118,7 +118,7 @@ impl State {
 
     /// Its triangle, on the ray at the point or next to it.
     fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
-        let at = self.in_picture(&self.view, point_world)?;
+        let at = self.in_picture(point_world)?;
         let object = &self.scene.objects()[sought.object];
         let Shape::Mesh { mesh, .. } = &object.shape else {
             return None;

@@ -36,7 +36,7 @@ pub(super) fn show(
     let mut is_slid = slider.changed();
     if slider.dragged() && is_fine {
         slid = (depth * (FINE * f64::from(by)).exp()).clamp(least, most);
-        is_slid = slid != depth;
+        is_slid = by != 0.0;
     }
     named(&slider, name);
     let slider = slider.hint(format!(
