@@ -10,7 +10,7 @@ use sightline::{
 /// L by columns, and the area to twice the digits of `f64`: by Legendre's integrals of singular values, all in 60 digits
 /// (mpmath).
 #[rustfmt::skip]
-#[expect(clippy::unreadable_literal, reason = "as they were printed")]
+#[expect(clippy::unreadable_literal, clippy::approx_constant, reason = "as they were printed")]
 const TRUTH: [([f64; 9], [f64; 2]); 15] = [
 ([1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0], [3.141592653589793, 1.2246467991473532e-16]),
 ([0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1], [0.031415926535897934, 1.9369577355930938e-18]),

@@ -123,7 +123,7 @@ impl Side {
         // Depth is no linear function of the picture.
         let share = in_picture * of_a / (of_b + in_picture * (of_a - of_b));
         let share = first + share * (last - first);
-        let is_cut = (in_picture == 0.0 && first > 0.0) || (in_picture == 1.0 && last < 1.0);
+        let is_cut = (in_picture <= 0.0 && first > 0.0) || (in_picture >= 1.0 && last < 1.0);
         share.is_finite().then_some((share, is_cut))
     }
 

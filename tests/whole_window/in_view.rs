@@ -185,10 +185,11 @@ fn near_and_far_slide_finely_with_shift() {
         press_key(&mut window, NONE, Key::P);
         let planes = |window: &Offscreen| {
             let lens = window.state().view().camera.lens();
-            [lens.near, lens.far]
+            [lens.near, lens.far].map(f64::to_bits)
         };
         let before = planes(&window);
-        let wanted = 1.08 * before[plane];
+        let at_plane = |window: &Offscreen| f64::from_bits(planes(window)[plane]);
+        let wanted = 1.08 * at_plane(&window);
         let slider = control(&window, name).rect;
         let press = |at: Pos2, pressed: bool| Event::PointerButton {
             pos: at,
@@ -201,14 +202,14 @@ fn near_and_far_slide_finely_with_shift() {
         window.send([Event::PointerMoved(at), shift, press(at, true)]);
         assert_eq!(planes(&window), before, "{name}: a press moves nothing");
         let mut steps = 0;
-        while planes(&window)[plane] < wanted && steps < 100 {
+        while at_plane(&window) < wanted && steps < 100 {
             at.x += 1.0;
             steps += 1;
             window.send([Event::PointerMoved(at)]);
         }
         let none = Event::ModifiersChanged(NONE);
         window.send([press(at, false), none]);
-        let is = planes(&window)[plane];
+        let is = at_plane(&window);
         assert!(
             (is / wanted - 1.0).abs() < 0.01,
             "{name}: {is}, not {wanted}"

@@ -119,20 +119,22 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert!(window.state().measuring().is_on);
 }
 
+/// All that is clicked in the panel, its list left out.
+const NAMES: [&str; 8] = [
+    "snap clicks",
+    "distance",
+    "edge length",
+    "face area",
+    "object area",
+    "copy list",
+    "list as JSON",
+    "clear list",
+];
+
 /// Nothing that is clicked moves as points come and go, and what cannot be used says what is to be done first.
 #[test]
 fn the_panel_stays_as_it_is_laid_out() {
     let (mut window, _folder) = wall();
-    const NAMES: [&str; 8] = [
-        "snap clicks",
-        "distance",
-        "edge length",
-        "face area",
-        "object area",
-        "copy list",
-        "list as JSON",
-        "clear list",
-    ];
     let places = |window: &Offscreen| NAMES.map(|name| control(window, name).rect);
     let said = |window: &Offscreen, name: &str, words: &str| {
         let control = control(window, name);

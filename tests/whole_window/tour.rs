@@ -246,10 +246,10 @@ fn the_step_lies_over_no_view_and_follows_the_window() {
                     "{size:?}"
                 );
             }
-            let lowest = panes.iter().map(|pane| pane.bottom()).fold(0.0, f32::max);
+            let lowest = panes.iter().map(egui::Rect::bottom).fold(0.0, f32::max);
             let highest = step
                 .iter()
-                .map(|part| part.top())
+                .map(egui::Rect::top)
                 .fold(f32::INFINITY, f32::min);
             assert!(highest >= lowest, "{size:?}: below all that stands above");
             assert!(panes.iter().all(|pane| pane.height() > 70.0), "{panes:?}");

@@ -23,7 +23,7 @@ use crate::{
         PlacedPoint,
         dyadic::{self, Dyadic, DyadicVector},
     },
-    scene::{Scene, obj::FaceInFile},
+    scene::{FaceInFile, Scene},
 };
 use facets::{Facet, facets};
 use glam::DVec2;

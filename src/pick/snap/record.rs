@@ -11,10 +11,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::{Cuboid, PlacedPoint, Placement, Square},
-    scene::{
-        Object, Scene, Shape,
-        obj::{FaceInFile, VertexInFile},
-    },
+    scene::{FaceInFile, Object, Scene, Shape, VertexInFile},
 };
 use glam::{DVec2, DVec3};
 use serde::Serialize;

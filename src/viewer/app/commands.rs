@@ -112,29 +112,27 @@ impl App {
 
     /// Gives up the first of what can be given up.
     fn escape(&mut self) {
-        match () {
-            () if self.question.is_some() => self.reply(Reply::Stay),
-            () if self.state.points_wanted().is_some() => {
-                self.act(Action::SectionByPoints(false));
-            }
-            () if self.state.measuring().is_on => {
-                self.act(Action::Measure(MeasureAction::Toggle));
-            }
-            () if self.stop_arriving() => {}
-            () if self.floating.help => self.floating.help = false,
-            () if self.state.method().is_some() => self.act(Action::PickBy(None)),
-            () if matches!(self.checking, Checking::On(..)) => {
-                self.checking = Checking::Off;
-            }
-            Command::Escape
-                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
-            {
-                self.toggle_views();
-            }
-            () if self.state.selection().is_none() && self.state.has_outside() => {
-                self.act(Action::LeaveGallery);
-            }
-            () => self.act(Action::Select(None)),
+        let selects_none = self.state.selection().is_none();
+        if self.question.is_some() {
+            self.reply(Reply::Stay);
+        } else if self.state.points_wanted().is_some() {
+            self.act(Action::SectionByPoints(false));
+        } else if self.state.measuring().is_on {
+            self.act(Action::Measure(MeasureAction::Toggle));
+        } else if self.stop_arriving() {
+            // What was on its way is given up.
+        } else if self.floating.help {
+            self.floating.help = false;
+        } else if self.state.method().is_some() {
+            self.act(Action::PickBy(None));
+        } else if matches!(self.checking, Checking::On(..)) {
+            self.checking = Checking::Off;
+        } else if selects_none && !self.state.stages().is_empty() {
+            self.toggle_views();
+        } else if selects_none && self.state.has_outside() {
+            self.act(Action::LeaveGallery);
+        } else {
+            self.act(Action::Select(None));
         }
     }
 

@@ -1,0 +1,83 @@
+//! Pictures as PNG files, 8 and 16 bit.
+
+use super::{Id, Image, Rgb};
+use crate::{camera::Viewport, replace::replace};
+use std::path::Path;
+
+/// Why a PNG was not written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ImageError {
+    /// The file system said no.
+    #[error("cannot write {path}: {source}")]
+    Write {
+        /// Which file.
+        path: String,
+        /// What it said.
+        source: std::io::Error,
+    },
+    /// An id picture has 16 bits a pixel.
+    #[error("{0} objects do not fit into a 16-bit id picture (at most 65535)")]
+    TooManyObjects(u32),
+}
+
+impl Image<Rgb> {
+    /// Writes an 8-bit sRGB PNG, whole or not at all.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        write(
+            path,
+            self.size,
+            png::ColorType::Rgb,
+            png::BitDepth::Eight,
+            self.pixels.as_flattened(),
+        )
+    }
+}
+
+impl Image<Id> {
+    /// Writes the object ids as a 16-bit grey PNG: 0 where there is nothing, n for object n.
+    ///
+    /// # Errors
+    /// When the file cannot be written or an id does not fit.
+    pub fn write_png(&self, path: &Path) -> Result<(), ImageError> {
+        let mut bytes = Vec::with_capacity(self.pixels.len() * 2);
+        for id in &self.pixels {
+            let id = u16::try_from(id.object).map_err(|_| ImageError::TooManyObjects(id.object))?;
+            bytes.extend(id.to_be_bytes());
+        }
+        write(
+            path,
+            self.size,
+            png::ColorType::Grayscale,
+            png::BitDepth::Sixteen,
+            &bytes,
+        )
+    }
+}
+
+fn write(
+    path: &Path,
+    size: Viewport,
+    colour: png::ColorType,
+    depth: png::BitDepth,
+    bytes: &[u8],
+) -> Result<(), ImageError> {
+    let written = replace(path, |out| {
+        let mut encoder = png::Encoder::new(out, size.width(), size.height());
+        encoder.set_color(colour);
+        encoder.set_depth(depth);
+        if colour == png::ColorType::Rgb {
+            encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        }
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(bytes)?;
+        Ok(writer.finish()?)
+    });
+    written.map_err(|source| ImageError::Write {
+        path: path.display().to_string(),
+        source,
+    })
+}
