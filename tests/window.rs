@@ -262,6 +262,43 @@ fn clicks_print_what_pick_prints_at_scale_2() {
     clicks_print_what_pick_prints("2");
 }
 
+/// All that the file says of a face is printed, in the order of the clicks, however quickly they follow each other.
+#[test]
+fn picks_of_a_file_s_faces_are_printed_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wall.obj");
+    let quads = (0..40).map(|i| {
+        let x = i - 20;
+        let right = x + 1;
+        format!("v {x} -9 0\nv {right} -9 0\nv {right} 9 0\nv {x} 9 0\nf -4 -3 -2 -1\n")
+    });
+    std::fs::write(&path, quads.collect::<String>()).expect("written");
+    let screen = Screen::new(1280, 720);
+    let arguments = [
+        &*path.display().to_string(),
+        "--eye",
+        "0,0,10",
+        "--target",
+        "0,0,0",
+    ];
+    let viewer = Viewer::open(&screen, "1", folder.path(), &arguments);
+    let places = [[500, 300], [560, 380], [640, 350], [700, 420]];
+    for [x, y] in places {
+        screen.xdotool(&format!("mousemove {x} {y} click 1"));
+    }
+    let mut lines = Vec::new();
+    for _ in places {
+        let (printed, command) = viewer.picked();
+        assert_eq!(printed, shell(&command), "{command}");
+        let value: serde_json::Value = serde_json::from_str(&printed).expect("JSON");
+        lines.push(value["hit"]["line"].as_u64().expect("a line of the file"));
+    }
+    assert!(
+        lines.is_sorted() && lines.first() < lines.last(),
+        "{lines:?}"
+    );
+}
+
 /// The key V finds what `sightline verify` finds for the same view, as often as it is pressed.
 #[test]
 fn the_key_v_compares_what_is_on_screen() {

@@ -91,7 +91,7 @@ The lines of --snap R, one for each --at, with px:
                    of the face in the file; length, of the edge; area, of the
                    face that it is on
   distance         from the position before
-  object_area      of the object; null of a sphere
+  object_area      of the object
   Each measure is value and error: how far value is from the exact one at most,
   for coordinates as the file writes them. The nearest visible vertex is taken,
   else the nearest visible point of an edge, else the pick; edges that only

@@ -146,7 +146,7 @@ pub(super) fn run(args: &PickArgs) -> Result<(), CliError> {
 struct Measures {
     from: Option<ExactPoint>,
     /// By object.
-    areas: HashMap<usize, Option<Measured>>,
+    areas: HashMap<usize, Measured>,
 }
 
 impl Measures {
@@ -162,7 +162,7 @@ impl Measures {
         SnapLine {
             px,
             distance: ends.map(|(from, to)| from.distance(to)),
-            object_area: snap.as_ref().and_then(area_of),
+            object_area: snap.as_ref().map(area_of),
             snap,
         }
     }

@@ -60,6 +60,8 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     }
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
+    // They were told.
+    loaded.warnings.clear();
     if let Some(views) = args.views.filter(|views| *views != Views::Picture) {
         let options = viewer::Options {
             paths: args.scene.scenes.clone(),
@@ -69,7 +71,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
             views,
             ..viewer::Options::default()
         };
-        let picture = viewer::picture_of_views(options, args.view.size(), args.pick)?;
+        let picture = viewer::picture_of_views(loaded, options, args.view.size(), args.pick)?;
         return Ok(picture.write_png(&args.output)?);
     }
     let scene = &loaded.scene;

@@ -2,7 +2,7 @@
 
 use super::{CliError, SceneArgs, ViewArgs, load, terminal::start_log, value};
 use crate::{
-    camera::View,
+    camera::{SectionChoice, View},
     study::{self, Effort, SceneRays},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -42,9 +42,10 @@ const BUDGET_RAYS: usize = 2000;
 
 /// Runs the study and prints its table.
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
-    if args.view.section.is_some() {
+    if !matches!(args.view.section, None | Some(SectionChoice::Uncut)) {
         return Err(CliError::Usage(
-            "--section: the methods that are studied know no section".to_owned(),
+            "--section: a study holds methods of others, which know no section; --section none leaves a scene file's out"
+                .to_owned(),
         ));
     }
     if let Some(px) = args.budget {

@@ -42,6 +42,15 @@ impl PlacedPoint {
         }
     }
 
+    /// The same point of the shape, where another placement puts it.
+    #[must_use]
+    pub fn placed_by(&self, placement: &Placement) -> Self {
+        Self {
+            model: placement.model(),
+            ..*self
+        }
+    }
+
     /// Where it is in the world, each coordinate rounded once.
     #[must_use]
     pub fn world(&self) -> DVec3 {

@@ -51,8 +51,8 @@ impl Section {
         Self::new(normal, -normal.dot(point))
     }
 
-    /// Through three points; it keeps the side from which they are counter-clockwise. n is a unit vector, rounded; so is c,
-    /// upwards, so that all three points are kept as far as `f64` tells.
+    /// Through three points; it keeps the side from which they are counter-clockwise. Whether they span a plane is decided
+    /// exactly. n is a unit vector, rounded; so is c, upwards, so that all three points are kept as far as `f64` tells.
     ///
     /// # Errors
     /// When a number is not finite, or the points lie on one line.
@@ -60,22 +60,27 @@ impl Section {
         if !points.iter().all(|point| point.is_finite()) {
             return Err(SectionError::NotFinite);
         }
-        let [a, b, c] = points;
-        let unit = |v: DVec3| v / v.abs().max_element();
-        let normal = unit(b - a).cross(unit(c - a));
-        // Less is what the differences were rounded by.
-        let size = points.iter().map(|p| p.abs().max_element());
-        let size = size.fold(0.0, f64::max);
-        let lost = |v: DVec3| 4.0 * U * size / v.abs().max_element();
-        if !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a)) {
-            return Err(SectionError::OneLine);
-        }
+        let normal = exact::normal_of(points).ok_or(SectionError::OneLine)?;
         let normal = normal.normalize() + DVec3::ZERO;
         let offsets = points.map(|point| -normal.dot(point));
         Self::new(
             normal,
             offsets.into_iter().fold(f64::NEG_INFINITY, f64::max),
         )
+    }
+
+    /// Whether three finite points span no plane but by what rounding makes of them, as it may of points that were picked: each
+    /// coordinate is off by a few units in the last place of the largest.
+    #[must_use]
+    pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
+        let [a, b, c] = points;
+        let unit = |v: DVec3| v / v.abs().max_element();
+        let normal = unit(b - a).cross(unit(c - a));
+        let size = points.iter().map(|p| p.abs().max_element());
+        let size = size.fold(0.0, f64::max);
+        let lost = |v: DVec3| 4.0 * U * size / v.abs().max_element();
+        // NaN, of two points in one place, is on one line.
+        !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a))
     }
 
     /// The same with c raised until it keeps points of an object, each about an origin in object space. The first step is

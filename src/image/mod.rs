@@ -69,6 +69,17 @@ impl<T: Copy> Image<T> {
         self.pixels[y as usize * self.size.width() as usize + x as usize]
     }
 
+    /// A part of it, of a size that fits: its first pixel is at `origin`.
+    ///
+    /// # Panics
+    /// When that lies outside.
+    #[must_use]
+    pub fn part(&self, origin: [u32; 2], size: Viewport) -> Self {
+        let [left, top] = origin;
+        let row = |y: u32| (0..size.width()).map(move |x| self.at(left + x, top + y));
+        Self::new(size, (0..size.height()).flat_map(row).collect())
+    }
+
     /// Column and row of each pixel, in the order of [`Image::pixels`].
     pub fn positions(&self) -> impl Iterator<Item = (u32, u32)> + use<T> {
         let size = self.size;

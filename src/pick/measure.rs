@@ -33,7 +33,8 @@ pub struct Measured {
 }
 
 impl Measured {
-    fn of(exact: &Dyadic, error: f64) -> Self {
+    /// A number that is off by no more than `error` before it is rounded.
+    pub(super) fn of(exact: &Dyadic, error: f64) -> Self {
         let value = dyadic::rounded(&exact.integer, exact.exponent);
         let error = MORE * (ROUNDING * value.abs() + error);
         Self { value, error }

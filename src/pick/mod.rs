@@ -58,6 +58,7 @@ mod around;
 mod beam;
 mod differs;
 mod edge;
+mod ellipsoid;
 pub mod measure;
 mod nearest;
 mod one_place;

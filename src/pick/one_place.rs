@@ -33,7 +33,8 @@ pub struct NamedSurface {
 
 impl NamedSurface {
     /// What was hit.
-    pub(super) fn of(scene: &Scene, hit: &SceneHit) -> Self {
+    #[must_use]
+    pub fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
             object: scene.objects()[hit.object].name.clone(),
             id: hit.object + 1,

@@ -55,6 +55,9 @@ pub struct Whereabouts {
     pub triangle: u32,
     /// The vertex, or a point inside of the face, in the world.
     pub point_world: DVec3,
+    /// The same with nothing rounded.
+    #[serde(skip)]
+    pub point: PlacedPoint,
     /// Where that is, in pixels; `None` at or behind the eye in perspective.
     pub px: Option<DVec2>,
     /// Whether that is in the picture.
@@ -134,6 +137,7 @@ impl Whereabouts {
             id: index + 1,
             triangle: triangle - object.shape.first_triangle(),
             point_world,
+            point: *point,
             px,
             in_picture,
             seen: in_picture && matches!(sight, Sight::Seen(_)),

@@ -19,6 +19,7 @@ mod common;
 mod compare;
 #[path = "../common/sections.rs"]
 mod cuts;
+mod ellipsoid;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod families;

@@ -11,7 +11,7 @@ use crate::common::Random;
 use glam::{DVec2, DVec3};
 use sightline::{
     camera::View,
-    geometry::{Cuboid, Placement, Square},
+    geometry::{Cuboid, Placement, Section, Square},
     pick::snap::{Snap, SnapTo},
     scene::{Scene, Shape},
 };
@@ -22,6 +22,8 @@ const RADIUS_PX: f64 = 8.0;
 const POSITIONS: usize = 150;
 /// Rounding of `f64` in the picture, pixels; nearer to the radius nothing is said.
 const SLACK_PX: f64 = 1e-6;
+/// An end that a plane makes of a side is looked for so far within what it leaves, in shares: `f64` cannot say where it is.
+const INWARDS: f64 = 1e-11;
 
 /// A side of a face: its ends about an origin, on an object.
 struct Side {
@@ -78,30 +80,51 @@ impl Side {
         Some(at.px.distance(px))
     }
 
-    /// The share that is shown nearest to a position, of what lies behind half of near.
-    fn nearest(&self, view: &View, px: DVec2) -> Option<f64> {
-        let limit = 0.5 * view.camera.lens().near;
+    /// The share that is shown nearest to a position, of what near, far and the section leave, and whether it is an end that
+    /// one of them has made.
+    fn nearest(&self, view: &View, px: DVec2) -> Option<(f64, bool)> {
+        let lens = view.camera.lens();
         let depth = |share: f64| view.camera.to_view(self.world(share)).z;
-        let (from, to) = (depth(0.0), depth(1.0));
-        let cut = (limit - from) / (to - from);
-        let [first, last] = match (from < limit, to < limit) {
-            (true, true) => return None,
-            (true, false) => [cut, 1.0],
-            (false, true) => [0.0, cut],
-            (false, false) => [0.0, 1.0],
+        let [mut first, mut last] = [0.0_f64, 1.0];
+        let mut leaves = |side: &dyn Fn(f64) -> f64| {
+            let (from, to) = (side(0.0), side(1.0));
+            let cut = from / (from - to);
+            match (from < 0.0, to < 0.0) {
+                (true, true) => return false,
+                (true, false) => first = first.max(cut + INWARDS),
+                (false, true) => last = last.min(cut - INWARDS),
+                (false, false) => {}
+            }
+            true
         };
+        let by_section = |share: f64| {
+            let section = view.section;
+            section.map_or(1.0, |section| section.side(self.world(share)))
+        };
+        let is_left = leaves(&|share| depth(share) - lens.near)
+            && leaves(&|share| lens.far - depth(share))
+            && leaves(&by_section);
+        if !is_left || first > last {
+            return None;
+        }
         let [a, b] = [
             view.project(self.world(first))?,
             view.project(self.world(last))?,
         ];
         let along = b.px - a.px;
         let in_picture = ((px - a.px).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        let orthographic = view.camera.lens().is_orthographic();
-        let [of_a, of_b] = [a, b].map(|end| if orthographic { 1.0 } else { end.depth });
+        let [of_a, of_b] = [a, b].map(|end| {
+            if lens.is_orthographic() {
+                1.0
+            } else {
+                end.depth
+            }
+        });
         // Depth is no linear function of the picture.
         let share = in_picture * of_a / (of_b + in_picture * (of_a - of_b));
         let share = first + share * (last - first);
-        share.is_finite().then_some(share)
+        let is_cut = (in_picture <= 0.0 && first > 0.0) || (in_picture >= 1.0 && last < 1.0);
+        share.is_finite().then_some((share, is_cut))
     }
 
     fn is_seen(&self, world: &World, view: &View, share: f64) -> bool {
@@ -110,11 +133,17 @@ impl Side {
     }
 }
 
-fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
+/// How many positions are led to a vertex, an edge, a face; and to an end of an edge that a plane has made.
+fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 4] {
     let mut random = Random::new(seed);
-    let mut counts = [0; 3];
-    while counts.iter().sum::<usize>() < POSITIONS {
-        let Sample { scene, view, .. } = make(&mut random);
+    let mut counts = [0; 4];
+    while counts[..3].iter().sum::<usize>() < POSITIONS {
+        let Sample {
+            scene, mut view, ..
+        } = make(&mut random);
+        if cuts {
+            cut(&mut random, &scene, &mut view);
+        }
         let world = World::of(&scene);
         scene.build_trees();
         let sides = sides(&scene);
@@ -130,27 +159,27 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
                 continue;
             }
             let found = Snap::at(&scene, &view, px, RADIUS_PX, &mut |_, _| None);
-            let best = |share: &dyn Fn(&Side) -> Option<f64>| {
-                let mut near: Vec<(f64, &Side, f64)> = sides
+            let best = |share: &dyn Fn(&Side) -> Option<(f64, bool)>| {
+                let mut near: Vec<(f64, &Side, f64, bool)> = sides
                     .iter()
                     .filter_map(|side| {
-                        let share = share(side)?;
-                        Some((side.away(&view, px, share)?, side, share))
+                        let (share, is_cut) = share(side)?;
+                        Some((side.away(&view, px, share)?, side, share, is_cut))
                     })
                     .filter(|(away, ..)| *away <= RADIUS_PX + SLACK_PX)
                     .collect();
                 near.sort_by(|a, b| a.0.total_cmp(&b.0));
                 near.into_iter()
-                    .find(|(_, side, share)| side.is_seen(&world, &view, *share))
-                    .map(|(away, ..)| away)
+                    .find(|(_, side, share, _)| side.is_seen(&world, &view, *share))
+                    .map(|(away, .., is_cut)| (away, is_cut))
             };
-            let vertex = best(&|_| Some(0.0));
+            let vertex = best(&|_| Some((0.0, false)));
             let edge = best(&|side| side.nearest(&view, px));
             // What lies at the very radius may be on either side of it.
             if [vertex, edge]
                 .iter()
                 .flatten()
-                .any(|away| *away > RADIUS_PX - SLACK_PX)
+                .any(|(away, _)| *away > RADIUS_PX - SLACK_PX)
             {
                 continue;
             }
@@ -158,8 +187,8 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
                 .as_ref()
                 .map_or((SnapTo::Face, 0.0), |snap| (snap.to, snap.away_px));
             let expected = match (vertex, edge) {
-                (Some(away), _) => (SnapTo::Vertex, away),
-                (None, Some(away)) => (SnapTo::Edge, away),
+                (Some((away, _)), _) => (SnapTo::Vertex, away),
+                (None, Some((away, _))) => (SnapTo::Edge, away),
                 (None, None) => (SnapTo::Face, 0.0),
             };
             let is_right = to == expected.0 && (away - expected.1).abs() <= SLACK_PX;
@@ -172,14 +201,44 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
                 assert!((shown.distance(px) - away).abs() <= SLACK_PX);
             }
             counts[to as usize] += 1;
+            let is_cut = to == SnapTo::Edge && edge.is_some_and(|(_, is_cut)| is_cut);
+            counts[3] += usize::from(is_cut);
         }
     }
     counts
 }
 
+/// Through what there is: by a section, by near or by far.
+fn cut(random: &mut Random, scene: &Scene, view: &mut View) {
+    let bounds = scene.visible_bounds();
+    let middle = bounds.center() + 0.4 * bounds.radius() * random.direction();
+    let depth = view.camera.to_view(middle).z;
+    let mut lens = *view.camera.lens();
+    match random.below(3) {
+        0 => view.section = Section::through(middle, random.direction()).ok(),
+        1 if depth > lens.near && depth < lens.far => lens.near = depth,
+        2 if depth > lens.near && depth < lens.far => lens.far = depth,
+        _ => {}
+    }
+    view.camera = view.camera.with_lens(lens).expect("a lens");
+}
+
+/// Also where a plane leaves a part of an edge: of that the end counts.
+#[test]
+fn positions_are_led_to_what_planes_leave_of_edges() {
+    let mut ends = 0;
+    let families: [fn(&mut Random) -> Sample; 2] = [families::ordinary, lattice::exact_borders];
+    for (seed, make) in (300..).zip(families) {
+        let counts = run(seed, make, true);
+        println!("vertices, edges, faces, of edges ends: {counts:?}");
+        ends += counts[3];
+    }
+    assert!(ends > 10, "{ends}");
+}
+
 #[test]
 fn positions_are_led_to_what_is_seen_nearest() {
-    let mut all = [0; 3];
+    let mut all = [0; 4];
     let families: [fn(&mut Random) -> Sample; 4] = [
         families::ordinary,
         families::culled,
@@ -187,9 +246,9 @@ fn positions_are_led_to_what_is_seen_nearest() {
         ties::ties,
     ];
     for (seed, make) in (200..).zip(families) {
-        let counts = run(seed, make);
+        let counts = run(seed, make, false);
         println!("vertices, edges, faces: {counts:?}");
         all = std::array::from_fn(|i| all[i] + counts[i]);
     }
-    assert!(all.iter().all(|&count| count > 40), "{all:?}");
+    assert!(all[..3].iter().all(|&count| count > 40), "{all:?}");
 }

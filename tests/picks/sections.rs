@@ -3,7 +3,7 @@
 use crate::common::{Random, mesh, orthographic, perspective, placements, view};
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{
-    camera::View,
+    camera::{SectionChoice, View},
     geometry::{Cuboid, Placement, Section, Sides, Square},
     pick::{self, Pick},
     scene::{Object, Scene, Shape},
@@ -246,5 +246,32 @@ fn a_solid_that_is_opened_shows_its_back() {
         assert_eq!(fronts.first().copied(), front);
         let picture = pick::ids(&scene, &view).at(32, 32).object;
         assert_eq!(picture, u32::from(front.is_some()));
+    }
+}
+
+/// Whether three points span a plane is decided exactly, however little they miss a line.
+#[test]
+fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
+    let of = |text: &str| text.parse::<SectionChoice>();
+    for (points, normal) in [
+        ("points:0,0,0/1,0,0/2,1e-300,0", DVec3::Z),
+        ("points:0,0,0/1e-300,0,0/0,1e-300,0", DVec3::Z),
+        ("points:0,0,0/5e-324,0,0/0,0,5e-324", DVec3::NEG_Y),
+        ("points:1e9,0,0/1e9,1,0/1e9,3,5e-324", DVec3::X),
+        ("points:-1e300,0,0/1e300,0,0/0,1,0", DVec3::Z),
+    ] {
+        let Ok(SectionChoice::Plane(section)) = of(points) else {
+            panic!("{points}: {:?}", of(points));
+        };
+        assert!((section.normal() - normal).length() < 1e-15, "{points}");
+    }
+    for points in [
+        "points:0,0,0/1,1,1/2,2,2",
+        "points:0.1,0.1,0.1/0.2,0.2,0.2/0.7,0.7,0.7",
+        "points:1e-300,0,0/3e-300,0,0/1e-300,0,0",
+        "points:5,6,7/5,6,7/8,9,1",
+    ] {
+        let error = of(points).expect_err(points).to_string();
+        assert!(error.contains("one line"), "{points}: {error}");
     }
 }

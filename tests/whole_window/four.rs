@@ -306,3 +306,80 @@ fn a_row_under_the_cursor_lights_what_it_does() {
     assert_eq!(differing(&away(&mut window), &dark, Rect::EVERYTHING), 0);
     assert_eq!(window.state().row(), None);
 }
+
+#[test]
+fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
+    let (mut window, _folder) = row(1.0);
+    for at in [MIDDLE, MIDDLE + vec2(20.0, 10.0)] {
+        click(&mut window, at);
+        window.wait_s(1.0);
+    }
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    let kept = |window: &Offscreen| {
+        let state = window.state();
+        let landmarks = state.landmarks().to_vec();
+        let hits = state.hits().map(|hits| (hits.px, hits.at));
+        (
+            state.selection().cloned(),
+            hits,
+            state.followed(),
+            landmarks,
+        )
+    };
+    let before = kept(&window);
+    assert!(before.0.as_ref().is_some_and(|is| is.pick.is_some()) && before.3.len() == 2);
+    for (i, stage) in [Stage::Object, Stage::World, Stage::View, Stage::Ndc]
+        .into_iter()
+        .enumerate()
+    {
+        let nothing = rects(&window)[i].right_bottom() - vec2(8.0, 8.0);
+        window.send([Event::PointerMoved(nothing)]);
+        assert_eq!(window.state().cursor(), None, "there is nothing");
+        double_click(&mut window, nothing);
+        assert_eq!(window.state().views(), Views::One(stage));
+        assert_eq!(kept(&window), before, "{stage:?}");
+        let large = control(&window, &format!("stage {}", NAMES[i])).rect;
+        double_click(&mut window, large.right_bottom() - vec2(8.0, 8.0));
+        assert_eq!(window.state().views(), Views::Four);
+        assert_eq!(kept(&window), before, "{stage:?}");
+    }
+    // A single one selects nothing, as ever.
+    window.wait_s(1.0);
+    let nothing = rects(&window)[1].right_bottom() - vec2(8.0, 8.0);
+    click(&mut window, nothing);
+    assert_eq!(window.state().selection(), None);
+}
+
+/// What Shift+F12 writes is what the window shows in the picture's place: the views with all that is written on them.
+#[test]
+fn the_views_are_saved_alone_with_their_labels() {
+    let (mut window, folder) = four();
+    window.save_screenshots_in(folder.path().to_owned());
+    window.send([Event::PointerGone]);
+    let shown = window.picture().expect("a picture");
+    let [object, .., ndc] = rects(&window);
+    let place = object.union(ndc);
+    for number in 1..=2 {
+        press_key(&mut window, Modifiers::SHIFT, Key::F12);
+        window.picture().expect("a picture");
+        let saved = folder.path().join(format!("sightline-{number}.png"));
+        let saved = super::images::read(&saved);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "within the window"
+        )]
+        let [left, top, width, height] =
+            [place.left(), place.top(), place.width(), place.height()].map(|at| at as u32);
+        assert_eq!(
+            [saved.size().width(), saved.size().height()],
+            [width, height]
+        );
+        // The message about the picture before lies over the window, and not over the next picture.
+        let part = shown.part([left, top], saved.size());
+        let differ = (saved.pixels().iter().zip(part.pixels()))
+            .filter(|(a, b)| a != b)
+            .count();
+        assert_eq!(differ, 0, "picture {number}");
+    }
+}

@@ -176,3 +176,46 @@ fn eye_z(window: &Offscreen) -> u64 {
     let DVec3 { z, .. } = window.state().view().camera.eye();
     z.to_bits()
 }
+
+/// With Shift a point of the cursor's way is half a percent: whoever wants near to be 9 has it within one.
+#[test]
+fn near_and_far_slide_finely_with_shift() {
+    for (name, plane) in [("near, slid", 0), ("far, slid", 1), ("P's near", 0)] {
+        let (mut window, _folder) = row(1.0);
+        press_key(&mut window, NONE, Key::P);
+        let planes = |window: &Offscreen| {
+            let lens = window.state().view().camera.lens();
+            [lens.near, lens.far].map(f64::to_bits)
+        };
+        let before = planes(&window);
+        let at_plane = |window: &Offscreen| f64::from_bits(planes(window)[plane]);
+        let wanted = 1.08 * at_plane(&window);
+        let slider = control(&window, name).rect;
+        let press = |at: Pos2, pressed: bool| Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::SHIFT,
+        };
+        let mut at = slider.center();
+        let shift = Event::ModifiersChanged(Modifiers::SHIFT);
+        window.send([Event::PointerMoved(at), shift, press(at, true)]);
+        assert_eq!(planes(&window), before, "{name}: a press moves nothing");
+        let mut steps = 0;
+        while at_plane(&window) < wanted && steps < 100 {
+            at.x += 1.0;
+            steps += 1;
+            window.send([Event::PointerMoved(at)]);
+        }
+        let none = Event::ModifiersChanged(NONE);
+        window.send([press(at, false), none]);
+        let is = at_plane(&window);
+        assert!(
+            (is / wanted - 1.0).abs() < 0.01,
+            "{name}: {is}, not {wanted}"
+        );
+        assert!((10..30).contains(&steps), "{name}: {steps}");
+        press_key(&mut window, CTRL, Key::Z);
+        assert_eq!(planes(&window), before, "{name}: one step");
+    }
+}

@@ -118,3 +118,48 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert_eq!(values(&window), [8.0]);
     assert!(window.state().measuring().is_on);
 }
+
+/// All that is clicked in the panel, its list left out.
+const NAMES: [&str; 8] = [
+    "snap clicks",
+    "distance",
+    "edge length",
+    "face area",
+    "object area",
+    "copy list",
+    "list as JSON",
+    "clear list",
+];
+
+/// Nothing that is clicked moves as points come and go, and what cannot be used says what is to be done first.
+#[test]
+fn the_panel_stays_as_it_is_laid_out() {
+    let (mut window, _folder) = wall();
+    let places = |window: &Offscreen| NAMES.map(|name| control(window, name).rect);
+    let said = |window: &Offscreen, name: &str, words: &str| {
+        let control = control(window, name);
+        assert!(!control.is_enabled, "{name}");
+        let told = format!("{control:?}");
+        assert!(told.contains(words), "{name}: {told}");
+    };
+    let first = places(&window);
+    for name in &NAMES[1..5] {
+        said(&window, name, "tick snap clicks first");
+    }
+    said(&window, "copy list", "nothing was measured yet");
+    click_on(&mut window, "snap clicks");
+    assert_eq!(places(&window), first);
+    said(&window, "distance", "click two points");
+    said(&window, "face area", "click what is to be measured");
+    click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
+    assert_eq!(places(&window), first);
+    said(&window, "distance", "click a second point");
+    said(&window, "edge length", "led to no edge");
+    assert!(is_enabled(&window, "face area") && is_enabled(&window, "object area"));
+    click_near(&mut window, [-2.0, -1.0, 0.0], [3.0, -4.0]);
+    assert_eq!(places(&window), first);
+    for name in ["distance", "object area"] {
+        click_on(&mut window, name);
+        assert_eq!(places(&window), first);
+    }
+}

@@ -28,8 +28,12 @@ file = \"walls.obj\"
 ";
 
 fn walls() -> (Offscreen, TempDir) {
+    file_of(WALLS)
+}
+
+fn file_of(text: &str) -> (Offscreen, TempDir) {
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("walls.obj"), WALLS).expect("a writable folder");
+    std::fs::write(folder.path().join("walls.obj"), text).expect("a writable folder");
     let path = folder.path().join("walls.toml");
     std::fs::write(&path, SCENE).expect("a writable folder");
     (open(vec![path], 1.0), folder)
@@ -76,13 +80,112 @@ fn a_file_that_is_gone_is_said_to_be() {
     assert!(!reads(&window, "1, a quad"));
 }
 
+fn go(window: &mut Offscreen, field: &str, number: &str) {
+    type_into(window, field, number);
+    press_key(window, Modifiers::NONE, Key::Enter);
+}
+
+/// A corner of the triangle lies behind the quad, another one above it.
+const BEHIND: &str = "\
+v -1 -1 2
+v 1 -1 2
+v 1 1 2
+v -1 1 2
+o Front
+f 1 2 3 4
+o Back
+v 0.6 0.5 0
+v 5 -1 0
+v 0.1 4 0
+f 5 6 7
+";
+
+/// White pixels of the square about where a point is shown.
+fn rim_of_mark(window: &mut Offscreen, point: glam::DVec3) -> usize {
+    window.send([Event::PointerMoved(MIDDLE)]);
+    let middle = window.state().cursor().expect("the picture's middle").px;
+    window.send([Event::PointerGone]);
+    let by = window.state().view().project(point).expect("in front").px - middle;
+    let picture = window.picture().expect("a picture");
+    let at = |x: f64, y: f64| {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "within the window"
+        )]
+        picture.at(
+            (f64::from(MIDDLE.x) + by.x + x).round() as u32,
+            (f64::from(MIDDLE.y) + by.y + y).round() as u32,
+        )
+    };
+    let along = (-9..=9).map(f64::from);
+    let is_white = |across: f64, along: f64| {
+        let near = [-1.0, 0.0, 1.0];
+        let lit = |rgb: [u8; 3]| rgb.iter().all(|value| *value > 235);
+        near.into_iter().any(|by| lit(at(across + by, along)))
+    };
+    along
+        .map(|along| usize::from(is_white(-9.0, along)) + usize::from(is_white(9.0, along)))
+        .sum()
+}
+
+#[test]
+fn what_is_gone_to_is_marked_seen_or_hidden() {
+    let (mut window, _folder) = file_of(BEHIND);
+    for key in [Key::G, Key::Y] {
+        press_key(&mut window, Modifiers::NONE, key);
+    }
+    click(&mut window, MIDDLE);
+    let (hidden, seen) = (glam::dvec3(0.6, 0.5, 0.0), glam::dvec3(0.1, 4.0, 0.0));
+    let [at_hidden, at_seen] = [hidden, seen].map(|at| rim_of_mark(&mut window, at));
+    assert_eq!([at_hidden, at_seen], [0, 0], "nothing is marked yet");
+    go(&mut window, "go to vertex", "5");
+    assert!(reads(&window, "v 5: 0.6 0.5 0, line 8: hidden by Front"));
+    assert_eq!(selected(&window), Some("Back"));
+    let hit = |window: &Offscreen| {
+        let selection = window.state().selection()?;
+        selection.pick.as_ref()?.hit.clone()
+    };
+    let picked = hit(&window).expect("a triangle that has it is picked");
+    assert!((picked.point_world - hidden).length() < 1e-3);
+    let dashed = rim_of_mark(&mut window, hidden);
+    // From behind it is seen: the mark says so, and the panel.
+    press_key(&mut window, CTRL, Key::Num1);
+    assert!(reads(&window, "v 5: 0.6 0.5 0, line 8: seen at"));
+    let whole = rim_of_mark(&mut window, hidden);
+    assert!(
+        (8..=28).contains(&dashed) && whole >= 34,
+        "{dashed} {whole}"
+    );
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    go(&mut window, "go to vertex", "7");
+    assert!(reads(&window, "v 7: 0.1 4 0, line 10: seen at"));
+    assert!(rim_of_mark(&mut window, seen) >= 34);
+    assert_eq!(rim_of_mark(&mut window, hidden), 0, "one at a time");
+    // In the four views its name stands beside it.
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert!(reads(&window, "v 7, seen"));
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    // What cannot be gone to leaves no mark; Esc and the next pick take it away.
+    go(&mut window, "go to vertex", "99");
+    assert_eq!(rim_of_mark(&mut window, seen), 0);
+    for away in [
+        (|window| press_key(window, Modifiers::NONE, Key::Escape)) as fn(&mut Offscreen),
+        |window| click(window, MIDDLE),
+        |window| click(window, pos2(300.0, 60.0)),
+    ] {
+        go(&mut window, "go to vertex", "7");
+        assert!(rim_of_mark(&mut window, seen) >= 34);
+        away(&mut window);
+        assert_eq!(rim_of_mark(&mut window, seen), 0);
+        assert!(!reads(&window, "seen at"));
+        window.wait_s(1.0);
+    }
+}
+
 #[test]
 fn what_has_a_number_can_be_gone_to() {
     let (mut window, _folder) = walls();
-    let go = |window: &mut Offscreen, field: &str, number: &str| {
-        type_into(window, field, number);
-        press_key(window, Modifiers::NONE, Key::Enter);
-    };
     let before = *window.state().view();
     go(&mut window, "go to face", "2");
     assert_eq!(selected(&window), Some("Back"));

@@ -10,6 +10,7 @@ use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use glam::DVec2;
 use sightline::{
     image::{Image, Rgb},
+    scene::{self, Progress},
     viewer::{Offscreen, Options, model::Views, picture_of_views},
 };
 use std::path::Path;
@@ -152,8 +153,30 @@ fn readme_shows_these_four_views() {
         ..Options::default()
     };
     let size = px([1600, 1000], 1.0);
-    let picture = picture_of_views(options, size, Some(DVec2::new(820.5, 540.5)));
+    let demo = scene::load(&[], &Progress::default()).expect("the demo");
+    let picture = picture_of_views(demo, options, size, Some(DVec2::new(820.5, 540.5)));
     let path = here("../../assets/four.png");
     let picture = picture.expect("a picture");
     compare(&picture, &path, picture.pixels().len() / 20);
+}
+
+/// They show what was loaded, whatever has become of its file: it is read once.
+#[test]
+fn the_views_are_of_what_was_loaded() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("row.toml");
+    std::fs::write(&path, super::ROW).expect("a writable folder");
+    let paths = vec![path.clone()];
+    let load = || scene::load(&paths, &Progress::default()).expect("a scene");
+    let options = Options {
+        paths: paths.clone(),
+        views: Views::Four,
+        ..Options::default()
+    };
+    let size = px([640, 400], 1.0);
+    let of = |loaded| picture_of_views(loaded, options.clone(), size, None).expect("a picture");
+    let loaded = load();
+    let before = of(load());
+    std::fs::remove_file(path).expect("a file");
+    assert_eq!(of(loaded).pixels(), before.pixels());
 }

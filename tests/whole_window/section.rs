@@ -188,3 +188,56 @@ fn it_is_saved_and_opened_again_and_no_gallery_scene_has_it() {
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(section(&window).is_some(), "back");
 }
+
+/// The first thing that Esc does.
+#[test]
+fn esc_ends_waiting_for_picks() {
+    let (mut window, _folder) = row(1.0);
+    click(&mut window, pos2(590.5, 385.5));
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    click_on(&mut window, "section by three points");
+    window.wait_s(1.0);
+    click(&mut window, pos2(560.5, 390.5));
+    assert_eq!(window.state().points_wanted(), Some(2));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(window.state().points_wanted(), None);
+    assert_eq!(selected(&window), Some("front"), "nothing else yet");
+    for at in [pos2(620.5, 390.5), pos2(590.5, 330.5), pos2(600.5, 350.5)] {
+        window.wait_s(1.0);
+        click(&mut window, at);
+    }
+    assert_eq!(section(&window), None);
+    click_on(&mut window, "Measure");
+    click_on(&mut window, "snap clicks");
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(!window.state().measuring().is_on);
+    assert_eq!(selected(&window), Some("front"));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(selected(&window), None);
+}
+
+/// From a scene file or a flag: the window shows the rest, and says so.
+#[test]
+fn one_that_names_no_face_is_said_in_the_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("cut.toml");
+    let text = ROW.replace("[camera]", "[camera]\nsection = \"face:9,0\"");
+    std::fs::write(&path, text).expect("a writable folder");
+    let window = open(vec![path], 1.0);
+    let says = |window: &Offscreen, words: &str| {
+        let said = window.messages().filter(|text| text.contains(words));
+        assert_eq!(said.count(), 1, "{words}");
+        assert_eq!(section(window), None);
+    };
+    says(&window, "the section is left out: ");
+    let path = folder.path().join("row.toml");
+    std::fs::write(&path, ROW).expect("a writable folder");
+    let mut options = Options {
+        paths: vec![path],
+        ..Options::default()
+    };
+    options.camera.section = Some("face:2,7".parse().expect("a section"));
+    let window = Offscreen::open(options, px(SIZE, 1.0), 1.0);
+    says(&window, "the section is left out: ");
+}

@@ -77,6 +77,12 @@ const DEEDS: [Deed; 22] = [
         set(window, "near", "0.001");
         click_on(window, "standard");
         click_object(window, "Tower");
+        assert!(!has_control(window, "step done"), "the numbers are folded");
+        // Far down: folded, the panel above makes room.
+        click_on(window, "Camera");
+        click_on(window, "Depth buffer");
+        window.wait_s(1.0);
+        click_on(window, "Camera");
     }),
     ("Set depth to reversed", |window| {
         click_on(window, "reversed");
@@ -205,6 +211,69 @@ fn each_step_can_be_done_and_is_noticed_only_then() {
         click_on(&mut window, next);
     }
     assert_eq!(task(&window), None, "the tour is over");
+}
+
+/// In the picture and in the four views, in large windows and small ones, and after these have got another size.
+#[test]
+fn the_step_lies_over_no_view_and_follows_the_window() {
+    let mut window = tour();
+    for size in [SIZE, [640, 400], [800, 600], [1600, 1000], SIZE] {
+        window.resize(px(size, 1.0));
+        let [width, height] = size.map(f64::from);
+        let picture = *window.state().view();
+        press_key(&mut window, NONE, Key::Num4);
+        let mut first = None;
+        for _ in 0..DEEDS.len() {
+            let words = task(&window).expect("a step");
+            let last = DEEDS
+                .last()
+                .is_some_and(|(last, _)| words.starts_with(last));
+            let go = ["skip", "next", if last { "finish" } else { "next" }];
+            let go = go.into_iter().find(|name| has_control(&window, name));
+            let go = go.expect("a way on");
+            let of_step = [words.as_str(), go, "back", "end the tour"];
+            let step = of_step.map(|name| control(&window, name).rect);
+            let panes = ["object", "world", "view", "NDC"];
+            let panes = panes.map(|name| control(&window, &format!("stage {name}")).rect);
+            for part in step {
+                assert!(
+                    panes.iter().all(|pane| !pane.intersects(part)),
+                    "{size:?}: {part:?} over {panes:?}"
+                );
+                let [right, bottom] = [part.right(), part.bottom()].map(f64::from);
+                assert!(
+                    right <= width && bottom <= height && part.top() > 0.0,
+                    "{size:?}"
+                );
+            }
+            let lowest = panes.iter().map(egui::Rect::bottom).fold(0.0, f32::max);
+            let highest = step
+                .iter()
+                .map(egui::Rect::top)
+                .fold(f32::INFINITY, f32::min);
+            assert!(highest >= lowest, "{size:?}: below all that stands above");
+            assert!(panes.iter().all(|pane| pane.height() > 70.0), "{panes:?}");
+            // From one step to the next nothing moves.
+            assert_eq!(*first.get_or_insert(panes), panes, "{size:?} {words}");
+            click_on(&mut window, go);
+            if task(&window).is_none() {
+                press_key(&mut window, NONE, Key::H);
+                click_on(&mut window, "Take the tour");
+                if has_control(&window, "Take the tour") {
+                    press_key(&mut window, NONE, Key::H);
+                }
+            }
+        }
+        press_key(&mut window, NONE, Key::Num4);
+        assert_eq!(window.state().view().viewport, picture.viewport);
+        let share = picture.viewport.size_px().element_product() / (width * height);
+        assert!(
+            share > 0.3,
+            "{size:?}: the picture has {share} of the window"
+        );
+    }
+    click_on(&mut window, "end the tour");
+    assert_eq!(task(&window), None);
 }
 
 #[test]

@@ -255,6 +255,54 @@ fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
     );
 }
 
+/// Of each object NDC has what the section leaves, up to the plane and no further.
+#[test]
+fn ndc_ends_at_the_section() {
+    let mut state = front_view();
+    let whole = projected(state.scene(), state.view());
+    let positions = |scene: &Scene, object: usize| {
+        let Shape::Mesh { mesh, part } = &scene.objects()[object].shape else {
+            panic!("a mesh");
+        };
+        let data = mesh.data();
+        let triangles = &data.triangles[data.parts[*part].triangles.start as usize..];
+        let count = data.parts[*part].triangles.len();
+        let corners = triangles[..count].iter().flatten();
+        let positions = corners.map(|place| data.positions[*place as usize]);
+        positions.collect::<Vec<_>>()
+    };
+    for normal in [DVec3::X, DVec3::new(0.3, -0.2, 0.1), DVec3::NEG_Y] {
+        let section = Section::through(DVec3::new(0.1, 0.05, 0.0), normal).expect("a section");
+        state.apply(Action::Section(Some(section)));
+        let view = *state.view();
+        let cut = projected(state.scene(), &view);
+        let lens = Lens {
+            depth: DepthMapping::Standard,
+            ..*view.camera.lens()
+        };
+        let (a, b) = lens.depth_row();
+        let side = |at: &[f32; 3]| {
+            let [x, y, z] = at.map(f64::from);
+            let px = DVec2::new(x + 1.0, 1.0 - y) * 0.5 * view.viewport.size_px();
+            section.side(view.uncut().ray(px).at(b / (-z - a)))
+        };
+        for object in 0..3 {
+            let (before, after) = (positions(&whole, object), positions(&cut, object));
+            // Of f32, and far from it.
+            let (rounding, off) = (1e-4, 1e-2);
+            assert!(after.iter().all(|at| side(at) > -rounding), "{object}");
+            let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
+            assert!(on_plane >= 4, "{object}: {on_plane}");
+            let (kept, gone): (Vec<_>, Vec<_>) = before.iter().partition(|at| side(at) > -rounding);
+            assert!(gone.len() > 4 && kept.len() > 4, "{object}");
+            let kept = kept.into_iter().filter(|at| side(at) > off);
+            for at in kept {
+                assert!(after.contains(&at), "{object}: {at:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn views_follow_edits_undo_and_another_scene() {
     let mut state = front_view();

@@ -2,7 +2,7 @@
 
 use super::{
     super::{Placement, Section, WorldRay, ray::Line},
-    Surface,
+    Surface, dyadic,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
     root::Root,
@@ -46,6 +46,17 @@ pub(in super::super) fn keeps_point(
     let offset = Number::new(section.offset());
     let at = point(Some(placement), point_object);
     normal.dot(&at).plus(&offset).sign().is_ge()
+}
+
+/// The normal of the plane through three finite points, of a size near 1 and with each component rounded once; `None` where they
+/// lie on one line.
+pub(in super::super) fn normal_of(points: [DVec3; 3]) -> Option<DVec3> {
+    let [a, b, c] = points.map(Vector::<BigInt>::new);
+    let normal = b.minus(&a).cross(&c.minus(&a));
+    let components = [0, 1, 2].map(|i| normal.component(i));
+    let unit = components.iter().filter_map(Number::magnitude).max()?;
+    let rounded = components.map(|n| dyadic::rounded(&n.integer, n.exponent - unit));
+    Some(rounded.into())
 }
 
 /// `n . p + c` where a ray starts, and by how much it grows for one unit of t; times the ray's weight, which is above 0.

@@ -24,6 +24,7 @@ pub(in crate::pick) struct Frame<I> {
     w: Weight<I>,
     depth: Row<I>,
     near: Number<I>,
+    far: Number<I>,
     section: Option<Row<I>>,
 }
 
@@ -93,6 +94,7 @@ impl<I: Decided> Frame<I> {
                 Weight::PerDepth(whole_height)
             },
             near: Number::new(view.camera.lens().near).times(&determinant),
+            far: Number::new(view.camera.lens().far).times(&determinant),
             depth: Row::through(&eye, per_depth),
             section: view.section.map(|section| Row {
                 normal: Vector::new(section.normal()),
@@ -127,8 +129,13 @@ impl<I: Decided> Frame<I> {
         point.depth.minus(&self.near)
     }
 
+    /// How far a point lies before the far plane, in units of its `depth`; 0 on the plane, which is not shown.
+    pub(in crate::pick) fn before_far(&self, point: &Shown<I>) -> Number<I> {
+        self.far.minus(&point.depth)
+    }
+
     /// How far the section keeps a point of world space; below 0 where it cuts it away, `None` where there is none.
-    pub(super) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
+    pub(in crate::pick) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
         let section = self.section.as_ref()?;
         Some(section.normal.dot(world).plus(&section.constant))
     }

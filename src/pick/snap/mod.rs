@@ -1,8 +1,9 @@
 //! What of a scene lies nearest to a position: a vertex, else an edge, else what is picked there.
 //!
 //! Within a radius in pixels, the nearest *visible* vertex is taken ([`sight`] decides, exactly). Where there is none, the
-//! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or its end. Its share
-//! of the edge is a quotient that is rounded once, so that the point lies on the stored edge exactly. Where there is none
+//! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or an end of what the
+//! near and far planes and the section leave of it. Its share of the edge is a quotient that is rounded once, so that the point
+//! lies on the stored edge exactly. Where there is none
 //! either, the pick. Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
 //! added do not count. Cubes and squares have corners and edges; spheres have none. Of two that are as near, to the last bit,
 //! that with the lesser depth is taken; then that on the first object, and on the first triangle.
@@ -18,7 +19,10 @@ use super::{
 };
 use crate::{
     camera::View,
-    geometry::{PlacedPoint, dyadic},
+    geometry::{
+        PlacedPoint,
+        dyadic::{self, Dyadic, DyadicVector},
+    },
     scene::{FaceInFile, Scene},
 };
 use facets::{Facet, facets};
@@ -135,7 +139,7 @@ impl Search<'_> {
                 }
                 _ => true,
             };
-            let share = is_near.then(|| self.foot(facet, corner)).flatten()?;
+            let share = is_near.then(|| self.nearest(facet, corner)).flatten()?;
             self.candidate(facet, corner, share)
         });
         self.first(candidates.collect(), |candidate| {
@@ -157,12 +161,12 @@ impl Search<'_> {
         })
     }
 
-    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or an end.
-    fn foot(&self, facet: &Facet, corner: usize) -> Option<f64> {
-        let [a, b] = [0.0, 1.0].map(|share| {
-            let point = facet.point(self.scene, corner, share);
-            self.frame.point(&dyadic::point_world(&point))
-        });
+    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or of an end of
+    /// what near, far and the section leave of it.
+    fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
+        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
+        let ends = [at(0.0), at(1.0)];
+        let [a, b] = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
         // As in `edge`: the line through both ends, and how far along it they are.
         let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
         let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
@@ -172,14 +176,57 @@ impl Search<'_> {
         if whole.sign().is_eq() {
             return None;
         }
-        let are_in_front = [&a, &b].iter().all(|end| end.w.sign().is_gt());
         let share = from.negated().ratio(&whole);
-        match (are_in_front, (0.0..=1.0).contains(&share)) {
-            (_, true) => Some(share),
-            (true, false) => Some(share.clamp(0.0, 1.0)),
-            // Of what lies on both sides of the eye only the foot is sure to be in the picture.
-            (false, false) => None,
+        let [first, last] = self.left(&ends, &[a, b])?;
+        if (first..=last).contains(&share) {
+            return Some(share);
         }
+        let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
+        Some(if away_px(first)? <= away_px(last)? {
+            first
+        } else {
+            last
+        })
+    }
+
+    /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.
+    fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
+        let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
+        let near = both(&|end| self.frame.behind_near(&shown[end]));
+        let far = both(&|end| self.frame.before_far(&shown[end]));
+        let section = [self.frame.kept(&ends[0]), self.frame.kept(&ends[1])];
+        let section = match section {
+            [Some(a), Some(b)] => Some([a, b]),
+            _ => None,
+        };
+        let mut left = [0.0_f64, 1.0];
+        // What lies on the far plane is not shown; on the others it is.
+        for ([a, b], with_zero) in [(near, true), (far, false)]
+            .into_iter()
+            .chain(section.map(|section| (section, true)))
+        {
+            let is_left = |side: &Dyadic| side.sign().is_gt() || (with_zero && side.is_zero());
+            let slope = b.minus(&a);
+            let is_left_at = |share: f64| is_left(&a.plus(&slope.times(&Dyadic::new(share))));
+            let mut cut = a.negated().ratio(&slope);
+            match (is_left(&a), is_left(&b)) {
+                (true, true) => {}
+                (false, false) => return None,
+                (true, false) => {
+                    while !is_left_at(cut) {
+                        cut = cut.next_down();
+                    }
+                    left[1] = left[1].min(cut);
+                }
+                (false, true) => {
+                    while !is_left_at(cut) {
+                        cut = cut.next_up();
+                    }
+                    left[0] = left[0].max(cut);
+                }
+            }
+        }
+        (left[0] <= left[1]).then_some(left)
     }
 
     /// A point of a side, where it is within reach.

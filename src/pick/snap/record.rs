@@ -3,6 +3,7 @@
 use super::{
     super::{
         Pick,
+        ellipsoid::sphere_area,
         measure::{ExactPoint, Measured, mesh_area, polygon_area},
     },
     Candidate, Faces, SnapTo, Snapped, side_of, snapped,
@@ -173,7 +174,8 @@ impl Snap {
                 let corners = Cuboid::face(pick.normal_object);
                 Some(area_of_corners(&object.placement, DVec3::ZERO, &corners))
             }
-            _ => object_area(object).filter(|_| pick.triangle.is_none()),
+            (None, Shape::Square | Shape::Sphere, _) => Some(object_area(object)),
+            (None, Shape::Mesh { .. }, None) => None,
         };
         // Three roundings of each coordinate, and what storing its face has moved.
         let rounding = 2.0 * f64::EPSILON * pick.point_world.length();
@@ -196,24 +198,23 @@ impl Snap {
     }
 }
 
-/// The area of an object in the world; `None` of a sphere, which under a matrix has none in closed form. A mesh's is that of what
-/// its file writes, with a bound on what storing that has moved.
+/// The area of an object in the world. A mesh's is that of what its file writes, with a bound on what storing that has moved.
 #[must_use]
-pub fn object_area(object: &Object) -> Option<Measured> {
+pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;
     match &object.shape {
-        Shape::Mesh { mesh, .. } => {
-            let triangles = object.shape.triangles()?;
-            Some(mesh_area(mesh, placement, triangles))
+        Shape::Mesh { mesh, part } => {
+            let triangles = mesh.data().parts[*part].triangles.clone();
+            mesh_area(mesh, placement, triangles)
         }
-        Shape::Square => Some(area_of_corners(placement, DVec3::ZERO, &Square::corners())),
+        Shape::Square => area_of_corners(placement, DVec3::ZERO, &Square::corners()),
         Shape::Cube => {
             let faces = DVec3::AXES.map(Cuboid::face);
             // Each once more across.
             let corners: Vec<_> = faces.iter().chain(&faces).flatten().copied().collect();
-            Some(area_of_corners(placement, DVec3::ZERO, &corners))
+            area_of_corners(placement, DVec3::ZERO, &corners)
         }
-        Shape::Sphere => None,
+        Shape::Sphere => sphere_area(placement),
     }
 }
 

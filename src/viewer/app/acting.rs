@@ -1,15 +1,11 @@
-//! What actions do besides changing the state: trees, comparisons, what is printed.
+//! What actions do besides changing the state: trees and comparisons.
 
 use super::program::{App, Host};
-use crate::{
-    json,
-    pick::PickLine,
-    viewer::{
-        jobs::Checking,
-        model::{Action, Views, pick_command},
-    },
+use crate::viewer::{
+    jobs::Checking,
+    model::{Action, Views, pick_command},
 };
-use std::{io::Write, mem, time::Instant};
+use std::{mem, time::Instant};
 
 impl App {
     /// Does something to scene or view.
@@ -43,7 +39,7 @@ impl App {
                 log::info!("{}", pick_command(&self.state, ray));
             }
             if self.options.print_picks {
-                print(&line);
+                self.print(line);
             }
         }
     }
@@ -76,13 +72,5 @@ impl App {
             self.act(click);
             self.context.request_repaint();
         }
-    }
-}
-
-/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
-fn print(line: &PickLine) {
-    if let Ok(json) = json::text(line) {
-        let mut out = std::io::stdout().lock();
-        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
     }
 }

@@ -10,7 +10,7 @@ use crate::{
     scene::{Scene, description},
     viewer::{
         jobs::{self, Answer, Checking},
-        model::{Action, RayHits, Views, view_command},
+        model::{Action, MeasureAction, RayHits, Views, view_command},
         ui::{Command, Intent, Reply},
     },
 };
@@ -87,22 +87,7 @@ impl App {
                     None => self.complain("there is no pick to copy: click a surface first".into()),
                 }
             }
-            Command::Escape if self.question.is_some() => self.reply(Reply::Stay),
-            Command::Escape if self.stop_arriving() => {}
-            Command::Escape if self.floating.help => self.floating.help = false,
-            Command::Escape if self.state.method().is_some() => self.act(Action::PickBy(None)),
-            Command::Escape if matches!(self.checking, Checking::On(..)) => {
-                self.checking = Checking::Off;
-            }
-            Command::Escape
-                if self.state.selection().is_none() && !self.state.stages().is_empty() =>
-            {
-                self.toggle_views();
-            }
-            Command::Escape if self.state.selection().is_none() && self.state.has_outside() => {
-                self.act(Action::LeaveGallery);
-            }
-            Command::Escape => self.act(Action::Select(None)),
+            Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
             Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
             // The gallery was opened first: what the program opens by itself is all that there is outside.
@@ -115,12 +100,39 @@ impl App {
             Command::ToggleHelp => self.floating.help ^= true,
             Command::ToggleFour => self.toggle_views(),
             Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {
                 self.memory.look = self.memory.look.next();
                 self.memory.look.apply(&self.context);
             }
             Command::Quit => self.intend(Intent::Quit),
+        }
+    }
+
+    /// Gives up the first of what can be given up.
+    fn escape(&mut self) {
+        let selects_none = self.state.selection().is_none();
+        if self.question.is_some() {
+            self.reply(Reply::Stay);
+        } else if self.state.points_wanted().is_some() {
+            self.act(Action::SectionByPoints(false));
+        } else if self.state.measuring().is_on {
+            self.act(Action::Measure(MeasureAction::Toggle));
+        } else if self.stop_arriving() {
+            // What was on its way is given up.
+        } else if self.floating.help {
+            self.floating.help = false;
+        } else if self.state.method().is_some() {
+            self.act(Action::PickBy(None));
+        } else if matches!(self.checking, Checking::On(..)) {
+            self.checking = Checking::Off;
+        } else if selects_none && !self.state.stages().is_empty() {
+            self.toggle_views();
+        } else if selects_none && self.state.has_outside() {
+            self.act(Action::LeaveGallery);
+        } else {
+            self.act(Action::Select(None));
         }
     }
 

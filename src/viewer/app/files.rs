@@ -24,6 +24,14 @@ impl App {
         app
     }
 
+    /// Begins with what the options name, loaded already.
+    pub fn start_with(loaded: Loaded, options: Options, wake: Waker, host: Host) -> Self {
+        let paths = options.paths.clone();
+        let mut app = Self::new(options, wake, host);
+        app.loading = Some((Loading::done(loaded), paths, Purpose::Open));
+        app
+    }
+
     /// Loads files: in place of what is shown, or beside it, once they are whole.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
         let wake = self.wake.clone();
@@ -90,6 +98,10 @@ impl App {
                 if self.first {
                     unused = self.apply_flags(&mut loaded);
                 }
+                let section = loaded.camera.section.unwrap_or_default();
+                let section = loaded.scene.section(section);
+                let section = section.map_err(|error| format!("the section is left out: {error}"));
+                unused.extend(section.err());
                 let file = loaded.camera_file.take();
                 let opened = self.state.open(loaded, paths.clone());
                 opened.map_err(|error| match file {

@@ -12,7 +12,7 @@ use crate::{
         jobs::let_go,
         model::{Action, Overlay, Stage},
         screen::{Canvas, Laid, Motion, Progress, SceneRect, Screen, write_screenshot},
-        ui::{self, Command, Shown},
+        ui::{self, Command, Notices, Shown},
     },
 };
 use std::{
@@ -137,11 +137,19 @@ impl App {
         let (mut place, mut panes) = (None, Vec::new());
         let context = self.context.clone();
         self.notice_step(None);
-        let (underway, docks, offers_tour) = (self.underway(), self.docks, self.offers_tour());
+        let (underway, docks) = (self.underway(), self.docks);
+        // Of the views alone a picture is taken: nothing that goes by lies over them then.
+        let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
+        let offers_tour = !is_shot && self.offers_tour();
+        let mut none = Notices::new();
         let mut output = context.run_ui(input, |ui| {
             let mut shown = Shown {
                 state: &self.state,
-                notices: &mut self.notices,
+                notices: if is_shot {
+                    &mut none
+                } else {
+                    &mut self.notices
+                },
                 underway,
                 floating: self.floating,
                 tour: self.tour,
@@ -177,7 +185,8 @@ impl App {
             use Action::{Enter, Hover, Light, LightRow, Resize};
             matches!(
                 command,
-                Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
+                Command::ShowsDepthSteps
+                    | Command::Act(Enter(_) | Hover(_) | Light(_) | LightRow(_) | Resize(_))
             )
         };
         let acted = !commands.iter().all(idle);
@@ -283,7 +292,10 @@ impl App {
             return;
         };
         let picture = match laid.place.filter(|_| alone) {
-            Some(place) => canvas.picture_alone(&self.state, laid, place),
+            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, laid, place),
+            // What is written over the views is the panels'.
+            Some(place) => (canvas.picture(&self.state, laid))
+                .map(|whole| whole.part(place.origin_px, place.viewport)),
             None => canvas.picture(&self.state, laid),
         };
         let written = picture

@@ -1,12 +1,16 @@
 //! What the files of meshes say: of the pick, and of faces and vertices that somebody goes to.
 
-use super::{numbers::Triangle, program::App, wake::Wake};
+use super::{
+    numbers::{Triangle, file_of},
+    program::App,
+    wake::Wake,
+};
 use crate::{
     pick::Whereabouts,
-    scene::{MeshFile, Shape},
+    scene::{MeshFile, Shape, obj::VertexInFile},
     viewer::{
         jobs::{Found, Question, ReadingAgain, Snapping},
-        model::{Action, State},
+        model::{Action, Numbered, Sought, State},
         ui::GoTo,
     },
 };
@@ -15,6 +19,7 @@ use std::sync::mpsc::TryRecvError;
 impl App {
     /// Asks the file about the pick, and takes what files have answered.
     pub(super) fn take_numbers(&mut self) {
+        self.print_known(ReadingAgain::poll);
         self.look_up_pick();
         self.take_snapped();
         let answer = self.numbers.going.as_ref();
@@ -85,6 +90,7 @@ impl App {
     /// Goes to an object, or asks the file where the face or vertex is.
     pub(super) fn go_to(&mut self, to: GoTo) {
         (self.numbers.going, self.numbers.said) = (None, None);
+        self.act(Action::Unmark);
         let question = match to {
             GoTo::Object(id) => return self.go_to_object(id),
             GoTo::Face(number) => Question::Face(number),
@@ -120,48 +126,50 @@ impl App {
         self.reveal_selection = true;
     }
 
-    /// Shows what was asked for, and says how it is seen.
+    /// Shows and marks what was asked for; the panel says how it is seen.
     fn arrive_at(&mut self, to: GoTo, file: &MeshFile, found: Found) {
-        let found = match found {
-            Found::Face(face) => face.map(|face| {
+        let (scene, view) = (self.state.scene(), self.state.view());
+        let (of, name, places) = match (found, to) {
+            (Found::Face(Ok(face)), GoTo::Face(number)) => {
                 let name = format!("face {}, line {}", face.face, face.line);
-                let places = |state: &State| {
-                    let (scene, view) = (state.scene(), state.view());
-                    Whereabouts::of_face(scene, view, &file.mesh, face.triangles.clone())
+                let places = Whereabouts::of_face(scene, view, &file.mesh, face.triangles);
+                (Numbered::Face(number), name, places)
+            }
+            (Found::Vertex(Ok(vertex)), GoTo::Vertex(number)) => {
+                let VertexInFile {
+                    vertex: v,
+                    written,
+                    line,
+                    ..
+                } = &vertex;
+                let name = format!("v {v}: {written}, line {line}");
+                let places = match vertex.value {
+                    Some(_) => Whereabouts::of_vertex(scene, view, &file.mesh, vertex.position),
+                    None => Vec::new(),
                 };
-                (name, self.go_to_first(places))
-            }),
-            Found::Vertex(vertex) => vertex.map(|vertex| {
-                let name = format!(
-                    "v {}: {}, line {}",
-                    vertex.vertex, vertex.written, vertex.line
-                );
-                let places = |state: &State| {
-                    let (scene, view) = (state.scene(), state.view());
-                    match vertex.value {
-                        Some(_) => Whereabouts::of_vertex(scene, view, &file.mesh, vertex.position),
-                        None => Vec::new(),
-                    }
-                };
-                (name, self.go_to_first(places))
-            }),
-            Found::Triangle(_) => return,
+                (Numbered::Vertex(number), name, places)
+            }
+            (Found::Face(Err(error)) | Found::Vertex(Err(error)), _) => {
+                self.numbers.said = Some(error);
+                return;
+            }
+            _ => return,
         };
-        self.numbers.said = Some(match (found, to) {
-            (Err(error), _) => error,
-            (Ok((name, Some(place))), _) => format!("{name}: {}", seen(&place)),
-            (Ok((name, None)), GoTo::Vertex(_)) => format!("{name}: no face uses it"),
-            (Ok((name, None)), _) => format!("{name}: nothing of it is shown"),
+        self.numbers.said = Some(match (places.first(), of) {
+            (Some(place), _) => {
+                let sought = Sought {
+                    of,
+                    object: place.id - 1,
+                    triangle: place.triangle,
+                    point: place.point,
+                };
+                self.act(Action::GoTo(sought));
+                self.reveal_selection = true;
+                name
+            }
+            (None, Numbered::Vertex(_)) => format!("{name}: no face uses it"),
+            (None, Numbered::Face(_)) => format!("{name}: nothing of it is shown"),
         });
-    }
-
-    /// Goes to the first of some places; gives where that is then.
-    fn go_to_first(&mut self, places: impl Fn(&State) -> Vec<Whereabouts>) -> Option<Whereabouts> {
-        let first = places(&self.state).into_iter().next()?;
-        let (object, at) = (first.id - 1, first.point_world);
-        self.act(Action::GoTo(object, first.triangle, at));
-        self.reveal_selection = true;
-        places(&self.state).into_iter().next()
     }
 }
 
@@ -170,31 +178,11 @@ fn scene_now(state: &State) -> [u64; 2] {
     [state.scene_revision(), state.visibility_revision()]
 }
 
-/// How a place is seen.
-fn seen(place: &Whereabouts) -> String {
-    match (&place.hidden_by, place.px) {
-        (Some(by), _) => {
-            let triangle = by
-                .triangle
-                .map_or_else(String::new, |n| format!(", triangle {n}"));
-            format!("hidden by {}{triangle}", by.object)
-        }
-        (None, Some(px)) if place.seen => format!("seen at {:.2}, {:.2}", px.x, px.y),
-        _ => "not shown: before near, beyond far, culled, hidden or edge-on".to_owned(),
-    }
-}
-
 /// The pick's object, triangle and file, where the file was not asked yet.
 fn unknown_pick(state: &State) -> Option<(usize, u32, MeshFile)> {
     let hit = state.selection()?.pick.as_ref()?.hit.as_ref()?;
-    let object = state.scene().objects().get(hit.id - 1)?;
-    let Shape::Mesh { mesh, .. } = &object.shape else {
-        return None;
-    };
-    let triangle = object.shape.first_triangle() + hit.triangle?;
-    let file = MeshFile::of(&state.source().meshes, mesh)?;
-    let is_unknown = hit.in_file.file.is_none() && file.contents.is_some();
-    is_unknown.then(|| (hit.id - 1, triangle, file.clone()))
+    let (triangle, file) = file_of(state, hit)?;
+    Some((hit.id - 1, triangle, file))
 }
 
 /// The file whose faces and vertices are meant: the selected object's, or the only one.

@@ -11,6 +11,7 @@ mod intents;
 mod looking_up;
 mod memory;
 mod numbers;
+mod printing;
 mod program;
 mod remembering;
 mod rest;

@@ -1,12 +1,15 @@
 //! Questions to the files of meshes, under way.
 
 use crate::{
-    scene::MeshFile,
+    pick::{Pick, PickLine},
+    scene::{MeshFile, Shape},
     viewer::{
         jobs::{ReadingAgain, Snapping},
+        model::State,
         ui::GoTo,
     },
 };
+use std::collections::VecDeque;
 
 /// Which triangle: of which scene, object and mesh.
 pub(super) type Triangle = (u64, usize, u32);
@@ -20,6 +23,9 @@ pub(in crate::viewer) struct Numbers {
     pub(super) going: Option<(GoTo, MeshFile, u64, ReadingAgain)>,
     /// A click that is led to a vertex or an edge, of which state of the scene.
     pub(super) snapping: Option<([u64; 2], Snapping)>,
+    /// Picks that are to be printed.
+    /// Each with the question to its file, where it has one.
+    pub(super) unprinted: VecDeque<(PickLine, Option<ReadingAgain>)>,
     /// What came of the last way to somewhere.
     pub said: Option<String>,
 }
@@ -27,6 +33,19 @@ pub(in crate::viewer) struct Numbers {
 impl Numbers {
     /// Whether a file is to answer yet.
     pub fn is_busy(&self) -> bool {
-        self.of_pick.is_some() || self.going.is_some() || self.snapping.is_some()
+        let is_asked = self.of_pick.is_some() || self.going.is_some();
+        is_asked || self.snapping.is_some() || !self.unprinted.is_empty()
     }
+}
+
+/// The triangle of a mesh that a pick is on and the file to ask about it; `None` of what has no file, or was asked already.
+pub(super) fn file_of(state: &State, hit: &Pick) -> Option<(u32, MeshFile)> {
+    let object = state.scene().objects().get(hit.id - 1)?;
+    let Shape::Mesh { mesh, .. } = &object.shape else {
+        return None;
+    };
+    let triangle = object.shape.first_triangle() + hit.triangle?;
+    let file = MeshFile::of(&state.source().meshes, mesh)?;
+    let is_unknown = hit.in_file.file.is_none() && file.contents.is_some();
+    is_unknown.then(|| (triangle, file.clone()))
 }

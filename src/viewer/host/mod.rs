@@ -5,9 +5,11 @@ mod mark;
 mod offscreen;
 mod page;
 mod shell;
+mod views_picture;
 mod window;
 
 pub use controls::Control;
 pub use mark::{APP_ID, ICON_PNG};
-pub use offscreen::{Offscreen, picture_of_views};
+pub use offscreen::Offscreen;
+pub use views_picture::picture_of_views;
 pub use window::run;

@@ -10,14 +10,13 @@ use crate::{
     image::{Image, Rgb},
     render::GpuError,
     viewer::{
-        app::{App, Extent, Frame, Host, REST_S, Wake},
+        app::{App, Extent, Frame, Host, REST_S, Wake, Waker},
         jobs::Answer,
-        model::{Action, State, Views},
+        model::State,
         options::Options,
         ui::{Command, Notice},
     },
 };
-use glam::DVec2;
 use std::{
     path::{Path, PathBuf},
     sync::{
@@ -48,37 +47,9 @@ impl egui::DroppedFile for Dropped {
     }
 }
 
-/// A picture of `size` pixels of what `options` name, as a window shows it without panels: stages with all that is written on
-/// them. The pixel at `pick`, where that is given, is clicked in the camera's own picture, of that size too.
-///
-/// # Errors
-/// When there is no graphics adapter, or it fails.
-pub fn picture_of_views(
-    options: Options,
-    size: Viewport,
-    pick: Option<DVec2>,
-) -> Result<Image<Rgb>, GpuError> {
-    let views = options.views;
-    let mut window = Offscreen::open(
-        Options {
-            is_bare: true,
-            views: Views::Picture,
-            ..options
-        },
-        size,
-        1.0,
-    );
-    let click = pick.map(|px| Action::Click(px, 0.0));
-    for action in click.into_iter().chain([Action::Views(views)]) {
-        window.app.act(action);
-    }
-    window.settle();
-    window.picture()
-}
-
 /// A window that nobody sees.
 pub struct Offscreen {
-    app: App,
+    pub(super) app: App,
     wakes: Receiver<Wake>,
     page: Page,
     pixels_per_point: f32,
@@ -94,11 +65,20 @@ impl Offscreen {
     /// no graphics until a picture is asked for.
     #[must_use]
     pub fn open(options: Options, size: Viewport, pixels_per_point: f32) -> Self {
+        let start = |wake| App::start(options, wake, Host::Picture);
+        Self::of(start, size, pixels_per_point)
+    }
+
+    pub(super) fn of(
+        start: impl FnOnce(Waker) -> App,
+        size: Viewport,
+        pixels_per_point: f32,
+    ) -> Self {
         let (sender, wakes) = channel();
         // The receiver goes with the window: then nobody is to be woken.
         let wake = Arc::new(move |wake| drop(sender.send(wake)));
         let mut window = Self {
-            app: App::start(options, wake, Host::Picture),
+            app: start(wake),
             wakes,
             page: Page {
                 canvas: None,
@@ -377,7 +357,7 @@ impl Offscreen {
     }
 
     /// Passes until nothing moves and nothing is under way.
-    fn settle(&mut self) {
+    pub(super) fn settle(&mut self) {
         let start = Instant::now();
         for _ in 0..MOST_PASSES {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {

@@ -31,6 +31,17 @@ impl Loading {
         Self { progress, result }
     }
 
+    /// One that is over: what it brought.
+    pub fn done(loaded: Loaded) -> Self {
+        let (sender, result) = channel();
+        // It has its receiver.
+        let _ = sender.send(Ok(loaded));
+        Self {
+            progress: Arc::default(),
+            result,
+        }
+    }
+
     /// What is done, in [0, 1].
     pub fn fraction(&self) -> f32 {
         self.progress.fraction()

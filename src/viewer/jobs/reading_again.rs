@@ -65,6 +65,11 @@ impl ReadingAgain {
     pub fn poll(&self) -> Option<Found> {
         self.result.try_recv().ok()
     }
+
+    /// The answer, waited for; `None` where none will come.
+    pub fn wait(&self) -> Option<Found> {
+        self.result.recv().ok()
+    }
 }
 
 impl Drop for ReadingAgain {

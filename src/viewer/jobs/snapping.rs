@@ -44,7 +44,7 @@ impl Snapping {
             let mut faces = |object, triangle| files.face_of(object, triangle);
             let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces);
             let found = snap.map(|snap| {
-                let area = object_area(&scene.objects()[snap.id - 1]);
+                let area = Some(object_area(&scene.objects()[snap.id - 1]));
                 (snap, area)
             });
             // The receiver is gone when the click was given up.

@@ -1,7 +1,8 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
 use super::{
-    matrices::Row, measuring::MeasureAction, overlay::Overlay, stages::Stage, views::Views,
+    matrices::Row, measuring::MeasureAction, overlay::Overlay, seeking::Sought, stages::Stage,
+    views::Views,
 };
 use crate::{
     camera::{CameraChoice, DepthMapping, UpAxis, Viewport},
@@ -29,7 +30,8 @@ pub enum Action {
     Zoom(DVec2, f64),
     /// A click, and when in seconds.
     Click(DVec2, f64),
-    /// A double click: what lies there becomes pivot and centre; on nothing, frame all.
+    /// A double click: what lies there becomes pivot and centre; on nothing, frame all. One of the four views becomes
+    /// large, or all four are there again.
     Recentre(DVec2),
     /// The cursor rests there, or left.
     Hover(Option<DVec2>),
@@ -67,8 +69,10 @@ pub enum Action {
         /// The next, further away.
         forward: bool,
     },
-    /// Show a world point of an object, by index, and of a triangle of that; pick it there, whatever lies before it.
-    GoTo(usize, u32, DVec3),
+    /// Show what a file has a number for and mark it; pick it there, whatever lies before it.
+    GoTo(Sought),
+    /// Take that mark away.
+    Unmark,
     /// Give an object this model matrix; nothing when it has no inverse.
     Place(usize, DAffine3),
     /// Take over a camera, all that it says of it.
@@ -136,7 +140,7 @@ impl Action {
                 | Self::Section(_)
                 | Self::ToggleSection
                 | Self::Recentre(_)
-                | Self::GoTo(..)
+                | Self::GoTo(_)
         )
     }
 
@@ -166,6 +170,7 @@ impl Action {
                 | Self::Pan(_)
                 | Self::Zoom(..)
                 | Self::Click(..)
+                | Self::Recentre(_)
                 | Self::Hover(_)
                 | Self::LookFrom(_)
                 | Self::ResetView

@@ -89,6 +89,21 @@ impl Measuring {
         Some(Entry { what, of, measured })
     }
 
+    /// Why a measure cannot be taken: what is to be done first.
+    #[must_use]
+    pub fn lacks(&self, what: What) -> &'static str {
+        match what {
+            _ if !self.is_on => "tick snap clicks first: then click what is to be measured",
+            What::Distance if self.points.is_empty() => "click two points",
+            What::Distance => "click a second point",
+            _ if self.points.is_empty() => "click what is to be measured",
+            What::Length => "the last click was led to no edge: click one",
+            What::FaceArea | What::ObjectArea => {
+                "the file of the last click's face leaves some of it out"
+            }
+        }
+    }
+
     /// The list as text, a line each.
     #[must_use]
     pub fn text(&self) -> String {

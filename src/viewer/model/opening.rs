@@ -19,7 +19,8 @@ use crate::{
 use std::{mem, path::PathBuf};
 
 impl State {
-    /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing.
+    /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing. A section that
+    /// cannot be is none.
     ///
     /// # Errors
     /// When the choices make no camera.
@@ -32,10 +33,7 @@ impl State {
         let choice = choice.or(loaded.camera);
         let camera = choice.resolve(&loaded.scene.visible_bounds(), viewport)?;
         let section = loaded.scene.section(choice.section.unwrap_or_default());
-        let section = section.unwrap_or_else(|error| {
-            log::warn!("section: {error}");
-            None
-        });
+        let section = section.ok().flatten();
         let up_axis = choice.up_axis.unwrap_or_default();
         let orbit = Orbit::of_camera(&camera, up_axis);
         let controls = LensControls::of(&choice);
@@ -67,6 +65,7 @@ impl State {
             hits: None,
             landmarks: Vec::new(),
             measuring: Measuring::default(),
+            sought: None,
             section_memory: SectionMemory::default(),
             source: Source {
                 paths: Vec::new(),
@@ -195,7 +194,7 @@ impl State {
         self.scene_revision += 1;
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
-        self.hits = None;
+        (self.hits, self.sought) = (None, None);
         self.landmarks.clear();
         self.forget_points();
         self.source.meshes = loaded.meshes;

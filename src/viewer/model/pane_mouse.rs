@@ -4,7 +4,8 @@ use super::{
     action::Action,
     hits::RayHits,
     stages::{Stage, standard, view_of_ndc_drawn},
-    state::{Cursor, Selection, State},
+    state::{Cursor, DOUBLE_CLICK_S, Selection, State},
+    views::Cleared,
 };
 use crate::{
     camera::pixel_centre,
@@ -92,8 +93,36 @@ impl State {
     pub(super) fn select(&mut self, object: Option<usize>) {
         self.selection = object.map(|object| Selection { object, pick: None });
         self.hits = None;
+        self.sought = None;
         if object.is_none() {
             self.landmarks.clear();
+        }
+    }
+
+    /// Before a click: keeps what it will take away, unless it is the second one of a double click.
+    fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
+        let kept = is_on_nothing.then(|| Cleared {
+            chosen: self.chosen(),
+            landmarks: self.landmarks.clone(),
+            sought: self.sought,
+            point: self.panes.as_ref().and_then(|panes| panes.point),
+        });
+        let Some(panes) = &mut self.panes else { return };
+        let last_s = panes.clicked_s.replace(time_s);
+        let is_second = last_s.is_some_and(|last_s| time_s - last_s <= DOUBLE_CLICK_S);
+        if !(is_second && is_on_nothing && panes.cleared.is_some()) {
+            panes.cleared = kept;
+        }
+    }
+
+    /// A double click is not meant to take away what is picked.
+    fn restore_cleared(&mut self) {
+        let kept = self.panes.as_mut().and_then(|panes| panes.cleared.take());
+        let Some(kept) = kept else { return };
+        (self.selection, self.hits) = (kept.chosen.selection, kept.chosen.hits);
+        (self.landmarks, self.sought) = (kept.landmarks, kept.sought);
+        if let Some(panes) = &mut self.panes {
+            panes.point = kept.point;
         }
     }
 
@@ -106,10 +135,18 @@ impl State {
         };
         let hit = hit.map(|at| self.drawn_to_scene(stage).inverse().transform_point3(at));
         match action {
-            Action::Click(px, _) => match self.pane_point(stage, px) {
-                Some((object, point)) => return self.pick_point(object, point),
-                None => self.select(None),
-            },
+            Action::Click(px, time_s) => {
+                let point = self.pane_point(stage, px);
+                self.keep_cleared(time_s, point.is_none());
+                match point {
+                    Some((object, point)) => return self.pick_point(object, point),
+                    None => self.select(None),
+                }
+            }
+            Action::Recentre(_) => {
+                self.show_views(self.views_with_other_size(stage));
+                self.restore_cleared();
+            }
             Action::Hover(px) => {
                 let hit = px.and_then(|px| self.pane_point(stage, px));
                 self.cursor = hit.and_then(|(object, point)| {

@@ -1,7 +1,6 @@
 //! Clicks, the cursor, and the surfaces on a click's ray.
 
 use super::{
-    action::Action,
     hits::{Landmark, PickView, RayHits},
     state::{Cursor, DOUBLE_CLICK_S, Selection, State},
 };
@@ -10,7 +9,7 @@ use crate::{
     pick::{Pick, PickLine, SceneHit},
     scene::obj::InFile,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 impl State {
     /// Selects what lies at a pixel: the nearest surface, or on the same pixel of the same picture the next one behind.
@@ -63,6 +62,7 @@ impl State {
         let line = hits.line();
         let object = line.hit.as_ref().map(|hit| hit.id - 1);
         let pick = Some(line);
+        self.sought = None;
         self.selection = object.map(|object| Selection {
             object,
             pick: pick.clone(),
@@ -103,35 +103,6 @@ impl State {
         (lens.near, lens.far) = fit_near_far(&view.camera, &bounds, controls.near, controls.far);
         let camera = view.camera.with_lens(lens).unwrap_or(view.camera);
         View { camera, ..view }
-    }
-
-    /// Shows a point of a triangle in the world, in the middle where it is out of the picture, and picks it there.
-    pub(super) fn go_to(
-        &mut self,
-        object: usize,
-        triangle: u32,
-        point_world: DVec3,
-    ) -> Option<PickLine> {
-        let place = |view: &View| {
-            let lens = view.camera.lens();
-            let is_between = |depth: f64| (lens.near..lens.far).contains(&depth);
-            let projected = view.project(point_world);
-            projected.filter(|at| view.viewport.contains(at.px) && is_between(at.depth))
-        };
-        if place(&self.view).is_none() {
-            self.pivot_world = point_world;
-            self.orbit.center_on(point_world);
-            self.moved();
-        }
-        let hits = place(&self.view).map(|at| RayHits::cast(&self.scene, self.view, at.px, 0));
-        let is_it = |pick: &Pick| (pick.id, pick.triangle) == (object + 1, Some(triangle));
-        let at = hits
-            .as_ref()
-            .and_then(|hits| hits.picks.iter().position(is_it));
-        if let (Some(hits), Some(at)) = (hits, at) {
-            return self.take_hits(RayHits { at, ..hits });
-        }
-        self.perform(Action::Select(Some(object)))
     }
 
     /// What the file says of the pick.

@@ -101,13 +101,14 @@ impl State {
         let Ok(points) = <[DVec3; 3]>::try_from(points.as_slice()) else {
             return;
         };
+        let rounded = Section::may_be_on_one_line(points);
         match Section::through_points(points) {
-            Ok(section) => {
+            Ok(section) if !rounded => {
                 let was = self.stand();
                 self.set_section(Some(section));
                 self.record_stand(None, &was);
             }
-            Err(_) => self.section_memory.points = Some(Vec::new()),
+            _ => self.section_memory.points = Some(Vec::new()),
         }
     }
 }

@@ -38,6 +38,14 @@ impl State {
         }
     }
 
+    /// What makes one of the four views large, or all four equal again.
+    pub(in crate::viewer) fn views_with_other_size(&self, stage: Stage) -> Views {
+        match self.views() {
+            Views::One(_) => Views::Four,
+            _ => Views::One(stage),
+        }
+    }
+
     pub(super) fn show_views(&mut self, views: Views) {
         if views == Views::Picture {
             if let Some(panes) = self.panes.take() {
@@ -62,6 +70,8 @@ impl State {
             object: None,
             alone: Staged::default(),
             ndc: Staged::default(),
+            cleared: None,
+            clicked_s: None,
             point: None,
         }));
         self.refresh_panes();

@@ -10,6 +10,7 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
+    seeking::Sought,
     showing::Showing,
     timeline::Timeline,
     views::Panes,
@@ -158,6 +159,8 @@ pub struct State {
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
+    /// What was gone to by its number, until something else is picked.
+    pub(super) sought: Option<Sought>,
     pub(super) section_memory: SectionMemory,
     pub(super) source: Source,
     /// Which scene this is among those that were open.

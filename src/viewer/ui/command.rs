@@ -60,7 +60,7 @@ pub(in crate::viewer) enum Command {
     LeaveGallery,
     /// An answer to the question whether edits may go.
     Reply(Reply),
-    /// Keep the edits that are asked about, else stop loading, else close the help, else pick by Sightline's own method
+    /// Keep the edits that are asked about, else wait for no more picks of a section or a measure, else stop loading, else close the help, else pick by Sightline's own method
     /// again, else close the comparison, else select nothing, else close the four
     /// views, else leave the gallery.
     Escape,
@@ -70,6 +70,8 @@ pub(in crate::viewer) enum Command {
     TogglePipeline,
     /// Show the four views with the matrices beside them, or the camera's picture again.
     ToggleFour,
+    /// The panel shows the depth buffer's steps at the pick, in each pass that it does: the tour asks for it.
+    ShowsDepthSteps,
     /// Begin the tour, or go on in it.
     Tour(TourMove),
     /// Give the panels the next of the looks that they can have.

@@ -307,7 +307,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "stop, close, default method, select nothing, leave gallery",
+        does: "wait for no picks, stop, close, select nothing, leave gallery",
         shortcuts: &[(NONE, Key::Escape)],
         command: Command::Escape,
     },

@@ -60,6 +60,8 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool)
 
 /// The object that the steps speak of most.
 const EGG: &str = "Egg";
+/// The one that stands behind them.
+const TOWER: &str = "Tower";
 
 /// The tour. README has the same text.
 const CHAPTERS: [Chapter; 8] = [
@@ -212,14 +214,14 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Near, far and the depth buffer",
         steps: &[
             step(
-                "Set near to 0.001 and depth to standard, click the tower and look at Depth buffer, far down in the panel Pick.",
+                "Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
                 "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near, so at the tower they are far apart, and two surfaces within one step look like one.",
                 |seen| {
                     let lens = seen.state.controls();
                     let near = lens.near.is_some_and(|near| near <= 0.001);
                     near && lens.depth == DepthMapping::Standard
-                        && seen.clicks()
-                        && seen.picked().is_some()
+                        && seen.picked().is_some_and(|object| object.name == TOWER)
+                        && seen.command == Some(&Command::ShowsDepthSteps)
                 },
             ),
             step(
@@ -285,6 +287,11 @@ pub fn tour_text() -> String {
 }
 
 impl Tour {
+    /// All steps.
+    pub fn steps() -> impl Iterator<Item = &'static Step> {
+        CHAPTERS.iter().flat_map(|chapter| chapter.steps)
+    }
+
     /// The step, its chapter and that chapter's number from 1.
     pub fn step(self) -> (usize, &'static Chapter, &'static Step) {
         let steps = CHAPTERS.iter().enumerate().flat_map(|(at, chapter)| {

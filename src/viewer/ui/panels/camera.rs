@@ -4,6 +4,7 @@ use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
     names::{Hint, named},
+    plane_slider::{self, size},
     section,
 };
 use crate::{
@@ -128,26 +129,10 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.end_row();
 }
 
-fn size(state: &State) -> f64 {
-    let bounds = state.scene().visible_bounds();
-    if bounds.is_empty() {
-        1.0
-    } else {
-        bounds.radius().max(f64::MIN_POSITIVE)
-    }
-}
-
-/// Where planes are slid, in world units.
-pub(super) fn plane_range(state: &State) -> RangeInclusive<f64> {
-    let size = size(state);
-    1e-6 * size..=1e4 * size
-}
-
 /// Near and far: a slider over decades of the scene's size, which therefore does not jump while it is in use; a
 /// typed value; and a box that hands the plane back to the fit.
 fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
-    let range = plane_range(state);
     for (name, hint, value, which) in [
         (
             "near",
@@ -171,15 +156,10 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
                 .map_err(|error| error.to_string())
         };
         ui.horizontal_top(|ui| {
-            let mut slid = value;
-            let slider = Slider::new(&mut slid, range.clone())
-                .logarithmic(true)
-                .show_value(false);
-            let slider = ui.add(slider);
-            named(&slider, &format!("{name}, slid"));
-            let slider = slider.hint(hint);
+            let named = format!("{name}, slid");
+            let (slider, slid) = plane_slider::show(ui, state, &named, hint, value);
             gesture.note(&slider);
-            if slider.changed() && typed(slid).is_ok() {
+            if let Some(slid) = slid.filter(|slid| typed(*slid).is_ok()) {
                 *which(next) = Some(slid);
             }
             let field = Field {

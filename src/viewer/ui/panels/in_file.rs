@@ -7,7 +7,10 @@ use super::{
 };
 use crate::{
     pick::Pick,
-    viewer::ui::command::{Command, GoTo},
+    viewer::{
+        model::State,
+        ui::command::{Command, GoTo},
+    },
 };
 use egui::{CollapsingHeader, Id, Label, TextEdit, Ui};
 
@@ -88,7 +91,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
 }
 
 /// Fields for a number of what is to be shown, and what came of the last.
-pub(super) fn go_to(ui: &mut Ui, said: Option<&str>, commands: &mut Vec<Command>) {
+pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.weak("go to").hint("type a number and press Enter");
         let fields: [Way; 3] = [
@@ -128,7 +131,11 @@ pub(super) fn go_to(ui: &mut Ui, said: Option<&str>, commands: &mut Vec<Command>
         }
     });
     if let Some(said) = said {
-        let label = ui.add(Label::new(said).wrap());
+        let text = match state.says_of_sought() {
+            Some(seen) => format!("{said}: {seen}"),
+            None => said.to_owned(),
+        };
+        let label = ui.add(Label::new(text).wrap());
         label.hint("where that is, and what hides it");
     }
 }

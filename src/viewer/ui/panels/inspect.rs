@@ -26,7 +26,7 @@ pub(super) fn show(
     corners(ui, state, hit, digits, commands);
     distance(ui, state, digits, commands);
     if let Some(steps) = state.depth_steps() {
-        depth(ui, &steps);
+        depth(ui, &steps, commands);
     }
 }
 
@@ -116,11 +116,11 @@ fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Comma
     });
 }
 
-fn depth(ui: &mut Ui, steps: &DepthSteps) {
+fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
     let hint = "the least difference in depth that the depth buffer's 32 bits tell apart here";
     let confused = steps.confuses(steps.in_use);
     section(ui, "depth", "Depth buffer".to_owned(), hint, |ui| {
-        Grid::new("steps")
+        let numbers = Grid::new("steps")
             .num_columns(3)
             .striped(true)
             .show(ui, |ui| {
@@ -152,6 +152,9 @@ fn depth(ui: &mut Ui, steps: &DepthSteps) {
                     ui.end_row();
                 }
             });
+        if ui.is_rect_visible(numbers.response.rect) {
+            commands.push(Command::ShowsDepthSteps);
+        }
         for (mapping, _) in steps.steps {
             if steps.confuses(mapping) && mapping != steps.in_use {
                 ui.weak(format!("With {mapping} depth these surfaces would be one."))

@@ -38,9 +38,11 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         Panel::top("toolbar").show(ui, |ui| toolbar::show(ui, shown, &wanted, &mut commands));
         Panel::bottom("status").show(ui, |ui| status::show(ui, shown.state, shown.statistics));
     }
-    let widths = shown
-        .docks
-        .widths(&wanted, room(window, ui.available_size()));
+    let room = room(window, ui.available_size());
+    if let Some(tour) = shown.tour.filter(|_| !shown.is_bare) {
+        tour_card::strip(ui, tour, shown.state, &mut commands);
+    }
+    let widths = shown.docks.widths(&wanted, room);
     shown.docks.showing = widths.map(|width| width.is_some());
     let edges = Side::BOTH.map(|side| {
         wings::show(
@@ -60,7 +62,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
             commands.push(Command::Act(Action::Resize(place.viewport)));
             let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
             corners::messages(ui, rect, shown, &mut commands);
-            touring(ui, rect, shown, &mut commands);
+            offer_tour(ui, rect, shown, &mut commands);
             return Some((place, panes));
         }
         let id = ui.scope_id().with("scene");
@@ -74,7 +76,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         axis_cross::show(ui, rect, shown.state, &mut commands);
         banner::show(ui, rect, place, shown.state, &mut commands);
         corners::messages(ui, rect, shown, &mut commands);
-        touring(ui, rect, shown, &mut commands);
+        offer_tour(ui, rect, shown, &mut commands);
         Some((place, Vec::new()))
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
@@ -100,12 +102,9 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     }
 }
 
-/// The tour's card, or what offers it.
-fn touring(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
-    match shown.tour {
-        Some(at) => tour_card::card(ui.ctx(), rect, at, shown.state, commands),
-        None if shown.offers_tour => tour_card::offer(ui.ctx(), rect, commands),
-        None => {}
+fn offer_tour(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
+    if shown.offers_tour && shown.tour.is_none() {
+        tour_card::offer(ui, rect, commands);
     }
 }
 

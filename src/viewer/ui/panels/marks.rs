@@ -5,7 +5,7 @@ use super::field::short;
 use crate::{
     camera::View,
     look,
-    pick::{Pick, snap::Snap},
+    pick::{Pick, Sight, snap::Snap},
     viewer::{
         model::{Overlay, PickView, State, triangle},
         screen::SceneRect,
@@ -17,6 +17,8 @@ use glam::DVec3;
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
+/// Side of the mark at what was gone to, in points.
+const SOUGHT: f32 = 18.0;
 /// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
 const LEGIBLE: f32 = 36.0;
 
@@ -42,6 +44,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         page.hit(pick);
     }
     page.snapped(&state.measuring().points);
+    page.sought(state);
 }
 
 struct Page<'a> {
@@ -80,6 +83,41 @@ impl Page<'_> {
                 }
             }
         }
+    }
+
+    /// What was gone to by its number: a square, dashed about what is not seen, with its name and what hides it.
+    fn sought(&self, state: &State) {
+        let Some(sought) = state.sought() else { return };
+        let Some(at) = self.at(sought.point.world()) else {
+            return;
+        };
+        let is_seen = matches!(state.sight_of_sought(), Some(Sight::Seen(_)));
+        let square = Rect::from_center_size(at, vec2(SOUGHT, SOUGHT));
+        let rim = [
+            square.left_top(),
+            square.right_top(),
+            square.right_bottom(),
+            square.left_bottom(),
+            square.left_top(),
+        ];
+        for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (self.colour, 0.0)] {
+            let stroke = Stroke::new(1.5 + more, colour);
+            if is_seen {
+                self.painter.circle_filled(at, 2.0 + 0.5 * more, colour);
+                self.painter.line(rim.to_vec(), stroke);
+            } else {
+                self.painter
+                    .extend(Shape::dashed_line(&rim, stroke, 4.5, 4.5));
+            }
+        }
+        let name = sought.of.name();
+        let text = match state.sight_of_sought() {
+            Some(Sight::Hidden(_)) => {
+                format!("{name}, {}", state.says_of_sought().unwrap_or_default())
+            }
+            _ => name,
+        };
+        self.text(at - vec2(0.0, SOUGHT + 8.0), &text, self.colour);
     }
 
     /// A diamond about each point that a click was led to, and the way between them.

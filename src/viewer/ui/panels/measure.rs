@@ -8,7 +8,7 @@ use crate::{
     json,
     pick::snap::Snap,
     viewer::{
-        model::{Action, Entry, MeasureAction, State, What},
+        model::{Action, Entry, MeasureAction, Measuring, State, What},
         ui::command::Command,
     },
 };
@@ -23,34 +23,26 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if toggle.hint(hint).clicked() {
         actions.push(MeasureAction::Toggle);
     }
-    match &measuring.points[..] {
-        _ if !measuring.is_on => {}
-        [] => {
-            ui.weak("Click a vertex, an edge or a surface.").hint(hint);
-        }
-        points => {
-            for (name, point) in ["from", "to"]
-                .into_iter()
-                .skip(2 - points.len())
-                .zip(points)
-            {
-                self::point(ui, name, point);
-            }
-        }
-    }
     ui.horizontal_wrapped(|ui| {
         for what in What::ALL {
             let entry = measuring.entry(what);
             let button = ui.add_enabled(entry.is_some(), Button::new(what.name()));
-            let now = entry.map_or_else(
-                || "click what it is of, with snapping".to_owned(),
-                |entry| format!("{}: add it to the list", text(&entry)),
-            );
+            let now = match entry {
+                Some(entry) => format!("{}: add it to the list", text(&entry)),
+                None => measuring.lacks(what).to_owned(),
+            };
             if button.hint(now).clicked() {
                 actions.push(MeasureAction::Add(what));
             }
         }
     });
+    let has_some = !measuring.list.is_empty();
+    ui.horizontal(|ui| copying(ui, measuring, has_some, commands, &mut actions));
+    // Below all that is clicked, so that nothing of it moves as points come and go.
+    for (name, at) in [("from", 2), ("to", 1)] {
+        let at = measuring.points.len().checked_sub(at);
+        point(ui, name, at.and_then(|at| measuring.points.get(at)));
+    }
     for (at, entry) in measuring.list.iter().enumerate() {
         ui.horizontal(|ui| {
             let remove = ui.small_button("\u{d7}");
@@ -62,43 +54,59 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                 .hint("in world units, and how far it may be off at most");
         });
     }
-    let has_some = !measuring.list.is_empty();
-    ui.horizontal(|ui| {
-        let mut copied = None;
-        let copy = ui.add_enabled(has_some, Button::new("copy list"));
-        if copy.hint("all lines as text, with all digits").clicked() {
-            copied = Some(measuring.text());
-        }
-        let copy = ui.add_enabled(has_some, Button::new("list as JSON"));
-        if copy.hint("all lines as JSON, with all digits").clicked() {
-            copied = json::text(&measuring.list).ok();
-        }
-        let clear = ui.add_enabled(has_some, Button::new("clear list"));
-        if clear
-            .hint("take all lines away; undo brings them back")
-            .clicked()
-        {
-            actions.push(MeasureAction::Clear);
-        }
-        commands.extend(copied.map(Command::Copy));
-    });
     // Where the side scrolls, its bar lies over its last line.
     ui.add_space(10.0);
     let act = |action| Command::Act(Action::Measure(action));
     commands.extend(actions.into_iter().map(act));
 }
 
-fn point(ui: &mut Ui, name: &str, point: &Snap) {
-    let at = match point.vertices.as_deref() {
-        Some([vertex]) => vertex.written.clone(),
-        _ => format!(
-            "{} {} {}",
-            point.point_world.x, point.point_world.y, point.point_world.z
-        ),
+/// What is done with all of the list.
+fn copying(
+    ui: &mut Ui,
+    measuring: &Measuring,
+    has_some: bool,
+    commands: &mut Vec<Command>,
+    actions: &mut Vec<MeasureAction>,
+) {
+    let button = |ui: &mut Ui, name: &str, hint: &str| {
+        let hint = if has_some {
+            hint
+        } else {
+            "nothing was measured yet"
+        };
+        let button = ui.add_enabled(has_some, Button::new(name));
+        button.hint(hint).clicked()
     };
-    ui.add(Label::new(format!("{name} {}", point.label())).wrap())
-        .hint("what the click was led to");
-    ui.add(Label::new(value_text(at)).wrap())
+    if button(ui, "copy list", "all lines as text, with all digits") {
+        commands.push(Command::Copy(measuring.text()));
+    }
+    if button(ui, "list as JSON", "all lines as JSON, with all digits") {
+        commands.extend(json::text(&measuring.list).ok().map(Command::Copy));
+    }
+    let hint = "take all lines away; undo brings them back";
+    if button(ui, "clear list", hint) {
+        actions.push(MeasureAction::Clear);
+    }
+}
+
+/// One of the two last points, or that there is none: two lines in any case.
+fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
+    let (label, at) = match point {
+        Some(point) => {
+            let at = match point.vertices.as_deref() {
+                Some([vertex]) => vertex.written.clone(),
+                _ => format!(
+                    "{} {} {}",
+                    point.point_world.x, point.point_world.y, point.point_world.z
+                ),
+            };
+            (point.label(), at)
+        }
+        None => ("\u{2013}".to_owned(), String::new()),
+    };
+    ui.add(Label::new(format!("{name} {label}")).truncate())
+        .hint("what the last click but one, or the last, was led to");
+    ui.add(Label::new(value_text(at)).truncate())
         .hint("a vertex as the file writes it; another point in the world, with all digits");
 }
 

@@ -26,6 +26,7 @@ mod pane_page;
 mod panes;
 mod pick;
 mod pipeline;
+mod plane_slider;
 mod plot;
 mod question;
 mod record;

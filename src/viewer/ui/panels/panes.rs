@@ -101,12 +101,10 @@ fn pane(
     bounded(&response);
     let mut hovers = false;
     for action in actions {
-        commands.push(Command::Act(match action {
-            Action::Hover(None) => continue,
-            Action::Recentre(_) => enlarge(state, stage),
-            other => other,
-        }));
-        hovers |= matches!(action, Action::Hover(_));
+        if action != Action::Hover(None) {
+            hovers |= matches!(action, Action::Hover(_));
+            commands.push(Command::Act(action));
+        }
     }
     let Some(view) = state.pane_view(stage) else {
         return hovers;
@@ -128,14 +126,6 @@ fn pane(
     }
     heading(ui, stage, rect, state, commands);
     hovers
-}
-
-/// What makes one of them large, or all four equal again.
-fn enlarge(state: &State, stage: Stage) -> Action {
-    Action::Views(match state.views() {
-        Views::One(_) => Views::Four,
-        _ => Views::One(stage),
-    })
 }
 
 /// The unit vectors of a stage's axes in the space of the scene that it shows.
@@ -232,7 +222,7 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
             if is_large { "\u{2750}" } else { "\u{26f6}" },
             does,
             hint,
-            enlarge(state, stage),
+            Action::Views(state.views_with_other_size(stage)),
         );
         button(
             ui,

@@ -29,7 +29,7 @@ pub(super) fn show(
     let Some(selection) = state.selection() else {
         ui.weak("Click a surface.")
             .hint("a ray from the eye through the clicked pixel finds what that pixel shows");
-        in_file::go_to(ui, going_to, commands);
+        in_file::go_to(ui, state, going_to, commands);
         return;
     };
     let object = &state.scene().objects()[selection.object];
@@ -45,7 +45,7 @@ pub(super) fn show(
             });
         });
     });
-    in_file::go_to(ui, going_to, commands);
+    in_file::go_to(ui, state, going_to, commands);
     // First, so that it stays where it is while what it does changes the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());

@@ -1,11 +1,12 @@
 //! The matrices, live, and the pick's point on its way through them.
 
 use super::{
-    camera::{FOV_RANGE, plane_range},
+    camera::FOV_RANGE,
     field::{short, value_text},
     gesture::Gesture,
     matrix_rows::{determinant, rows, title},
     names::{Hint, named},
+    plane_slider,
 };
 use crate::{
     camera::View,
@@ -127,6 +128,8 @@ fn about(stage: Stage) -> &'static str {
     }
 }
 
+const LENS: &str = "as in the Camera panel; watch P's numbers";
+
 /// What P is made of, in reach of its numbers.
 fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (controls, lens) = (state.controls(), state.view().camera.lens());
@@ -134,34 +137,25 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.spacing_mut().slider_width = ((ui.available_width() - 106.0) / 3.0).clamp(24.0, 90.0);
+        let hint = "slide it: P's numbers and all views follow";
+        ui.label("fov").hint(LENS);
         let mut fov_deg = controls.fov_deg;
-        let [mut near, mut far] = [lens.near, lens.far];
-        let depths = plane_range(state);
-        let sliders: [(_, &mut f64, _, _); 3] = [
-            ("fov", &mut fov_deg, FOV_RANGE, !controls.orthographic),
-            ("near", &mut near, depths.clone(), true),
-            ("far", &mut far, depths, true),
-        ];
-        for (name, value, range, is_enabled) in sliders {
-            ui.label(name)
-                .hint("as in the Camera panel; watch P's numbers");
-            let is_depth = name != "fov";
-            let slider = Slider::new(value, range)
-                .logarithmic(is_depth)
-                .show_value(false);
-            let slider = ui.add_enabled(is_enabled, slider);
-            named(&slider, &format!("P's {name}"));
+        let slider = Slider::new(&mut fov_deg, FOV_RANGE).show_value(false);
+        let slider = ui.add_enabled(!controls.orthographic, slider);
+        named(&slider, "P's fov");
+        gesture.note(&slider);
+        if slider.hint(hint).changed() {
+            next.fov_deg = fov_deg;
+        }
+        for (name, depth, which) in [
+            ("near", lens.near, &mut next.near),
+            ("far", lens.far, &mut next.far),
+        ] {
+            ui.label(name).hint(LENS);
+            let named = format!("P's {name}");
+            let (slider, slid) = plane_slider::show(ui, state, &named, hint, depth);
             gesture.note(&slider);
-            if slider
-                .hint("slide it: P's numbers and all views follow")
-                .changed()
-            {
-                match name {
-                    "fov" => next.fov_deg = *value,
-                    "near" => next.near = Some(*value),
-                    _ => next.far = Some(*value),
-                }
-            }
+            *which = slid.or(*which);
         }
     });
     let action = Action::Lens(next);

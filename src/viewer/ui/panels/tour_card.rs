@@ -1,107 +1,132 @@
-//! The tour's card, and what offers the tour to somebody new.
+//! The tour's step, in a strip below the picture and the panels beside it, and what offers the tour to somebody new.
 
 use super::names::{Hint, named};
 use crate::viewer::{
     model::State,
     ui::{
         command::{Command, TourMove},
-        tour::Tour,
+        tour::{Step, Tour},
     },
 };
-use egui::{Align2, Area, Context, Frame, Id, Rect, RichText, Ui, Window, vec2};
+use egui::{
+    Align, Align2, Area, Button, Color32, Frame, Id, Layout, Panel, Rect, RichText, ScrollArea,
+    TextStyle, Ui, vec2,
+};
 
-/// The card's width in points, where there is room for it.
-const WIDTH: f32 = 380.0;
-/// Between it and the picture's edge.
+/// Between the offer and the picture's edge, in points.
 const MARGIN: f32 = 12.0;
-/// As wide as the cross of axes in the corner, in points.
-const CROSS: f32 = 104.0;
+/// Between two paragraphs, in points.
+const GAP: f32 = 3.0;
+/// The strip takes no more than this share of the window's height: what is longer scrolls.
+const MOST: f32 = 0.4;
 /// What is done, in dark and light looks.
 const TICK: &str = "\u{2714}";
 
-/// The present step, beside the cross of axes until it is dragged elsewhere.
-pub(super) fn card(
-    ctx: &Context,
-    rect: Rect,
-    tour: Tour,
-    state: &State,
-    commands: &mut Vec<Command>,
-) {
-    let (number, chapter, _) = tour.step();
-    let mut open = true;
-    Window::new(RichText::new(format!("{number}  {}", chapter.title)).strong())
-        .id(Id::unique("tour"))
-        .open(&mut open)
+/// The present step. The strip is as high for all steps, so that the picture keeps its size.
+pub(super) fn strip(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
+    let window = ui.ctx().content_rect().size();
+    let style = ui.style();
+    let frame = Frame::side_top_panel(style);
+    let buttons = style.spacing.interact_size.y + style.spacing.item_spacing.y;
+    let width = window.x - frame.total_margin().sum().x - style.spacing.scroll.bar_width;
+    let steps = Tour::steps().map(|step| height(ui, step, state, width));
+    let margin = frame.total_margin().sum().y;
+    let wanted = margin + buttons + steps.fold(0.0, f32::max);
+    Panel::bottom("tour")
+        .exact_size(wanted.min(MOST * window.y))
         .resizable(false)
-        .pivot(Align2::LEFT_BOTTOM)
-        .default_pos(rect.left_bottom() + vec2(CROSS, -MARGIN))
-        .constrain_to(rect)
-        .show(ctx, |ui| {
-            ui.set_width(WIDTH.min(rect.width() - 4.0 * MARGIN).max(100.0));
-            contents(ui, tour, state, commands);
+        .frame(frame)
+        .show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = GAP;
+            ui.horizontal(|ui| bar(ui, tour, state, commands));
+            let (_, _, step) = tour.step();
+            ScrollArea::vertical()
+                .id_salt(step.task)
+                .min_scrolled_height(0.0)
+                .auto_shrink(false)
+                .show(ui, |ui| text(ui, step, state));
         });
-    if !open {
-        commands.push(Command::Tour(TourMove::End));
-    }
 }
 
-fn contents(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
-    let (_, _, step) = tour.step();
+/// How high a step's text is, in points.
+fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    let example = step.example(state).unwrap_or_default();
+    let paragraphs = [step.task, step.why, &example].into_iter();
+    let heights = paragraphs.filter(|text| !text.is_empty()).map(|text| {
+        let painter = ui.painter();
+        let galley = painter.layout(text.to_owned(), font.clone(), Color32::WHITE, width);
+        galley.size().y + GAP
+    });
+    heights.sum()
+}
+
+fn text(ui: &mut Ui, step: &Step, state: &State) {
     ui.label(RichText::new(step.task).strong())
         .hint("what to do now: the window notices");
-    ui.label(step.why).hint("why");
     if let Some(example) = step.example(state) {
         ui.label(RichText::new(example).strong().italics())
             .hint("the same point through the matrix that is in use now");
     }
-    let is_elsewhere = !state.is_demo() && state.showing().is_none();
-    if is_elsewhere {
-        let demo = ui.button("open the demo");
-        if demo.hint("the tour speaks of what is in it").clicked() {
-            commands.push(Command::Open(Vec::new()));
-        }
-    }
-    ui.add_space(4.0);
+    ui.label(step.why).hint("why");
+}
+
+/// Chapter and number of the step, and where to go from it.
+fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
+    let (number, chapter, _) = tour.step();
     let (count, behind) = tour.progress();
-    ui.horizontal(|ui| {
-        let mut go = |ui: &mut Ui, enabled: bool, text: RichText, hint: &str, to| {
-            if ui
-                .add_enabled(enabled, egui::Button::new(text))
-                .hint(hint)
-                .clicked()
-            {
-                commands.push(Command::Tour(to));
-            }
-        };
-        go(
+    let mut asked = None;
+    let mut go = |ui: &mut Ui, enabled: bool, text: RichText, hint: &str, to| {
+        let button = ui.add_enabled(enabled, Button::new(text)).hint(hint);
+        if button.clicked() {
+            asked = Some(to);
+        }
+        button
+    };
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let end = go(
             ui,
-            behind > 0,
-            "back".into(),
-            "to the step before",
-            TourMove::Back,
+            true,
+            "\u{d7}".into(),
+            "end the tour: Help begins it again",
+            TourMove::End,
         );
-        let is_last = behind + 1 == count;
-        let next = match (tour.is_done, is_last) {
+        named(&end, "end the tour");
+        let next = match (tour.is_done, behind + 1 == count) {
             (false, _) => RichText::new("skip"),
             (true, false) => RichText::new("next").strong(),
             (true, true) => RichText::new("finish").strong(),
         };
         go(ui, true, next, "to the next step", TourMove::Next);
+        let (back, hint) = ("back".into(), "to the step before");
+        go(ui, behind > 0, back, hint, TourMove::Back);
         if tour.is_done {
             let done = RichText::new(TICK).color(ui.visuals().hyperlink_color);
             named(&ui.label(done.size(18.0)).hint("done"), "step done");
         }
+        if !state.is_demo() && state.showing().is_none() {
+            let demo = ui.button("open the demo");
+            if demo.hint("the tour speaks of what is in it").clicked() {
+                commands.push(Command::Open(Vec::new()));
+            }
+        }
         ui.weak(format!("step {} of {count}", behind + 1))
             .hint("in all chapters");
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let title = RichText::new(format!("{number}  {}", chapter.title)).strong();
+            ui.add(egui::Label::new(title).truncate())
+                .hint("the tour's chapter");
+        });
     });
+    commands.extend(asked.map(Command::Tour));
 }
 
 /// Offers the tour, at the lower edge of the picture.
-pub(super) fn offer(ctx: &Context, rect: Rect, commands: &mut Vec<Command>) {
+pub(super) fn offer(ui: &Ui, rect: Rect, commands: &mut Vec<Command>) {
     Area::new(Id::unique("tour offer"))
         .fixed_pos(rect.center_bottom() - vec2(0.0, MARGIN))
         .pivot(Align2::CENTER_BOTTOM)
-        .show(ctx, |ui| {
+        .show(ui.ctx(), |ui| {
             Frame::popup(ui.style()).show(ui, |ui| {
                 ui.horizontal(|ui| {
                     ui.label("New here?")

@@ -1,0 +1,170 @@
+//! The area of a sphere under a matrix: an ellipsoid, which has no elementary formula.
+//!
+//! The sphere has radius 1/2, so the half axes are the singular values of L / 2, and the area is `4 pi R_G(x, y, z)`, where x, y
+//! and z are the squares of the products of two half axes each and `R_G` is Carlson's integral (DLMF 19.33.1). Those squares are
+//! the eigenvalues of `C^T C / 16`, with C the cofactors of L. `R_G` is of degree 1/2, so the area is pi times `R_G` of the
+//! eigenvalues of `C^T C`. It grows with each of them: bounds on them bound the area.
+//!
+//! Eigenvalues: `f64` gives approximate eigenvectors Q (Jacobi's rotations). All that follows takes Q as it is, with nothing
+//! rounded. The diagonal of `Q^T C^T C Q` lies within the norm of what stands beside it of that matrix's eigenvalues (Weyl), and
+//! these are those of `C^T C` times factors that differ from 1 by no more than the norm of `Q^T Q - 1` (Ostrowski). Where L
+//! stretches along the axes both norms are 0, and so they are under a uniform scale s: then the area is pi s^2.
+//!
+//! `R_G` comes of `R_F` and `R_D` with the middle one of the three in the last place, where no term is below 0 (DLMF 19.21.10), and
+//! these of duplication (DLMF 19.26.18 and 19.26.20): each step leaves a quarter of what the three differ by. All of it are sums,
+//! products, quotients and roots of numbers that are not below 0, each cut off after [`BITS`] bits, so that relative errors add
+//! up. Of fewer than 2^40 of them they are below 2^-120.
+
+use super::measure::Measured;
+use crate::geometry::{
+    Placement,
+    dyadic::{self, Dyadic, DyadicVector},
+};
+use glam::{DMat3, DVec3};
+use std::f64::consts::PI;
+
+/// Digits of each number.
+const BITS: i64 = 160;
+/// The three are as good as one number when they differ by less than this share of it, as a power of two: `R_F` and `R_D` of them
+/// lie between those of the least and of the largest, thrice.
+const ALIKE: i64 = -80;
+/// For all that is cut off, relative: far more than it is.
+const CUT_OFF: f64 = f64::EPSILON / 1024.0;
+/// What pi is above its `f64`, to 2^-109.
+const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
+
+/// The area of the sphere of radius 1/2 where a placement puts it.
+pub(super) fn sphere_area(placement: &Placement) -> Measured {
+    let [low, high] = eigenvalues(placement).map(|[x, y, z]| carlson_g(&x, &y, &z));
+    let pi = Dyadic::new(PI).plus(&Dyadic::new(PI_REST));
+    let half = Dyadic::new(0.5);
+    let middle = pi.times(&half).times(&low.plus(&high));
+    let off = pi.times(&half).times(&high.minus(&low));
+    let [value, off] = [&middle, &off].map(|n| dyadic::rounded(&n.integer, n.exponent));
+    // What is off is rounded to within one unit in the last place, too.
+    Measured::of(&middle, off * (1.0 + f64::EPSILON) + CUT_OFF * value)
+}
+
+/// Bounds from below and from above on the eigenvalues of `C^T C`, each from the largest down.
+fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
+    let DMat3 {
+        x_axis,
+        y_axis,
+        z_axis,
+    } = placement.model().matrix3;
+    let [a, b, c] = [x_axis, y_axis, z_axis].map(DyadicVector::new);
+    let cofactors = [b.cross(&c), c.cross(&a), a.cross(&b)];
+    let vectors = eigenvectors(&cofactors);
+    let products = vectors.map(|v| {
+        let [x, y, z] = [0, 1, 2].map(|i| cofactors[i].times(&Dyadic::new(v[i])));
+        x.plus(&y).plus(&z)
+    });
+    let exact = vectors.map(DyadicVector::new);
+    let one = Dyadic::new(1.0);
+    let (mut beside, mut skew) = (Dyadic::new(0.0), Dyadic::new(0.0));
+    for (i, j) in [0, 1, 2]
+        .into_iter()
+        .flat_map(|i| [0, 1, 2].map(|j| (i, j)))
+    {
+        let product = exact[i].dot(&exact[j]);
+        if i == j {
+            skew = skew.plus(&product.minus(&one).squared());
+        } else {
+            skew = skew.plus(&product.squared());
+            beside = beside.plus(&products[i].dot(&products[j]).squared());
+        }
+    }
+    // Roots are cut off.
+    let more = Dyadic::new(1.0 + f64::EPSILON);
+    let [beside, skew] = [beside, skew].map(|squared| squared.sqrt(BITS).times(&more));
+    let mut diagonal = products.each_ref().map(|product| product.dot(product));
+    diagonal.sort_by(|a, b| b.minus(a).sign());
+    let low = diagonal.each_ref().map(|value| {
+        let least = value.minus(&beside);
+        let least = if least.is_negative() {
+            Dyadic::new(0.0)
+        } else {
+            least
+        };
+        least.quotient(&one.plus(&skew), BITS)
+    });
+    let high = diagonal
+        .each_ref()
+        .map(|value| value.plus(&beside).quotient(&one.minus(&skew), BITS));
+    [low, high]
+}
+
+/// Unit vectors close to the eigenvectors of `C^T C`, by its columns: Jacobi's rotations.
+fn eigenvectors(cofactors: &[DyadicVector; 3]) -> [DVec3; 3] {
+    let product = |i: usize, j: usize| cofactors[i].dot(&cofactors[j]);
+    let unit = (0..3).filter_map(|i| product(i, i).magnitude()).max();
+    let unit = unit.unwrap_or(0);
+    let entry = |i: usize, j: usize| {
+        let n = product(i, j);
+        dyadic::rounded(&n.integer, n.exponent - unit)
+    };
+    let mut matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)));
+    let mut vectors = DMat3::IDENTITY.to_cols_array_2d();
+    for _ in 0..12 {
+        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+            if matrix[p][q] == 0.0 {
+                continue;
+            }
+            let twice_cot = (matrix[q][q] - matrix[p][p]) / matrix[p][q];
+            let tan = 2.0_f64.copysign(twice_cot) / (twice_cot.abs() + twice_cot.hypot(2.0));
+            let cos = 1.0 / tan.hypot(1.0);
+            let sin = tan * cos;
+            for row in &mut matrix {
+                (row[p], row[q]) = (cos * row[p] - sin * row[q], sin * row[p] + cos * row[q]);
+            }
+            for k in 0..3 {
+                let (a, b) = (matrix[p][k], matrix[q][k]);
+                (matrix[p][k], matrix[q][k]) = (cos * a - sin * b, sin * a + cos * b);
+                let (a, b) = (vectors[p][k], vectors[q][k]);
+                (vectors[p][k], vectors[q][k]) = (cos * a - sin * b, sin * a + cos * b);
+            }
+            (matrix[p][q], matrix[q][p]) = (0.0, 0.0);
+        }
+    }
+    vectors.map(DVec3::from_array)
+}
+
+/// `R_G` of three numbers, none below 0 and the first above it, from the largest down.
+fn carlson_g(x: &Dyadic, z: &Dyadic, y: &Dyadic) -> Dyadic {
+    let half = Dyadic::new(0.5);
+    if z.is_zero() {
+        return half.times(&x.sqrt(BITS));
+    }
+    let (of_f, of_d) = carlson_f_and_d(x, y, z);
+    let apart = x.minus(z).times(&z.minus(y));
+    let third = apart.times(&of_d).quotient(&Dyadic::new(3.0), BITS);
+    let last = x.times(y).quotient(z, BITS).sqrt(BITS);
+    half.times(&z.times(&of_f).plus(&third).plus(&last))
+}
+
+/// `R_F` and `R_D` of numbers that are not below 0, the first and the last above it.
+fn carlson_f_and_d(x: &Dyadic, y: &Dyadic, z: &Dyadic) -> (Dyadic, Dyadic) {
+    let one = Dyadic::new(1.0);
+    let cut = |n: &Dyadic| n.quotient(&one, BITS);
+    let quarter = Dyadic::new(0.25);
+    let [mut x, mut y, mut z] = [x, y, z].map(cut);
+    let (mut sum, mut weight) = (Dyadic::new(0.0), one.clone());
+    loop {
+        let apart = [x.minus(&y), y.minus(&z), z.minus(&x)];
+        let apart = apart.iter().filter_map(Dyadic::magnitude).max();
+        let alike = z.magnitude().map(|size| size + ALIKE);
+        if apart.is_none_or(|apart| Some(apart) < alike) {
+            break;
+        }
+        let [a, b, c] = [&x, &y, &z].map(|n| n.sqrt(BITS));
+        let lambda = a.times(&b).plus(&b.times(&c)).plus(&c.times(&a));
+        let bottom = c.times(&z.plus(&lambda));
+        let three = Dyadic::new(3.0).times(&weight);
+        sum = cut(&sum.plus(&three.quotient(&bottom, BITS)));
+        weight = weight.times(&quarter);
+        [x, y, z] = [&x, &y, &z].map(|n| cut(&n.plus(&lambda).times(&quarter)));
+    }
+    let root = z.sqrt(BITS);
+    let of_d = weight.quotient(&root.times(&z), BITS);
+    (one.quotient(&root, BITS), cut(&sum.plus(&of_d)))
+}

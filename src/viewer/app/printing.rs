@@ -1,0 +1,56 @@
+//! Picks as lines on stdout, each once its mesh's file has said what it has to: in the order in which they were made.
+
+use super::{numbers::file_of, program::App, wake::Wake};
+use crate::{
+    json,
+    pick::PickLine,
+    viewer::jobs::{Found, Question, ReadingAgain},
+};
+use std::io::Write;
+
+impl App {
+    /// Prints a pick, as soon as all that is to be said of it is known.
+    pub(super) fn print(&mut self, line: PickLine) {
+        let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
+        let reading = asked.map(|(triangle, file)| {
+            let wake = self.wake.clone();
+            ReadingAgain::start(file, Question::Triangle(triangle), move || wake(Wake::Look))
+        });
+        self.numbers.unprinted.push_back((line, reading));
+        self.print_known(ReadingAgain::poll);
+    }
+
+    /// Prints the first of what waits, up to one whose file has not answered yet.
+    pub(super) fn print_known(&mut self, answer: impl Fn(&ReadingAgain) -> Option<Found>) {
+        while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
+            if let Some(reading) = reading {
+                match answer(reading) {
+                    Some(Found::Triangle(in_file)) => {
+                        if let Some(hit) = &mut line.hit {
+                            hit.in_file = in_file;
+                        }
+                    }
+                    Some(_) => {}
+                    None => return,
+                }
+            }
+            print(line);
+            self.numbers.unprinted.pop_front();
+        }
+    }
+}
+
+impl Drop for App {
+    /// A window that is closed waits for what files have yet to say of its picks.
+    fn drop(&mut self) {
+        self.print_known(ReadingAgain::wait);
+    }
+}
+
+/// A pick as a line on stdout. Who reads it may be gone: that is no reason to stop showing.
+fn print(line: &PickLine) {
+    if let Ok(json) = json::text(line) {
+        let mut out = std::io::stdout().lock();
+        let _ = writeln!(out, "{json}").and_then(|()| out.flush());
+    }
+}

@@ -1,0 +1,140 @@
+//! The way to what a file has a number for, and the mark that it leaves.
+
+use super::{hits::RayHits, state::State};
+use crate::{
+    geometry::PlacedPoint,
+    pick::{NamedSurface, Pick, PickLine, Sight, sight},
+    scene::Shape,
+};
+use glam::{DVec2, DVec3};
+
+/// At a vertex `f64` may put the ray beside each of its triangles: then it is cast so far towards the middle of one.
+const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
+
+/// What a file has a number for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbered {
+    /// A face.
+    Face(usize),
+    /// A vertex.
+    Vertex(usize),
+}
+
+impl Numbered {
+    /// As panels and marks write it.
+    #[must_use]
+    pub fn name(self) -> String {
+        match self {
+            Self::Face(number) => format!("face {number}"),
+            Self::Vertex(number) => format!("v {number}"),
+        }
+    }
+}
+
+/// What was gone to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sought {
+    /// Its number.
+    pub of: Numbered,
+    /// The index of the object that it is on.
+    pub object: usize,
+    /// A triangle of that which has it.
+    pub triangle: u32,
+    /// The vertex, or a point inside of the face.
+    pub point: PlacedPoint,
+}
+
+impl State {
+    /// What was gone to by its number and is marked, where it stands now.
+    #[must_use]
+    pub fn sought(&self) -> Option<Sought> {
+        let sought = self.sought?;
+        let placement = &self.scene.objects().get(sought.object)?.placement;
+        let point = sought.point.placed_by(placement);
+        Some(Sought { point, ..sought })
+    }
+
+    /// Whether the view on screen shows that, exactly; `None` where nothing is marked, or no tree is there yet to tell.
+    #[must_use]
+    pub fn sight_of_sought(&self) -> Option<Sight> {
+        let sought = self.sought().filter(|_| self.rays_are_quick())?;
+        Some(sight(&self.scene, &self.view, &sought.point))
+    }
+
+    /// That in words.
+    #[must_use]
+    pub fn says_of_sought(&self) -> Option<String> {
+        Some(match self.sight_of_sought()? {
+            Sight::Hidden(hit) => {
+                let NamedSurface {
+                    object, triangle, ..
+                } = NamedSurface::of(&self.scene, &hit);
+                let triangle = triangle.map_or_else(String::new, |n| format!(", triangle {n}"));
+                format!("hidden by {object}{triangle}")
+            }
+            Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
+                Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
+                None => "beside the picture".to_owned(),
+            },
+            Sight::NotShown => {
+                "not shown: before near, beyond far, cut away, culled, hidden or edge-on".to_owned()
+            }
+        })
+    }
+
+    /// Shows it, in the middle where it is out of the picture, marks it, and picks it where its triangle can be. Where it
+    /// cannot, its object is selected, and a pick of that stays.
+    pub(super) fn go_to(&mut self, sought: Sought) -> Option<PickLine> {
+        self.sought = Some(sought);
+        let Sought { object, point, .. } = self.sought()?;
+        let point_world = point.world();
+        if self.in_picture(point_world).is_none() {
+            self.pivot_world = point_world;
+            self.orbit.center_on(point_world);
+            self.moved();
+        }
+        let line = self
+            .pick_of(&sought, point_world)
+            .and_then(|hits| self.take_hits(hits));
+        let selected = self.selection.as_ref().map(|selection| selection.object);
+        if selected != Some(object) {
+            self.select(Some(object));
+        }
+        if let Some(panes) = &mut self.panes {
+            panes.point = Some((object, point.object()));
+        }
+        self.sought = Some(sought);
+        line
+    }
+
+    /// Where the view shows a point between its planes; `None` beside the picture.
+    fn in_picture(&self, point_world: DVec3) -> Option<DVec2> {
+        let view = &self.view;
+        let lens = view.camera.lens();
+        let at = view.project(point_world)?;
+        let is_between = (lens.near..lens.far).contains(&at.depth);
+        (view.viewport.contains(at.px) && is_between).then_some(at.px)
+    }
+
+    /// Its triangle, on the ray at the point or next to it.
+    fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
+        let at = self.in_picture(point_world)?;
+        let object = &self.scene.objects()[sought.object];
+        let Shape::Mesh { mesh, .. } = &object.shape else {
+            return None;
+        };
+        let corners = mesh.corners(object.shape.first_triangle() + sought.triangle);
+        let middle = object
+            .placement
+            .point_to_world(corners.iter().sum::<DVec3>() / 3.0);
+        let middle = self.view.project(middle).map_or(at, |middle| middle.px);
+        let name = (sought.object + 1, Some(sought.triangle));
+        let is_it = |pick: &Pick| (pick.id, pick.triangle) == name;
+        ASIDE.into_iter().find_map(|share| {
+            let px = at + share * (middle - at);
+            let hits = RayHits::cast(&self.scene, self.view, px, 0);
+            let at = hits.picks.iter().position(is_it)?;
+            Some(RayHits { at, ..hits })
+        })
+    }
+}

@@ -1,0 +1,46 @@
+//! Sliders of near and far: over decades of the scene's size, and finely with Shift.
+
+use super::names::{Hint, named};
+use crate::viewer::model::State;
+use egui::{Response, Slider, Ui};
+
+/// With Shift, a point of the cursor's way changes a plane by this share of it.
+const FINE: f64 = 0.005;
+
+/// How large what is visible is: planes are slid over ten decades about that.
+pub(super) fn size(state: &State) -> f64 {
+    let bounds = state.scene().visible_bounds();
+    if bounds.is_empty() {
+        1.0
+    } else {
+        bounds.radius().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// A slider, and where it was slid to, if it was.
+pub(super) fn show(
+    ui: &mut Ui,
+    state: &State,
+    name: &str,
+    hint: &str,
+    depth: f64,
+) -> (Response, Option<f64>) {
+    let (least, most) = (1e-6 * size(state), 1e4 * size(state));
+    let mut slid = depth;
+    let slider = Slider::new(&mut slid, least..=most)
+        .logarithmic(true)
+        .smart_aim(false)
+        .show_value(false);
+    let slider = ui.add(slider);
+    let (is_fine, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
+    let mut is_slid = slider.changed();
+    if slider.dragged() && is_fine {
+        slid = (depth * (FINE * f64::from(by)).exp()).clamp(least, most);
+        is_slid = by != 0.0;
+    }
+    named(&slider, name);
+    let slider = slider.hint(format!(
+        "{hint}. With Shift it slides finely, by half a percent a point"
+    ));
+    (slider, is_slid.then_some(slid))
+}
