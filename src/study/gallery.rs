@@ -144,7 +144,6 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 
 /// What the methods of a break's step do in its family, seen as a view of the scene sees it, and on that view's own rays,
 /// which are the family [`SCENE`]. In per cent, degrees and parts of a depth nothing depends on the view.
-#[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     // One column of a window's pixels is seen.
     const RAYS: usize = 6000;
@@ -179,7 +178,6 @@ pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
 }
 
 /// Every method that a scene of the gallery can be picked by: those that break on it, then the others of their steps.
-#[must_use]
 pub fn swaps(exhibit: &str) -> Vec<Swap> {
     let mut swaps: Vec<Swap> = breaks_on(exhibit).filter_map(Break::swap).collect();
     for known in breaks_on(exhibit) {

@@ -148,7 +148,6 @@ impl Report {
 pub const SCENE: &str = "this scene";
 
 /// Runs it. `progress` is told how much of the whole is done, from 0 to 1, and of which step.
-#[must_use]
 pub fn run(
     effort: Effort,
     scene: Option<&SceneRays>,
@@ -269,7 +268,6 @@ fn workloads<'a, C: Case>(
 }
 
 /// What every method of a step does in the family of this name: the rows that [`run`] has for it.
-#[must_use]
 pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
     let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
@@ -279,7 +277,6 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
 }
 
 /// What every method of a step does on a scene's own rays: the family [`SCENE`].
-#[must_use]
 pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
     let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
     own.map_or_else(Vec::new, |work| judge(&work))

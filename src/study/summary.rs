@@ -91,7 +91,6 @@ pub(super) fn rate(some: usize, of: usize) -> f64 {
 }
 
 /// The value that so large a share of sorted values does not exceed; 0 of none.
-#[must_use]
 pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,

@@ -111,7 +111,6 @@ impl Swap {
     }
 
     /// The pick at a pixel position with this method in it.
-    #[must_use]
     pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
         (self.step.pick)(self.method, scene, view, px)
     }
@@ -119,7 +118,6 @@ impl Swap {
 
 impl Found {
     /// A hit as this program reports it.
-    #[must_use]
     pub fn of(scene: &Scene, ray: &Ray, hit: SceneHit) -> Self {
         let placement = &scene.objects()[hit.object].placement;
         Self {
@@ -130,7 +128,6 @@ impl Found {
     }
 
     /// What this program picks there.
-    #[must_use]
     pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
         let ray = view.ray(px);
         let hit = pick::closest(scene, ray, view.sides)?;

@@ -14,7 +14,6 @@ use super::{
 use std::fmt::Write;
 
 /// Every step's table.
-#[must_use]
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
     let [general, own] = report.split().map(Option::unwrap_or_default);
@@ -219,7 +218,6 @@ fn percent(value: f64) -> String {
 }
 
 /// A measured number with two digits.
-#[must_use]
 pub fn number(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),
@@ -232,7 +230,6 @@ pub fn number(value: f64) -> String {
 }
 
 /// A parameter's value.
-#[must_use]
 pub fn short(value: f64) -> String {
     if (0.01..1e4).contains(&value) {
         format!("{value}")

@@ -133,7 +133,6 @@ pub(super) fn first_ahead(met: impl IntoIterator<Item = Meeting>) -> Option<f64>
 }
 
 /// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
-#[must_use]
 pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
@@ -144,7 +143,6 @@ pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
 }
 
 /// How far a ray passes from the nearest side of a polygon, in radians seen from its origin.
-#[must_use]
 pub fn edge_angle(origin: V3<f64>, direction: V3<f64>, corners: &[V3<f64>]) -> f64 {
     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
     let angles = ends.map(|(from, to)| segment_angle(origin, direction, *from, *to));
@@ -177,7 +175,6 @@ fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
 }
 
 /// Relative error of `answer`, infinite where it is no number.
-#[must_use]
 pub(super) fn relative(truth: f64, answer: f64) -> f64 {
     if truth.to_bits() == answer.to_bits() {
         return 0.0;

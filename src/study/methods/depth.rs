@@ -210,7 +210,6 @@ impl Mapping {
     }
 
     /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
-    #[must_use]
     pub fn stored(self, case: &DepthCase) -> f32 {
         let ndc = if self.logarithmic && !case.parallel {
             (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())

@@ -51,7 +51,6 @@ pub struct NormalCase {
 
 impl NormalCase {
     /// The case of a normal and a matrix; `None` where that has no inverse.
-    #[must_use]
     pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
         let [x, y, z] = linear.0.map(Into::into);
         let model = DAffine3 {

@@ -62,7 +62,6 @@ pub struct PlacedCase {
 
 impl PlacedCase {
     /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
-    #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
         let [x, y, z] = linear.0.map(Into::into);
         let model = DAffine3 {
@@ -225,7 +224,6 @@ pub fn relative<T: Real>(case: &Placed<T>) -> LocalRay {
 /// How far, in radians seen from the world ray's origin, the object-space ray passes from the world ray when it is
 /// brought back without rounding: at the depth of the object's own origin, or where the ray starts when that lies
 /// behind. Infinite for what is no ray.
-#[must_use]
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     if !local
         .iter()

@@ -181,7 +181,6 @@ pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
 ///
 /// The line's distance from the centre less the radius is `(distance^2 - r^2) / (distance + r)`, with `distance^2 = m^2 / d^2` and m
 /// the moment `o x d`; the outline lies a tangent's length away.
-#[must_use]
 pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
     let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
     let (moment, r) = (o.cross(&d), Exact::new(Sphere::RADIUS));

@@ -55,7 +55,6 @@ impl<T: Real> RaySquare<T> {
     }
 
     /// The square's corners, one after the other.
-    #[must_use]
     pub fn rim(&self) -> [V3<T>; 4] {
         let (middle, [u, v]) = (self.middle, self.sides.map(|side| side * T::of(0.5)));
         [

@@ -28,7 +28,6 @@ struct Local {
 }
 
 /// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
-#[must_use]
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let sight = Sight::new(view, px);
     let ray = sight.rounded(view);

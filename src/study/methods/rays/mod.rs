@@ -70,7 +70,6 @@ pub struct Sight {
 
 impl Sight {
     /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
-    #[must_use]
     pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
         let [origin, direction] = [self.from, self.along].map(DVec3::from);
         let depth_per_t = direction.dot(camera.forward());
@@ -106,7 +105,6 @@ pub struct PixelCase {
 
 impl PixelCase {
     /// The case of a position in pixels; the size is in whole ones.
-    #[must_use]
     pub fn new(picture: Picture<f64>, px: [f64; 2], exact_axes: [V3<f64>; 3]) -> Self {
         let narrow = Picture {
             eye: V3::<f32>::of(picture.eye),
@@ -145,7 +143,6 @@ impl PixelCase {
     }
 
     /// The case of a pixel of a view; its axes are taken as exact.
-    #[must_use]
     pub fn of_view(view: &View, px: DVec2) -> Self {
         let View {
             camera, viewport, ..

@@ -28,7 +28,6 @@ pub struct RayTriangle<T> {
 
 impl RayTriangle<f64> {
     /// The ray parameter of the hit without rounding; none where the ray misses, also when it runs within the plane.
-    #[must_use]
     pub fn truth(&self) -> Option<f64> {
         let line = Line::new(self.origin, self.direction);
         truth::first_ahead(line.triangle(self.corners.map(Exact3::new)))
@@ -85,7 +84,6 @@ impl TriangleCase {
 
     /// The case of a mesh's triangle and a ray in the object's space: in the vertices' own space, where triangles are
     /// tested.
-    #[must_use]
     pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
         let data = mesh.data();
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();

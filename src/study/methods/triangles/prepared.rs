@@ -41,7 +41,6 @@ impl<T: Copy> Prepared<T> {
 
 impl<T: Real> Prepared<T> {
     /// The numbers of `f64`, rounded, with what is kept in the same precision.
-    #[must_use]
     pub fn of(wide: &RayTriangle<f64>) -> Self {
         let given = RayTriangle {
             origin: V3::of(wide.origin),
