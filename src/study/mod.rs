@@ -82,7 +82,7 @@ pub use timing::{Time, processor};
 
 /// What each step's file is made of.
 mod prelude {
-    pub(in crate::study) use super::step::both;
+    pub(in crate::study) use super::step::{about, both, family};
     pub use super::{
         exact::{Exact, Exact3},
         random::Random,

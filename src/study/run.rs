@@ -4,7 +4,7 @@ use super::{
     methods::{Visitor, each_step, registry},
     random::Random,
     scene_rays::SceneRays,
-    step::{About, Case, Family, Precision, Verdict},
+    step::{About, Case, Family, Method, MethodInfo, Precision, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
 };
@@ -94,6 +94,33 @@ pub struct Row {
 }
 
 impl Row {
+    /// A method before its first case.
+    fn new<C>(method: &MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+        let bound = method.ours.then_some(0.0);
+        Self {
+            step: method.step,
+            method: method.name,
+            precision: method.precision,
+            ours: method.ours,
+            reason: method.reason,
+            family: work.family,
+            parameter: work.parameter,
+            value: work.value,
+            cases,
+            missed: 0,
+            phantoms: 0,
+            others: 0,
+            ties: 0,
+            worst_wrong: 0.0,
+            median_error: 0.0,
+            p999_error: 0.0,
+            worst_error: 0.0,
+            of_bound: bound,
+            bound,
+            time: None,
+        }
+    }
+
     /// What tells methods of a step apart.
     #[must_use]
     pub fn method_key(&self) -> (&'static str, Precision) {
@@ -223,8 +250,8 @@ impl Run<'_> {
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
-            let key = (method.name, method.precision);
-            if let Some(row) = rows.iter_mut().find(|row| row.method_key() == key) {
+            let mut own = rows.iter_mut();
+            if let Some(row) = own.find(|row| row.method_key() == method.info.key()) {
                 row.time = time;
             }
         }
@@ -286,65 +313,43 @@ pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
 fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let cases = (work.make)(usize::MAX);
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
-    let methods =
-        C::methods().filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
-    methods
-        .map(|method| {
-            let mut row = Row {
-                step: C::ABOUT,
-                method: method.name,
-                precision: method.precision,
-                ours: method.ours,
-                family: work.family,
-                parameter: work.parameter,
-                value: work.value,
-                cases: cases.len(),
-                missed: 0,
-                phantoms: 0,
-                others: 0,
-                ties: 0,
-                worst_wrong: 0.0,
-                median_error: 0.0,
-                p999_error: 0.0,
-                worst_error: 0.0,
-                of_bound: method.ours.then_some(0.0),
-                bound: method.ours.then_some(0.0),
-                reason: method.reason,
-                time: None,
+    let can_run = |method: &&Method<C>| cases.first().is_some_and(|case| case.can_run(method));
+    let methods = C::methods().filter(can_run);
+    let rows = methods.map(|method| {
+        let mut row = Row::new(&method.info, work, cases.len());
+        let mut errors = Vec::with_capacity(cases.len());
+        for (case, truth) in iter::zip(&cases, &truths) {
+            let verdict = case.judge(truth, &(method.run)(case));
+            let bound = case.bound(truth);
+            let share = match verdict {
+                Verdict::Agreed => 0.0,
+                Verdict::Right(error) => {
+                    errors.push(error);
+                    share(error, bound)
+                }
+                Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
+                    let is_missed = matches!(verdict, Verdict::Missed(_));
+                    row.missed += usize::from(is_missed);
+                    row.phantoms += usize::from(!is_missed);
+                    let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
+                    row.ties += usize::from(is_tie);
+                    row.worst_wrong = row.worst_wrong.max(wrong);
+                    share(wrong, 0.0)
+                }
+                Verdict::Other => {
+                    row.others += 1;
+                    0.0
+                }
             };
-            let mut errors = Vec::with_capacity(cases.len());
-            for (case, truth) in iter::zip(&cases, &truths) {
-                let verdict = case.judge(truth, &(method.run)(case));
-                let bound = case.bound(truth);
-                let share = match verdict {
-                    Verdict::Agreed => 0.0,
-                    Verdict::Right(error) => {
-                        errors.push(error);
-                        share(error, bound)
-                    }
-                    Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
-                        let is_missed = matches!(verdict, Verdict::Missed(_));
-                        row.missed += usize::from(is_missed);
-                        row.phantoms += usize::from(!is_missed);
-                        let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
-                        row.ties += usize::from(is_tie);
-                        row.worst_wrong = row.worst_wrong.max(wrong);
-                        share(wrong, 0.0)
-                    }
-                    Verdict::Other => {
-                        row.others += 1;
-                        0.0
-                    }
-                };
-                row.of_bound = row.of_bound.map(|most| most.max(share));
-                row.bound = row.bound.map(|most| most.max(bound));
-            }
-            errors.sort_by(f64::total_cmp);
-            [row.median_error, row.p999_error, row.worst_error] =
-                [0.5, 0.999, 1.0].map(|share| quantile(&errors, share));
-            row
-        })
-        .collect()
+            row.of_bound = row.of_bound.map(|most| most.max(share));
+            row.bound = row.bound.map(|most| most.max(bound));
+        }
+        errors.sort_by(f64::total_cmp);
+        [row.median_error, row.p999_error, row.worst_error] =
+            [0.5, 0.999, 1.0].map(|share| quantile(&errors, share));
+        row
+    });
+    rows.collect()
 }
 
 /// Infinite where both are: that is no bound.

@@ -2,12 +2,11 @@
 
 use super::{
     methods::{
-        MethodInfo,
         files::{self, FileCase},
         registry,
     },
     run::{Report, Row, SCENE},
-    step::{About, Case},
+    step::{About, Case, MethodInfo},
     summary::{Summary, rate},
     timing::processor,
 };
@@ -111,7 +110,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
     // What could not be run here.
     let known = |method: &MethodInfo| {
         let mut known = summaries.iter().map(|summary| summary.method.method_key());
-        known.any(|known| known == (method.name, method.precision))
+        known.any(|known| known == method.key())
     };
     let mut methods = registry();
     methods.retain(|method| method.step == step && !known(method));

@@ -104,19 +104,19 @@ fn tiles() -> Vec<Tile> {
         });
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
-    methods.sort_by_key(|method| !method.ours);
+    methods.sort_by_key(|method| !method.info.ours);
     tiles.extend(on_all_cores(0..methods.len(), |index| {
         let method = methods[index];
-        let (_, cases) = &all[usize::from(method.precision != F32)];
+        let (_, cases) = &all[usize::from(method.info.precision != F32)];
         let said = cases.iter();
         let said = said.map(|(case, truth)| colour(case, *truth, method));
         Tile {
-            name: if method.ours {
+            name: if method.info.ours {
                 "Sightline"
             } else {
-                method.name
+                method.info.name
             },
-            precision: method.precision,
+            precision: method.info.precision,
             colours: said.collect(),
         }
     }));

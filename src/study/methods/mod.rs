@@ -20,7 +20,7 @@ pub mod usual;
 use super::{
     real::{Real, V3},
     scene_rays::SceneRays,
-    step::{About, Case, Method, Precision},
+    step::{Case, MethodInfo},
 };
 use crate::geometry::Ray;
 use std::marker::PhantomData;
@@ -101,35 +101,6 @@ fn ahead<T: Real>(t: T) -> Option<f64> {
     (t >= T::zero()).then(|| t.wide())
 }
 
-/// What is known about a method without running it.
-#[derive(Clone, Copy, Debug)]
-pub struct MethodInfo {
-    /// The step that it does.
-    pub step: About,
-    /// Its name.
-    pub name: &'static str,
-    /// What it computes with.
-    pub precision: Precision,
-    /// Where it is from.
-    pub source: &'static str,
-    /// Whether it is what this program does.
-    pub ours: bool,
-}
-
-impl MethodInfo {
-    /// What is known about a method.
-    #[must_use]
-    pub fn of<C: Case>(method: &Method<C>) -> Self {
-        Self {
-            step: C::ABOUT,
-            name: method.name,
-            precision: method.precision,
-            source: method.source,
-            ours: method.ours,
-        }
-    }
-}
-
 /// Something that is done for each step.
 pub trait Visitor {
     /// Does it for one.
@@ -163,6 +134,6 @@ pub fn registry() -> Vec<MethodInfo> {
 
 impl Visitor for Vec<MethodInfo> {
     fn visit<C: Case>(&mut self) {
-        self.extend(C::methods().map(MethodInfo::of));
+        self.extend(C::methods().map(|method| method.info));
     }
 }

@@ -93,6 +93,7 @@ impl PlacedCase {
 const COURSE: &str = "courses: the inverse of the model matrix, direction normalised";
 const KEPT: &str = "ray tracing texts: the inverse of the model matrix, direction kept";
 const RELATIVE: &str = "the translation first: inverse(A) (o - T)";
+const OURS: &str = "geometry::Placement::ray_to_object";
 
 /// Origin and direction in object space.
 type LocalRay = [V3<f64>; 2];
@@ -100,13 +101,10 @@ type LocalRay = [V3<f64>; 2];
 impl Case for PlacedCase {
     type Answer = LocalRay;
     type Truth = ();
-    const ABOUT: About = About {
-        name: "Ray into object space",
-        key: "object-space",
-        job: "a ray in the world and a model matrix with its inverse: origin and direction in object space",
-        error_unit: "px",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Ray into object space" "object-space", off by "px", wrong by "";
+        "a ray in the world and a model matrix with its inverse: origin and direction in object space"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("inverse(M), normalised", COURSE, by_inverse, true),
@@ -120,45 +118,22 @@ impl Case for PlacedCase {
                 let placed = black_box(c.placement.local_ray(&c.ray));
                 of(PickRay::from(&placed).ray)
             }),
-            Method::ours(
-                "Sightline's",
-                F64,
-                "geometry::Placement::ray_to_object",
-                |c| of(&c.placement.ray_to_object(&c.ray)),
-            ),
+            Method::ours(F64, OURS, |c| of(&c.placement.ray_to_object(&c.ray))),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| {
-            let scale = [
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-            ];
+            let scale = [(); 3].map(|()| random.within(0.5, 2.0));
             aim(random, scale, 3.0)
         }),
-        Family::new(
-            "far from the origin",
-            "translation / distance",
-            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-            |random, ratio| aim(random, [1.0; 3], 5.0 * ratio),
-        ),
-        Family::new(
-            "flattened",
-            "least / largest scale",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-            |random, least| {
-                let mut scale = [1.0, 1.0, least];
-                scale.rotate_left(random.below(3));
-                aim(random, scale, 3.0)
-            },
-        ),
-        Family::new(
-            "tiny and huge",
-            "scale",
-            &[1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12],
-            |random, scale| aim(random, [scale; 3], 3.0),
-        ),
+        family!("far from the origin", "translation / distance"
+            [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+            |random, ratio| aim(random, [1.0; 3], 5.0 * ratio)),
+        family!("flattened", "least / largest scale" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
+            flattened),
+        family!("tiny and huge", "scale"
+            [1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12] =>
+            |random, scale| aim(random, [scale; 3], 3.0)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -258,6 +233,12 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
 pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     [u, v, u.cross(v) * random.sign()]
+}
+
+fn flattened(random: &mut Random, least: f64) -> PlacedCase {
+    let mut scale = [1.0, 1.0, least];
+    scale.rotate_left(random.below(3));
+    aim(random, scale, 3.0)
 }
 
 /// An object about as large as its largest scale, so far from the world's origin, and a ray that passes it from 5

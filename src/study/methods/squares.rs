@@ -125,48 +125,32 @@ impl SquareCase {
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
 
+const OURS: &str = "geometry::square, under a model matrix: undivided, which its bound decides, else exactly";
+
 impl Case for SquareCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against square",
-        key: "square",
-        job: "a ray in the world and a square there: t of the hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against square" "square", off by "of t", wrong by "px";
+        "a ray in the world and a square there: t of the hit"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("N . (S - o)", POINT, point),
         &both!("D - N . o", CONSTANT, constant),
-        &[Method::ours(
-            "Sightline's",
-            Precision::Exact,
-            "geometry::square, under a model matrix: undivided, which its bound decides, else exactly",
-            |c| Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t),
-        )],
+        &[Method::ours(Precision::Exact, OURS, |c| {
+            Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t)
+        })],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::ordinary(|random, _| ordinary(random)),
+        Family::ordinary(|random, _| aim(random, 1.0, 1.0)),
         Family::HIT_RATE,
-        Family::new(
-            "grazing",
-            "angle to the plane (rad)",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-            |random, angle| aim(random, angle, 1.0),
-        ),
-        Family::new(
-            "far from the origin",
-            "offset / size",
-            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-            |random, offset| aim(random, 1.0, offset),
-        ),
-        Family::new(
-            "exactly through the rim",
-            "bits a coordinate",
-            &[4.0, 8.0, 12.0, 16.0],
-            through_the_rim,
-        ),
+        family!("grazing", "angle to the plane (rad)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
+            |random, angle| aim(random, angle, 1.0)),
+        family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
+            |random, offset| aim(random, 1.0, offset)),
+        family!("exactly through the rim", "bits a coordinate" [4.0, 8.0, 12.0, 16.0] =>
+            through_the_rim),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -230,10 +214,6 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     let point = case.origin + case.direction * t - case.middle;
     let [x, y] = case.kept.duals.map(|dual| dual.dot(point).abs());
     (x <= half && y <= half).then(|| ahead(t)).flatten()
-}
-
-fn ordinary(random: &mut Random) -> SquareCase {
-    aim(random, 1.0, 1.0)
 }
 
 /// Whole vectors at right angles, both at least 1 long, over a power of two that leaves them about that.

@@ -14,6 +14,7 @@ use crate::{
     study::{exact, prelude::*, real::Real},
 };
 use glam::{DVec2, DVec3};
+use num_traits::ToPrimitive;
 use std::hint::black_box;
 use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_less_eye};
 
@@ -119,12 +120,7 @@ impl PixelCase {
             size: picture.size.map(f32::of),
         };
         let [right, up, forward] = picture.axes.map(Into::into);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "whole numbers of pixels"
-        )]
-        let size_px = picture.size.map(|side| side as u32);
+        let size_px = picture.size.map(|side| side.to_u32().unwrap_or(0));
         let grid = PixelGrid {
             eye: picture.eye.into(),
             right,
@@ -174,21 +170,18 @@ impl PixelCase {
 const COURSE: &str = "courses: p = target + sx H + sy V, direction = p - eye";
 const BASIS: &str = "ray tracing texts: F + sx aspect tan R + sy tan U";
 const UNPROJECT: &str = "gluUnProject, three.js, many engines: through the inverse of P * V";
-
 const THREE: &str =
     "three.js, Raycaster.setFromCamera: inverse(P) at depth 0.5, the camera's matrix, less the eye";
 const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P), reversed and endless, from depth 1 to f32's epsilon";
+const OURS: &str = "geometry::PixelRays::rounded: eye basis, by steps of a pixel";
 
 impl Case for PixelCase {
     type Answer = Sight;
     type Truth = Exact3;
-    const ABOUT: About = About {
-        name: "Ray from pixel",
-        key: "ray",
-        job: "a position in a picture that is set up: the ray's start and direction",
-        error_unit: "px",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Ray from pixel" "ray", off by "px", wrong by "";
+        "a position in a picture that is set up: the ray's start and direction"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("target + sx H + sy V - eye", COURSE, course),
@@ -202,12 +195,7 @@ impl Case for PixelCase {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
                 of(&ray)
             }),
-            Method::ours(
-                "Sightline's",
-                F64,
-                "geometry::PixelRays::rounded: eye basis, by steps of a pixel",
-                |c| of(&c.rays.rounded(DVec2::from(c.wide.px))),
-            ),
+            Method::ours(F64, OURS, |c| of(&c.rays.rounded(DVec2::from(c.wide.px)))),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;

@@ -155,13 +155,10 @@ fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Opt
 impl Case for TriangleCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against triangle",
-        key: "triangle",
-        job: "a ray among its mesh's vertices and three corners: t of the hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against triangle" "triangle", off by "of t", wrong by "px";
+        "a ray among its mesh's vertices and three corners: t of the hit"
+    );
 
     const METHODS: Methods<Self> = in_both_precisions!(
         one,
@@ -173,7 +170,7 @@ impl Case for TriangleCase {
             Method::new("exact everywhere", Precision::Exact, EXACT, |c| {
                 exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-            Method::ours("Sightline's", Precision::Exact, OURS, |c| {
+            Method::ours(Precision::Exact, OURS, |c| {
                 guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
         ]
