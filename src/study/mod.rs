@@ -82,19 +82,22 @@ pub use timing::{Time, processor};
 
 /// What each step's file is made of.
 mod prelude {
-    pub(in crate::study) use super::step::{about, both, family};
     pub use super::{
-        exact::{Exact, Exact3},
+        exact::{self, Exact, Exact3},
         random::Random,
-        real::{V3, narrow3},
+        real::{M3, Real, Ring, V3, narrow, narrow3},
         run::Effort,
-        scene_rays::{PX, SceneRays},
+        scene_rays::{PX, SceneRays, TAN_30},
         step::{
             About, Case, Family, Method, Methods,
             Precision::{self, F32, F64},
             Verdict,
         },
-        truth::{Line, UNIT},
+        truth::{self, Line, UNIT, UNIT_F32},
+    };
+    pub(in crate::study) use super::{
+        step::{about, both, family},
+        truth::{cross_sizes, relative},
     };
     pub use crate::pick::SceneHit;
 }

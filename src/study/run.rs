@@ -26,26 +26,20 @@ pub struct Effort {
 
 impl Effort {
     /// Within seconds.
-    pub const QUICK: Self = Self {
-        cases: 500,
-        picks: 200,
-        rounds: 11,
-        seed: 1,
-    };
+    pub const QUICK: Self = Self::new(500, 200, 11);
     /// A scene's own rays only.
-    pub const SCENE_ONLY: Self = Self {
-        cases: 0,
-        picks: 0,
-        rounds: 11,
-        seed: 1,
-    };
+    pub const SCENE_ONLY: Self = Self::new(0, 0, 11);
     /// Within minutes.
-    pub const FULL: Self = Self {
-        cases: 8000,
-        picks: 4000,
-        rounds: 41,
-        seed: 1,
-    };
+    pub const FULL: Self = Self::new(8000, 4000, 41);
+
+    const fn new(cases: usize, picks: usize, rounds: usize) -> Self {
+        Self {
+            cases,
+            picks,
+            rounds,
+            seed: 1,
+        }
+    }
 }
 
 /// What a method did at one value of one family's parameter.

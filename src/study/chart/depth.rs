@@ -1,41 +1,20 @@
 //! What a depth buffer tells apart: the marks that a small format puts on 1 / z, after Reed, Depth Precision Visualized,
 //! 2015; and the steps of real formats against distance.
 
-use super::{
-    axis::{Axis, Panel},
-    page::page,
-    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET},
-};
+use super::prelude::*;
 use crate::study::methods::depth::{DepthCase, Mapping};
 
-/// A mapping with its name, colour and line width: those below are wider than those that cover them.
-const MAPPINGS: [(&str, Mapping, Colour, u32); 5] = [
-    ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1], 9),
-    (
-        "standard, 24-bit integer",
-        Mapping::STANDARD_24,
-        COLOURS[5],
-        6,
-    ),
-    (
-        "reversed, 24-bit integer",
-        Mapping::REVERSED_24,
-        COLOURS[0],
-        2,
-    ),
-    (
-        "reversed, infinite far plane, float",
-        Mapping::INFINITE,
-        COLOURS[2],
-        7,
-    ),
-    (
-        "reversed, 32-bit float: Sightline's",
-        Mapping::REVERSED,
-        [0, 0, 0],
-        3,
-    ),
+/// A mapping with its name, colour (none of [`COLOURS`] is black) and line width: those below are wider than those that cover
+/// them.
+const MAPPINGS: [(&str, Mapping, usize, u32); 5] = [
+    ("standard, 32-bit float", Mapping::STANDARD, 1, 9),
+    ("standard, 24-bit integer", Mapping::STANDARD_24, 5, 6),
+    ("reversed, 24-bit integer", Mapping::REVERSED_24, 0, 2),
+    (ENDLESS, Mapping::INFINITE, 2, 7),
+    (OURS, Mapping::REVERSED, usize::MAX, 3),
 ];
+const ENDLESS: &str = "reversed, infinite far plane, float";
+const OURS: &str = "reversed, 32-bit float: Sightline's";
 
 /// The planes of the marks, and of the steps.
 const MARKS: [f64; 2] = [1.0, 10.0];
@@ -110,6 +89,7 @@ fn steps(picture: &mut Picture) {
         let steps = depths
             .iter()
             .filter_map(|z| Some((*z, resolution(mapping, *z)?)));
+        let colour = COLOURS.get(colour).copied().unwrap_or_default();
         (name, colour, width, steps.collect::<Vec<_>>())
     });
     let ys = curves.iter().flat_map(|(_, _, _, steps)| steps);

@@ -1,16 +1,6 @@
 //! Speed against wrong answers for a triangle, a sphere and a whole pick: three large panels.
 
-use super::{
-    axis::{Axis, Panel},
-    labels::Places,
-    page::{WIDTH, count, distinct, page},
-    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
-};
-use crate::study::{
-    run::{Report, Row},
-    step::Precision,
-    summary::Summary,
-};
+use super::prelude::*;
 
 /// The steps that are shown, and whether the axis of time is that of the first.
 const STEPS: [(&str, bool); 3] = [("triangle", true), ("sphere", true), ("pick", false)];

@@ -1,21 +1,14 @@
 //! The smallest steps: what each triangle test says of rays that pass an edge, over neighbouring numbers. After Kettner,
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
-use super::{
-    page::{WIDTH, count, distinct, page},
-    picture::{Anchor, Colour, INK, Picture, QUIET},
-};
+use super::prelude::*;
 use crate::{
     geometry::shares::on_all_cores,
     study::{
         methods::triangles::{RayTriangle, TriangleCase},
         real::V3,
         scene_rays::PX,
-        step::{
-            Case, Method,
-            Precision::{self, F32, F64},
-            Verdict,
-        },
+        step::{Case, Method, Precision::F32, Precision::F64, Verdict},
     },
 };
 use glam::DVec3;
@@ -39,6 +32,16 @@ struct Tile {
     name: &'static str,
     precision: Precision,
     colours: Vec<Colour>,
+}
+
+impl Tile {
+    fn new(name: &'static str, precision: Precision, colours: Vec<Colour>) -> Self {
+        Self {
+            name,
+            precision,
+            colours,
+        }
+    }
 }
 
 /// The chart.
@@ -97,11 +100,8 @@ fn tiles() -> Vec<Tile> {
     let mut tiles: Vec<Tile> = Vec::new();
     for (precision, cases) in &all {
         let so = cases.iter().map(|(_, truth)| truth.map_or(MISS, |_| HIT));
-        tiles.push(Tile {
-            name: TRUTH,
-            precision: *precision,
-            colours: so.collect(),
-        });
+        let colours = so.collect();
+        tiles.push(Tile::new(TRUTH, *precision, colours));
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.info.ours);
@@ -110,15 +110,9 @@ fn tiles() -> Vec<Tile> {
         let (_, cases) = &all[usize::from(method.info.precision != F32)];
         let said = cases.iter();
         let said = said.map(|(case, truth)| colour(case, *truth, method));
-        Tile {
-            name: if method.info.ours {
-                "Sightline"
-            } else {
-                method.info.name
-            },
-            precision: method.info.precision,
-            colours: said.collect(),
-        }
+        let info = method.info;
+        let name = if info.ours { "Sightline" } else { info.name };
+        Tile::new(name, info.precision, said.collect())
     }));
     tiles
 }
@@ -143,12 +137,8 @@ fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     });
     let case = |i: u32| {
         let [x, y] = [i % SIDE, SIDE - 1 - i / SIDE].map(|i| 0.5 + step * f64::from(i));
-        let ray = RayTriangle {
-            origin: V3::from(DVec3::new(x, y, 3.0)),
-            direction: V3::from(DIRECTION),
-            corners,
-        };
-        let case = TriangleCase::new(ray, PX);
+        let origin = DVec3::new(x, y, 3.0).into();
+        let case = TriangleCase::new(RayTriangle::new(origin, DIRECTION.into(), corners), PX);
         let truth = case.truth();
         (case, truth)
     };

@@ -2,11 +2,7 @@
 //! inside), or none. Methods differ in what they make of a ray that runs along a slab, where `0 * inf` is NaN.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
-use crate::{
-    geometry::Cuboid,
-    scene::Shape,
-    study::{prelude::*, real::Real, truth},
-};
+use crate::{geometry::Cuboid, scene::Shape, study::prelude::*};
 
 /// One ray and the cube.
 pub type BoxCase = ShapeCase<Cuboid>;

@@ -3,11 +3,7 @@
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
     geometry::Ray,
-    study::{
-        prelude::*,
-        real::{Real, narrow},
-        scene_rays::TAN_30,
-    },
+    study::prelude::*,
 };
 use glam::{DVec2, DVec3};
 use std::ops::Range;

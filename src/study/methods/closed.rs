@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{prelude::*, real::Real},
+    study::prelude::*,
 };
 use glam::DVec3;
 use std::{
@@ -172,10 +172,9 @@ fn body(index: usize, grid: f64, offset: f64) -> Body {
                 narrow3(middle + on_grid(point, grid))
             })
             .collect();
-        let triangles = faces.iter().map(|face| RayTriangle {
-            origin: middle,
-            direction: V3::new(1.0, 0.0, 0.0),
-            corners: face.map(|corner| points[corner as usize]),
+        let triangles = faces.iter().map(|face| {
+            let corners = face.map(|corner| points[corner as usize]);
+            RayTriangle::new(middle, V3::new(1.0, 0.0, 0.0), corners)
         });
         let triangles: Vec<RayTriangle<f64>> = triangles.collect();
         (

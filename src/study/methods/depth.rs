@@ -4,11 +4,7 @@
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
-    study::{
-        prelude::*,
-        real::Real,
-        truth::{UNIT_F32, relative},
-    },
+    study::prelude::*,
 };
 
 /// A view depth between two planes.

@@ -4,7 +4,7 @@
 use crate::{
     geometry::Mesh,
     scene::{Progress, obj},
-    study::{prelude::*, real::Real, truth::UNIT_F32},
+    study::prelude::*,
 };
 use std::{fmt::Write, path::Path, sync::Arc};
 
@@ -49,7 +49,7 @@ impl Case for FileCase {
         Method::new("tobj, about the first vertex", F64, TOBJ_F64, |c| {
             c.tobj(|positions| [positions[0], positions[1], positions[2]])
         }),
-        Method::ours(F32, OURS, |c| {
+        Method::ours(F32, OURS, |c: &Self| {
             let read = obj::from_bytes(&c.text, Path::new("site.obj"), &Progress::default());
             Some(Read::Mesh(read.ok()?.mesh))
         })

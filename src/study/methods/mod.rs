@@ -18,11 +18,12 @@ pub mod triangles;
 pub mod usual;
 
 use super::{
-    real::{Real, V3},
+    real::{M3, Real, V3},
     scene_rays::SceneRays,
     step::{Case, MethodInfo},
 };
-use crate::geometry::Ray;
+use crate::geometry::{Placement, Ray};
+use glam::{DAffine3, DMat3, DVec3};
 use std::marker::PhantomData;
 
 /// A ray in the space of a unit shape about the origin.
@@ -81,6 +82,13 @@ impl<Shape> ShapeCase<Shape> {
 /// What a pick does in place of [`Method::ours`], which knows no bounds: they are for the exact decisions later on, and no
 /// part of this job.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
+
+/// A model matrix by its linear part and translation; `None` where it has no inverse.
+fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
+    let [x, y, z] = linear.0.map(DVec3::from);
+    let matrix = DMat3::from_cols(x, y, z);
+    Placement::new(DAffine3::from_mat3_translation(matrix, translation.into())).ok()
+}
 
 /// A ray that hits from its start on, without an end.
 fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {

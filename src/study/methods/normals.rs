@@ -1,16 +1,7 @@
 //! An object's outward normal in the world. The answer is about 1 long.
 
 use super::object_space::turned;
-use crate::{
-    geometry::Placement,
-    study::{
-        exact,
-        prelude::*,
-        real::{M3, Real},
-        truth::cross_sizes,
-    },
-};
-use glam::{DAffine3, DMat3, DVec3};
+use crate::{geometry::Placement, study::prelude::*};
 use std::cmp::Ordering;
 
 /// A normal and the linear part of a model matrix.
@@ -52,15 +43,10 @@ pub struct NormalCase {
 impl NormalCase {
     /// The case of a normal and a matrix; `None` where that has no inverse.
     pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
-        let [x, y, z] = linear.0.map(Into::into);
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(x, y, z),
-            translation: DVec3::ZERO,
-        };
         Some(Self {
             narrow: Tilted::new(M3::of(&linear), V3::of(normal)),
             wide: Tilted::new(linear, normal),
-            placement: Placement::new(model).ok()?,
+            placement: super::placement(linear, V3::new(0.0, 0.0, 0.0))?,
         })
     }
 }

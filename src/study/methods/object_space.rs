@@ -4,13 +4,8 @@
 use super::WITH_BOUNDS;
 use crate::{
     geometry::{LocalRay as PickRay, Placement, Ray, WorldRay},
-    study::{
-        prelude::*,
-        real::{M3, Real},
-        truth::cross_sizes,
-    },
+    study::prelude::*,
 };
-use glam::{DAffine3, DMat3};
 use std::hint::black_box;
 
 /// A ray and a model matrix.
@@ -63,12 +58,8 @@ pub struct PlacedCase {
 impl PlacedCase {
     /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
-        let [x, y, z] = linear.0.map(Into::into);
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(x, y, z),
-            translation: translation.into(),
-        };
-        Some(Self::placed(ray, Placement::new(model).ok()?, px))
+        let placement = super::placement(linear, translation)?;
+        Some(Self::placed(ray, placement, px))
     }
 
     /// The case of a world-space ray and an object that stands there.

@@ -6,11 +6,7 @@ use super::{
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{
-        prelude::*,
-        real::{Real, Ring},
-        truth::relative,
-    },
+    study::prelude::*,
 };
 use glam::DVec3;
 use std::{
@@ -108,7 +104,7 @@ impl Case for PacketCase {
             signed_volumes
         ),
         &both!("signed volumes, packet", WALD, volumes_packet),
-        &[Method::ours(Precision::Exact, triangles::OURS, |c| {
+        &[Method::ours(Precision::Exact, triangles::OURS, |c: &Self| {
             let corners = c.wide.corners.map(DVec3::from);
             let t = |ray| Some(guarded_volume(ray, corners)?.t);
             c.rays.each_ref().map(t)
@@ -198,11 +194,7 @@ impl<T: Real> Bundle<T> {
     }
 
     fn ray(&self, index: usize) -> RayTriangle<T> {
-        RayTriangle {
-            origin: self.origin,
-            direction: self.directions.1[index],
-            corners: self.corners,
-        }
+        RayTriangle::new(self.origin, self.directions.1[index], self.corners)
     }
 }
 
@@ -214,12 +206,8 @@ fn one_by_one<T: Real>(
 }
 
 /// The same number for all.
-fn all<T: Copy>(v: V3<T>) -> V3<Lanes<T>> {
-    V3::new(
-        Lanes([v.x; WIDTH]),
-        Lanes([v.y; WIDTH]),
-        Lanes([v.z; WIDTH]),
-    )
+fn all<T: Ring>(v: V3<T>) -> V3<Lanes<T>> {
+    v.map(|c| Lanes([c; WIDTH]))
 }
 
 /// Without a branch: lanes that miss are found at the end. What does not depend on the ray is done once.

@@ -1,11 +1,7 @@
 //! Rays against the sphere of radius 1/2 about the origin. The answer is the least t >= 0 on the sphere, or none.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
-use crate::{
-    geometry::Sphere,
-    scene::Shape,
-    study::{prelude::*, real::Real, truth},
-};
+use crate::{geometry::Sphere, scene::Shape, study::prelude::*};
 use std::ops::Range;
 
 /// One ray and the sphere.

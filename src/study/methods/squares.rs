@@ -5,9 +5,8 @@ use super::ahead;
 use crate::{
     geometry::{Placement, Ray, Square, WorldRay, binary::power_of_two_below},
     scene::Shape,
-    study::{prelude::*, real::Real, truth},
+    study::prelude::*,
 };
-use glam::{DAffine3, DMat3};
 
 /// A ray and a square.
 #[derive(Clone, Copy, Debug)]
@@ -92,11 +91,7 @@ impl SquareCase {
         px: f64,
     ) -> Option<Self> {
         let [u, v] = sides;
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(u.into(), v.into(), u.cross(v).into()),
-            translation: middle.into(),
-        };
-        let placement = Placement::new(model).ok()?;
+        let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
         let ray = super::from_start(origin, direction);
         Some(Self::placed(placement, ray, px))
     }
@@ -125,7 +120,8 @@ impl SquareCase {
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
 
-const OURS: &str = "geometry::square, under a model matrix: undivided, which its bound decides, else exactly";
+const OURS: &str =
+    "geometry::square, under a model matrix: undivided, which its bound decides, else exactly";
 
 impl Case for SquareCase {
     type Answer = Option<f64>;

@@ -269,11 +269,7 @@ impl PickCase {
                 }
             };
             for (triangle, &corners) in (0..).zip(triangles) {
-                let case = RayTriangle {
-                    origin,
-                    direction,
-                    corners,
-                };
+                let case = RayTriangle::new(origin, direction, corners);
                 let [a, b, c] = corners;
                 let is_front = || direction.dot((b - a).cross(c - a)) < 0.0;
                 if let Some(t) = test(&case)

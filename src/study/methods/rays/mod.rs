@@ -11,7 +11,7 @@ use super::WITH_BOUNDS;
 use crate::{
     camera::View,
     geometry::{PixelGrid, PixelRays, Ray},
-    study::{exact, prelude::*, real::Real},
+    study::prelude::*,
 };
 use glam::{DVec2, DVec3};
 use num_traits::ToPrimitive;
@@ -70,6 +70,11 @@ pub struct Sight {
 }
 
 impl Sight {
+    fn new<T: Real>(from: V3<T>, along: V3<T>) -> Self {
+        let (from, along) = (from.wide(), along.wide());
+        Self { from, along }
+    }
+
     /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
     pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
         let [origin, direction] = [self.from, self.along].map(DVec3::from);
@@ -239,10 +244,7 @@ impl Case for PixelCase {
 }
 
 fn of(ray: &Ray) -> Sight {
-    Sight {
-        from: ray.origin.into(),
-        along: ray.direction.into(),
-    }
+    Sight::new(V3::from(ray.origin), ray.direction.into())
 }
 
 impl<T: Real> Pixel<T> {
@@ -281,15 +283,9 @@ impl<T: Real> Pixel<T> {
     fn towards(&self, point: V3<T>) -> Sight {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
-            return Sight {
-                from: point.wide(),
-                along: axes[2].wide(),
-            };
+            return Sight::new(point, axes[2]);
         }
-        Sight {
-            from: eye.wide(),
-            along: (point - eye).wide(),
-        }
+        Sight::new(eye, point - eye)
     }
 }
 
@@ -309,10 +305,7 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     if pixel.picture.parallel {
         return pixel.towards(eye + aside);
     }
-    Sight {
-        from: eye.wide(),
-        along: (axes[2] + aside).wide(),
-    }
+    Sight::new(eye, axes[2] + aside)
 }
 
 /// How far a parallel ray runs beside the true one where the camera's target is, in world units.

@@ -1,7 +1,7 @@
 //! Cameras and pixels.
 
 use super::{Picture, PixelCase};
-use crate::study::{prelude::*, real::narrow, scene_rays::TAN_30};
+use crate::study::prelude::*;
 
 /// What a family changes about an ordinary camera.
 #[derive(Clone, Copy)]

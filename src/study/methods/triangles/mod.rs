@@ -9,7 +9,7 @@ use super::ahead;
 use crate::{
     geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, exact_volume, guarded_volume},
     scene::Shape,
-    study::{prelude::*, real::Real, truth},
+    study::prelude::*,
 };
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
@@ -24,6 +24,17 @@ pub struct RayTriangle<T> {
     pub direction: V3<T>,
     /// The triangle.
     pub corners: [V3<T>; 3],
+}
+
+impl<T> RayTriangle<T> {
+    /// A ray and a triangle.
+    pub const fn new(origin: V3<T>, direction: V3<T>, corners: [V3<T>; 3]) -> Self {
+        Self {
+            origin,
+            direction,
+            corners,
+        }
+    }
 }
 
 impl RayTriangle<f64> {
@@ -87,12 +98,12 @@ impl TriangleCase {
     pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
         let data = mesh.data();
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
-        let wide = RayTriangle {
-            origin: (ray_object.origin - data.origin).into(),
-            direction: ray_object.direction.into(),
-            corners: data.triangles[triangle as usize].map(corner),
-        };
-        Self::new(wide, px)
+        let corners = data.triangles[triangle as usize].map(corner);
+        let origin = V3::from(ray_object.origin - data.origin);
+        Self::new(
+            RayTriangle::new(origin, ray_object.direction.into(), corners),
+            px,
+        )
     }
 }
 
@@ -257,11 +268,8 @@ pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<
 pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let d = case.direction;
-    let volume = |p: V3<T>, q: V3<T>| d.dot(p.cross(q));
-    one_sign(
-        case,
-        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&T::zero())),
-    )
+    let sign = |p: V3<T>, q: V3<T>| d.dot(p.cross(q)).partial_cmp(&T::zero());
+    one_sign(case, [sign(b, c), sign(c, a), sign(a, b)])
 }
 
 /// The plane's t where the volumes' signs, of which none is unknown, do not differ.
@@ -286,11 +294,8 @@ fn double_double(case: &TriangleCase) -> Option<f64> {
     let [a, b, c] = given
         .corners
         .map(|corner| corner.map(DoubleDouble::from) - o);
-    let volume = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q)));
-    one_sign(
-        given,
-        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&0.0)),
-    )
+    let sign = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q))).partial_cmp(&0.0);
+    one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
 }
 
 /// The volumes' signs by adaptive arithmetic.

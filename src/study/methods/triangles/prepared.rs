@@ -28,11 +28,7 @@ impl<T: Copy> Prepared<T> {
     pub fn met_by(&self, origin: V3<T>, direction: V3<T>, shear: Shear<T>) -> Self {
         let corners = self.given.corners;
         Self {
-            given: RayTriangle {
-                origin,
-                direction,
-                corners,
-            },
+            given: RayTriangle::new(origin, direction, corners),
             shear,
             ..*self
         }
@@ -42,11 +38,8 @@ impl<T: Copy> Prepared<T> {
 impl<T: Real> Prepared<T> {
     /// The numbers of `f64`, rounded, with what is kept in the same precision.
     pub fn of(wide: &RayTriangle<f64>) -> Self {
-        let given = RayTriangle {
-            origin: V3::of(wide.origin),
-            direction: V3::of(wide.direction),
-            corners: wide.corners.map(V3::of),
-        };
+        let [origin, direction] = [wide.origin, wide.direction].map(V3::of);
+        let given = RayTriangle::new(origin, direction, wide.corners.map(V3::of));
         let [a, b, c] = given.corners;
         let (ab, ac) = (b - a, c - a);
         let normal = ab.cross(ac);

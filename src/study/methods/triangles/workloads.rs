@@ -82,12 +82,8 @@ fn through(
     if random.sign() < 0.0 {
         corners.swap(1, 2);
     }
-    let wide = RayTriangle {
-        origin,
-        direction: narrow3(point - origin),
-        corners,
-    };
-    TriangleCase::new(wide, PX)
+    let direction = narrow3(point - origin);
+    TriangleCase::new(RayTriangle::new(origin, direction, corners), PX)
 }
 
 /// Mostly outside, as most triangles that a ray is tested against.
@@ -136,12 +132,7 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
         let exact = narrow3(direction) == direction;
         let normal = (q - p).cross(corners[2] - p);
         if exact && normal.dot(direction) != 0.0 {
-            let wide = RayTriangle {
-                origin,
-                direction,
-                corners,
-            };
-            return TriangleCase::new(wide, PX);
+            return TriangleCase::new(RayTriangle::new(origin, direction, corners), PX);
         }
     }
 }
