@@ -14,7 +14,7 @@
 
 use super::{
     methods::triangles::TriangleCase,
-    run::{Report, Row, SCENE},
+    run::Report,
     scene_rays::{SceneRays, px_angle},
     step::{
         Case,
@@ -68,11 +68,7 @@ pub fn estimates(
     precision: Precision,
 ) -> Vec<Estimate> {
     let u = if precision == F32 { UNIT_F32 } else { UNIT };
-    let own = |row: &&Row| row.family == SCENE && row.cases > 0;
-    let rows = |step: &'static str| {
-        let own = report.rows.iter().filter(own);
-        own.filter(move |row| row.step.key == step)
-    };
+    let rows = |step: &'static str| report.of_scene(step).filter(|row| row.cases > 0);
     let bound = |step: &'static str| {
         let bounds = rows(step).filter_map(|row| row.bound);
         bounds.fold(0.0, f64::max) * u / UNIT
@@ -99,9 +95,8 @@ pub fn estimates(
             px_by_origin: by_origin,
         }
     };
-    let taken = SOUND
-        .into_iter()
-        .filter(|(step, _)| rows(step).next().is_some());
+    let steps = SOUND.into_iter();
+    let taken = steps.filter(|(step, _)| rows(step).next().is_some());
     taken.map(of).collect()
 }
 

@@ -72,11 +72,8 @@ impl Random {
 
     /// Each coordinate uniform in [-half, half).
     pub fn point(&mut self, half: f64) -> V3<f64> {
-        V3::new(
-            self.within(-half, half),
-            self.within(-half, half),
-            self.within(-half, half),
-        )
+        let mut coordinate = || self.within(-half, half);
+        V3::new(coordinate(), coordinate(), coordinate())
     }
 
     /// A vector of about length 1, all directions alike.

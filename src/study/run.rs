@@ -150,6 +150,12 @@ pub struct Report {
 }
 
 impl Report {
+    /// The rows of a scene's own rays, by a step's key.
+    pub(super) fn of_scene(&self, step: &str) -> impl Iterator<Item = &Row> {
+        let own = self.rows.iter().filter(|row| row.family == SCENE);
+        own.filter(move |row| row.step.key == step)
+    }
+
     /// The general workloads' rows, and those of a scene's own rays where there are any.
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {

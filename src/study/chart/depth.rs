@@ -47,18 +47,11 @@ fn small_floats() -> impl Iterator<Item = f32> {
 fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
     let [near, far] = MARKS;
     let [from, to] = [[left, 136.0], [left + 660.0, 420.0]];
-    let panel = Panel {
-        x: Axis::linear(far, [from[0], to[0]]),
-        y: Axis::linear(1.0, [to[1], from[1]]),
-        from,
-        to,
-    };
-    panel.draw(
-        picture,
-        title,
-        ["view depth (near 1, far 10)", "stored"],
-        "",
-    );
+    let x = Axis::linear(far, [from[0], to[0]]);
+    let y = Axis::linear(1.0, [to[1], from[1]]);
+    let panel = Panel { x, y, from, to };
+    let names = ["view depth (near 1, far 10)", "stored"];
+    panel.draw(picture, title, names, "");
     let case = |depth: f64| DepthCase::new(depth, MARKS);
     let mut depths = Vec::new();
     for number in small_floats() {

@@ -61,10 +61,8 @@ impl Measure {
 
     /// A method at its worst over all rows of a summary.
     pub fn worst(self, summary: &Summary<'_>) -> f64 {
-        [summary.most_wrong, summary.worst_wrong, summary.worst_error]
-            .map(|row| self.at(row))
-            .into_iter()
-            .fold(0.0, f64::max)
+        let worst = summary.rows.iter().map(|row| self.at(row));
+        worst.fold(0.0, f64::max)
     }
 }
 

@@ -24,7 +24,7 @@ use picture::Picture;
 /// What each chart's file is made of.
 mod prelude {
     pub use super::{
-        axis::{Axis, Panel},
+        axis::{Axis, NEVER, Panel},
         labels::Places,
         measure::Measure,
         page::{ROWS_APART, WIDTH, count, distinct, page, places, small},

@@ -195,14 +195,10 @@ impl Picture {
 
     /// Adds a line of text that reads upwards, about its middle.
     pub fn text_upwards(&mut self, at: [f64; 2], size: f64, colour: Colour, text: &str) {
-        self.marks.push(Mark::Text {
-            at,
-            anchor: Anchor::Middle,
-            size,
-            colour,
-            upwards: true,
-            text: text.to_owned(),
-        });
+        self.text(at, Anchor::Middle, size, colour, text);
+        if let Some(Mark::Text { upwards, .. }) = self.marks.last_mut() {
+            *upwards = true;
+        }
     }
 
     /// Adds a line.
@@ -339,20 +335,11 @@ fn draw_mark<B: DrawingBackend>(
         } => {
             for outline in outlines(*shape, *at, *radius) {
                 let corners: Vec<_> = outline.into_iter().map(px).collect();
-                if *filled {
-                    area.draw(&Polygon::new(corners.clone(), rgb(*colour)))?;
-                } else {
-                    area.draw(&Polygon::new(corners.clone(), WHITE))?;
-                }
-                let closed = corners
-                    .iter()
-                    .chain(corners.first())
-                    .copied()
-                    .collect::<Vec<_>>();
-                area.draw(&PathElement::new(
-                    closed,
-                    rgb(*colour).stroke_width(wide(2)),
-                ))?;
+                let fill = if *filled { rgb(*colour) } else { WHITE };
+                area.draw(&Polygon::new(corners.clone(), fill))?;
+                let closed: Vec<_> = corners.iter().chain(corners.first()).copied().collect();
+                let style = rgb(*colour).stroke_width(wide(2));
+                area.draw(&PathElement::new(closed, style))?;
             }
             Ok(())
         }

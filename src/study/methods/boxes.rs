@@ -246,10 +246,8 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
     if along > 1.5 {
         direction = set(direction, (axis + 1) % 3, zero);
     }
-    case(
-        set(narrow3(target - direction * 3.5), axis, plane),
-        direction,
-    )
+    let start = set(narrow3(target - direction * 3.5), axis, plane);
+    case(start, direction)
 }
 
 /// A ray in whole numbers, over a power of two, exactly through an edge or a corner.

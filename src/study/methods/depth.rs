@@ -53,8 +53,10 @@ const INFINITE: &str =
 
 /// Depth that is stored by a mapping, and read back.
 macro_rules! stored {
-    ($name:expr, $source:expr, $mapping:expr) => {
-        Method::new($name, F32, $source, |case| $mapping.there_and_back(case))
+    ($name:expr, $source:expr, $mapping:ident) => {
+        Method::new($name, F32, $source, |case| {
+            Mapping::$mapping.there_and_back(case)
+        })
     };
 }
 
@@ -67,20 +69,12 @@ impl Case for DepthCase {
     );
 
     const METHODS: Methods<Self> = &[&[
-        stored!("standard, 32-bit float", STANDARD, Mapping::STANDARD),
-        stored!("standard, 24-bit integer", STANDARD, Mapping::STANDARD_24),
-        stored!("reversed, 24-bit integer", REVERSED, Mapping::REVERSED_24),
-        stored!("reversed, infinite far, float", INFINITE, Mapping::INFINITE),
-        stored!(
-            "logarithmic, 32-bit float",
-            LOGARITHMIC,
-            Mapping::LOGARITHMIC
-        ),
-        stored!(
-            "logarithmic, 24-bit integer",
-            LOGARITHMIC,
-            Mapping::LOGARITHMIC_24
-        ),
+        stored!("standard, 32-bit float", STANDARD, STANDARD),
+        stored!("standard, 24-bit integer", STANDARD, STANDARD_24),
+        stored!("reversed, 24-bit integer", REVERSED, REVERSED_24),
+        stored!("reversed, infinite far, float", INFINITE, INFINITE),
+        stored!("logarithmic, 32-bit float", LOGARITHMIC, LOGARITHMIC),
+        stored!("logarithmic, 24-bit integer", LOGARITHMIC, LOGARITHMIC_24),
         Method::ours(F32, REVERSED, |c| Mapping::REVERSED.there_and_back(c))
             .named("reversed, 32-bit float: Sightline's")
             .because("A far plane, for one bit of depth."),

@@ -84,13 +84,11 @@ impl SquareCase {
     /// The case of a ray and the square with these sides; `None` where it has no area.
     #[must_use]
     pub fn new(
-        origin: V3<f64>,
-        direction: V3<f64>,
+        [origin, direction]: [V3<f64>; 2],
         middle: V3<f64>,
-        sides: [V3<f64>; 2],
+        [u, v]: [V3<f64>; 2],
         px: f64,
     ) -> Option<Self> {
-        let [u, v] = sides;
         let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
         let ray = super::from_start(origin, direction);
         Some(Self::placed(placement, ray, px))
@@ -237,7 +235,7 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
         let tilt = angle * random.sign() * random.within(0.5, 1.0);
         let direction = narrow3(within + u.cross(v).normalize() * tilt);
         let origin = narrow3(target - direction * random.within(4.0, 6.0));
-        if let Some(case) = SquareCase::new(origin, direction, middle, [u, v], PX) {
+        if let Some(case) = SquareCase::new([origin, direction], middle, [u, v], PX) {
             return case;
         }
     }
@@ -256,7 +254,7 @@ fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
         let target = middle + u * x + v * y;
         let origin = target - step;
         if narrow3(origin) == origin
-            && let Some(case) = SquareCase::new(origin, step, middle, [u, v], PX)
+            && let Some(case) = SquareCase::new([origin, step], middle, [u, v], PX)
         {
             return case;
         }

@@ -250,15 +250,9 @@ fn of(ray: &Ray) -> Sight {
 impl<T: Real> Pixel<T> {
     fn new(picture: Picture<T>, px: [T; 2], inverse: Inverses<T>) -> Self {
         let two = T::one() + T::one();
-        let Picture {
-            tan,
-            aspect,
-            length,
-            parallel,
-            ..
-        } = picture;
+        let (tan, aspect, length) = (picture.tan, picture.aspect, picture.length);
         let [right, up, forward] = picture.axes;
-        let (middle, size) = if parallel {
+        let (middle, size) = if picture.parallel {
             (picture.target - forward * length, T::one())
         } else {
             (picture.target, length)
