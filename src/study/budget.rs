@@ -2,9 +2,7 @@
 
 use super::{
     estimates::{Estimate, estimates},
-    run::Report,
-    scene_rays::SceneRays,
-    step::Precision::{self, F32, F64},
+    prelude::*,
     table::{number, short},
 };
 use crate::camera::View;

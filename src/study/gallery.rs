@@ -2,13 +2,11 @@
 
 use super::{
     methods::{
-        boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
-        object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
-        triangles::TriangleCase,
+        BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
+        TriangleCase,
     },
-    run::{Effort, Row, SCENE},
-    scene_rays::{PX, SceneRays, px_angle},
-    step::Precision::{self, F32, F64},
+    prelude::*,
+    scene_rays::px_angle,
     swap::{AnyStep, Swap},
 };
 use crate::{camera::View, scene::Scene};
@@ -106,8 +104,8 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     rows
 }
 
-/// The methods of others of which nothing shows on the scene: every decision is right, and no value is off by half a pixel, a
-/// degree or a ten-thousandth.
+/// Methods of others whose mistakes cannot be seen on the scene: every decision is right, and no value is off by half a
+/// pixel, a degree or a ten-thousandth.
 pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     let least = |row: &Row| match row.step.error_unit {
         "px" => 0.5,

@@ -76,23 +76,23 @@ pub use estimates::{Estimate, estimates};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use save::{SaveError, save, save_chart};
 pub use scene_rays::SceneRays;
-pub use summary::Summary;
 pub use table::table;
 pub use timing::{Time, processor};
 
-/// What each step's file is made of.
+/// What the files of the study are made of.
 mod prelude {
     pub use super::{
         exact::{self, Exact, Exact3},
         random::Random,
         real::{M3, Real, Ring, V3, narrow, narrow3},
-        run::Effort,
+        run::{Effort, Report, Row, SCENE},
         scene_rays::{PX, SceneRays, TAN_30},
         step::{
-            About, Case, Family, Method, Methods,
+            About, Case, Family, Method, MethodInfo, Methods,
             Precision::{self, F32, F64},
             Verdict,
         },
+        summary::Summary,
         truth::{self, Line, UNIT, UNIT_F32},
     };
     pub(in crate::study) use super::{

@@ -106,7 +106,6 @@ impl Random {
 }
 
 /// The `f64` nearest to a power of ten. `powi` need not be the same number on every machine; reading decimals is.
-#[must_use]
-pub fn power_of_ten(exponent: i32) -> f64 {
+fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }

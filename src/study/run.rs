@@ -116,8 +116,7 @@ impl Row {
     }
 
     /// What tells methods of a step apart.
-    #[must_use]
-    pub fn method_key(&self) -> (&'static str, Precision) {
+    pub(super) fn method_key(&self) -> (&'static str, Precision) {
         (self.method, self.precision)
     }
 

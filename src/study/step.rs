@@ -265,8 +265,8 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn truth(&self) -> Self::Truth;
     /// Holds an answer against the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// The derived bound of what this program's own method errs by, where its decision is right as all of them are: with the
-    /// derivation where there is one; 0 where nothing rounds.
+    /// An upper bound of the error of this program's own method, with its derivation; 0 where nothing rounds. Its decisions
+    /// are always right.
     fn bound(&self, _: &Self::Truth) -> f64 {
         0.0
     }

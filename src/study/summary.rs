@@ -1,10 +1,6 @@
 //! What a report says of each method as a whole: for tables, charts and budgets.
 
-use super::{
-    run::{Report, Row},
-    step::About,
-    timing::Time,
-};
+use super::{prelude::*, timing::Time};
 
 /// What a method did over several workloads.
 #[derive(Clone, Debug)]
@@ -60,21 +56,18 @@ impl<'a> Summary<'a> {
     }
 
     /// The share of wrong decisions in all workloads together.
-    #[must_use]
-    pub fn wrong_rate(&self) -> f64 {
+    pub(super) fn wrong_rate(&self) -> f64 {
         rate(self.sum(Row::wrong), self.sum(|row| row.cases))
     }
 
     /// The upper end of that share's 95 % interval.
-    #[must_use]
-    pub fn wrong_rate_high(&self) -> f64 {
+    pub(super) fn wrong_rate_high(&self) -> f64 {
         interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
     /// Whether no method that is at most as wrong, by decisions and by the error that one value of a thousand exceeds, is
     /// more than a tenth faster on the ordinary workload. Where nothing is timed: whether none is better.
-    #[must_use]
-    pub fn is_on_front(&self, others: &[Self]) -> bool {
+    pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
         let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
         let own = key(self);
         let beats = |other: &&Self| {
@@ -135,8 +128,7 @@ impl Report {
     }
 
     /// The rows of each method of a step.
-    #[must_use]
-    pub fn summaries(&self, step: About) -> Vec<Summary<'_>> {
+    pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
         let mut methods: Vec<Summary<'_>> = Vec::new();
         for row in self.of_step(step) {
             let key = row.method_key();

@@ -3,24 +3,16 @@
 
 use super::{
     methods::{
-        boxes::BoxCase,
-        clipping::ClipCase,
-        depth::DepthCase,
-        normals::NormalCase,
-        object_space::PlacedCase,
-        rays::{PixelCase, Sight},
-        spheres::SphereCase,
-        squares::SquareCase,
-        triangles::TriangleCase,
+        BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
+        TriangleCase, rays::Sight,
     },
-    run::{self, Effort, Row},
-    scene_rays::SceneRays,
-    step::{About, Case, MethodInfo},
+    prelude::*,
+    run,
 };
 use crate::{
     camera::View,
     geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square, WorldRay},
-    pick::{self, SceneHit},
+    pick,
     scene::{Object, Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -156,8 +148,8 @@ impl<'a> Click<'a> {
         }
     }
 
-    /// The nearest hit that shows: of objects that `meet` is about the hits that it says they have with the ray in their space,
-    /// of all others by this program's own.
+    /// The nearest hit that shows: on objects of the shapes that `is_about` names by `meet`, with the ray in their space, on
+    /// all others by this program.
     fn nearest<Hits: IntoIterator<Item = Hit>>(
         &self,
         is_about: impl Fn(&Shape) -> bool,

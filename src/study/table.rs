@@ -5,9 +5,7 @@ use super::{
         files::{self, FileCase},
         registry,
     },
-    run::{Report, Row, SCENE},
-    step::{About, Case, MethodInfo},
-    summary::Summary,
+    prelude::*,
     timing::processor,
 };
 use std::fmt::Write;

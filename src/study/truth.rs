@@ -12,8 +12,7 @@ use std::{cmp::Ordering, f64::consts::FRAC_PI_2};
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
-/// What a hit's `t` errs by at most, relatively, where shapes take it from `f64`: what is less certain they leave to exact
-/// arithmetic.
+/// The largest relative error of a `t` that shapes take from `f64`. What is less certain they compute exactly.
 pub(super) const CERTAIN: f64 = 1.0 / 67_108_864.0;
 
 /// A ray without rounding, and where it meets shapes, edges and rims included.

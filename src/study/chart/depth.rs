@@ -110,8 +110,7 @@ fn steps(picture: &mut Picture) {
     }
 }
 
-/// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye; none beyond the
-/// last number, where there is nothing left to tell apart.
+/// How far apart in depth the buffer's number for a depth and its next one are, away from the eye; none beyond the last.
 fn resolution(mapping: Mapping, depth: f64) -> Option<f64> {
     let case = DepthCase::new(depth, STEPS);
     let stored = mapping.stored(&case);

@@ -25,8 +25,7 @@ impl Measure {
         }
     }
 
-    /// What it says about a row. Wrong decisions at no distance at all, which only ties can be, are [`TIE`](Self::TIE), and
-    /// so neither none nor taken for a distance.
+    /// What it says about a row. A wrong decision at no distance is a tie: [`TIE`](Self::TIE), neither none nor a distance.
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,

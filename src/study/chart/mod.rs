@@ -31,11 +31,7 @@ mod prelude {
         picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
         style::{Style, legend, styles},
     };
-    pub use crate::study::{
-        run::{Report, Row, SCENE},
-        step::{About, Precision},
-        summary::Summary,
-    };
+    pub use crate::study::prelude::*;
 }
 
 /// Each chart of a report with its file's stem.

@@ -1,7 +1,7 @@
 //! A line a method: the worst error against what stresses it, and the time against how many rays hit.
 
 use super::prelude::*;
-use crate::study::{methods::triangles::TriangleCase, step::Family};
+use crate::study::methods::TriangleCase;
 
 /// The families that are shown, by step and name.
 const SHOWN: [(&str, &str); 8] = [

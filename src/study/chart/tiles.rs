@@ -4,12 +4,7 @@
 use super::prelude::*;
 use crate::{
     geometry::shares::on_all_cores,
-    study::{
-        methods::triangles::{RayTriangle, TriangleCase},
-        real::V3,
-        scene_rays::PX,
-        step::{Case, Method, Precision::F32, Precision::F64, Verdict},
-    },
+    study::methods::{TriangleCase, triangles::RayTriangle},
 };
 use glam::DVec3;
 
@@ -118,7 +113,7 @@ fn tiles() -> Vec<Tile> {
 }
 
 /// Rays from neighbouring numbers of a precision, with whether they hit: the top row first. All go the same way and pass an
-/// edge of one triangle far from its corners, whose coordinates are what the precision makes of no round ones.
+/// edge of one triangle far from its corners, which are not round and are rounded to the precision.
 fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     const DIRECTION: DVec3 = DVec3::new(0.25, -0.125, -1.0);
     let bits = if precision == F32 { 24 } else { 53 };

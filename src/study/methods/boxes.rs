@@ -167,8 +167,8 @@ pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     Some(t.wide())
 }
 
-/// How far the ray would have to move for another answer than `hit`, in radians seen from its origin: to the nearest edge, or
-/// for one that hits along a face out of that.
+/// How far the ray is from another answer than `hit`, in radians seen from its origin: to the nearest edge, or out of the
+/// face that it runs along.
 fn edge_angle(case: &ObjectRay<f64>, hit: Option<f64>) -> f64 {
     let half = Cuboid::HALF_SIDE;
     let corner = |i: usize| {

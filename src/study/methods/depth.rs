@@ -33,8 +33,7 @@ impl DepthCase {
     }
 
     /// The depth of a hit at `t` on a ray that a camera cast.
-    #[must_use]
-    pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
+    pub(in crate::study) fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
         let lens = camera.lens();
         Self {
             depth: f32::of(t * ray.direction.dot(camera.forward())),

@@ -17,11 +17,12 @@ pub mod squares;
 pub mod triangles;
 pub mod usual;
 
-use super::{
-    real::{M3, Real, V3},
-    scene_rays::SceneRays,
-    step::{Case, MethodInfo},
+pub use self::{
+    boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
+    object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
+    triangles::TriangleCase,
 };
+use super::prelude::*;
 use crate::geometry::{Placement, Ray};
 use glam::{DAffine3, DMat3, DVec3};
 use std::marker::PhantomData;
@@ -73,14 +74,12 @@ impl<Shape> ShapeCase<Shape> {
     }
 
     /// The case of an object and a ray in its space.
-    #[must_use]
-    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(ray_object: &Ray, px: f64) -> Self {
         Self::new(ray_object.origin.into(), ray_object.direction.into(), px)
     }
 }
 
-/// What a pick does in place of [`Method::ours`], which knows no bounds: they are for the exact decisions later on, and no
-/// part of this job.
+/// What a pick does: the same with bounds, for the exact decisions later on, which are no part of this job.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
 
 /// A model matrix by its linear part and translation; `None` where it has no inverse.

@@ -57,14 +57,14 @@ pub struct PlacedCase {
 
 impl PlacedCase {
     /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
+    #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
         let placement = super::placement(linear, translation)?;
         Some(Self::placed(ray, placement, px))
     }
 
     /// The case of a world-space ray and an object that stands there.
-    #[must_use]
-    pub fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
         Self::placed([ray.origin.into(), ray.direction.into()], *placement, px)
     }
 

@@ -95,8 +95,7 @@ impl SquareCase {
     }
 
     /// The case of a square and a ray in the world.
-    #[must_use]
-    pub fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
         let from_start = super::from_start(ray.origin.into(), ray.direction.into());
         Self::placed(*placement, from_start, px)
     }

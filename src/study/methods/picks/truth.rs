@@ -6,11 +6,7 @@ use crate::{
     camera::View,
     geometry::{Aabb, Cuboid, Mesh, MeshData, Placement, Ray, Sides, Sphere, Square},
     scene::{Scene, Shape},
-    study::{
-        exact::{Exact, Exact3},
-        real::V3,
-        truth::{Line, Meeting},
-    },
+    study::{prelude::*, truth::Meeting},
 };
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;

@@ -166,8 +166,7 @@ impl PixelCase {
     }
 
     /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
-    #[must_use]
-    pub fn px_angle(&self) -> f64 {
+    fn px_angle(&self) -> f64 {
         2.0 * self.wide.picture.tan / self.wide.picture.size[1]
     }
 }

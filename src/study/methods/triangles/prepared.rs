@@ -24,8 +24,12 @@ impl<T> Deref for Prepared<T> {
 impl<T: Copy> Prepared<T> {
     /// The same triangle and another ray, with what was made for it.
     #[inline]
-    #[must_use]
-    pub fn met_by(&self, origin: V3<T>, direction: V3<T>, shear: Shear<T>) -> Self {
+    pub(in crate::study::methods) fn met_by(
+        &self,
+        origin: V3<T>,
+        direction: V3<T>,
+        shear: Shear<T>,
+    ) -> Self {
         let corners = self.given.corners;
         Self {
             given: RayTriangle::new(origin, direction, corners),
