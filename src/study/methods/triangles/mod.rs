@@ -268,8 +268,9 @@ pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<
 pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let d = case.direction;
-    let sign = |p: V3<T>, q: V3<T>| d.dot(p.cross(q)).partial_cmp(&T::zero());
-    one_sign(case, [sign(b, c), sign(c, a), sign(a, b)])
+    let volume = |p: V3<T>, q: V3<T>| d.dot(p.cross(q));
+    let volumes = [volume(b, c), volume(c, a), volume(a, b)];
+    one_sign(case, volumes.map(|v| v.partial_cmp(&T::zero())))
 }
 
 /// The plane's t where the volumes' signs, of which none is unknown, do not differ.
@@ -294,8 +295,9 @@ fn double_double(case: &TriangleCase) -> Option<f64> {
     let [a, b, c] = given
         .corners
         .map(|corner| corner.map(DoubleDouble::from) - o);
-    let sign = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q))).partial_cmp(&0.0);
-    one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
+    let volume = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q)));
+    let volumes = [volume(b, c), volume(c, a), volume(a, b)];
+    one_sign(given, volumes.map(|v| v.partial_cmp(&0.0)))
 }
 
 /// The volumes' signs by adaptive arithmetic.
