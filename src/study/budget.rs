@@ -2,9 +2,7 @@
 
 use super::{
     estimates::{Estimate, estimates},
-    run::{Report, Row, SCENE},
-    scene_rays::SceneRays,
-    step::Precision::{self, F32, F64},
+    prelude::*,
     table::{number, short},
 };
 use crate::camera::View;
@@ -65,30 +63,21 @@ fn methods(chain: &[Estimate], budget_px: f64) -> String {
     let px = total(chain, px);
     let words = |precision: Precision| {
         let steps = chain.iter().filter(|step| step.precision == precision);
-        let steps: Vec<String> = steps
-            .map(|step| format!("{} by {}", step.step, step.method))
-            .collect();
+        let steps = steps.map(|step| format!("{} by {}", step.step, step.method));
+        let steps: Vec<String> = steps.collect();
         (!steps.is_empty()).then(|| format!("in {precision} {}", steps.join(", ")))
     };
     let chain: Vec<String> = [F32, F64].into_iter().filter_map(words).collect();
     let verdict = if px <= budget_px { "within" } else { "over" };
-    format!(
-        "{}: at most {}, {verdict} the budget of {} px.",
-        chain.join("; "),
-        pixels(px),
-        short(budget_px)
-    )
+    let (chain, px, budget_px) = (chain.join("; "), pixels(px), short(budget_px));
+    format!("{chain}: at most {px}, {verdict} the budget of {budget_px} px.")
 }
 
 fn largest(chain: &[Estimate], narrow: &[Estimate], wide: &[Estimate]) -> String {
     let most = chain.iter().max_by(|a, b| a.px.total_cmp(&b.px));
     let most = most.map_or_else(String::new, |step| {
-        format!(
-            "Most of it is {} in {}, {}. ",
-            step.step,
-            step.precision,
-            pixels(step.px)
-        )
+        let (name, precision, px) = (step.step, step.precision, pixels(step.px));
+        format!("Most of it is {name} in {precision}, {px}. ")
     });
     let [narrow, wide] = [narrow, wide].map(|chain| pixels(total(chain, px)));
     format!("{most}All in f32: {narrow}; all in f64: {wide}; Sightline decides exactly.")
@@ -116,28 +105,21 @@ fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     )
 }
 
-fn of_scene<'a>(report: &'a Report, step: &str) -> impl Iterator<Item = &'a Row> {
-    let rows = report.rows.iter().filter(|row| row.family == SCENE);
-    rows.filter(move |row| row.step.key == step)
-}
-
 /// What is left of a pick's time.
 fn savings(report: &Report, steps: &[Estimate]) -> String {
     /// A share that anybody would notice.
     const WORTH: f64 = 0.05;
     let ns = |step: &Estimate, precision: Precision| {
-        let mut rows = of_scene(report, step.step);
-        let row = rows.find(|row| (row.method, row.precision) == (step.method, precision))?;
+        let mut rows = report.of_scene(step.step);
+        let row = rows.find(|row| row.method_key() == (step.method, precision))?;
         Some(row.time?.ns)
     };
     let saved = steps
         .iter()
         .filter_map(|step| Some(ns(step, F64)? - ns(step, F32)?));
     let saved: f64 = saved.sum();
-    let pick = of_scene(report, "pick")
-        .find(|row| row.ours)
-        .and_then(|row| row.time);
-    let Some(pick) = pick else {
+    let pick = report.of_scene("pick").find(|row| row.ours);
+    let Some(pick) = pick.and_then(|row| row.time) else {
         return "Nothing is picked here, so nothing was timed.".to_owned();
     };
     let verdict = if saved > WORTH * pick.ns {
@@ -158,7 +140,7 @@ fn savings(report: &Report, steps: &[Estimate]) -> String {
 
 /// How much was looked at, and how far the methods were off there.
 fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) -> String {
-    let cases = |step: &str| of_scene(report, step).next().map_or(0, |row| row.cases);
+    let cases = |step| report.of_scene(step).next().map_or(0, |row| row.cases);
     let share = estimates.filter_map(|step| Some(measured(report, step)? / step.px));
     let share = share.fold(0.0, f64::max);
     format!(
@@ -173,8 +155,8 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
 /// What a method was off by on the scene's own rays, in pixels.
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
-    let mut rows = of_scene(report, step.step);
-    let row = rows.find(|row| (row.method, row.precision) == (step.method, step.precision))?;
+    let mut rows = report.of_scene(step.step);
+    let row = rows.find(|row| row.method_key() == (step.method, step.precision))?;
     Some(if step.is_of_shape() {
         row.worst_wrong
     } else {

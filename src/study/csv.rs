@@ -1,10 +1,6 @@
 //! The study as tables for programs: one line a method at each value of each parameter, and one a method.
 
-use super::{
-    run::{Report, Row},
-    summary::Summary,
-    timing::processor,
-};
+use super::{prelude::*, timing::processor};
 use std::fmt::Write;
 
 /// The header of [`csv`]. All but the last five columns are the same for a seed on every machine.
@@ -33,8 +29,8 @@ pub fn csv(report: &Report) -> String {
     lines(COLUMNS, rows)
 }
 
-/// A line a method: over all of the report's workloads, with `ordinary_ns` and `median_error` of the ordinary one, errors at
-/// the worst one, and [`Summary::is_on_front`].
+/// A line a method over all of the report's workloads: time and `median_error` are those of the ordinary one, errors those of
+/// the worst. `on_front`: no method that is at most as wrong is more than a tenth faster.
 #[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let steps = report.steps().into_iter();
@@ -55,12 +51,12 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
         row.precision.to_string(),
         row.ours.to_string(),
         ns(summary.ns()),
-        ns(summary.slowest.map(|(_, time)| time.ns)),
+        ns(summary.slowest().map(|(_, time)| time.ns)),
         format!("{:.2e}", summary.wrong_rate()),
         format!("{:.2e}", summary.wrong_rate_high()),
         format!("{:.2e}", row.median_error),
-        format!("{:.2e}", summary.p999_error.p999_error),
-        format!("{:.2e}", summary.worst_error.worst_error),
+        format!("{:.2e}", summary.p999_error()),
+        format!("{:.2e}", summary.worst(|row| row.worst_error).worst_error),
         summary.is_on_front(all).to_string(),
         row.reason.unwrap_or_default().to_owned(),
     ]

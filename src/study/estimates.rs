@@ -2,8 +2,8 @@
 //!
 //! With u half an ulp of 1, in `f32` or `f64`. One method a step is sound: what it gets wrong is no further off than some
 //! roundings. The first two steps' bounds are those of what this program does ([`super::methods`]), which count roundings of
-//! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. Shapes decide
-//! as one would that is this far beside its ray:
+//! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. A shape's
+//! decision is that of a ray which passes this far aside:
 //!
 //! * sphere, Hearn & Baker: the way to the centre's foot 8u, what is left 2u, both of the distance; the radius 4u;
 //! * box: two slabs' crossings, 5u each of the distance and a side;
@@ -12,16 +12,7 @@
 //!
 //! Seen from the eye that is as large as the nearest edge is near.
 
-use super::{
-    methods::triangles::TriangleCase,
-    run::{Report, Row, SCENE},
-    scene_rays::{SceneRays, px_angle},
-    step::{
-        Case,
-        Precision::{self, F32},
-    },
-    truth::{UNIT, UNIT_F32},
-};
+use super::{methods::TriangleCase, prelude::*, scene_rays::px_angle};
 use crate::{camera::View, scene::Shape};
 use glam::DVec3;
 
@@ -53,8 +44,7 @@ pub struct Estimate {
 
 impl Estimate {
     /// Whether a pick does this step on one of several kinds of shapes.
-    #[must_use]
-    pub fn is_of_shape(&self) -> bool {
+    pub(super) fn is_of_shape(&self) -> bool {
         !["ray", "object-space"].contains(&self.step)
     }
 }
@@ -68,11 +58,7 @@ pub fn estimates(
     precision: Precision,
 ) -> Vec<Estimate> {
     let u = if precision == F32 { UNIT_F32 } else { UNIT };
-    let own = |row: &&Row| row.family == SCENE && row.cases > 0;
-    let rows = |step: &'static str| {
-        let own = report.rows.iter().filter(own);
-        own.filter(move |row| row.step.key == step)
-    };
+    let rows = |step: &'static str| report.of_scene(step).filter(|row| row.cases > 0);
     let bound = |step: &'static str| {
         let bounds = rows(step).filter_map(|row| row.bound);
         bounds.fold(0.0, f64::max) * u / UNIT
@@ -99,9 +85,8 @@ pub fn estimates(
             px_by_origin: by_origin,
         }
     };
-    let taken = SOUND
-        .into_iter()
-        .filter(|(step, _)| rows(step).next().is_some());
+    let steps = SOUND.into_iter();
+    let taken = steps.filter(|(step, _)| rows(step).next().is_some());
     taken.map(of).collect()
 }
 

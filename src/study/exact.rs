@@ -119,7 +119,6 @@ pub struct Exact3(pub [Exact; 3]);
 
 impl Exact3 {
     /// The vector that finite `f64`s stand for.
-    #[must_use]
     pub fn new(v: V3<f64>) -> Self {
         Self(v.array().map(Exact::new))
     }

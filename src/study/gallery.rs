@@ -2,14 +2,12 @@
 
 use super::{
     methods::{
-        boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
-        object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
-        triangles::TriangleCase,
+        BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
+        TriangleCase,
     },
-    run::{Effort, Row, SCENE},
-    scene_rays::{PX, SceneRays, px_angle},
-    step::Precision::{self, F32, F64},
-    swap::{AnyStep, Step, Swap},
+    prelude::*,
+    scene_rays::px_angle,
+    swap::{AnyStep, Swap},
 };
 use crate::{camera::View, scene::Scene};
 
@@ -34,107 +32,48 @@ pub struct Break {
 }
 
 impl Break {
-    const fn of<C: Step>(
-        exhibit: &'static str,
-        method: &'static str,
-        precision: Precision,
-        (family, value): (&'static str, f64),
-        least: f64,
-    ) -> Self {
-        Self {
-            exhibit,
-            step: AnyStep::of::<C>(),
-            method,
-            precision,
-            family,
-            value,
-            least,
-        }
-    }
-
     /// The method, to pick by; `None` where the registry has no such method.
     #[must_use]
     pub fn swap(&self) -> Option<Swap> {
-        let is_it = |known: &super::methods::MethodInfo| {
-            (known.name, known.precision) == (self.method, self.precision)
-        };
-        let method = self.step.methods().iter().position(is_it)?;
-        Some(Swap {
-            step: self.step,
-            method,
-        })
+        let (step, key) = (self.step, (self.method, self.precision));
+        let method = step.methods().iter().position(|known| known.key() == key)?;
+        Some(Swap { step, method })
     }
+}
+
+/// A break as a line of a table: the step's case, the scene, the method, the family at its value, the least that goes wrong.
+macro_rules! broken {
+    ($case:ty: $exhibit:literal, $method:literal $precision:ident, $family:literal $value:expr, $least:expr) => {
+        Break {
+            exhibit: $exhibit,
+            step: AnyStep::of::<$case>(),
+            method: $method,
+            precision: $precision,
+            family: $family,
+            value: $value,
+            least: $least,
+        }
+    };
 }
 
 /// What breaks where.
 pub static BREAKS: [Break; 13] = [
-    Break::of::<TriangleCase>(
-        "far_facets",
-        "Moeller-Trumbore",
-        F32,
-        ("far away", 5e5),
-        2.0,
-    ),
-    Break::of::<PixelCase>(
-        "far_from_the_origin",
-        "target + sx H + sy V - eye",
-        F32,
-        ("eye far from the origin", 4.7e5),
-        1.0,
-    ),
-    Break::of::<PixelCase>(
-        "far_from_the_origin",
-        "inverse(P V), near - eye",
-        F32,
-        ("eye far from the origin", 4.7e5),
-        10.0,
-    ),
-    Break::of::<PlacedCase>(
-        "far_from_the_origin",
-        "inverse(M)",
-        F32,
-        ("far from the origin", 4.7e5),
-        1.0,
-    ),
-    Break::of::<PixelCase>(
-        "far_over_near",
-        "inverse(P V), far - near",
-        F32,
-        ("far plane", 1e8),
-        f64::INFINITY,
-    ),
-    Break::of::<DepthCase>(
-        "far_over_near",
-        "standard, 32-bit float",
-        F32,
-        ("far plane", 1e8),
-        1e-4,
-    ),
-    Break::of::<SphereCase>(
-        "small_and_far",
-        "plain quadratic",
-        F32,
-        ("far away", 3e3),
-        0.2,
-    ),
-    Break::of::<NormalCase>("stretched", "M n", F64, ("stretched", 10.0), 60.0),
-    Break::of::<NormalCase>("mirrored", "cofactors", F64, ("mirrored", 4.0 / 3.0), 179.0),
-    Break::of::<ClipCase>(
-        "wide_lens",
-        "by distance",
-        F64,
-        ("field of view", 1.19),
-        50.0,
-    ),
-    Break::of::<BoxCase>(
-        "along_a_face",
-        "slabs by min and max",
-        F64,
-        ("starts on a slab", 2.0),
-        0.1,
-    ),
-    Break::of::<SquareCase>("edge_on", "N . (S - o)", F32, ("grazing", 1e-4), 1e-4),
-    Break::of::<TriangleCase>("needles", "areas, sum == 1", F32, ("slivers", 1e-2), 5.0),
+    broken!(TriangleCase: "far_facets", "Moeller-Trumbore" F32, "far away" 5e5, 2.0),
+    broken!(PixelCase: "far_from_the_origin", "target + sx H + sy V - eye" F32,
+        "eye far from the origin" 4.7e5, 1.0),
+    broken!(PixelCase: "far_from_the_origin", "inverse(P V), near - eye" F32,
+        "eye far from the origin" 4.7e5, 10.0),
+    broken!(PlacedCase: "far_from_the_origin", "inverse(M)" F32, "far from the origin" 4.7e5, 1.0),
+    broken!(PixelCase: "far_over_near", "inverse(P V), far - near" F32,
+        "far plane" 1e8, f64::INFINITY),
+    broken!(DepthCase: "far_over_near", "standard, 32-bit float" F32, "far plane" 1e8, 1e-4),
+    broken!(SphereCase: "small_and_far", "plain quadratic" F32, "far away" 3e3, 0.2),
+    broken!(NormalCase: "stretched", "M n" F64, "stretched" 10.0, 60.0),
+    broken!(NormalCase: "mirrored", "cofactors" F64, "mirrored" 4.0 / 3.0, 179.0),
+    broken!(ClipCase: "wide_lens", "by distance" F64, "field of view" 1.19, 50.0),
+    broken!(BoxCase: "along_a_face", "slabs by min and max" F64, "starts on a slab" 2.0, 0.1),
+    broken!(SquareCase: "edge_on", "N . (S - o)" F32, "grazing" 1e-4, 1e-4),
+    broken!(TriangleCase: "needles", "areas, sum == 1" F32, "slivers" 1e-2, 5.0),
 ];
 
 /// What breaks on a scene of the gallery.
@@ -144,7 +83,6 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 
 /// What the methods of a break's step do in its family, seen as a view of the scene sees it, and on that view's own rays,
 /// which are the family [`SCENE`]. In per cent, degrees and parts of a depth nothing depends on the view.
-#[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     // One column of a window's pixels is seen.
     const RAYS: usize = 6000;
@@ -166,8 +104,8 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     rows
 }
 
-/// The methods of others of which nothing shows on the scene: every decision is right, and no value is off by half a pixel, a
-/// degree or a ten-thousandth.
+/// Methods of others whose mistakes cannot be seen on the scene: every decision is right, and no value is off by half a
+/// pixel, a degree or a ten-thousandth.
 pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     let least = |row: &Row| match row.step.error_unit {
         "px" => 0.5,
@@ -179,7 +117,6 @@ pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
 }
 
 /// Every method that a scene of the gallery can be picked by: those that break on it, then the others of their steps.
-#[must_use]
 pub fn swaps(exhibit: &str) -> Vec<Swap> {
     let mut swaps: Vec<Swap> = breaks_on(exhibit).filter_map(Break::swap).collect();
     for known in breaks_on(exhibit) {

@@ -76,25 +76,28 @@ pub use estimates::{Estimate, estimates};
 pub use run::{Effort, Report, Row, SCENE, run};
 pub use save::{SaveError, save, save_chart};
 pub use scene_rays::SceneRays;
-pub use summary::Summary;
 pub use table::table;
 pub use timing::{Time, processor};
 
-/// What each step's file is made of.
+/// What the files of the study are made of.
 mod prelude {
-    pub(in crate::study) use super::step::both;
     pub use super::{
-        exact::{Exact, Exact3},
+        exact::{self, Exact, Exact3},
         random::Random,
-        real::{V3, narrow3},
-        run::Effort,
-        scene_rays::{PX, SceneRays},
+        real::{M3, Real, Ring, V3, narrow, narrow3},
+        run::{Effort, Report, Row, SCENE},
+        scene_rays::{PX, SceneRays, TAN_30},
         step::{
-            About, Case, Family, Method, Methods,
+            About, Case, Family, Method, MethodInfo, Methods,
             Precision::{self, F32, F64},
             Verdict,
         },
-        truth::{Line, UNIT},
+        summary::Summary,
+        truth::{self, Line, UNIT, UNIT_F32},
+    };
+    pub(in crate::study) use super::{
+        step::{about, both, family},
+        truth::{cross_sizes, relative},
     };
     pub use crate::pick::SceneHit;
 }

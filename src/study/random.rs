@@ -72,11 +72,8 @@ impl Random {
 
     /// Each coordinate uniform in [-half, half).
     pub fn point(&mut self, half: f64) -> V3<f64> {
-        V3::new(
-            self.within(-half, half),
-            self.within(-half, half),
-            self.within(-half, half),
-        )
+        let mut coordinate = || self.within(-half, half);
+        V3::new(coordinate(), coordinate(), coordinate())
     }
 
     /// A vector of about length 1, all directions alike.
@@ -109,7 +106,6 @@ impl Random {
 }
 
 /// The `f64` nearest to a power of ten. `powi` need not be the same number on every machine; reading decimals is.
-#[must_use]
-pub fn power_of_ten(exponent: i32) -> f64 {
+fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }

@@ -4,7 +4,7 @@ use super::{
     methods::{Visitor, each_step, registry},
     random::Random,
     scene_rays::SceneRays,
-    step::{About, Case, Family, Precision, Verdict},
+    step::{About, Case, Family, Method, MethodInfo, Precision, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
 };
@@ -26,26 +26,20 @@ pub struct Effort {
 
 impl Effort {
     /// Within seconds.
-    pub const QUICK: Self = Self {
-        cases: 500,
-        picks: 200,
-        rounds: 11,
-        seed: 1,
-    };
+    pub const QUICK: Self = Self::new(500, 200, 11);
     /// A scene's own rays only.
-    pub const SCENE_ONLY: Self = Self {
-        cases: 0,
-        picks: 0,
-        rounds: 11,
-        seed: 1,
-    };
+    pub const SCENE_ONLY: Self = Self::new(0, 0, 11);
     /// Within minutes.
-    pub const FULL: Self = Self {
-        cases: 8000,
-        picks: 4000,
-        rounds: 41,
-        seed: 1,
-    };
+    pub const FULL: Self = Self::new(8000, 4000, 41);
+
+    const fn new(cases: usize, picks: usize, rounds: usize) -> Self {
+        Self {
+            cases,
+            picks,
+            rounds,
+            seed: 1,
+        }
+    }
 }
 
 /// What a method did at one value of one family's parameter.
@@ -94,9 +88,35 @@ pub struct Row {
 }
 
 impl Row {
+    /// A method before its first case.
+    fn new<C>(method: &MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+        let bound = method.ours.then_some(0.0);
+        Self {
+            step: method.step,
+            method: method.name,
+            precision: method.precision,
+            ours: method.ours,
+            reason: method.reason,
+            family: work.family,
+            parameter: work.parameter,
+            value: work.value,
+            cases,
+            missed: 0,
+            phantoms: 0,
+            others: 0,
+            ties: 0,
+            worst_wrong: 0.0,
+            median_error: 0.0,
+            p999_error: 0.0,
+            worst_error: 0.0,
+            of_bound: bound,
+            bound,
+            time: None,
+        }
+    }
+
     /// What tells methods of a step apart.
-    #[must_use]
-    pub fn method_key(&self) -> (&'static str, Precision) {
+    pub(super) fn method_key(&self) -> (&'static str, Precision) {
         (self.method, self.precision)
     }
 
@@ -129,6 +149,12 @@ pub struct Report {
 }
 
 impl Report {
+    /// The rows of a scene's own rays, by a step's key.
+    pub(super) fn of_scene(&self, step: &str) -> impl Iterator<Item = &Row> {
+        let own = self.rows.iter().filter(|row| row.family == SCENE);
+        own.filter(move |row| row.step.key == step)
+    }
+
     /// The general workloads' rows, and those of a scene's own rays where there are any.
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
@@ -148,7 +174,6 @@ impl Report {
 pub const SCENE: &str = "this scene";
 
 /// Runs it. `progress` is told how much of the whole is done, from 0 to 1, and of which step.
-#[must_use]
 pub fn run(
     effort: Effort,
     scene: Option<&SceneRays>,
@@ -224,8 +249,8 @@ impl Run<'_> {
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
-            let key = (method.name, method.precision);
-            if let Some(row) = rows.iter_mut().find(|row| row.method_key() == key) {
+            let mut own = rows.iter_mut();
+            if let Some(row) = own.find(|row| row.method_key() == method.info.key()) {
                 row.time = time;
             }
         }
@@ -269,7 +294,6 @@ fn workloads<'a, C: Case>(
 }
 
 /// What every method of a step does in the family of this name: the rows that [`run`] has for it.
-#[must_use]
 pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
     let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
@@ -279,7 +303,6 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
 }
 
 /// What every method of a step does on a scene's own rays: the family [`SCENE`].
-#[must_use]
 pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
     let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
     own.map_or_else(Vec::new, |work| judge(&work))
@@ -289,65 +312,43 @@ pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
 fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let cases = (work.make)(usize::MAX);
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
-    let methods =
-        C::methods().filter(|method| cases.first().is_some_and(|case| case.can_run(method)));
-    methods
-        .map(|method| {
-            let mut row = Row {
-                step: C::ABOUT,
-                method: method.name,
-                precision: method.precision,
-                ours: method.ours,
-                family: work.family,
-                parameter: work.parameter,
-                value: work.value,
-                cases: cases.len(),
-                missed: 0,
-                phantoms: 0,
-                others: 0,
-                ties: 0,
-                worst_wrong: 0.0,
-                median_error: 0.0,
-                p999_error: 0.0,
-                worst_error: 0.0,
-                of_bound: method.ours.then_some(0.0),
-                bound: method.ours.then_some(0.0),
-                reason: method.reason,
-                time: None,
+    let can_run = |method: &&Method<C>| cases.first().is_some_and(|case| case.can_run(method));
+    let methods = C::methods().filter(can_run);
+    let rows = methods.map(|method| {
+        let mut row = Row::new(&method.info, work, cases.len());
+        let mut errors = Vec::with_capacity(cases.len());
+        for (case, truth) in iter::zip(&cases, &truths) {
+            let verdict = case.judge(truth, &(method.run)(case));
+            let bound = case.bound(truth);
+            let share = match verdict {
+                Verdict::Agreed => 0.0,
+                Verdict::Right(error) => {
+                    errors.push(error);
+                    share(error, bound)
+                }
+                Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
+                    let is_missed = matches!(verdict, Verdict::Missed(_));
+                    row.missed += usize::from(is_missed);
+                    row.phantoms += usize::from(!is_missed);
+                    let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
+                    row.ties += usize::from(is_tie);
+                    row.worst_wrong = row.worst_wrong.max(wrong);
+                    share(wrong, 0.0)
+                }
+                Verdict::Other => {
+                    row.others += 1;
+                    0.0
+                }
             };
-            let mut errors = Vec::with_capacity(cases.len());
-            for (case, truth) in iter::zip(&cases, &truths) {
-                let verdict = case.judge(truth, &(method.run)(case));
-                let bound = case.bound(truth);
-                let share = match verdict {
-                    Verdict::Agreed => 0.0,
-                    Verdict::Right(error) => {
-                        errors.push(error);
-                        share(error, bound)
-                    }
-                    Verdict::Missed(wrong) | Verdict::Phantom(wrong) => {
-                        let is_missed = matches!(verdict, Verdict::Missed(_));
-                        row.missed += usize::from(is_missed);
-                        row.phantoms += usize::from(!is_missed);
-                        let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
-                        row.ties += usize::from(is_tie);
-                        row.worst_wrong = row.worst_wrong.max(wrong);
-                        share(wrong, 0.0)
-                    }
-                    Verdict::Other => {
-                        row.others += 1;
-                        0.0
-                    }
-                };
-                row.of_bound = row.of_bound.map(|most| most.max(share));
-                row.bound = row.bound.map(|most| most.max(bound));
-            }
-            errors.sort_by(f64::total_cmp);
-            [row.median_error, row.p999_error, row.worst_error] =
-                [0.5, 0.999, 1.0].map(|share| quantile(&errors, share));
-            row
-        })
-        .collect()
+            row.of_bound = row.of_bound.map(|most| most.max(share));
+            row.bound = row.bound.map(|most| most.max(bound));
+        }
+        errors.sort_by(f64::total_cmp);
+        [row.median_error, row.p999_error, row.worst_error] =
+            [0.5, 0.999, 1.0].map(|share| quantile(&errors, share));
+        row
+    });
+    rows.collect()
 }
 
 /// Infinite where both are: that is no bound.

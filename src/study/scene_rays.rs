@@ -27,7 +27,6 @@ pub struct SceneRays {
 
 impl SceneRays {
     /// So many random pixels of a scene's view, and what a graphics adapter draws of it where there is one.
-    #[must_use]
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
         let ids = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
         let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));
@@ -81,7 +80,6 @@ impl SceneRays {
 
 /// The width of a pixel in a view's middle, in radians seen from the eye at a distance, which in perspective does not
 /// matter.
-#[must_use]
 pub fn px_angle(view: &View, distance: f64) -> f64 {
     let lens = view.camera.lens();
     let height = 2.0 * lens.half_extent(1.0).y / f64::from(view.viewport.height());

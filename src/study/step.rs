@@ -23,9 +23,11 @@ impl std::fmt::Display for Precision {
     }
 }
 
-/// One way to do a step. Adding one to the study is one of these in its step's list.
-#[derive(Clone, Copy)]
-pub struct Method<C: Case> {
+/// What is known about a method without running it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MethodInfo {
+    /// The step that it does.
+    pub step: About,
     /// Author, paper or what courses and engines call it; with the precision unique within its step.
     pub name: &'static str,
     /// What it computes with.
@@ -36,6 +38,21 @@ pub struct Method<C: Case> {
     pub ours: bool,
     /// Where something else is faster and no more often wrong: what the difference buys.
     pub reason: Option<&'static str>,
+}
+
+impl MethodInfo {
+    /// What tells methods of a step apart.
+    #[must_use]
+    pub fn key(&self) -> (&'static str, Precision) {
+        (self.name, self.precision)
+    }
+}
+
+/// One way to do a step. Adding one to the study is one of these in its step's list.
+#[derive(Clone, Copy)]
+pub struct Method<C: Case> {
+    /// What is known about it.
+    pub info: MethodInfo,
     /// Does it. Whatever a program would have at hand by then is part of the case.
     pub run: fn(&C) -> C::Answer,
 }
@@ -48,35 +65,38 @@ impl<C: Case> Method<C> {
         source: &'static str,
         run: fn(&C) -> C::Answer,
     ) -> Self {
-        Self {
+        let info = MethodInfo {
+            step: C::ABOUT,
             name,
             precision,
             source,
             ours: false,
             reason: None,
-            run,
-        }
+        };
+        Self { info, run }
     }
 
     /// The method that the rest of this program uses.
     pub(super) const fn ours(
-        name: &'static str,
         precision: Precision,
         source: &'static str,
         run: fn(&C) -> C::Answer,
     ) -> Self {
-        Self {
-            ours: true,
-            ..Self::new(name, precision, source, run)
-        }
+        let mut method = Self::new("Sightline's", precision, source, run);
+        method.info.ours = true;
+        method
+    }
+
+    /// The same by a longer name.
+    pub(super) const fn named(mut self, name: &'static str) -> Self {
+        self.info.name = name;
+        self
     }
 
     /// The same, with what it buys.
-    pub(super) const fn because(self, reason: &'static str) -> Self {
-        Self {
-            reason: Some(reason),
-            ..self
-        }
+    pub(super) const fn because(mut self, reason: &'static str) -> Self {
+        self.info.reason = Some(reason);
+        self
     }
 }
 
@@ -93,6 +113,14 @@ macro_rules! both {
     };
 }
 pub(super) use both;
+
+/// A family as a line of a table: name, parameter, its values, and what makes a case.
+macro_rules! family {
+    ($name:literal, $parameter:literal $values:tt => $make:expr) => {
+        Family::new($name, $parameter, &$values, $make)
+    };
+}
+pub(super) use family;
 
 /// A workload with one parameter that stresses something, from harmless to absurd.
 #[derive(Clone, Copy)]
@@ -178,6 +206,20 @@ pub struct About {
     pub wrong_unit: &'static str,
 }
 
+/// A step's names, the units of its values' errors and of wrong decisions, and its job.
+macro_rules! about {
+    ($name:literal $key:literal, off by $error:literal, wrong by $wrong:literal; $job:literal) => {
+        About {
+            name: $name,
+            key: $key,
+            job: $job,
+            error_unit: $error,
+            wrong_unit: $wrong,
+        }
+    };
+}
+pub(super) use about;
+
 /// One question to the methods of a step, with all that they need to answer it.
 pub trait Case: Sized + Clone + Sync + Send + 'static {
     /// What methods answer.
@@ -223,8 +265,8 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn truth(&self) -> Self::Truth;
     /// Holds an answer against the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// The derived bound of what this program's own method errs by, where its decision is right as all of them are: with the
-    /// derivation where there is one; 0 where nothing rounds.
+    /// An upper bound of the error of this program's own method, with its derivation; 0 where nothing rounds. Its decisions
+    /// are always right.
     fn bound(&self, _: &Self::Truth) -> f64 {
         0.0
     }

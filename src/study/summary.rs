@@ -1,40 +1,54 @@
 //! What a report says of each method as a whole: for tables, charts and budgets.
 
-use super::{
-    run::{Report, Row},
-    step::About,
-    timing::Time,
-};
+use super::{prelude::*, timing::Time};
 
-/// What a method did over several rows, at its worst.
-#[derive(Clone, Copy, Debug)]
+/// What a method did over several workloads.
+#[derive(Clone, Debug)]
 pub struct Summary<'a> {
     /// The method's first row: the ordinary workload, by which methods are timed first of all.
     pub method: &'a Row,
-    /// How many decisions there were.
-    pub cases: usize,
-    /// How many of them were wrong.
-    pub wrong: usize,
-    /// How many of these were ties.
-    pub ties: usize,
-    /// The row that took longest, where it was timed.
-    pub slowest: Option<(&'a Row, Time)>,
-    /// The row with the largest share of wrong decisions.
-    pub most_wrong: &'a Row,
-    /// The row with the wrong decision that was furthest off.
-    pub worst_wrong: &'a Row,
-    /// The row where most values exceed what one of a thousand may.
-    pub p999_error: &'a Row,
-    /// The row with the worst error of a value.
-    pub worst_error: &'a Row,
-    /// The largest share of the bound, where there is one.
-    pub of_bound: Option<f64>,
+    /// All of its rows.
+    pub rows: Vec<&'a Row>,
 }
 
 /// How much faster another method has to be before a method is off the front.
 const FASTER: f64 = 1.1;
 
-impl Summary<'_> {
+impl<'a> Summary<'a> {
+    /// The row where a figure is largest.
+    pub fn worst(&self, of: fn(&Row) -> f64) -> &'a Row {
+        let rows = self.rows.iter().copied();
+        let worst = rows.max_by(|a, b| of(a).total_cmp(&of(b)));
+        worst.unwrap_or(self.method)
+    }
+
+    /// The row that took longest, where any was timed.
+    pub fn slowest(&self) -> Option<(&'a Row, Time)> {
+        let timed = self.rows.iter().filter_map(|row| Some((*row, row.time?)));
+        timed.max_by(|(_, a), (_, b)| a.ns.total_cmp(&b.ns))
+    }
+
+    /// The largest share of the bound, where there is one.
+    pub fn of_bound(&self) -> Option<f64> {
+        let shares = self.rows.iter().filter_map(|row| row.of_bound);
+        shares.reduce(f64::max)
+    }
+
+    /// The error that one value of a thousand exceeds, at the worst.
+    pub fn p999_error(&self) -> f64 {
+        self.worst(|row| row.p999_error).p999_error
+    }
+
+    /// So many in all workloads together.
+    fn sum(&self, of: fn(&Row) -> usize) -> usize {
+        self.rows.iter().map(|row| of(row)).sum()
+    }
+
+    /// Wrong decisions that are ties, as a share of all.
+    pub fn tie_rate(&self) -> f64 {
+        rate(self.sum(|row| row.ties), self.sum(|row| row.cases))
+    }
+
     /// How long it takes on the ordinary workload, where it was timed.
     #[must_use]
     pub fn ns(&self) -> Option<f64> {
@@ -42,22 +56,19 @@ impl Summary<'_> {
     }
 
     /// The share of wrong decisions in all workloads together.
-    #[must_use]
-    pub fn wrong_rate(&self) -> f64 {
-        rate(self.wrong, self.cases)
+    pub(super) fn wrong_rate(&self) -> f64 {
+        rate(self.sum(Row::wrong), self.sum(|row| row.cases))
     }
 
     /// The upper end of that share's 95 % interval.
-    #[must_use]
-    pub fn wrong_rate_high(&self) -> f64 {
-        interval(self.wrong, self.cases)[1]
+    pub(super) fn wrong_rate_high(&self) -> f64 {
+        interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
     /// Whether no method that is at most as wrong, by decisions and by the error that one value of a thousand exceeds, is
     /// more than a tenth faster on the ordinary workload. Where nothing is timed: whether none is better.
-    #[must_use]
-    pub fn is_on_front(&self, others: &[Self]) -> bool {
-        let key = |of: &Self| [of.wrong_rate(), of.p999_error.p999_error];
+    pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
+        let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
         let own = key(self);
         let beats = |other: &&Self| {
             let theirs = key(other);
@@ -91,7 +102,6 @@ pub(super) fn rate(some: usize, of: usize) -> f64 {
 }
 
 /// The value that so large a share of sorted values does not exceed; 0 of none.
-#[must_use]
 pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,
@@ -117,38 +127,19 @@ impl Report {
         self.rows.iter().filter(move |row| row.step == step)
     }
 
-    /// Each method of a step at its worst over all rows.
-    #[must_use]
-    pub fn summaries(&self, step: About) -> Vec<Summary<'_>> {
-        let mut methods: Vec<&Row> = Vec::new();
+    /// The rows of each method of a step.
+    pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
+        let mut methods: Vec<Summary<'_>> = Vec::new();
         for row in self.of_step(step) {
-            if !methods
-                .iter()
-                .any(|known| known.method_key() == row.method_key())
-            {
-                methods.push(row);
+            let key = row.method_key();
+            let known = methods.iter_mut().find(|of| of.method.method_key() == key);
+            if let Some(known) = known {
+                known.rows.push(row);
+            } else {
+                let (method, rows) = (row, vec![row]);
+                methods.push(Summary { method, rows });
             }
         }
-        let summary = |method: &'_ Row| {
-            let own = || {
-                self.of_step(step)
-                    .filter(|row| row.method_key() == method.method_key())
-            };
-            let worst = |of: fn(&Row) -> f64| own().max_by(|a, b| of(a).total_cmp(&of(b)));
-            let timed = own().filter_map(|row| Some((row, row.time?)));
-            Some(Summary {
-                method: own().next()?,
-                cases: own().map(|row| row.cases).sum(),
-                wrong: own().map(Row::wrong).sum(),
-                ties: own().map(|row| row.ties).sum(),
-                slowest: timed.max_by(|(_, a), (_, b)| a.ns.total_cmp(&b.ns)),
-                most_wrong: worst(Row::wrong_percent)?,
-                worst_wrong: worst(|row| row.worst_wrong)?,
-                p999_error: worst(|row| row.p999_error)?,
-                worst_error: worst(|row| row.worst_error)?,
-                of_bound: own().filter_map(|row| row.of_bound).reduce(f64::max),
-            })
-        };
-        methods.into_iter().filter_map(summary).collect()
+        methods
     }
 }

@@ -3,26 +3,16 @@
 
 use super::{
     methods::{
-        MethodInfo,
-        boxes::BoxCase,
-        clipping::ClipCase,
-        depth::DepthCase,
-        normals::NormalCase,
-        object_space::PlacedCase,
-        rays::{PixelCase, Sight},
-        spheres::SphereCase,
-        squares::SquareCase,
-        triangles::TriangleCase,
+        BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
+        TriangleCase, rays::Sight,
     },
-    real::V3,
-    run::{self, Effort, Row},
-    scene_rays::SceneRays,
-    step::{About, Case},
+    prelude::*,
+    run,
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square},
-    pick::{self, SceneHit},
+    geometry::{Cuboid, Hit, Mesh, OnTriangle, Ray, Sphere, Square, WorldRay},
+    pick,
     scene::{Object, Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -38,11 +28,19 @@ pub struct Found {
     pub normal_world: DVec3,
 }
 
+/// A position in a view of a scene, with this program's ray through it.
+#[derive(Debug)]
+pub struct Click<'a> {
+    scene: &'a Scene,
+    view: &'a View,
+    px: DVec2,
+    ray: WorldRay<'static>,
+}
+
 /// A step that a pick can do by any of its methods.
 pub trait Step: Case {
-    /// The pick at a pixel position with this step done by `run`. `None` where it hits nothing.
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Self::Answer)
-    -> Option<Found>;
+    /// The pick with this step done by `run`. `None` where it hits nothing.
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Self::Answer) -> Option<Found>;
 }
 
 /// A [`Step`] as a value.
@@ -51,7 +49,7 @@ pub struct AnyStep {
     /// Names and units.
     pub about: About,
     methods: fn() -> Vec<MethodInfo>,
-    pick: fn(usize, &Scene, &View, DVec2) -> Option<Found>,
+    pick: fn(usize, &Click<'_>) -> Option<Found>,
     rows: fn(&str, Effort) -> Vec<Row>,
     of_scene: fn(&SceneRays) -> Vec<Row>,
 }
@@ -62,8 +60,8 @@ impl AnyStep {
     pub const fn of<C: Step>() -> Self {
         Self {
             about: C::ABOUT,
-            methods: || C::methods().map(MethodInfo::of).collect(),
-            pick: |method, scene, view, px| C::pick(scene, view, px, C::methods().nth(method)?.run),
+            methods: || C::methods().map(|method| method.info).collect(),
+            pick: |method, click| C::pick(click, C::methods().nth(method)?.run),
             rows: run::family::<C>,
             of_scene: run::of_scene::<C>,
         }
@@ -111,58 +109,66 @@ impl Swap {
     }
 
     /// The pick at a pixel position with this method in it.
-    #[must_use]
     pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
-        (self.step.pick)(self.method, scene, view, px)
+        (self.step.pick)(self.method, &Click::new(scene, view, px))
     }
 }
 
 impl Found {
-    /// A hit as this program reports it.
+    /// What this program picks at a pixel position.
     #[must_use]
-    pub fn of(scene: &Scene, ray: &Ray, hit: SceneHit) -> Self {
-        let placement = &scene.objects()[hit.object].placement;
+    pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
+        Click::new(scene, view, px).sightlines()
+    }
+}
+
+impl<'a> Click<'a> {
+    fn new(scene: &'a Scene, view: &'a View, px: DVec2) -> Self {
+        let ray = view.ray(px);
         Self {
+            scene,
+            view,
+            px,
+            ray,
+        }
+    }
+
+    fn sightlines(&self) -> Option<Found> {
+        let hit = pick::closest(self.scene, self.ray, self.view.sides)?;
+        Some(self.found(&self.ray, hit))
+    }
+
+    /// A hit on a ray as this program reports it.
+    fn found(&self, ray: &Ray, hit: SceneHit) -> Found {
+        let placement = &self.scene.objects()[hit.object].placement;
+        Found {
             hit,
             point_world: ray.at(hit.hit.t),
             normal_world: placement.normal_to_world(hit.hit.normal),
         }
     }
 
-    /// What this program picks there.
-    #[must_use]
-    pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
-        let ray = view.ray(px);
-        let hit = pick::closest(scene, ray, view.sides)?;
-        Some(Self::of(scene, &ray, hit))
+    /// The nearest hit that shows: on objects of the shapes that `is_about` names by `meet`, with the ray in their space, on
+    /// all others by this program.
+    fn nearest<Hits: IntoIterator<Item = Hit>>(
+        &self,
+        is_about: impl Fn(&Shape) -> bool,
+        meet: impl Fn(&Object, &Ray) -> Hits,
+    ) -> Option<Found> {
+        let (ray, sides, objects) = (&*self.ray, self.view.sides, self.scene.objects());
+        let others = pick::all(self.scene, ray, sides).into_iter();
+        let others = others.filter(|hit| !is_about(&objects[hit.object].shape));
+        let met = (0..).zip(objects);
+        let met = met.filter(|(_, object)| object.visible && is_about(&object.shape));
+        let met = met.flat_map(|(object, about)| {
+            let hits = meet(about, &about.placement.ray_to_object(ray)).into_iter();
+            let shown = hits.filter(move |hit| sides.shows(hit) && ray.contains(hit.t));
+            shown.map(move |hit| SceneHit { object, hit })
+        });
+        let all = others.chain(met);
+        let hit = all.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)))?;
+        Some(self.found(ray, hit))
     }
-}
-
-/// The nearest hit on a ray that shows: of objects that `meet` is about the hits that it says they have with the ray in
-/// their space, of all others by this program's own.
-fn nearest<Hits: IntoIterator<Item = Hit>>(
-    scene: &Scene,
-    view: &View,
-    ray: &Ray,
-    is_about: impl Fn(&Shape) -> bool,
-    meet: impl Fn(&Object, &Ray) -> Hits,
-) -> Option<Found> {
-    let objects = scene.objects();
-    let others = pick::all(scene, ray, view.sides).into_iter();
-    let others = others.filter(|hit| !is_about(&objects[hit.object].shape));
-    let met = (0..)
-        .zip(objects)
-        .filter(|(_, o)| o.visible && is_about(&o.shape));
-    let met = met.flat_map(|(object, about)| {
-        let local = about.placement.ray_to_object(ray);
-        let hits = meet(about, &local)
-            .into_iter()
-            .filter(move |hit| view.sides.shows(hit) && ray.contains(hit.t));
-        hits.map(move |hit| SceneHit { object, hit })
-    });
-    let all = others.chain(met);
-    let hit = all.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t).then(a.object.cmp(&b.object)))?;
-    Some(Found::of(scene, ray, hit))
 }
 
 /// The first hit in a ray's interval by a method that knows none: it tells the first at or behind a ray's start.
@@ -179,64 +185,54 @@ fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
 }
 
 impl Step for PixelCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Sight) -> Option<Found> {
-        let mut ray = run(&Self::of_view(view, px)).ray(view)?;
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Sight) -> Option<Found> {
+        let Click { scene, view, .. } = click;
+        let mut ray = run(&Self::of_view(view, click.px)).ray(view)?;
         if !view.camera.lens().is_orthographic() {
             ray.origin = view.camera.eye();
         }
         let hit = pick::closest(scene, ray, view.sides)?;
-        Some(Found::of(scene, &ray, hit))
+        Some(click.found(&ray, hit))
     }
 }
 
 impl Step for PlacedCase {
-    fn pick(
-        scene: &Scene,
-        view: &View,
-        px: DVec2,
-        run: fn(&Self) -> [V3<f64>; 2],
-    ) -> Option<Found> {
-        let ray = view.ray(px);
-        nearest(
-            scene,
-            view,
-            &ray,
-            |_| true,
-            |object, own| {
-                let case = Self::of_object(&object.placement, &ray, 1.0);
-                let [origin, direction] = run(&case).map(DVec3::from);
-                // What is normalised has another parameter than the world's ray.
-                let stretch = own.direction.length() / direction.length();
-                let local = Ray {
-                    origin,
-                    direction,
-                    t_min: ray.t_min * stretch,
-                    t_max: ray.t_max * stretch,
-                };
-                if !(origin.is_finite() && direction.is_finite()) {
-                    return None;
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Self::Answer) -> Option<Found> {
+        let (ray, sides) = (&click.ray, click.view.sides);
+        let meet = |object: &Object, own: &Ray| {
+            let case = Self::of_object(&object.placement, ray, 1.0);
+            let [origin, direction] = run(&case).map(DVec3::from);
+            // What is normalised has another parameter than the world's ray.
+            let stretch = own.direction.length() / direction.length();
+            let local = Ray {
+                origin,
+                direction,
+                t_min: ray.t_min * stretch,
+                t_max: ray.t_max * stretch,
+            };
+            if !(origin.is_finite() && direction.is_finite()) {
+                return None;
+            }
+            let [entry, exit] = match &object.shape {
+                Shape::Sphere => Sphere::hits(&local),
+                Shape::Cube => Cuboid::hits(&local),
+                Shape::Square => [Square::hit(&local), None],
+                Shape::Mesh { mesh, part } => {
+                    [mesh.closest(&local, sides, |other| other == *part), None]
                 }
-                let [entry, exit] = match &object.shape {
-                    Shape::Sphere => Sphere::hits(&local),
-                    Shape::Cube => Cuboid::hits(&local),
-                    Shape::Square => [Square::hit(&local), None],
-                    Shape::Mesh { mesh, part } => [
-                        mesh.closest(&local, view.sides, |other| other == *part),
-                        None,
-                    ],
-                };
-                let hit = entry.or(exit)?;
-                let t = hit.t / stretch;
-                Some(Hit { t, ..hit })
-            },
-        )
+            };
+            let hit = entry.or(exit)?;
+            let t = hit.t / stretch;
+            Some(Hit { t, ..hit })
+        };
+        click.nearest(|_| true, meet)
     }
 }
 
 impl Step for TriangleCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_mesh = |shape: &Shape| matches!(shape, Shape::Mesh { .. });
-        nearest(scene, view, &view.ray(px), is_mesh, |object, local| {
+        click.nearest(is_mesh, |object, local| {
             let Shape::Mesh { mesh, part } = &object.shape else {
                 return Vec::new();
             };
@@ -254,23 +250,23 @@ impl Step for TriangleCase {
 fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
     let [a, b, c] = mesh.corners(triangle);
     let normal = (b - a).cross(c - a);
+    let area2 = normal.length_squared();
     let point = local.at(t);
-    let weight =
-        |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / normal.length_squared();
-    let on_triangle = OnTriangle {
-        triangle,
-        barycentric: [weight(b, c), weight(c, a), weight(a, b)],
-    };
+    let weight = |p: DVec3, q: DVec3| (p - point).cross(q - point).dot(normal) / area2;
+    let barycentric = [weight(b, c), weight(c, a), weight(a, b)];
     Hit {
-        on_triangle: Some(on_triangle),
+        on_triangle: Some(OnTriangle {
+            triangle,
+            barycentric,
+        }),
         ..analytic(local, t, normal)
     }
 }
 
 impl Step for SphereCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere);
-        nearest(scene, view, &view.ray(px), is_sphere, |_, local| {
+        click.nearest(is_sphere, |_, local| {
             let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             Some(analytic(local, t, local.at(t)))
         })
@@ -278,29 +274,25 @@ impl Step for SphereCase {
 }
 
 impl Step for BoxCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_cube = |shape: &Shape| matches!(shape, Shape::Cube);
-        nearest(scene, view, &view.ray(px), is_cube, |_, local| {
+        click.nearest(is_cube, |_, local| {
             let t = first(local, |ray| run(&Self::of_object(ray, 1.0)))?;
             let point = local.at(t);
-            let face = DVec3::AXES.into_iter().max_by(|a, b| {
-                let depth = |axis: &DVec3| point.dot(*axis).abs();
-                depth(a).total_cmp(&depth(b))
-            })?;
+            let depth = |axis: &DVec3| point.dot(*axis).abs();
+            let axes = DVec3::AXES.into_iter();
+            let face = axes.max_by(|a, b| depth(a).total_cmp(&depth(b)))?;
             Some(analytic(local, t, face * point.dot(face).signum()))
         })
     }
 }
 
 impl Step for SquareCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> Option<f64>) -> Option<Found> {
-        let ray = view.ray(px);
+    fn pick(click: &Click<'_>, run: fn(&Self) -> Option<f64>) -> Option<Found> {
         let is_square = |shape: &Shape| matches!(shape, Shape::Square);
-        nearest(scene, view, &ray, is_square, |object, local| {
-            let t = first(&ray, |ray| {
-                run(&Self::of_object(&object.placement, ray, 1.0))
-            })?;
-            Some(analytic(local, t, DVec3::Z))
+        click.nearest(is_square, |object, local| {
+            let test = |ray: &Ray| run(&Self::of_object(&object.placement, ray, 1.0));
+            Some(analytic(local, first(&click.ray, test)?, DVec3::Z))
         })
     }
 }
@@ -317,24 +309,24 @@ fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
 }
 
 impl Step for ClipCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> bool) -> Option<Found> {
-        let ray = view.ray(px);
+    fn pick(click: &Click<'_>, run: fn(&Self) -> bool) -> Option<Found> {
+        let Click { view, ray, .. } = click;
+        let [t_min, t_max] = [f64::NEG_INFINITY, f64::INFINITY];
         let endless = Ray {
-            t_min: f64::NEG_INFINITY,
-            t_max: f64::INFINITY,
-            ..*ray
+            t_min,
+            t_max,
+            ..**ray
         };
-        let hits = pick::all(scene, endless, view.sides);
-        let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, *ray, hit.hit.t));
-        let hit = hits.into_iter().find(shown)?;
-        Some(Found::of(scene, &ray, hit))
+        let mut hits = pick::all(click.scene, endless, view.sides).into_iter();
+        let shown = |hit: &SceneHit| run(&Self::of_camera(&view.camera, **ray, hit.hit.t));
+        Some(click.found(ray, hits.find(shown)?))
     }
 }
 
 impl Step for NormalCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> [f64; 3]) -> Option<Found> {
-        let own = Found::sightlines(scene, view, px)?;
-        let model = scene.objects()[own.hit.object].placement.model();
+    fn pick(click: &Click<'_>, run: fn(&Self) -> [f64; 3]) -> Option<Found> {
+        let own = click.sightlines()?;
+        let model = click.scene.objects()[own.hit.object].placement.model();
         let case = Self::new(model.matrix3.into(), own.hit.hit.normal.into())?;
         Some(Found {
             normal_world: DVec3::from(run(&case)).normalize(),
@@ -344,12 +336,12 @@ impl Step for NormalCase {
 }
 
 impl Step for DepthCase {
-    fn pick(scene: &Scene, view: &View, px: DVec2, run: fn(&Self) -> f64) -> Option<Found> {
-        let own = Found::sightlines(scene, view, px)?;
-        let ray = view.ray(px);
-        let read = run(&Self::of_hit(&view.camera, &ray, own.hit.hit.t));
+    fn pick(click: &Click<'_>, run: fn(&Self) -> f64) -> Option<Found> {
+        let own = click.sightlines()?;
+        let (camera, ray) = (&click.view.camera, &click.ray);
+        let read = run(&Self::of_hit(camera, ray, own.hit.hit.t));
         Some(Found {
-            point_world: ray.at(read / ray.direction.dot(view.camera.forward())),
+            point_world: ray.at(read / ray.direction.dot(camera.forward())),
             ..own
         })
     }

@@ -2,19 +2,15 @@
 
 use super::{
     methods::{
-        MethodInfo,
         files::{self, FileCase},
         registry,
     },
-    run::{Report, Row, SCENE},
-    step::{About, Case},
-    summary::{Summary, rate},
+    prelude::*,
     timing::processor,
 };
 use std::fmt::Write;
 
 /// Every step's table.
-#[must_use]
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
     let [general, own] = report.split().map(Option::unwrap_or_default);
@@ -65,7 +61,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
         let mut cells = vec![method.method.to_owned(), method.precision.to_string()];
         let is_on_front = summary.is_on_front(summaries);
         cells.push(if is_on_front { "yes" } else { "" }.to_owned());
-        cells.extend(match (method.time, summary.slowest) {
+        cells.extend(match (method.time, summary.slowest()) {
             (Some(of), Some((slowest, worst))) => [
                 time(of.ns),
                 of.quartiles.map(time).join(".."),
@@ -77,7 +73,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
             _ => std::array::from_fn(|_| String::new()),
         });
         if decides {
-            let row = summary.most_wrong;
+            let row = summary.worst(Row::wrong_percent);
             let [low, high] = row.wrong_percent_within();
             let within = if low == 0.0 {
                 format!("<{}", percent(high))
@@ -88,23 +84,23 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
                 percent(row.wrong_percent()),
                 within,
                 place(row, row.wrong_percent()),
-                percent(100.0 * rate(summary.ties, summary.cases)),
+                percent(100.0 * summary.tie_rate()),
             ]);
         }
         if !step.wrong_unit.is_empty() {
-            let row = summary.worst_wrong;
+            let row = summary.worst(|row| row.worst_wrong);
             cells.extend([number(row.worst_wrong), place(row, row.worst_wrong)]);
         }
         if measures {
-            let row = summary.worst_error;
+            let row = summary.worst(|row| row.worst_error);
             cells.extend([
                 number(summary.method.median_error),
-                number(summary.p999_error.p999_error),
+                number(summary.p999_error()),
                 number(row.worst_error),
                 place(row, row.worst_error),
             ]);
         }
-        let share = summary.of_bound.map(|share| format!("{share:.2}"));
+        let share = summary.of_bound().map(|share| format!("{share:.2}"));
         cells.push(share.unwrap_or("-".to_owned()));
         cells
     }));
@@ -112,17 +108,14 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
     // What could not be run here.
     let known = |method: &MethodInfo| {
         let mut known = summaries.iter().map(|summary| summary.method.method_key());
-        known.any(|known| known == (method.name, method.precision))
+        known.any(|known| known == method.key())
     };
     let mut methods = registry();
     methods.retain(|method| method.step == step && !known(method));
     rows.extend(methods.into_iter().map(|method| {
         let precision = method.precision.to_string();
-        let mut cells = vec![
-            method.name.to_owned(),
-            precision,
-            "no graphics adapter".to_owned(),
-        ];
+        let why = "no graphics adapter".to_owned();
+        let mut cells = vec![method.name.to_owned(), precision, why];
         cells.resize(columns, String::new());
         cells
     }));
@@ -177,7 +170,8 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
         _ => 1e-4,
     };
     let does = |summary: &&Summary<'_>| {
-        summary.most_wrong.wrong_percent() == 0.0 && summary.worst_error.worst_error <= most
+        let is_good = |row: &&Row| row.wrong() == 0 && row.worst_error <= most;
+        summary.rows.iter().all(is_good)
     };
     let timed = summaries.iter().filter(does);
     let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
@@ -219,7 +213,6 @@ fn percent(value: f64) -> String {
 }
 
 /// A measured number with two digits.
-#[must_use]
 pub fn number(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),
@@ -232,7 +225,6 @@ pub fn number(value: f64) -> String {
 }
 
 /// A parameter's value.
-#[must_use]
 pub fn short(value: f64) -> String {
     if (0.01..1e4).contains(&value) {
         format!("{value}")

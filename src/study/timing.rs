@@ -12,7 +12,6 @@ use super::{random::Random, step::Case};
 use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
 
 /// What the processor is called, where the system says so; times mean nothing without.
-#[must_use]
 pub fn processor() -> &'static str {
     static NAME: OnceLock<String> = OnceLock::new();
     NAME.get_or_init(|| {
@@ -43,7 +42,6 @@ const LEAST_NS: f64 = 0.1;
 
 /// Times each method of a step over the same cases, in the registry's order; `None` for what cannot be run. What answers for
 /// a whole picture at a time is timed by that.
-#[must_use]
 pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> Vec<Option<Time>> {
     let methods: Vec<_> = C::methods().collect();
     let mut times = vec![None; methods.len()];

@@ -12,8 +12,7 @@ use std::{cmp::Ordering, f64::consts::FRAC_PI_2};
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
-/// What a hit's `t` errs by at most, relatively, where shapes take it from `f64`: what is less certain they leave to exact
-/// arithmetic.
+/// The largest relative error of a `t` that shapes take from `f64`. What is less certain they compute exactly.
 pub(super) const CERTAIN: f64 = 1.0 / 67_108_864.0;
 
 /// A ray without rounding, and where it meets shapes, edges and rims included.
@@ -133,7 +132,6 @@ pub(super) fn first_ahead(met: impl IntoIterator<Item = Meeting>) -> Option<f64>
 }
 
 /// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
-#[must_use]
 pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
@@ -144,7 +142,6 @@ pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
 }
 
 /// How far a ray passes from the nearest side of a polygon, in radians seen from its origin.
-#[must_use]
 pub fn edge_angle(origin: V3<f64>, direction: V3<f64>, corners: &[V3<f64>]) -> f64 {
     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
     let angles = ends.map(|(from, to)| segment_angle(origin, direction, *from, *to));
@@ -177,7 +174,6 @@ fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
 }
 
 /// Relative error of `answer`, infinite where it is no number.
-#[must_use]
 pub(super) fn relative(truth: f64, answer: f64) -> f64 {
     if truth.to_bits() == answer.to_bits() {
         return 0.0;

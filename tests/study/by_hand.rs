@@ -94,8 +94,8 @@ fn truth_agrees_with_hand_cases() {
     // 4 wide and 2 high, facing -x and 6 away.
     let sides = [v(0.0, 0.0, 4.0), v(0.0, 2.0, 0.0)];
     let square = |y: f64, z: f64| {
-        SquareCase::new(v(1.0, y, z), v(2.0, 0.0, 0.0), v(7.0, 3.0, 1.0), sides, 1.0)
-            .expect("a square")
+        let ray = [v(1.0, y, z), v(2.0, 0.0, 0.0)];
+        SquareCase::new(ray, v(7.0, 3.0, 1.0), sides, 1.0).expect("a square")
     };
     let t = |y: f64, z: f64| square(y, z).truth();
     assert_eq!(t(3.5, 2.0), Some(3.0));

@@ -10,9 +10,8 @@ use sightline::{
     study::{
         self, Effort, Row, SCENE, SceneRays,
         gallery::BREAKS,
-        methods::MethodInfo,
         methods::picks::ball_scene,
-        step::Precision::F64,
+        step::{MethodInfo, Precision::F64},
         swap::{AnyStep, Found, Swap},
     },
 };

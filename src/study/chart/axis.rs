@@ -2,7 +2,7 @@
 
 use super::{
     measure::Measure,
-    picture::{Anchor, FAINT, INK, Picture, QUIET},
+    picture::{Anchor, Colour, FAINT, INK, Picture, QUIET},
 };
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
@@ -148,6 +148,8 @@ pub struct Panel {
     pub to: [f64; 2],
 }
 
+/// Behind what is never wrong.
+pub const NEVER: Colour = [0xe8, 0xf5, 0xee];
 /// Size of tick labels.
 const TICK: f64 = 14.0;
 
@@ -176,11 +178,7 @@ impl Panel {
         let [left, top] = self.from;
         let [right, bottom] = self.to;
         if let Some(y) = self.y.none {
-            picture.rectangle(
-                [left, y - 0.5 * BEYOND],
-                [right, bottom],
-                [0xe8, 0xf5, 0xee],
-            );
+            picture.rectangle([left, y - 0.5 * BEYOND], self.to, NEVER);
         }
         if let Some(y) = self.y.fails {
             picture.rectangle([left, top], [right, y + 0.5 * BEYOND], [0xfb, 0xeb, 0xe2]);
@@ -212,13 +210,8 @@ impl Panel {
         picture.line(frame, INK, 1, false);
         let middle = [0.5 * (left + right), 0.5 * (top + bottom)];
         picture.text([left - 40.0, top - 20.0], Anchor::Left, 18.0, INK, title);
-        picture.text(
-            [middle[0], bottom + 31.0],
-            Anchor::Middle,
-            15.0,
-            INK,
-            x_name,
-        );
+        let below = [middle[0], bottom + 31.0];
+        picture.text(below, Anchor::Middle, 15.0, INK, x_name);
         picture.text_upwards([left - 58.0, middle[1]], 15.0, INK, y_name);
     }
 }

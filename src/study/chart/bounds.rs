@@ -1,11 +1,6 @@
 //! What the derived bounds allow, and what was found: for each step of this program's own path.
 
-use super::{
-    axis::Panel,
-    page::{ROWS_APART, count, page, places},
-    picture::{COLOURS, INK, Picture, Shape},
-};
-use crate::study::run::{Report, Row};
+use super::prelude::*;
 
 /// The chart.
 pub fn chart(report: &Report) -> Picture {

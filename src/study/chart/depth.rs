@@ -1,41 +1,20 @@
 //! What a depth buffer tells apart: the marks that a small format puts on 1 / z, after Reed, Depth Precision Visualized,
 //! 2015; and the steps of real formats against distance.
 
-use super::{
-    axis::{Axis, Panel},
-    page::page,
-    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET},
-};
+use super::prelude::*;
 use crate::study::methods::depth::{DepthCase, Mapping};
 
-/// A mapping with its name, colour and line width: those below are wider than those that cover them.
-const MAPPINGS: [(&str, Mapping, Colour, u32); 5] = [
-    ("standard, 32-bit float", Mapping::STANDARD, COLOURS[1], 9),
-    (
-        "standard, 24-bit integer",
-        Mapping::STANDARD_24,
-        COLOURS[5],
-        6,
-    ),
-    (
-        "reversed, 24-bit integer",
-        Mapping::REVERSED_24,
-        COLOURS[0],
-        2,
-    ),
-    (
-        "reversed, infinite far plane, float",
-        Mapping::INFINITE,
-        COLOURS[2],
-        7,
-    ),
-    (
-        "reversed, 32-bit float: Sightline's",
-        Mapping::REVERSED,
-        [0, 0, 0],
-        3,
-    ),
+/// A mapping with its name, colour (none of [`COLOURS`] is black) and line width: those below are wider than those that cover
+/// them.
+const MAPPINGS: [(&str, Mapping, usize, u32); 5] = [
+    ("standard, 32-bit float", Mapping::STANDARD, 1, 9),
+    ("standard, 24-bit integer", Mapping::STANDARD_24, 5, 6),
+    ("reversed, 24-bit integer", Mapping::REVERSED_24, 0, 2),
+    (ENDLESS, Mapping::INFINITE, 2, 7),
+    (OURS, Mapping::REVERSED, usize::MAX, 3),
 ];
+const ENDLESS: &str = "reversed, infinite far plane, float";
+const OURS: &str = "reversed, 32-bit float: Sightline's";
 
 /// The planes of the marks, and of the steps.
 const MARKS: [f64; 2] = [1.0, 10.0];
@@ -68,18 +47,11 @@ fn small_floats() -> impl Iterator<Item = f32> {
 fn marks(picture: &mut Picture, title: &str, mapping: Mapping, left: f64) {
     let [near, far] = MARKS;
     let [from, to] = [[left, 136.0], [left + 660.0, 420.0]];
-    let panel = Panel {
-        x: Axis::linear(far, [from[0], to[0]]),
-        y: Axis::linear(1.0, [to[1], from[1]]),
-        from,
-        to,
-    };
-    panel.draw(
-        picture,
-        title,
-        ["view depth (near 1, far 10)", "stored"],
-        "",
-    );
+    let x = Axis::linear(far, [from[0], to[0]]);
+    let y = Axis::linear(1.0, [to[1], from[1]]);
+    let panel = Panel { x, y, from, to };
+    let names = ["view depth (near 1, far 10)", "stored"];
+    panel.draw(picture, title, names, "");
     let case = |depth: f64| DepthCase::new(depth, MARKS);
     let mut depths = Vec::new();
     for number in small_floats() {
@@ -110,6 +82,7 @@ fn steps(picture: &mut Picture) {
         let steps = depths
             .iter()
             .filter_map(|z| Some((*z, resolution(mapping, *z)?)));
+        let colour = COLOURS.get(colour).copied().unwrap_or_default();
         (name, colour, width, steps.collect::<Vec<_>>())
     });
     let ys = curves.iter().flat_map(|(_, _, _, steps)| steps);
@@ -137,8 +110,7 @@ fn steps(picture: &mut Picture) {
     }
 }
 
-/// From what the buffer holds for a depth to the depth of the next number that it can hold, away from the eye; none beyond the
-/// last number, where there is nothing left to tell apart.
+/// How far apart in depth the buffer's number for a depth and its next one are, away from the eye; none beyond the last.
 fn resolution(mapping: Mapping, depth: f64) -> Option<f64> {
     let case = DepthCase::new(depth, STEPS);
     let stored = mapping.stored(&case);

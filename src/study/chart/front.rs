@@ -1,16 +1,6 @@
 //! Speed against wrong answers for a triangle, a sphere and a whole pick: three large panels.
 
-use super::{
-    axis::{Axis, Panel},
-    labels::Places,
-    page::{WIDTH, count, distinct, page},
-    picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
-};
-use crate::study::{
-    run::{Report, Row},
-    step::Precision,
-    summary::Summary,
-};
+use super::prelude::*;
 
 /// The steps that are shown, and whether the axis of time is that of the first.
 const STEPS: [(&str, bool); 3] = [("triangle", true), ("sphere", true), ("pick", false)];
@@ -34,23 +24,18 @@ struct Point<'a> {
 }
 
 impl<'a> Point<'a> {
-    fn new(report: &'a Report, of: &Summary<'a>) -> Option<Self> {
-        let row = of.method;
-        let own = || {
-            report
-                .of_step(row.step)
-                .filter(|other| other.method_key() == row.method_key())
-        };
-        let mut percents: Vec<f64> = own().map(Row::wrong_percent).collect();
+    fn new(of: &Summary<'a>) -> Option<Self> {
+        let rows = || of.rows.iter().copied();
+        let mut percents: Vec<f64> = rows().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
         // Another triangle or none is at no distance, and no tie.
-        let apart = own().filter(|row| row.worst_wrong > 0.0 || row.step.wrong_unit.is_empty());
+        let apart = rows().filter(|row| row.worst_wrong > 0.0 || row.step.wrong_unit.is_empty());
         let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
         let all = 100.0 * of.wrong_rate();
         Some(Self {
-            row,
+            row: of.method,
             ns: of.ns()?,
-            slowest: of.slowest?.1.ns,
+            slowest: of.slowest()?.1.ns,
             wrong: [all, percents[percents.len() / 2], apart, *percents.last()?],
         })
     }
@@ -81,7 +66,7 @@ pub fn chart(report: &Report) -> Picture {
     let panels = STEPS.iter().filter_map(|(key, is_shared)| {
         let step = report.steps().into_iter().find(|step| step.key == *key)?;
         let all = report.summaries(step);
-        let mut points: Vec<_> = all.iter().filter_map(|of| Point::new(report, of)).collect();
+        let mut points: Vec<_> = all.iter().filter_map(Point::new).collect();
         points.sort_by(|a, b| a.ns.total_cmp(&b.ns));
         (!points.is_empty()).then_some((step.name, *is_shared, points))
     });
@@ -109,7 +94,7 @@ pub fn chart(report: &Report) -> Picture {
         } else {
             ("", "")
         };
-        picture.rectangle([left, band], panel.to, [0xe8, 0xf5, 0xee]);
+        picture.rectangle([left, band], panel.to, NEVER);
         panel.draw(&mut picture, "", ["time (ns)", y_name], "");
         picture.text([left, TOP - 20.0], Anchor::Left, 24.0, INK, *name);
         let at = [left - 6.0, 0.5 * (band + BOTTOM)];

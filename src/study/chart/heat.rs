@@ -1,13 +1,6 @@
 //! Where each method fails: methods by families, the colour how far off, the number how often.
 
-use super::{
-    page::{WIDTH, count, distinct, page},
-    picture::{Anchor, Colour, INK, Picture, QUIET},
-};
-use crate::study::{
-    run::{Report, Row},
-    step::{About, Precision},
-};
+use super::prelude::*;
 use plotters::prelude::{ColorMap, ViridisRGB};
 
 /// The logarithms of the pixels at which the colours begin and end.

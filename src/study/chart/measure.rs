@@ -25,8 +25,7 @@ impl Measure {
         }
     }
 
-    /// What it says about a row. Wrong decisions at no distance at all, which only ties can be, are [`TIE`](Self::TIE), and
-    /// so neither none nor taken for a distance.
+    /// What it says about a row. A wrong decision at no distance is a tie: [`TIE`](Self::TIE), neither none nor a distance.
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
@@ -61,10 +60,8 @@ impl Measure {
 
     /// A method at its worst over all rows of a summary.
     pub fn worst(self, summary: &Summary<'_>) -> f64 {
-        [summary.most_wrong, summary.worst_wrong, summary.worst_error]
-            .map(|row| self.at(row))
-            .into_iter()
-            .fold(0.0, f64::max)
+        let worst = summary.rows.iter().map(|row| self.at(row));
+        worst.fold(0.0, f64::max)
     }
 }
 

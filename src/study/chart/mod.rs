@@ -21,6 +21,19 @@ pub use stability::family;
 use super::run::Report;
 use picture::Picture;
 
+/// What each chart's file is made of.
+mod prelude {
+    pub use super::{
+        axis::{Axis, NEVER, Panel},
+        labels::Places,
+        measure::Measure,
+        page::{ROWS_APART, WIDTH, count, distinct, page, places, small},
+        picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
+        style::{Style, legend, styles},
+    };
+    pub use crate::study::prelude::*;
+}
+
 /// Each chart of a report with its file's stem.
 #[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {

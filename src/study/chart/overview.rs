@@ -1,13 +1,6 @@
 //! Speed against the worst error: a small panel a step.
 
-use super::{
-    labels::Places,
-    measure::Measure,
-    page::{count, distinct, page, places, small},
-    picture::{Anchor, INK, Picture},
-    style::{Style, legend, styles},
-};
-use crate::study::{run::Report, step::About, summary::Summary};
+use super::prelude::*;
 
 /// The chart. Steps that nothing was timed of have no axis of time.
 pub fn chart(report: &Report, title: &str) -> Picture {

@@ -1,6 +1,7 @@
 //! What a chart is made of, and its way into SVG and PNG through `plotters`.
 
-use super::outlines::outlines;
+use super::{outlines::outlines, page::count};
+use num_traits::ToPrimitive;
 use plotters::{
     coord::Shift,
     element::DashedPathElement,
@@ -165,12 +166,7 @@ impl Picture {
     /// An empty white picture of so many whole pixels.
     #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a page"
-        )]
-        let [width, height] = [width, height].map(|side| side as u32);
+        let [width, height] = [width, height].map(|side| side.to_u32().unwrap_or(0));
         Self {
             width,
             height,
@@ -199,14 +195,10 @@ impl Picture {
 
     /// Adds a line of text that reads upwards, about its middle.
     pub fn text_upwards(&mut self, at: [f64; 2], size: f64, colour: Colour, text: &str) {
-        self.marks.push(Mark::Text {
-            at,
-            anchor: Anchor::Middle,
-            size,
-            colour,
-            upwards: true,
-            text: text.to_owned(),
-        });
+        self.text(at, Anchor::Middle, size, colour, text);
+        if let Some(Mark::Text { upwards, .. }) = self.marks.last_mut() {
+            *upwards = true;
+        }
     }
 
     /// Adds a line.
@@ -235,8 +227,7 @@ impl Picture {
         for (y, row) in (0..).map(f64::from).zip(colours.chunks(columns)) {
             let mut x = 0.0;
             for run in row.chunk_by(PartialEq::eq) {
-                #[expect(clippy::cast_precision_loss, reason = "a row")]
-                let end = x + run.len() as f64;
+                let end = x + count(run.len());
                 let corner = |x: f64, y: f64| [left + side * x, top + side * y];
                 self.rectangle(corner(x, y), corner(end, y + 1.0), run[0]);
                 x = end;
@@ -315,12 +306,7 @@ fn draw_mark<B: DrawingBackend>(
         reason = "positions within a picture"
     )]
     let px = |[x, y]: [f64; 2]| ((x * scale).round() as i32, (y * scale).round() as i32);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a few pixels"
-    )]
-    let wide = |width: u32| (f64::from(width) * scale) as u32;
+    let wide = |width: u32| (f64::from(width) * scale).to_u32().unwrap_or(0);
     match mark {
         Mark::Line {
             points,
@@ -349,20 +335,11 @@ fn draw_mark<B: DrawingBackend>(
         } => {
             for outline in outlines(*shape, *at, *radius) {
                 let corners: Vec<_> = outline.into_iter().map(px).collect();
-                if *filled {
-                    area.draw(&Polygon::new(corners.clone(), rgb(*colour)))?;
-                } else {
-                    area.draw(&Polygon::new(corners.clone(), WHITE))?;
-                }
-                let closed = corners
-                    .iter()
-                    .chain(corners.first())
-                    .copied()
-                    .collect::<Vec<_>>();
-                area.draw(&PathElement::new(
-                    closed,
-                    rgb(*colour).stroke_width(wide(2)),
-                ))?;
+                let fill = if *filled { rgb(*colour) } else { WHITE };
+                area.draw(&Polygon::new(corners.clone(), fill))?;
+                let closed: Vec<_> = corners.iter().chain(corners.first()).copied().collect();
+                let style = rgb(*colour).stroke_width(wide(2));
+                area.draw(&PathElement::new(closed, style))?;
             }
             Ok(())
         }

@@ -1,17 +1,7 @@
 //! A line a method: the worst error against what stresses it, and the time against how many rays hit.
 
-use super::{
-    axis::Axis,
-    measure::Measure,
-    page::{ROWS_APART, count, distinct, page, places, small},
-    picture::{Anchor, INK, Picture},
-    style::{Style, legend, styles},
-};
-use crate::study::{
-    methods::triangles::TriangleCase,
-    run::{Report, Row, SCENE},
-    step::{About, Family, Precision},
-};
+use super::prelude::*;
+use crate::study::methods::TriangleCase;
 
 /// The families that are shown, by step and name.
 const SHOWN: [(&str, &str); 8] = [

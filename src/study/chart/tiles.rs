@@ -1,22 +1,10 @@
 //! The smallest steps: what each triangle test says of rays that pass an edge, over neighbouring numbers. After Kettner,
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
-use super::{
-    page::{WIDTH, count, distinct, page},
-    picture::{Anchor, Colour, INK, Picture, QUIET},
-};
+use super::prelude::*;
 use crate::{
     geometry::shares::on_all_cores,
-    study::{
-        methods::triangles::{RayTriangle, TriangleCase},
-        real::V3,
-        scene_rays::PX,
-        step::{
-            Case, Method,
-            Precision::{self, F32, F64},
-            Verdict,
-        },
-    },
+    study::methods::{TriangleCase, triangles::RayTriangle},
 };
 use glam::DVec3;
 
@@ -39,6 +27,16 @@ struct Tile {
     name: &'static str,
     precision: Precision,
     colours: Vec<Colour>,
+}
+
+impl Tile {
+    fn new(name: &'static str, precision: Precision, colours: Vec<Colour>) -> Self {
+        Self {
+            name,
+            precision,
+            colours,
+        }
+    }
 }
 
 /// The chart.
@@ -97,34 +95,25 @@ fn tiles() -> Vec<Tile> {
     let mut tiles: Vec<Tile> = Vec::new();
     for (precision, cases) in &all {
         let so = cases.iter().map(|(_, truth)| truth.map_or(MISS, |_| HIT));
-        tiles.push(Tile {
-            name: TRUTH,
-            precision: *precision,
-            colours: so.collect(),
-        });
+        let colours = so.collect();
+        tiles.push(Tile::new(TRUTH, *precision, colours));
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
-    methods.sort_by_key(|method| !method.ours);
+    methods.sort_by_key(|method| !method.info.ours);
     tiles.extend(on_all_cores(0..methods.len(), |index| {
         let method = methods[index];
-        let (_, cases) = &all[usize::from(method.precision != F32)];
+        let (_, cases) = &all[usize::from(method.info.precision != F32)];
         let said = cases.iter();
         let said = said.map(|(case, truth)| colour(case, *truth, method));
-        Tile {
-            name: if method.ours {
-                "Sightline"
-            } else {
-                method.name
-            },
-            precision: method.precision,
-            colours: said.collect(),
-        }
+        let info = method.info;
+        let name = if info.ours { "Sightline" } else { info.name };
+        Tile::new(name, info.precision, said.collect())
     }));
     tiles
 }
 
 /// Rays from neighbouring numbers of a precision, with whether they hit: the top row first. All go the same way and pass an
-/// edge of one triangle far from its corners, whose coordinates are what the precision makes of no round ones.
+/// edge of one triangle far from its corners, which are not round and are rounded to the precision.
 fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     const DIRECTION: DVec3 = DVec3::new(0.25, -0.125, -1.0);
     let bits = if precision == F32 { 24 } else { 53 };
@@ -143,12 +132,8 @@ fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     });
     let case = |i: u32| {
         let [x, y] = [i % SIDE, SIDE - 1 - i / SIDE].map(|i| 0.5 + step * f64::from(i));
-        let ray = RayTriangle {
-            origin: V3::from(DVec3::new(x, y, 3.0)),
-            direction: V3::from(DIRECTION),
-            corners,
-        };
-        let case = TriangleCase::new(ray, PX);
+        let origin = DVec3::new(x, y, 3.0).into();
+        let case = TriangleCase::new(RayTriangle::new(origin, DIRECTION.into(), corners), PX);
         let truth = case.truth();
         (case, truth)
     };

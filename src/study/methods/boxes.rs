@@ -2,11 +2,7 @@
 //! inside), or none. Methods differ in what they make of a ray that runs along a slab, where `0 * inf` is NaN.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
-use crate::{
-    geometry::Cuboid,
-    scene::Shape,
-    study::{prelude::*, real::Real, truth},
-};
+use crate::{geometry::Cuboid, scene::Shape, study::prelude::*};
 
 /// One ray and the cube.
 pub type BoxCase = ShapeCase<Cuboid>;
@@ -19,16 +15,15 @@ const MAJERCIK: &str =
 const IZE: &str =
     "Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013: a test that only culls may say yes too often";
 
+const OURS: &str = "geometry::cuboid: by slabs, which their bounds decide, else exactly";
+
 impl Case for BoxCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against box",
-        key: "box",
-        job: "a ray in the cube's space: t of the first hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against box" "box", off by "of t", wrong by "px";
+        "a ray in the cube's space: t of the first hit"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("slabs with a branch", BRANCH, branch),
@@ -37,60 +32,21 @@ impl Case for BoxCase {
         &both!("padded, to cull", IZE, nan_safe, [3.0, 0.0]),
         &both!("padded inverse, to cull", IZE, nan_safe, [0.0, 2.0]),
         &both!("Majercik's", MAJERCIK, majercik),
-        &[Method::ours(
-            "Sightline's",
-            Precision::Exact,
-            "geometry::cuboid: by slabs, which their bounds decide, else exactly",
-            |c| {
-                let [near, far] = Cuboid::hits(&c.ray);
-                near.or(far).map(|hit| hit.t)
-            },
-        )],
+        &[Method::ours(Precision::Exact, OURS, |c| {
+            let [near, far] = Cuboid::hits(&c.ray);
+            near.or(far).map(|hit| hit.t)
+        })],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| ordinary(random)),
         Family::HIT_RATE,
-        Family::new(
-            "aimed at edges",
-            "distance / size",
-            &[2.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-            |random, distance| {
-                let target = on_edge(random);
-                let towards = random.direction();
-                aim(target, towards * distance)
-            },
-        ),
-        Family::new(
-            "starts on a slab",
-            "axes that it runs along",
-            &[1.0, 2.0],
-            on_slab,
-        ),
-        Family::new(
-            "thin",
-            "thickness / width",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-            |random, thickness| {
-                // What is thin in the world is a cube in its own space, where rays are steep.
-                let size = random.decades(-8, 0);
-                let target = on_edge(random) + random.point(size);
-                let mut back = random.direction() * 5.0;
-                back.y /= thickness;
-                aim(target, back)
-            },
-        ),
-        Family::new(
-            "past an edge",
-            "by (sides)",
-            &[1e-4, 1e-8, 1e-12, 1e-16, 1e-20, 1e-24],
-            past_an_edge,
-        ),
-        Family::new(
-            "exactly through edges",
-            "bits a coordinate",
-            &[4.0, 8.0, 12.0, 16.0, 20.0],
-            on_a_lattice,
-        ),
+        family!("aimed at edges", "distance / size" [2.0, 1e1, 1e2, 1e3, 1e4, 1e5] => at_edge),
+        family!("starts on a slab", "axes that it runs along" [1.0, 2.0] => on_slab),
+        family!("thin", "thickness / width" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] => thin),
+        family!("past an edge", "by (sides)" [1e-4, 1e-8, 1e-12, 1e-16, 1e-20, 1e-24] =>
+            past_an_edge),
+        family!("exactly through edges", "bits a coordinate" [4.0, 8.0, 12.0, 16.0, 20.0] =>
+            on_a_lattice),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -211,8 +167,8 @@ pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     Some(t.wide())
 }
 
-/// How far the ray would have to move for another answer than `hit`, in radians seen from its origin: to the nearest edge, or
-/// for one that hits along a face out of that.
+/// How far the ray is from another answer than `hit`, in radians seen from its origin: to the nearest edge, or out of the
+/// face that it runs along.
 fn edge_angle(case: &ObjectRay<f64>, hit: Option<f64>) -> f64 {
     let half = Cuboid::HALF_SIDE;
     let corner = |i: usize| {
@@ -235,6 +191,20 @@ fn ordinary(random: &mut Random) -> BoxCase {
     let target = random.point(0.8);
     let towards = random.direction();
     aim(target, towards * 3.5)
+}
+
+fn at_edge(random: &mut Random, distance: f64) -> BoxCase {
+    let target = on_edge(random);
+    aim(target, random.direction() * distance)
+}
+
+/// What is thin in the world is a cube in its own space, where rays are steep.
+fn thin(random: &mut Random, thickness: f64) -> BoxCase {
+    let size = random.decades(-8, 0);
+    let target = on_edge(random) + random.point(size);
+    let mut back = random.direction() * 5.0;
+    back.y /= thickness;
+    aim(target, back)
 }
 
 fn on_edge(random: &mut Random) -> V3<f64> {
@@ -276,10 +246,8 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
     if along > 1.5 {
         direction = set(direction, (axis + 1) % 3, zero);
     }
-    case(
-        set(narrow3(target - direction * 3.5), axis, plane),
-        direction,
-    )
+    let start = set(narrow3(target - direction * 3.5), axis, plane);
+    case(start, direction)
 }
 
 /// A ray in whole numbers, over a power of two, exactly through an edge or a corner.

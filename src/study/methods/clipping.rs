@@ -3,13 +3,10 @@
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, Viewport},
     geometry::Ray,
-    study::{
-        prelude::*,
-        real::{Real, narrow},
-        scene_rays::TAN_30,
-    },
+    study::prelude::*,
 };
 use glam::{DVec2, DVec3};
+use std::ops::Range;
 
 /// A hit on a ray and two planes.
 #[derive(Clone, Copy, Debug)]
@@ -88,53 +85,29 @@ const DISTANCE: &str =
     "many ray casters: near <= t < far, as if the planes were spheres about the eye";
 const DEPTH: &str = "the rasteriser's own: near <= t (d . F) < far";
 
+const OURS: &str = "geometry::PixelGrid::ray: a direction of depth 1, so that t is view depth";
+
 impl Case for ClipCase {
     type Answer = bool;
     type Truth = bool;
-    const ABOUT: About = About {
-        name: "Near and far",
-        key: "clip",
-        job: "t of a hit on a ray and two planes: whether it counts",
-        error_unit: "",
-        wrong_unit: "of depth",
-    };
+    const ABOUT: About = about!(
+        "Near and far" "clip", off by "", wrong by "of depth";
+        "t of a hit on a ray and two planes: whether it counts"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("by distance", DISTANCE, by_distance),
         &both!("by depth", DEPTH, by_depth),
-        &[Method::ours(
-            "Sightline's",
-            F64,
-            "geometry::PixelGrid::ray: a direction of depth 1, so that t is view depth",
-            |c| c.ray.contains(c.depth),
-        )],
+        &[Method::ours(F64, OURS, |c| c.ray.contains(c.depth))],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::ordinary(|random, _| {
-            let off = random.within(-0.9, 2.0);
-            make(random, TAN_30, off)
-        }),
-        Family::new(
-            "field of view",
-            "tan(fov / 2)",
-            &[0.125, 0.25, 0.5, 1.0, 2.0, 4.0],
-            |random, tan| {
-                let off = random.within(-0.5, 0.5);
-                make(random, tan, off)
-            },
-        ),
-        Family::new(
-            "close to a plane",
-            "off by (relative)",
-            &[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8],
-            |random, off| {
-                let off = off * random.within(-1.0, 1.0);
-                make(random, TAN_30, off)
-            },
-        ),
-        Family::new("exactly on a plane", "-", &[1.0], |random, _| {
-            make(random, TAN_30, 0.0)
-        }),
+        Family::ordinary(|random, _| make(random, TAN_30, -0.9..2.0)),
+        family!("field of view", "tan(fov / 2)" [0.125, 0.25, 0.5, 1.0, 2.0, 4.0] =>
+            |random, tan| make(random, tan, -0.5..0.5)),
+        family!("close to a plane", "off by (relative)"
+            [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8] =>
+            |random, off| make(random, TAN_30, -off..off)),
+        family!("exactly on a plane", "-" [1.0] => |random, _| on_plane(random, TAN_30, 0.0)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -174,8 +147,13 @@ pub fn by_depth<T: Real>(case: &Clip<T>) -> bool {
     case.near <= depth && depth < case.far
 }
 
-/// A hit whose depth is off that of one of the planes by so much of it.
-fn make(random: &mut Random, tan: f64, off: f64) -> ClipCase {
+/// A hit whose depth is off that of one of the planes by a part of it within `off`.
+fn make(random: &mut Random, tan: f64, off: Range<f64>) -> ClipCase {
+    let off = random.within(off.start, off.end);
+    on_plane(random, tan, off)
+}
+
+fn on_plane(random: &mut Random, tan: f64, off: f64) -> ClipCase {
     let (near, far) = (1.0, 100.0);
     loop {
         let px = [random.unit() * 1920.0, random.unit() * 1080.0];

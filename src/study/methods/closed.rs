@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{prelude::*, real::Real},
+    study::prelude::*,
 };
 use glam::DVec3;
 use std::{
@@ -42,13 +42,10 @@ pub struct ClosedCase {
 impl Case for ClosedCase {
     type Answer = Option<f64>;
     type Truth = ();
-    const ABOUT: About = About {
-        name: "Closed mesh",
-        key: "closed-mesh",
-        job: "a ray that enters a body of twenty triangles at an edge or a corner, and what is kept of both: t of the first hit",
-        error_unit: "",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Closed mesh" "closed-mesh", off by "", wrong by "";
+        "a ray that enters a body of twenty triangles at an edge or a corner, and what is kept of both: t of the first hit"
+    );
 
     const METHODS: Methods<Self> = in_both_precisions!(
         nearest,
@@ -59,7 +56,7 @@ impl Case for ClosedCase {
                 triangles::SHEWCHUK,
                 |c| nearest(&c.wide, |c| shewchuk(c)),
             ),
-            Method::ours("Sightline's", Precision::Exact, triangles::OURS, |c| {
+            Method::ours(Precision::Exact, triangles::OURS, |c| {
                 let hits = c.wide.body.iter().filter_map(|triangle| {
                     guarded_volume(&c.ray, triangle.corners.map(DVec3::from))
                 });
@@ -69,27 +66,13 @@ impl Case for ClosedCase {
     );
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| aim(random, None, 0.0, edge)),
-        Family::new("vertices", "-", &[1.0], |random, _| {
-            aim(random, None, 0.0, corner)
-        }),
-        Family::new(
-            "exactly through edges",
-            "bits a coordinate",
-            BITS,
-            |random, bits| aim(random, Some(bits), 0.0, edge),
-        ),
-        Family::new(
-            "exactly through vertices",
-            "bits a coordinate",
-            BITS,
-            |random, bits| aim(random, Some(bits), 0.0, corner),
-        ),
-        Family::new(
-            "far from the origin",
-            "offset / size",
-            &[1.0, 1e1, 1e2, 1e3, 1e4],
-            |random, offset| aim(random, None, offset, edge),
-        ),
+        family!("vertices", "-" [1.0] => |random, _| aim(random, None, 0.0, corner)),
+        family!("exactly through edges", "bits a coordinate" [8.0, 12.0, 16.0] =>
+            |random, bits| aim(random, Some(bits), 0.0, edge)),
+        family!("exactly through vertices", "bits a coordinate" [8.0, 12.0, 16.0] =>
+            |random, bits| aim(random, Some(bits), 0.0, corner)),
+        family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4] =>
+            |random, offset| aim(random, None, offset, edge)),
     ];
 
     fn count(effort: Effort) -> usize {
@@ -116,8 +99,6 @@ fn nearest<T: Real>(case: &Aimed<T>, test: impl Fn(&Prepared<T>) -> Option<f64>)
     let hits = triangles.filter_map(|kept| test(&kept.met_by(origin, direction, case.shear)));
     hits.reduce(f64::min)
 }
-
-const BITS: &[f64] = &[8.0, 12.0, 16.0];
 
 /// Any point on an edge.
 fn edge(random: &mut Random, [a, b, _]: [V3<f64>; 3], is_exact: bool) -> V3<f64> {
@@ -191,10 +172,9 @@ fn body(index: usize, grid: f64, offset: f64) -> Body {
                 narrow3(middle + on_grid(point, grid))
             })
             .collect();
-        let triangles = faces.iter().map(|face| RayTriangle {
-            origin: middle,
-            direction: V3::new(1.0, 0.0, 0.0),
-            corners: face.map(|corner| points[corner as usize]),
+        let triangles = faces.iter().map(|face| {
+            let corners = face.map(|corner| points[corner as usize]);
+            RayTriangle::new(middle, V3::new(1.0, 0.0, 0.0), corners)
         });
         let triangles: Vec<RayTriangle<f64>> = triangles.collect();
         (

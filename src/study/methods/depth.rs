@@ -4,11 +4,7 @@
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
     geometry::Ray,
-    study::{
-        prelude::*,
-        real::Real,
-        truth::{UNIT_F32, relative},
-    },
+    study::prelude::*,
 };
 
 /// A view depth between two planes.
@@ -37,8 +33,7 @@ impl DepthCase {
     }
 
     /// The depth of a hit at `t` on a ray that a camera cast.
-    #[must_use]
-    pub fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
+    pub(in crate::study) fn of_hit(camera: &Camera, ray: &Ray, t: f64) -> Self {
         let lens = camera.lens();
         Self {
             depth: f32::of(t * ray.direction.dot(camera.forward())),
@@ -55,50 +50,39 @@ const LOGARITHMIC: &str = "Kemen, Logarithmic Depth Buffer, 2009; three.js, logd
 const INFINITE: &str =
     "Upchurch & Desbrun, Tightening the Precision of Perspective Rendering, JGT 16(1), 2012";
 
+/// Depth that is stored by a mapping, and read back.
+macro_rules! stored {
+    ($name:expr, $source:expr, $mapping:ident) => {
+        Method::new($name, F32, $source, |case| {
+            Mapping::$mapping.there_and_back(case)
+        })
+    };
+}
+
 impl Case for DepthCase {
     type Answer = f64;
     type Truth = f64;
-    const ABOUT: About = About {
-        name: "Depth buffer",
-        key: "depth",
-        job: "a view depth: what can be read of it from the depth buffer (acted out: no time)",
-        error_unit: "of depth",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Depth buffer" "depth", off by "of depth", wrong by "";
+        "a view depth: what can be read of it from the depth buffer (acted out: no time)"
+    );
 
     const METHODS: Methods<Self> = &[&[
-        Method::new("standard, 32-bit float", F32, STANDARD, |c| {
-            Mapping::STANDARD.there_and_back(c)
-        }),
-        Method::new("standard, 24-bit integer", F32, STANDARD, |c| {
-            Mapping::STANDARD_24.there_and_back(c)
-        }),
-        Method::new("reversed, 24-bit integer", F32, REVERSED, |c| {
-            Mapping::REVERSED_24.there_and_back(c)
-        }),
-        Method::new("reversed, infinite far, float", F32, INFINITE, |c| {
-            Mapping::INFINITE.there_and_back(c)
-        }),
-        Method::new("logarithmic, 32-bit float", F32, LOGARITHMIC, |c| {
-            Mapping::LOGARITHMIC.there_and_back(c)
-        }),
-        Method::new("logarithmic, 24-bit integer", F32, LOGARITHMIC, |c| {
-            Mapping::LOGARITHMIC_24.there_and_back(c)
-        }),
-        Method::ours("reversed, 32-bit float: Sightline's", F32, REVERSED, |c| {
-            Mapping::REVERSED.there_and_back(c)
-        })
-        .because("A far plane, for one bit of depth."),
+        stored!("standard, 32-bit float", STANDARD, STANDARD),
+        stored!("standard, 24-bit integer", STANDARD, STANDARD_24),
+        stored!("reversed, 24-bit integer", REVERSED, REVERSED_24),
+        stored!("reversed, infinite far, float", INFINITE, INFINITE),
+        stored!("logarithmic, 32-bit float", LOGARITHMIC, LOGARITHMIC),
+        stored!("logarithmic, 24-bit integer", LOGARITHMIC, LOGARITHMIC_24),
+        Method::ours(F32, REVERSED, |c| Mapping::REVERSED.there_and_back(c))
+            .named("reversed, 32-bit float: Sightline's")
+            .because("A far plane, for one bit of depth."),
     ]];
     const TIMED: usize = 0;
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| make(random, 0.125, 1e2)),
-        Family::new(
-            "far plane",
-            "far / near",
-            &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8],
-            |random, ratio| make(random, 0.125, 0.125 * ratio),
-        ),
+        family!("far plane", "far / near" [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8] =>
+            |random, ratio| make(random, 0.125, 0.125 * ratio)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -150,27 +134,13 @@ pub struct Mapping {
 
 impl Mapping {
     /// Near is 0, in floating point.
-    pub const STANDARD: Self = Self {
-        depth: DepthMapping::Standard,
-        integer: false,
-        infinite: false,
-        logarithmic: false,
-    };
+    pub const STANDARD: Self = Self::new(DepthMapping::Standard);
     /// Near is 0, in integers.
-    pub const STANDARD_24: Self = Self {
-        integer: true,
-        ..Self::STANDARD
-    };
+    pub const STANDARD_24: Self = Self::STANDARD.in_integers();
     /// Near is 1, in floating point.
-    pub const REVERSED: Self = Self {
-        depth: DepthMapping::Reversed,
-        ..Self::STANDARD
-    };
+    pub const REVERSED: Self = Self::new(DepthMapping::Reversed);
     /// Near is 1, in integers.
-    pub const REVERSED_24: Self = Self {
-        integer: true,
-        ..Self::REVERSED
-    };
+    pub const REVERSED_24: Self = Self::REVERSED.in_integers();
     /// Near is 1 and 0 is endlessly far, in floating point.
     pub const INFINITE: Self = Self {
         infinite: true,
@@ -182,12 +152,23 @@ impl Mapping {
         ..Self::STANDARD
     };
     /// The eye is 0, far is 1, in integers.
-    pub const LOGARITHMIC_24: Self = Self {
-        integer: true,
-        ..Self::LOGARITHMIC
-    };
+    pub const LOGARITHMIC_24: Self = Self::LOGARITHMIC.in_integers();
     /// The largest 24-bit integer.
     const LARGEST: f32 = 16_777_215.0;
+
+    const fn new(depth: DepthMapping) -> Self {
+        Self {
+            depth,
+            integer: false,
+            infinite: false,
+            logarithmic: false,
+        }
+    }
+
+    const fn in_integers(mut self) -> Self {
+        self.integer = true;
+        self
+    }
 
     /// The projection's third row, in `f64`.
     fn row(self, case: &DepthCase) -> (f64, f64) {
@@ -210,7 +191,6 @@ impl Mapping {
     }
 
     /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
-    #[must_use]
     pub fn stored(self, case: &DepthCase) -> f32 {
         let ndc = if self.logarithmic && !case.parallel {
             (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())

@@ -4,7 +4,7 @@
 use crate::{
     geometry::Mesh,
     scene::{Progress, obj},
-    study::{prelude::*, real::Real, truth::UNIT_F32},
+    study::prelude::*,
 };
 use std::{fmt::Write, path::Path, sync::Arc};
 
@@ -38,13 +38,10 @@ const OURS: &str = "scene::obj, through tobj in f64, less the middle: what f32 h
 impl Case for FileCase {
     type Answer = Option<Read>;
     type Truth = ();
-    const ABOUT: About = About {
-        name: "Reading a file",
-        key: "file",
-        job: "an OBJ file of 250 kB in memory: its triangles as graphics cards take them, in f32 about one point",
-        error_unit: "mm",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Reading a file" "file", off by "mm", wrong by "";
+        "an OBJ file of 250 kB in memory: its triangles as graphics cards take them, in f32 about one point"
+    );
     const SLOW: bool = true;
     const TIMED: usize = 3;
     const METHODS: Methods<Self> = &[&[
@@ -52,23 +49,15 @@ impl Case for FileCase {
         Method::new("tobj, about the first vertex", F64, TOBJ_F64, |c| {
             c.tobj(|positions| [positions[0], positions[1], positions[2]])
         }),
-        Method::ours("Sightline's, through tobj", F32, OURS, |c| {
+        Method::ours(F32, OURS, |c: &Self| {
             let read = obj::from_bytes(&c.text, Path::new("site.obj"), &Progress::default());
             Some(Read::Mesh(read.ok()?.mesh))
-        }),
+        })
+        .named("Sightline's, through tobj"),
     ]];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::ordinary(|random, _| site(random, 400_000)),
-        Family::new(
-            "national coordinates",
-            "offset (m)",
-            &[1e4, 1e5, 1e6, 1e7],
-            |random, offset| {
-                #[expect(clippy::cast_possible_truncation, reason = "whole metres")]
-                let metres = offset as i64;
-                site(random, metres)
-            },
-        ),
+        Family::ordinary(|random, _| site(random, 4e5)),
+        family!("national coordinates", "offset (m)" [1e4, 1e5, 1e6, 1e7] => site),
     ];
 
     fn count(effort: Effort) -> usize {
@@ -146,8 +135,10 @@ impl FileCase {
     }
 }
 
-/// A hilly site about a place so many metres north and east of the grid's origin.
-fn site(random: &mut Random, metres: i64) -> FileCase {
+/// A hilly site about a place so many whole metres north and east of the grid's origin.
+fn site(random: &mut Random, metres: f64) -> FileCase {
+    #[expect(clippy::cast_possible_truncation, reason = "whole metres")]
+    let metres = metres as i64;
     let points = (0..(SIDE + 1) * (SIDE + 1)).map(|i| {
         let place = |step: usize| 1000 * i64::try_from(900 * step / SIDE).unwrap_or(0);
         let mut jitter = || i64::from(random.integer(-5000, 5000));

@@ -17,12 +17,14 @@ pub mod squares;
 pub mod triangles;
 pub mod usual;
 
-use super::{
-    real::{Real, V3},
-    scene_rays::SceneRays,
-    step::{About, Case, Method, Precision},
+pub use self::{
+    boxes::BoxCase, clipping::ClipCase, depth::DepthCase, normals::NormalCase,
+    object_space::PlacedCase, rays::PixelCase, spheres::SphereCase, squares::SquareCase,
+    triangles::TriangleCase,
 };
-use crate::geometry::Ray;
+use super::prelude::*;
+use crate::geometry::{Placement, Ray};
+use glam::{DAffine3, DMat3, DVec3};
 use std::marker::PhantomData;
 
 /// A ray in the space of a unit shape about the origin.
@@ -72,15 +74,20 @@ impl<Shape> ShapeCase<Shape> {
     }
 
     /// The case of an object and a ray in its space.
-    #[must_use]
-    pub fn of_object(ray_object: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(ray_object: &Ray, px: f64) -> Self {
         Self::new(ray_object.origin.into(), ray_object.direction.into(), px)
     }
 }
 
-/// What a pick does in place of [`Method::ours`], which knows no bounds: they are for the exact decisions later on, and no
-/// part of this job.
+/// What a pick does: the same with bounds, for the exact decisions later on, which are no part of this job.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
+
+/// A model matrix by its linear part and translation; `None` where it has no inverse.
+fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
+    let [x, y, z] = linear.0.map(DVec3::from);
+    let matrix = DMat3::from_cols(x, y, z);
+    Placement::new(DAffine3::from_mat3_translation(matrix, translation.into())).ok()
+}
 
 /// A ray that hits from its start on, without an end.
 fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
@@ -99,35 +106,6 @@ fn first_ahead<T: Real>(near: T, far: T) -> Option<f64> {
 
 fn ahead<T: Real>(t: T) -> Option<f64> {
     (t >= T::zero()).then(|| t.wide())
-}
-
-/// What is known about a method without running it.
-#[derive(Clone, Copy, Debug)]
-pub struct MethodInfo {
-    /// The step that it does.
-    pub step: About,
-    /// Its name.
-    pub name: &'static str,
-    /// What it computes with.
-    pub precision: Precision,
-    /// Where it is from.
-    pub source: &'static str,
-    /// Whether it is what this program does.
-    pub ours: bool,
-}
-
-impl MethodInfo {
-    /// What is known about a method.
-    #[must_use]
-    pub fn of<C: Case>(method: &Method<C>) -> Self {
-        Self {
-            step: C::ABOUT,
-            name: method.name,
-            precision: method.precision,
-            source: method.source,
-            ours: method.ours,
-        }
-    }
 }
 
 /// Something that is done for each step.
@@ -163,6 +141,6 @@ pub fn registry() -> Vec<MethodInfo> {
 
 impl Visitor for Vec<MethodInfo> {
     fn visit<C: Case>(&mut self) {
-        self.extend(C::methods().map(MethodInfo::of));
+        self.extend(C::methods().map(|method| method.info));
     }
 }

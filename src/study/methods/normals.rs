@@ -1,16 +1,7 @@
 //! An object's outward normal in the world. The answer is about 1 long.
 
 use super::object_space::turned;
-use crate::{
-    geometry::Placement,
-    study::{
-        exact,
-        prelude::*,
-        real::{M3, Real},
-        truth::cross_sizes,
-    },
-};
-use glam::{DAffine3, DMat3, DVec3};
+use crate::{geometry::Placement, study::prelude::*};
 use std::cmp::Ordering;
 
 /// A normal and the linear part of a model matrix.
@@ -53,15 +44,10 @@ impl NormalCase {
     /// The case of a normal and a matrix; `None` where that has no inverse.
     #[must_use]
     pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
-        let [x, y, z] = linear.0.map(Into::into);
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(x, y, z),
-            translation: DVec3::ZERO,
-        };
         Some(Self {
             narrow: Tilted::new(M3::of(&linear), V3::of(normal)),
             wide: Tilted::new(linear, normal),
-            placement: Placement::new(model).ok()?,
+            placement: super::placement(linear, V3::new(0.0, 0.0, 0.0))?,
         })
     }
 }
@@ -72,57 +58,36 @@ const TRANSPOSE: &str =
 const COFACTOR: &str =
     "cofactors, which need no division, without the determinant's sign: the usual short form";
 
+const OURS: &str = "geometry::Placement::normal_to_world";
+
 impl Case for NormalCase {
     type Answer = [f64; 3];
     type Truth = Exact3;
-    const ABOUT: About = About {
-        name: "Normal into the world",
-        key: "normal",
-        job: "a normal and a model matrix with what is kept of it: the unit normal in the world",
-        error_unit: "degrees",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Normal into the world" "normal", off by "degrees", wrong by "";
+        "a normal and a model matrix with what is kept of it: the unit normal in the world"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("M n", AS_POINT, as_point),
         &both!("inverse transpose", TRANSPOSE, transpose),
         &both!("cofactors", COFACTOR, cofactors),
-        &[Method::ours(
-            "Sightline's",
-            F64,
-            "geometry::Placement::normal_to_world",
-            |c: &Self| c.placement.normal_to_world(c.wide.normal.into()).to_array(),
-        )
+        &[Method::ours(F64, OURS, |c: &Self| {
+            c.placement.normal_to_world(c.wide.normal.into()).to_array()
+        })
         .because("No size of matrix or normal overflows.")],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::new("rigid", "-", &[1.0], |random, _| {
-            make(random, [1.0; 3], 0.0, false)
-        }),
-        Family::new(
-            "stretched",
-            "largest / least scale",
-            &[1.0, 1.25, 2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, false),
-        ),
-        Family::new(
-            "sheared",
-            "shear",
-            &[0.125, 0.5, 1.0, 1e1, 1e2, 1e3],
-            |random, shear| make(random, [1.0; 3], shear, false),
-        ),
-        Family::new(
-            "mirrored",
-            "largest / least scale",
-            &[1.0, 2.0, 1e1, 1e2, 1e3],
-            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, true),
-        ),
-        Family::new(
-            "tiny and huge",
-            "scale",
-            &[1e-15, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e15],
-            |random, scale| make(random, [scale; 3], 0.0, false),
-        ),
+        family!("rigid", "-" [1.0] => |random, _| make(random, [1.0; 3], 0.0, false)),
+        family!("stretched", "largest / least scale"
+            [1.0, 1.25, 2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, false)),
+        family!("sheared", "shear" [0.125, 0.5, 1.0, 1e1, 1e2, 1e3] =>
+            |random, shear| make(random, [1.0; 3], shear, false)),
+        family!("mirrored", "largest / least scale" [1.0, 2.0, 1e1, 1e2, 1e3] =>
+            |random, largest| make(random, [largest, 1.0, 1.0], 0.0, true)),
+        family!("tiny and huge", "scale" [1e-15, 1e-12, 1e-6, 1.0, 1e6, 1e12, 1e15] =>
+            |random, scale| make(random, [scale; 3], 0.0, false)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {

@@ -4,13 +4,8 @@
 use super::WITH_BOUNDS;
 use crate::{
     geometry::{LocalRay as PickRay, Placement, Ray, WorldRay},
-    study::{
-        prelude::*,
-        real::{M3, Real},
-        truth::cross_sizes,
-    },
+    study::prelude::*,
 };
-use glam::{DAffine3, DMat3};
 use std::hint::black_box;
 
 /// A ray and a model matrix.
@@ -64,17 +59,12 @@ impl PlacedCase {
     /// The case of a ray and a model matrix; `None` where it has no inverse. `px` is the width of a pixel in radians.
     #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
-        let [x, y, z] = linear.0.map(Into::into);
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(x, y, z),
-            translation: translation.into(),
-        };
-        Some(Self::placed(ray, Placement::new(model).ok()?, px))
+        let placement = super::placement(linear, translation)?;
+        Some(Self::placed(ray, placement, px))
     }
 
     /// The case of a world-space ray and an object that stands there.
-    #[must_use]
-    pub fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
         Self::placed([ray.origin.into(), ray.direction.into()], *placement, px)
     }
 
@@ -94,6 +84,7 @@ impl PlacedCase {
 const COURSE: &str = "courses: the inverse of the model matrix, direction normalised";
 const KEPT: &str = "ray tracing texts: the inverse of the model matrix, direction kept";
 const RELATIVE: &str = "the translation first: inverse(A) (o - T)";
+const OURS: &str = "geometry::Placement::ray_to_object";
 
 /// Origin and direction in object space.
 type LocalRay = [V3<f64>; 2];
@@ -101,13 +92,10 @@ type LocalRay = [V3<f64>; 2];
 impl Case for PlacedCase {
     type Answer = LocalRay;
     type Truth = ();
-    const ABOUT: About = About {
-        name: "Ray into object space",
-        key: "object-space",
-        job: "a ray in the world and a model matrix with its inverse: origin and direction in object space",
-        error_unit: "px",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Ray into object space" "object-space", off by "px", wrong by "";
+        "a ray in the world and a model matrix with its inverse: origin and direction in object space"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("inverse(M), normalised", COURSE, by_inverse, true),
@@ -121,45 +109,22 @@ impl Case for PlacedCase {
                 let placed = black_box(c.placement.local_ray(&c.ray));
                 of(PickRay::from(&placed).ray)
             }),
-            Method::ours(
-                "Sightline's",
-                F64,
-                "geometry::Placement::ray_to_object",
-                |c| of(&c.placement.ray_to_object(&c.ray)),
-            ),
+            Method::ours(F64, OURS, |c| of(&c.placement.ray_to_object(&c.ray))),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, _| {
-            let scale = [
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-                random.within(0.5, 2.0),
-            ];
+            let scale = [(); 3].map(|()| random.within(0.5, 2.0));
             aim(random, scale, 3.0)
         }),
-        Family::new(
-            "far from the origin",
-            "translation / distance",
-            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-            |random, ratio| aim(random, [1.0; 3], 5.0 * ratio),
-        ),
-        Family::new(
-            "flattened",
-            "least / largest scale",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-            |random, least| {
-                let mut scale = [1.0, 1.0, least];
-                scale.rotate_left(random.below(3));
-                aim(random, scale, 3.0)
-            },
-        ),
-        Family::new(
-            "tiny and huge",
-            "scale",
-            &[1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12],
-            |random, scale| aim(random, [scale; 3], 3.0),
-        ),
+        family!("far from the origin", "translation / distance"
+            [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+            |random, ratio| aim(random, [1.0; 3], 5.0 * ratio)),
+        family!("flattened", "least / largest scale" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
+            flattened),
+        family!("tiny and huge", "scale"
+            [1e-12, 1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e12] =>
+            |random, scale| aim(random, [scale; 3], 3.0)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -225,7 +190,6 @@ pub fn relative<T: Real>(case: &Placed<T>) -> LocalRay {
 /// How far, in radians seen from the world ray's origin, the object-space ray passes from the world ray when it is
 /// brought back without rounding: at the depth of the object's own origin, or where the ray starts when that lies
 /// behind. Infinite for what is no ray.
-#[must_use]
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     if !local
         .iter()
@@ -260,6 +224,12 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
 pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     [u, v, u.cross(v) * random.sign()]
+}
+
+fn flattened(random: &mut Random, least: f64) -> PlacedCase {
+    let mut scale = [1.0, 1.0, least];
+    scale.rotate_left(random.below(3));
+    aim(random, scale, 3.0)
 }
 
 /// An object about as large as its largest scale, so far from the world's origin, and a ray that passes it from 5

@@ -6,11 +6,7 @@ use super::{
 };
 use crate::{
     geometry::{VertexRay, guarded_volume},
-    study::{
-        prelude::*,
-        real::{Real, Ring},
-        truth::relative,
-    },
+    study::prelude::*,
 };
 use glam::DVec3;
 use std::{
@@ -88,13 +84,10 @@ const WALD: &str = "Wald, Slusallek, Benthin & Wagner, Interactive Rendering wit
 impl Case for PacketCase {
     type Answer = Parameters;
     type Truth = Parameters;
-    const ABOUT: About = About {
-        name: "Eight rays at once",
-        key: "packet",
-        job: "eight rays from one eye, a pixel apart, and three corners: t of each hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Eight rays at once" "packet", off by "of t", wrong by "px";
+        "eight rays from one eye, a pixel apart, and three corners: t of each hit"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!(
@@ -111,32 +104,19 @@ impl Case for PacketCase {
             signed_volumes
         ),
         &both!("signed volumes, packet", WALD, volumes_packet),
-        &[Method::ours(
-            "Sightline's, one by one",
-            Precision::Exact,
-            triangles::OURS,
-            |c| {
-                let corners = c.wide.corners.map(DVec3::from);
-                c.rays
-                    .each_ref()
-                    .map(|ray| Some(guarded_volume(ray, corners)?.t))
-            },
-        )],
+        &[Method::ours(Precision::Exact, triangles::OURS, |c: &Self| {
+            let corners = c.wide.corners.map(DVec3::from);
+            let t = |ray| Some(guarded_volume(ray, corners)?.t);
+            c.rays.each_ref().map(t)
+        })
+        .named("Sightline's, one by one")],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
         Family::ordinary(|random, value| beside(random, "ordinary", value)),
-        Family::new(
-            "aimed at edges",
-            "distance / size",
-            &[1.0, 1e2, 1e4],
-            |random, distance| beside(random, "aimed at edges", distance),
-        ),
-        Family::new(
-            "exactly through edges",
-            "bits a coordinate",
-            &[8.0, 16.0, 22.0],
-            |random, bits| beside(random, "exactly through edges", bits),
-        ),
+        family!("aimed at edges", "distance / size" [1.0, 1e2, 1e4] =>
+            |random, distance| beside(random, "aimed at edges", distance)),
+        family!("exactly through edges", "bits a coordinate" [8.0, 16.0, 22.0] =>
+            |random, bits| beside(random, "exactly through edges", bits)),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -214,11 +194,7 @@ impl<T: Real> Bundle<T> {
     }
 
     fn ray(&self, index: usize) -> RayTriangle<T> {
-        RayTriangle {
-            origin: self.origin,
-            direction: self.directions.1[index],
-            corners: self.corners,
-        }
+        RayTriangle::new(self.origin, self.directions.1[index], self.corners)
     }
 }
 
@@ -230,12 +206,8 @@ fn one_by_one<T: Real>(
 }
 
 /// The same number for all.
-fn all<T: Copy>(v: V3<T>) -> V3<Lanes<T>> {
-    V3::new(
-        Lanes([v.x; WIDTH]),
-        Lanes([v.y; WIDTH]),
-        Lanes([v.z; WIDTH]),
-    )
+fn all<T: Ring>(v: V3<T>) -> V3<Lanes<T>> {
+    v.map(|c| Lanes([c; WIDTH]))
 }
 
 /// Without a branch: lanes that miss are found at the end. What does not depend on the ray is done once.

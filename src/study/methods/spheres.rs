@@ -1,11 +1,8 @@
 //! Rays against the sphere of radius 1/2 about the origin. The answer is the least t >= 0 on the sphere, or none.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
-use crate::{
-    geometry::Sphere,
-    scene::Shape,
-    study::{prelude::*, real::Real, truth},
-};
+use crate::{geometry::Sphere, scene::Shape, study::prelude::*};
+use std::ops::Range;
 
 /// One ray and the sphere.
 pub type SphereCase = ShapeCase<Sphere>;
@@ -15,79 +12,38 @@ const PRESS: &str =
     "Press et al., Numerical Recipes, 5.6: the root that does not cancel, the other from c / q";
 const HEARN: &str = "Hearn & Baker; Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019";
 
+const OURS: &str = "geometry::sphere: by the line's moment, which its bound decides, else exactly";
+
 impl Case for SphereCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against sphere",
-        key: "sphere",
-        job: "a ray in the sphere's space: t of the first hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against sphere" "sphere", off by "of t", wrong by "px";
+        "a ray in the sphere's space: t of the first hit"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("plain quadratic", PLAIN, plain),
         &both!("plain, direction taken as 1 long", PLAIN, plain_unit),
         &both!("stable quadratic", PRESS, stable),
         &both!("Hearn & Baker", HEARN, hearn_baker),
-        &[Method::ours(
-            "Sightline's",
-            Precision::Exact,
-            "geometry::sphere: by the line's moment, which its bound decides, else exactly",
-            |c| {
-                let [near, far] = Sphere::hits(&c.ray);
-                near.or(far).map(|hit| hit.t)
-            },
-        )],
+        &[Method::ours(Precision::Exact, OURS, |c| {
+            let [near, far] = Sphere::hits(&c.ray);
+            near.or(far).map(|hit| hit.t)
+        })],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::ordinary(|random, _| {
-            let past = random.within(0.0, 2.5);
-            aim(random, 5.0, past)
-        }),
+        Family::ordinary(|random, _| aim(random, 5.0, 0.0..2.5)),
         Family::HIT_RATE,
-        Family::new(
-            "far away",
-            "distance / radius",
-            &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-            |random, distance| {
-                let past = random.within(0.0, 1.5);
-                aim(random, distance, past)
-            },
-        ),
-        Family::new(
-            "aimed at outlines",
-            "distance / radius",
-            &[2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-            |random, distance| {
-                let past = 1.0 + random.sign() * random.decades(-8, -1);
-                aim(random, distance, past)
-            },
-        ),
-        Family::new(
-            "close to a large one",
-            "radius / height",
-            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-            close,
-        ),
-        Family::new(
-            "direction of another length",
-            "length",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3],
-            |random, length| {
-                let past = random.within(0.0, 1.5);
-                let SphereCase { wide, px, .. } = aim(random, 5.0, past);
-                let direction = wide.direction * (length / wide.direction.length());
-                case(wide.origin, direction, px)
-            },
-        ),
-        Family::new(
-            "exactly touching",
-            "bits a coordinate",
-            &[4.0, 8.0, 12.0, 16.0],
-            touching,
-        ),
+        family!("far away", "distance / radius" [2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
+            |random, distance| aim(random, distance, 0.0..1.5)),
+        family!("aimed at outlines", "distance / radius" [2.0, 5.0, 1e1, 1e2, 1e3, 1e4, 1e5] =>
+            beside),
+        family!("close to a large one", "radius / height" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+            close),
+        family!("direction of another length", "length" [1.0, 1e-1, 1e-2, 1e-3, 1e1, 1e2, 1e3] =>
+            longer),
+        family!("exactly touching", "bits a coordinate" [4.0, 8.0, 12.0, 16.0] => touching),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -181,7 +137,6 @@ pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
 ///
 /// The line's distance from the centre less the radius is `(distance^2 - r^2) / (distance + r)`, with `distance^2 = m^2 / d^2` and m
 /// the moment `o x d`; the outline lies a tangent's length away.
-#[must_use]
 pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
     let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
     let (moment, r) = (o.cross(&d), Exact::new(Sphere::RADIUS));
@@ -218,15 +173,32 @@ fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
     SphereCase::new(narrow3(origin), narrow3(direction), px)
 }
 
+/// A ray that starts so many radii away and passes the centre at a number of radii within `past`.
+fn aim(random: &mut Random, distance: f64, past: Range<f64>) -> SphereCase {
+    let past = random.within(past.start, past.end);
+    passing(random, distance, past)
+}
+
+/// The same, close to the outline.
+fn beside(random: &mut Random, distance: f64) -> SphereCase {
+    let past = 1.0 + random.sign() * random.decades(-8, -1);
+    passing(random, distance, past)
+}
+
+/// An ordinary ray whose direction is so long.
+fn longer(random: &mut Random, length: f64) -> SphereCase {
+    let SphereCase { wide, px, .. } = aim(random, 5.0, 0.0..1.5);
+    let direction = wide.direction * (length / wide.direction.length());
+    case(wide.origin, direction, px)
+}
+
 /// A ray that starts so many radii away and passes the centre at `past` radii. Directions are about 1 long.
-fn aim(random: &mut Random, distance: f64, past: f64) -> SphereCase {
+fn passing(random: &mut Random, distance: f64, past: f64) -> SphereCase {
     let [back, aside] = random.directions();
     // The point where a ray at this distance from the centre would touch, so that `past` is its distance.
-    let (s, c) = (
-        past / distance,
-        (1.0 - (past / distance).powi(2)).max(0.0).sqrt(),
-    );
-    let towards = aside * s - back * c;
+    let sin = past / distance;
+    let cos = (1.0 - sin.powi(2)).max(0.0).sqrt();
+    let towards = aside * sin - back * cos;
     case(back * (0.5 * distance), towards.normalize(), PX)
 }
 

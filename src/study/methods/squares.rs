@@ -5,9 +5,8 @@ use super::ahead;
 use crate::{
     geometry::{Placement, Ray, Square, WorldRay, binary::power_of_two_below},
     scene::Shape,
-    study::{prelude::*, real::Real, truth},
+    study::prelude::*,
 };
-use glam::{DAffine3, DMat3};
 
 /// A ray and a square.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +54,6 @@ impl<T: Real> RaySquare<T> {
     }
 
     /// The square's corners, one after the other.
-    #[must_use]
     pub fn rim(&self) -> [V3<T>; 4] {
         let (middle, [u, v]) = (self.middle, self.sides.map(|side| side * T::of(0.5)));
         [
@@ -86,25 +84,18 @@ impl SquareCase {
     /// The case of a ray and the square with these sides; `None` where it has no area.
     #[must_use]
     pub fn new(
-        origin: V3<f64>,
-        direction: V3<f64>,
+        [origin, direction]: [V3<f64>; 2],
         middle: V3<f64>,
-        sides: [V3<f64>; 2],
+        [u, v]: [V3<f64>; 2],
         px: f64,
     ) -> Option<Self> {
-        let [u, v] = sides;
-        let model = DAffine3 {
-            matrix3: DMat3::from_cols(u.into(), v.into(), u.cross(v).into()),
-            translation: middle.into(),
-        };
-        let placement = Placement::new(model).ok()?;
+        let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
         let ray = super::from_start(origin, direction);
         Some(Self::placed(placement, ray, px))
     }
 
     /// The case of a square and a ray in the world.
-    #[must_use]
-    pub fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
+    pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
         let from_start = super::from_start(ray.origin.into(), ray.direction.into());
         Self::placed(*placement, from_start, px)
     }
@@ -126,48 +117,33 @@ impl SquareCase {
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
 
+const OURS: &str =
+    "geometry::square, under a model matrix: undivided, which its bound decides, else exactly";
+
 impl Case for SquareCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against square",
-        key: "square",
-        job: "a ray in the world and a square there: t of the hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against square" "square", off by "of t", wrong by "px";
+        "a ray in the world and a square there: t of the hit"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("N . (S - o)", POINT, point),
         &both!("D - N . o", CONSTANT, constant),
-        &[Method::ours(
-            "Sightline's",
-            Precision::Exact,
-            "geometry::square, under a model matrix: undivided, which its bound decides, else exactly",
-            |c| Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t),
-        )],
+        &[Method::ours(Precision::Exact, OURS, |c| {
+            Square::hit(&c.placement.local_ray(&c.ray)).map(|hit| hit.t)
+        })],
     ];
     const FAMILIES: &'static [Family<Self>] = &[
-        Family::ordinary(|random, _| ordinary(random)),
+        Family::ordinary(|random, _| aim(random, 1.0, 1.0)),
         Family::HIT_RATE,
-        Family::new(
-            "grazing",
-            "angle to the plane (rad)",
-            &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-            |random, angle| aim(random, angle, 1.0),
-        ),
-        Family::new(
-            "far from the origin",
-            "offset / size",
-            &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-            |random, offset| aim(random, 1.0, offset),
-        ),
-        Family::new(
-            "exactly through the rim",
-            "bits a coordinate",
-            &[4.0, 8.0, 12.0, 16.0],
-            through_the_rim,
-        ),
+        family!("grazing", "angle to the plane (rad)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
+            |random, angle| aim(random, angle, 1.0)),
+        family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
+            |random, offset| aim(random, 1.0, offset)),
+        family!("exactly through the rim", "bits a coordinate" [4.0, 8.0, 12.0, 16.0] =>
+            through_the_rim),
     ];
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
@@ -233,10 +209,6 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     (x <= half && y <= half).then(|| ahead(t)).flatten()
 }
 
-fn ordinary(random: &mut Random) -> SquareCase {
-    aim(random, 1.0, 1.0)
-}
-
 /// Whole vectors at right angles, both at least 1 long, over a power of two that leaves them about that.
 fn sides(random: &mut Random) -> [V3<f64>; 2] {
     loop {
@@ -262,7 +234,7 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
         let tilt = angle * random.sign() * random.within(0.5, 1.0);
         let direction = narrow3(within + u.cross(v).normalize() * tilt);
         let origin = narrow3(target - direction * random.within(4.0, 6.0));
-        if let Some(case) = SquareCase::new(origin, direction, middle, [u, v], PX) {
+        if let Some(case) = SquareCase::new([origin, direction], middle, [u, v], PX) {
             return case;
         }
     }
@@ -281,7 +253,7 @@ fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
         let target = middle + u * x + v * y;
         let origin = target - step;
         if narrow3(origin) == origin
-            && let Some(case) = SquareCase::new(origin, step, middle, [u, v], PX)
+            && let Some(case) = SquareCase::new([origin, step], middle, [u, v], PX)
         {
             return case;
         }

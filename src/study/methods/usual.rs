@@ -15,7 +15,6 @@ use glam::{DVec2, DVec3, Vec3};
 
 /// What the usual way picks at a pixel position. Spheres, cubes and squares are met in `f64`: it is the ray that
 /// differs.
-#[must_use]
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
     pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
 }
@@ -41,7 +40,6 @@ pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
 }
 
 /// Moeller & Trumbore's test in `f32`, without culling and without an epsilon.
-#[must_use]
 pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     let ray = &ray.ray;
     let [a, b, c] = corners.map(DVec3::as_vec3);

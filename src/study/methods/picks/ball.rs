@@ -121,34 +121,17 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
 
 /// Twelve corners, 1 from the origin, and twenty faces, counter-clockwise from outside.
 pub(crate) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    const FACES: [u32; 60] = [
+        0, 2, 1, 0, 1, 7, 0, 6, 2, 0, 5, 6, 0, 7, 5, 1, 2, 8, 1, 3, 7, 1, 8, 3, 2, 6, 4, 2, 4,
+        8, //
+        3, 11, 7, 3, 8, 9, 3, 9, 11, 4, 6, 10, 4, 9, 8, 4, 10, 9, 5, 10, 6, 5, 7, 11, 5, 11,
+        10, //
+        9, 10, 11,
+    ];
     let phi = 1.618_034;
-    let mut points: Vec<DVec3> = Vec::new();
-    for (a, b) in [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)] {
-        points.extend([
-            DVec3::new(0.0, a, b),
-            DVec3::new(a, b, 0.0),
-            DVec3::new(b, 0.0, a),
-        ]);
-    }
-    let faces = hull_of_icosahedron(&points);
-    (points.iter().map(|p| p.normalize()).collect(), faces)
-}
-
-/// The triples of corners that lie an edge apart, counter-clockwise from outside.
-fn hull_of_icosahedron(points: &[DVec3]) -> Vec<[u32; 3]> {
-    let count = u32::try_from(points.len()).unwrap_or(0);
-    let near = |a: u32, b: u32| points[a as usize].distance(points[b as usize]) < 2.1;
-    let mut faces = Vec::new();
-    for a in 0..count {
-        for b in a + 1..count {
-            for c in b + 1..count {
-                if near(a, b) && near(b, c) && near(c, a) {
-                    let [p, q, r] = [a, b, c].map(|i| points[i as usize]);
-                    let outward = (q - p).cross(r - p).dot(p) > 0.0;
-                    faces.push(if outward { [a, b, c] } else { [a, c, b] });
-                }
-            }
-        }
-    }
-    faces
+    let planes = [(1.0, phi), (1.0, -phi), (-1.0, phi), (-1.0, -phi)];
+    let points = planes.map(|(a, b)| [[0.0, a, b], [a, b, 0.0], [b, 0.0, a]]);
+    let points = points.as_flattened().iter();
+    let points = points.map(|point| DVec3::from(*point).normalize());
+    (points.collect(), FACES.as_chunks().0.to_vec())
 }

@@ -20,6 +20,7 @@ use crate::{
     study::prelude::*,
 };
 use glam::DVec2;
+use num_traits::ToPrimitive;
 use std::{sync::Arc, time::Instant};
 
 /// A scene as it is picked from.
@@ -65,7 +66,6 @@ impl Flat {
 
 impl PickWorld {
     /// Copies the scene and builds trees over one of the copies.
-    #[must_use]
     pub fn new(scene: &Scene, view: View, ids: Option<Image<Id>>) -> Self {
         let with_trees = copy(scene);
         with_trees.build_trees();
@@ -130,16 +130,15 @@ const USUAL: &str = "most viewers and tutorials: through the inverse of P * V, t
 const IDS: &str = "picking by colour: draw ids for the click, read the picture back";
 const ID: &str = "picking by colour: ids are drawn with each frame; one pixel is read back";
 
+const OURS: &str = "pick::closest, over trees";
+
 impl Case for PickCase {
     type Answer = Picked;
     type Truth = Picked;
-    const ABOUT: About = About {
-        name: "Whole pick",
-        key: "pick",
-        job: "a click on a scene that is ready to be picked from: object and triangle",
-        error_unit: "",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Whole pick" "pick", off by "", wrong by "";
+        "a click on a scene that is ready to be picked from: object and triangle"
+    );
     const SLOW: bool = true;
 
     fn count(effort: Effort) -> usize {
@@ -162,12 +161,7 @@ impl Case for PickCase {
             "pick::closest",
             |c| sightlines(&c.world.treeless, c),
         ),
-        Method::ours(
-            "Sightline's",
-            Precision::Exact,
-            "pick::closest, over trees",
-            |c| sightlines(&c.world.scene, c),
-        ),
+        Method::ours(Precision::Exact, OURS, |c| sightlines(&c.world.scene, c)),
     ]];
     const FAMILIES: &'static [Family<Self>] = ball::FAMILIES;
 
@@ -179,12 +173,12 @@ impl Case for PickCase {
     }
 
     fn can_run(&self, method: &Method<Self>) -> bool {
-        ![GPU_IDS, GPU_ID].contains(&method.name) || self.world.ids.is_some()
+        ![GPU_IDS, GPU_ID].contains(&method.info.name) || self.world.ids.is_some()
     }
 
     fn whole_picture(cases: &[Self], method: &Method<Self>) -> Option<f64> {
         let case = cases.first()?;
-        match method.name {
+        match method.info.name {
             GPU_IDS => ids_latency(case, true),
             GPU_ID => ids_latency(case, false),
             _ => None,
@@ -236,7 +230,6 @@ const GPU_ID: &str = "the GPU's ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
-    #[must_use]
     pub fn new(world: &Arc<PickWorld>, px: DVec2) -> Self {
         Self {
             world: Arc::clone(world),
@@ -254,13 +247,7 @@ impl PickCase {
     }
 
     fn pixel_at(&self) -> [u32; 2] {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a pixel"
-        )]
-        let at = [self.px.x as u32, self.px.y as u32];
-        at
+        self.px.to_array().map(|at| at.to_u32().unwrap_or(0))
     }
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
@@ -282,11 +269,7 @@ impl PickCase {
                 }
             };
             for (triangle, &corners) in (0..).zip(triangles) {
-                let case = RayTriangle {
-                    origin,
-                    direction,
-                    corners,
-                };
+                let case = RayTriangle::new(origin, direction, corners);
                 let [a, b, c] = corners;
                 let is_front = || direction.dot((b - a).cross(c - a)) < 0.0;
                 if let Some(t) = test(&case)

@@ -6,11 +6,7 @@ use crate::{
     camera::View,
     geometry::{Aabb, Cuboid, Mesh, MeshData, Placement, Ray, Sides, Sphere, Square},
     scene::{Scene, Shape},
-    study::{
-        exact::{Exact, Exact3},
-        real::V3,
-        truth::{Line, Meeting},
-    },
+    study::{prelude::*, truth::Meeting},
 };
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
@@ -28,7 +24,6 @@ struct Local {
 }
 
 /// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
-#[must_use]
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let sight = Sight::new(view, px);
     let ray = sight.rounded(view);

@@ -11,9 +11,10 @@ use super::WITH_BOUNDS;
 use crate::{
     camera::View,
     geometry::{PixelGrid, PixelRays, Ray},
-    study::{exact, prelude::*, real::Real},
+    study::prelude::*,
 };
 use glam::{DVec2, DVec3};
+use num_traits::ToPrimitive;
 use std::hint::black_box;
 use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_less_eye};
 
@@ -69,8 +70,12 @@ pub struct Sight {
 }
 
 impl Sight {
+    fn new<T: Real>(from: V3<T>, along: V3<T>) -> Self {
+        let (from, along) = (from.wide(), along.wide());
+        Self { from, along }
+    }
+
     /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
-    #[must_use]
     pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
         let [origin, direction] = [self.from, self.along].map(DVec3::from);
         let depth_per_t = direction.dot(camera.forward());
@@ -106,7 +111,6 @@ pub struct PixelCase {
 
 impl PixelCase {
     /// The case of a position in pixels; the size is in whole ones.
-    #[must_use]
     pub fn new(picture: Picture<f64>, px: [f64; 2], exact_axes: [V3<f64>; 3]) -> Self {
         let narrow = Picture {
             eye: V3::<f32>::of(picture.eye),
@@ -121,12 +125,7 @@ impl PixelCase {
             size: picture.size.map(f32::of),
         };
         let [right, up, forward] = picture.axes.map(Into::into);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "whole numbers of pixels"
-        )]
-        let size_px = picture.size.map(|side| side as u32);
+        let size_px = picture.size.map(|side| side.to_u32().unwrap_or(0));
         let grid = PixelGrid {
             eye: picture.eye.into(),
             right,
@@ -145,7 +144,6 @@ impl PixelCase {
     }
 
     /// The case of a pixel of a view; its axes are taken as exact.
-    #[must_use]
     pub fn of_view(view: &View, px: DVec2) -> Self {
         let View {
             camera, viewport, ..
@@ -168,8 +166,7 @@ impl PixelCase {
     }
 
     /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
-    #[must_use]
-    pub fn px_angle(&self) -> f64 {
+    fn px_angle(&self) -> f64 {
         2.0 * self.wide.picture.tan / self.wide.picture.size[1]
     }
 }
@@ -177,21 +174,18 @@ impl PixelCase {
 const COURSE: &str = "courses: p = target + sx H + sy V, direction = p - eye";
 const BASIS: &str = "ray tracing texts: F + sx aspect tan R + sy tan U";
 const UNPROJECT: &str = "gluUnProject, three.js, many engines: through the inverse of P * V";
-
 const THREE: &str =
     "three.js, Raycaster.setFromCamera: inverse(P) at depth 0.5, the camera's matrix, less the eye";
 const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P), reversed and endless, from depth 1 to f32's epsilon";
+const OURS: &str = "geometry::PixelRays::rounded: eye basis, by steps of a pixel";
 
 impl Case for PixelCase {
     type Answer = Sight;
     type Truth = Exact3;
-    const ABOUT: About = About {
-        name: "Ray from pixel",
-        key: "ray",
-        job: "a position in a picture that is set up: the ray's start and direction",
-        error_unit: "px",
-        wrong_unit: "",
-    };
+    const ABOUT: About = about!(
+        "Ray from pixel" "ray", off by "px", wrong by "";
+        "a position in a picture that is set up: the ray's start and direction"
+    );
 
     const METHODS: Methods<Self> = &[
         &both!("target + sx H + sy V - eye", COURSE, course),
@@ -205,12 +199,7 @@ impl Case for PixelCase {
                 let ray = black_box(c.rays.ray(DVec2::from(c.wide.px)));
                 of(&ray)
             }),
-            Method::ours(
-                "Sightline's",
-                F64,
-                "geometry::PixelRays::rounded: eye basis, by steps of a pixel",
-                |c| of(&c.rays.rounded(DVec2::from(c.wide.px))),
-            ),
+            Method::ours(F64, OURS, |c| of(&c.rays.rounded(DVec2::from(c.wide.px)))),
         ],
     ];
     const FAMILIES: &'static [Family<Self>] = workloads::FAMILIES;
@@ -254,24 +243,15 @@ impl Case for PixelCase {
 }
 
 fn of(ray: &Ray) -> Sight {
-    Sight {
-        from: ray.origin.into(),
-        along: ray.direction.into(),
-    }
+    Sight::new(V3::from(ray.origin), ray.direction.into())
 }
 
 impl<T: Real> Pixel<T> {
     fn new(picture: Picture<T>, px: [T; 2], inverse: Inverses<T>) -> Self {
         let two = T::one() + T::one();
-        let Picture {
-            tan,
-            aspect,
-            length,
-            parallel,
-            ..
-        } = picture;
+        let (tan, aspect, length) = (picture.tan, picture.aspect, picture.length);
         let [right, up, forward] = picture.axes;
-        let (middle, size) = if parallel {
+        let (middle, size) = if picture.parallel {
             (picture.target - forward * length, T::one())
         } else {
             (picture.target, length)
@@ -296,15 +276,9 @@ impl<T: Real> Pixel<T> {
     fn towards(&self, point: V3<T>) -> Sight {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
-            return Sight {
-                from: point.wide(),
-                along: axes[2].wide(),
-            };
+            return Sight::new(point, axes[2]);
         }
-        Sight {
-            from: eye.wide(),
-            along: (point - eye).wide(),
-        }
+        Sight::new(eye, point - eye)
     }
 }
 
@@ -324,10 +298,7 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     if pixel.picture.parallel {
         return pixel.towards(eye + aside);
     }
-    Sight {
-        from: eye.wide(),
-        along: (axes[2] + aside).wide(),
-    }
+    Sight::new(eye, axes[2] + aside)
 }
 
 /// How far a parallel ray runs beside the true one where the camera's target is, in world units.

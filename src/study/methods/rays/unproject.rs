@@ -32,10 +32,7 @@ pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
     let matrix = pixel.inverse.projection_view;
     let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
     let Picture { eye, parallel, .. } = pixel.picture;
-    Sight {
-        from: if parallel { near } else { eye }.wide(),
-        along: (far - near).wide(),
-    }
+    Sight::new(if parallel { near } else { eye }, far - near)
 }
 
 /// Through the pixel's point on the near plane.
@@ -45,39 +42,26 @@ pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
 
 /// By way of the view's space; parallel rays start in the eye's plane.
 pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
-    let Picture {
-        eye,
-        axes: [right, up, forward],
-        near,
-        far,
-        parallel,
-        ..
-    } = pixel.picture;
+    let (picture, parallel) = (pixel.picture, pixel.picture.parallel);
+    let (eye, [right, up, forward]) = (picture.eye, picture.axes);
     let depth = if parallel {
-        (near + far) / (near - far)
+        (picture.near + picture.far) / (picture.near - picture.far)
     } else {
         T::of(0.5)
     };
     let view = pixel.unprojected(pixel.inverse.projection, depth);
     let world = right * view.x + up * view.y + forward * view.z + eye;
-    let sight = pixel.towards(world);
     if parallel {
-        return sight;
+        return pixel.towards(world);
     }
-    Sight {
-        along: (world - eye).normalize().wide(),
-        ..sight
-    }
+    Sight::new(eye, (world - eye).normalize())
 }
 
 /// From the near plane to almost the end of the picture.
 pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> Sight {
     let depths = [T::one(), T::of(f64::from(f32::EPSILON))];
     let [near, far] = depths.map(|z| pixel.unprojected(pixel.inverse.composed, z));
-    Sight {
-        from: near.wide(),
-        along: (far - near).normalize().wide(),
-    }
+    Sight::new(near, (far - near).normalize())
 }
 
 /// [`Inverses`] in one precision.

@@ -1,7 +1,7 @@
 //! Cameras and pixels.
 
 use super::{Picture, PixelCase};
-use crate::study::{prelude::*, real::narrow, scene_rays::TAN_30};
+use crate::study::prelude::*;
 
 /// What a family changes about an ordinary camera.
 #[derive(Clone, Copy)]
@@ -40,48 +40,19 @@ const TANGENTS: [(f64, f64); 9] = [
 /// Every family.
 pub const FAMILIES: &[Family<PixelCase>] = &[
     Family::ordinary(|random, _| make(random, ORDINARY)),
-    Family::new(
-        "far plane",
-        "far / near",
-        &[1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9],
-        |random, ratio| {
-            let far = ORDINARY.near * ratio;
-            make(random, Camera { far, ..ORDINARY })
-        },
-    ),
-    Family::new(
-        "near plane",
-        "near (world units)",
-        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5],
-        |random, near| make(random, Camera { near, ..ORDINARY }),
-    ),
-    Family::new(
-        "field of view",
-        "degrees",
-        &[60.0, 90.0, 120.0, 170.0, 179.0],
-        |random, degrees| make(random, fov(degrees)),
-    ),
-    Family::new(
-        "narrow view",
-        "degrees",
-        &[60.0, 30.0, 10.0, 1.0, 0.1],
-        |random, degrees| make(random, fov(degrees)),
-    ),
-    Family::new(
-        "eye far from the origin",
-        "distance / distance to target",
-        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        |random, ratio| {
-            let eye = ORDINARY.length * ratio;
-            make(random, Camera { eye, ..ORDINARY })
-        },
-    ),
-    Family::new(
-        "large picture",
-        "rows (px)",
-        &[270.0, 1080.0, 2160.0, 4320.0, 8640.0],
-        |random, height| make(random, Camera { height, ..ORDINARY }),
-    ),
+    family!("far plane", "far / near" [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9] =>
+        |random, ratio| make(random, Camera { far: ORDINARY.near * ratio, ..ORDINARY })),
+    family!("near plane", "near (world units)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5] =>
+        |random, near| make(random, Camera { near, ..ORDINARY })),
+    family!("field of view", "degrees" [60.0, 90.0, 120.0, 170.0, 179.0] =>
+        |random, degrees| make(random, fov(degrees))),
+    family!("narrow view", "degrees" [60.0, 30.0, 10.0, 1.0, 0.1] =>
+        |random, degrees| make(random, fov(degrees))),
+    family!("eye far from the origin", "distance / distance to target"
+        [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+        |random, ratio| make(random, Camera { eye: ORDINARY.length * ratio, ..ORDINARY })),
+    family!("large picture", "rows (px)" [270.0, 1080.0, 2160.0, 4320.0, 8640.0] =>
+        |random, height| make(random, Camera { height, ..ORDINARY })),
 ];
 
 fn fov(degrees: f64) -> Camera {

@@ -9,7 +9,7 @@ use super::ahead;
 use crate::{
     geometry::{Mesh, Ray, VertexRay, double_double::DoubleDouble, exact_volume, guarded_volume},
     scene::Shape,
-    study::{prelude::*, real::Real, truth},
+    study::prelude::*,
 };
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
@@ -26,9 +26,19 @@ pub struct RayTriangle<T> {
     pub corners: [V3<T>; 3],
 }
 
+impl<T> RayTriangle<T> {
+    /// A ray and a triangle.
+    pub const fn new(origin: V3<T>, direction: V3<T>, corners: [V3<T>; 3]) -> Self {
+        Self {
+            origin,
+            direction,
+            corners,
+        }
+    }
+}
+
 impl RayTriangle<f64> {
     /// The ray parameter of the hit without rounding; none where the ray misses, also when it runs within the plane.
-    #[must_use]
     pub fn truth(&self) -> Option<f64> {
         let line = Line::new(self.origin, self.direction);
         truth::first_ahead(line.triangle(self.corners.map(Exact3::new)))
@@ -85,16 +95,15 @@ impl TriangleCase {
 
     /// The case of a mesh's triangle and a ray in the object's space: in the vertices' own space, where triangles are
     /// tested.
-    #[must_use]
     pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
         let data = mesh.data();
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
-        let wide = RayTriangle {
-            origin: (ray_object.origin - data.origin).into(),
-            direction: ray_object.direction.into(),
-            corners: data.triangles[triangle as usize].map(corner),
-        };
-        Self::new(wide, px)
+        let corners = data.triangles[triangle as usize].map(corner);
+        let origin = V3::from(ray_object.origin - data.origin);
+        Self::new(
+            RayTriangle::new(origin, ray_object.direction.into(), corners),
+            px,
+        )
     }
 }
 
@@ -157,13 +166,10 @@ fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Opt
 impl Case for TriangleCase {
     type Answer = Option<f64>;
     type Truth = Option<f64>;
-    const ABOUT: About = About {
-        name: "Ray against triangle",
-        key: "triangle",
-        job: "a ray among its mesh's vertices and three corners: t of the hit",
-        error_unit: "of t",
-        wrong_unit: "px",
-    };
+    const ABOUT: About = about!(
+        "Ray against triangle" "triangle", off by "of t", wrong by "px";
+        "a ray among its mesh's vertices and three corners: t of the hit"
+    );
 
     const METHODS: Methods<Self> = in_both_precisions!(
         one,
@@ -175,7 +181,7 @@ impl Case for TriangleCase {
             Method::new("exact everywhere", Precision::Exact, EXACT, |c| {
                 exact_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
-            Method::ours("Sightline's", Precision::Exact, OURS, |c| {
+            Method::ours(Precision::Exact, OURS, |c| {
                 guarded_volume(&c.ray, c.wide.corners.map(DVec3::from)).map(|hit| hit.t)
             }),
         ]
@@ -263,10 +269,8 @@ pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let d = case.direction;
     let volume = |p: V3<T>, q: V3<T>| d.dot(p.cross(q));
-    one_sign(
-        case,
-        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&T::zero())),
-    )
+    let volumes = [volume(b, c), volume(c, a), volume(a, b)];
+    one_sign(case, volumes.map(|v| v.partial_cmp(&T::zero())))
 }
 
 /// The plane's t where the volumes' signs, of which none is unknown, do not differ.
@@ -292,10 +296,8 @@ fn double_double(case: &TriangleCase) -> Option<f64> {
         .corners
         .map(|corner| corner.map(DoubleDouble::from) - o);
     let volume = |p: V3<DoubleDouble>, q| f64::from(d.dot(p.cross(q)));
-    one_sign(
-        given,
-        [volume(b, c), volume(c, a), volume(a, b)].map(|v| v.partial_cmp(&0.0)),
-    )
+    let volumes = [volume(b, c), volume(c, a), volume(a, b)];
+    one_sign(given, volumes.map(|v| v.partial_cmp(&0.0)))
 }
 
 /// The volumes' signs by adaptive arithmetic.

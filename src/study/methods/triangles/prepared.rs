@@ -24,15 +24,15 @@ impl<T> Deref for Prepared<T> {
 impl<T: Copy> Prepared<T> {
     /// The same triangle and another ray, with what was made for it.
     #[inline]
-    #[must_use]
-    pub fn met_by(&self, origin: V3<T>, direction: V3<T>, shear: Shear<T>) -> Self {
+    pub(in crate::study::methods) fn met_by(
+        &self,
+        origin: V3<T>,
+        direction: V3<T>,
+        shear: Shear<T>,
+    ) -> Self {
         let corners = self.given.corners;
         Self {
-            given: RayTriangle {
-                origin,
-                direction,
-                corners,
-            },
+            given: RayTriangle::new(origin, direction, corners),
             shear,
             ..*self
         }
@@ -41,13 +41,9 @@ impl<T: Copy> Prepared<T> {
 
 impl<T: Real> Prepared<T> {
     /// The numbers of `f64`, rounded, with what is kept in the same precision.
-    #[must_use]
     pub fn of(wide: &RayTriangle<f64>) -> Self {
-        let given = RayTriangle {
-            origin: V3::of(wide.origin),
-            direction: V3::of(wide.direction),
-            corners: wide.corners.map(V3::of),
-        };
+        let [origin, direction] = [wide.origin, wide.direction].map(V3::of);
+        let given = RayTriangle::new(origin, direction, wide.corners.map(V3::of));
         let [a, b, c] = given.corners;
         let (ab, ac) = (b - a, c - a);
         let normal = ab.cross(ac);

@@ -5,91 +5,62 @@ use crate::study::prelude::*;
 
 /// Every family.
 pub const FAMILIES: &[Family<TriangleCase>] = &[
-    Family::ordinary(|random, _| {
-        let corners = corners(random, 1.0, 1.0);
-        let weights = loose_weights(random);
-        let towards = random.direction();
-        aim(random, corners, weights, towards, 5.0)
-    }),
+    Family::ordinary(|random, _| aim(random, [1.0; 2], loose_weights, 5.0)),
     Family::HIT_RATE,
-    Family::new(
-        "aimed at edges",
-        "distance / size",
-        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5],
-        |random, distance| {
-            let corners = corners(random, 1.0, 1.0);
-            let weights = edge_weights(random);
-            let towards = random.direction();
-            aim(random, corners, weights, towards, distance)
-        },
-    ),
-    Family::new(
-        "grazing",
-        "angle to the plane (rad)",
-        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6],
-        |random, angle| {
-            let corners = corners(random, 1.0, 1.0);
-            let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-            let along = random.direction().cross(normal).normalize();
-            let weights = mixed_weights(random);
-            let towards = along + normal.normalize() * (angle * random.sign());
-            aim(random, corners, weights, towards, 5.0)
-        },
-    ),
-    Family::new(
-        "slivers",
-        "height / length",
-        &[1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
-        |random, height| {
-            let corners = corners(random, 1.0, height);
-            let weights = mixed_weights(random);
-            let towards = random.direction();
-            aim(random, corners, weights, towards, 5.0)
-        },
-    ),
-    Family::new(
-        "far from the origin",
-        "offset / size",
-        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7],
-        |random, offset| {
-            let offset = random.direction() * offset;
-            // The coordinates' own grain makes the triangle coarse out there: it grows to stay one.
-            let size = (offset.length() * 1e-6).max(1.0);
-            let corners = corners(random, size, size).map(|corner| narrow3(corner + offset));
-            let weights = mixed_weights(random);
-            let towards = random.direction();
-            aim(random, corners, weights, towards, 5.0 * size)
-        },
-    ),
-    Family::new(
-        "far away",
-        "distance / size",
-        &[1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6],
-        |random, distance| {
-            let corners = corners(random, 1.0, 1.0);
-            let weights = mixed_weights(random);
-            let towards = random.direction();
-            aim(random, corners, weights, towards, distance)
-        },
-    ),
-    Family::new(
-        "tiny and huge",
-        "size",
-        &[1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12],
-        |random, size| {
-            let corners = corners(random, size, size);
-            let weights = mixed_weights(random);
-            let towards = random.direction() * size;
-            aim(random, corners, weights, towards, 5.0)
-        },
-    ),
-    Family::new(
-        "exactly through edges",
-        "bits a coordinate",
-        &[4.0, 8.0, 12.0, 16.0, 20.0, 22.0],
-        on_a_lattice,
-    ),
+    family!("aimed at edges", "distance / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5] =>
+        |random, distance| aim(random, [1.0; 2], edge_weights, distance)),
+    family!("grazing", "angle to the plane (rad)" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] =>
+        grazing),
+    family!("slivers", "height / length" [1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] =>
+        |random, height| aim(random, [1.0, height], mixed_weights, 5.0)),
+    family!("far from the origin", "offset / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7] =>
+        far_out),
+    family!("far away", "distance / size" [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6] =>
+        |random, distance| aim(random, [1.0; 2], mixed_weights, distance)),
+    family!("tiny and huge", "size"
+        [1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e9, 1e12] => sized),
+    family!("exactly through edges", "bits a coordinate" [4.0, 8.0, 12.0, 16.0, 20.0, 22.0] =>
+        on_a_lattice),
 ];
+
+/// A triangle of a length and a height, and a ray from so far away through a point of its plane.
+fn aim(
+    random: &mut Random,
+    [length, height]: [f64; 2],
+    weights: fn(&mut Random) -> [f64; 3],
+    distance: f64,
+) -> TriangleCase {
+    let corners = corners(random, length, height);
+    let weights = weights(random);
+    let towards = random.direction();
+    through(random, corners, weights, towards * distance)
+}
+
+fn grazing(random: &mut Random, angle: f64) -> TriangleCase {
+    let [a, b, c] = corners(random, 1.0, 1.0);
+    let normal = (b - a).cross(c - a);
+    let along = random.direction().cross(normal).normalize();
+    let weights = mixed_weights(random);
+    let towards = along + normal.normalize() * (angle * random.sign());
+    through(random, [a, b, c], weights, towards * 5.0)
+}
+
+fn far_out(random: &mut Random, offset: f64) -> TriangleCase {
+    let offset = random.direction() * offset;
+    // The coordinates' own grain makes the triangle coarse out there: it grows to stay one.
+    let size = (offset.length() * 1e-6).max(1.0);
+    let corners = corners(random, size, size).map(|corner| narrow3(corner + offset));
+    let weights = mixed_weights(random);
+    let towards = random.direction();
+    through(random, corners, weights, towards * (5.0 * size))
+}
+
+fn sized(random: &mut Random, size: f64) -> TriangleCase {
+    let corners = corners(random, size, size);
+    let weights = mixed_weights(random);
+    let towards = random.direction() * size;
+    through(random, corners, weights, towards * 5.0)
+}
 
 /// A triangle about the origin in some plane, with one side of a length and a height over it.
 fn corners(random: &mut Random, length: f64, height: f64) -> [V3<f64>; 3] {
@@ -99,25 +70,20 @@ fn corners(random: &mut Random, length: f64, height: f64) -> [V3<f64>; 3] {
     [V3::new(0.0, 0.0, 0.0), u * length, apex].map(|corner| narrow3(corner - centre))
 }
 
-/// A ray that starts `distance` steps of `towards` before a point of the triangle's plane.
-fn aim(
+/// A ray that starts `back` before a point of the triangle's plane.
+fn through(
     random: &mut Random,
     mut corners: [V3<f64>; 3],
     weights: [f64; 3],
-    towards: V3<f64>,
-    distance: f64,
+    back: V3<f64>,
 ) -> TriangleCase {
     let point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
-    let origin = narrow3(point - towards * distance);
+    let origin = narrow3(point - back);
     if random.sign() < 0.0 {
         corners.swap(1, 2);
     }
-    let wide = RayTriangle {
-        origin,
-        direction: narrow3(point - origin),
-        corners,
-    };
-    TriangleCase::new(wide, PX)
+    let direction = narrow3(point - origin);
+    TriangleCase::new(RayTriangle::new(origin, direction, corners), PX)
 }
 
 /// Mostly outside, as most triangles that a ray is tested against.
@@ -166,12 +132,7 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
         let exact = narrow3(direction) == direction;
         let normal = (q - p).cross(corners[2] - p);
         if exact && normal.dot(direction) != 0.0 {
-            let wide = RayTriangle {
-                origin,
-                direction,
-                corners,
-            };
-            return TriangleCase::new(wide, PX);
+            return TriangleCase::new(RayTriangle::new(origin, direction, corners), PX);
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::{
         Row,
         chart::family,
         gallery::{as_good, breaks_on, swaps},
-        methods::MethodInfo,
+        step::MethodInfo,
         swap::{Found, Swap},
     },
     viewer::{
