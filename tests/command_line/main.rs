@@ -1,6 +1,7 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
 mod desktop;
+mod doctor;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod flags;

@@ -10,4 +10,4 @@ mod window;
 pub use controls::Control;
 pub use mark::{APP_ID, ICON_PNG};
 pub use offscreen::{Offscreen, picture_of_views};
-pub use window::run;
+pub use window::{display, run};
