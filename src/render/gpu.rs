@@ -68,8 +68,21 @@ impl Gpu {
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
     ) -> Result<Self, GpuError> {
-        let adapter = pollster::block_on(best_adapter(instance, Some(surface)))?;
+        let adapter = pollster::block_on(best_adapter(instance, Some(surface)));
+        let adapter = adapter.map_err(|_| Self::no_window(instance))?;
         Self::of(adapter, &Restraint::default())
+    }
+
+    /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
+    #[must_use]
+    pub fn no_window(instance: &wgpu::Instance) -> GpuError {
+        match pollster::block_on(best_adapter(instance, None)) {
+            Err(error) => error,
+            Ok(adapter) => GpuError::Lacks {
+                adapter: adapter.get_info().name,
+                what: "a way to show on windows (`sightline render` and `verify` work with it)".into(),
+            },
+        }
     }
 
     /// A device of an adapter.

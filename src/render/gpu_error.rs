@@ -3,7 +3,7 @@
 /// Why nothing can be drawn. Each says in one line what to do about it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GpuError {
-    /// No driver, or none that can show on this window.
+    /// No driver.
     #[error(
         "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
          `sightline render --by raycast` draws without"

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 /// The report with these variables, none of which names a display.
 fn doctor(variables: &[(&str, &str)]) -> (Output, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sightline"));
-    command.arg("doctor").env("RUST_LOG", "error");
+    command.arg("doctor").env("RUST_LOG", "off");
     for name in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
         command.env_remove(name);
     }
