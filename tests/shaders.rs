@@ -1,4 +1,5 @@
 //! Every shader is valid, and both sides mean the same by each struct. Needs no GPU.
+#![cfg(feature = "window")]
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use sightline::render::{SHADERS, layout};

@@ -19,7 +19,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::{PlacedPoint, dyadic},
-    scene::{Scene, obj::FaceInFile},
+    scene::{FaceInFile, Scene},
 };
 use facets::{Facet, facets};
 use glam::DVec2;
