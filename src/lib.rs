@@ -151,8 +151,10 @@
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
-//! egui. `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files
-//! that are written whole or not at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
+//! egui. What the core is (above) names nothing of the others, nor does `scene` of what it adds for files (`scene/files`).
+//! `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files that are written whole or not
+//! at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of
+//! that.
 //!
 //! # Spaces
 //!

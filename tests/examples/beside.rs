@@ -38,9 +38,18 @@ struct ThreeCamera {
 
 impl ThreeCamera {
     fn new(fov_deg: f64, aspect: f64, near: f64, far: f64, eye: DVec3, target: DVec3) -> Self {
-        let projection = DMat4::perspective_rh_gl(fov_deg.to_radians(), aspect, near, far);
+        let top = near * (0.5 * fov_deg.to_radians()).tan();
+        let projection = DMat4::from_cols(
+            DVec4::new(near / (top * aspect), 0.0, 0.0, 0.0),
+            DVec4::new(0.0, near / top, 0.0, 0.0),
+            DVec4::new(0.0, 0.0, -(far + near) / (far - near), -1.0),
+            DVec4::new(0.0, 0.0, -2.0 * far * near / (far - near), 0.0),
+        );
+        let z = (eye - target).normalize();
+        let x = DVec3::Y.cross(z).normalize();
+        let axes = [x, z.cross(x), z].map(|axis| axis.extend(0.0));
         Self {
-            matrix_world: DMat4::look_at_rh(eye, target, DVec3::Y).inverse(),
+            matrix_world: DMat4::from_cols(axes[0], axes[1], axes[2], eye.extend(1.0)),
             projection_inverse: projection.inverse(),
         }
     }
