@@ -1,5 +1,4 @@
 // Shared by all passes that draw the scene. Structs equal those of src/render/layout.rs.
-enable primitive_index;
 
 struct Frame {
     ndc_per_view: vec2<f32>,

@@ -1,4 +1,4 @@
-// Triangles: meshes, cubes and squares.
+// Triangles: meshes, cubes and squares. Entry points that number them are in files of their own.
 
 struct Batch {
     pivot: vec3<f32>,
@@ -29,13 +29,13 @@ struct Corner {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) normal_view: vec3<f32>,
     @location(1) albedo: vec3<f32>,
-    // Object, what added to the primitive index gives the triangle's id, and flags. In one: rasterisers in software
-    // pay for each vector that a triangle carries.
+    // Object, what added to the primitive index (if that is known) gives the triangle's id, and flags. In one:
+    // rasterisers in software pay for each vector that a triangle carries.
     @location(2) @interpolate(flat) own: vec3<u32>,
 }
 
-@vertex
-fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
+// A corner of the draw's triangle of this number, or of 0 where only fragments know it.
+fn corner(in: Vertex, instance: u32, triangle: u32) -> Corner {
     let batch = &batches[instance];
     let object = in.part + (*batch).object_of_part_0;
     let state = objects[object];
@@ -49,7 +49,7 @@ fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
     }
     out.normal_view = (*batch).normal * in.normal;
     out.albedo = select(in.colour.rgb, state.colour, state.has_colour == 1u);
-    let triangle_base = (*batch).first_triangle - state.first_triangle + 1u;
+    let triangle_base = triangle + (*batch).first_triangle - state.first_triangle + 1u;
     out.own = vec3<u32>(object, triangle_base, (*batch).flags);
     return out;
 }
@@ -68,20 +68,6 @@ fn id_of(in: Corner, primitive: u32) -> vec2<u32> {
 @fragment
 fn colour(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     return lit(in, front, false);
-}
-
-@fragment
-fn id(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
-    return id_of(in, primitive);
-}
-
-@fragment
-fn colour_and_id(
-    in: Corner,
-    @builtin(front_facing) front: bool,
-    @builtin(primitive_index) primitive: u32,
-) -> ColourAndId {
-    return ColourAndId(lit(in, front, false), id_of(in, primitive));
 }
 
 // Dark, as thin as lines are.
@@ -107,29 +93,9 @@ fn cut(in: Corner) {
 
 // Naming the sample makes the shader run once for each: the cut is smoothed like edges.
 @fragment
-fn colour_cut(
-    in: Corner,
-    @builtin(front_facing) front: bool,
-    @builtin(sample_index) sample: u32,
-) -> @location(0) vec4<f32> {
+fn colour_cut(in: Corner, @builtin(front_facing) front: bool, @builtin(sample_index) sample: u32) -> @location(0) vec4<f32> {
     cut(in);
     return lit(in, front, true);
-}
-
-@fragment
-fn id_cut(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
-    cut(in);
-    return id_of(in, primitive);
-}
-
-@fragment
-fn colour_and_id_cut(
-    in: Corner,
-    @builtin(front_facing) front: bool,
-    @builtin(primitive_index) primitive: u32,
-) -> ColourAndId {
-    cut(in);
-    return ColourAndId(lit(in, front, true), id_of(in, primitive));
 }
 
 @fragment

@@ -1,6 +1,7 @@
 //! Every shader is valid, and both sides mean the same by each struct. Needs no GPU.
 #![cfg(feature = "window")]
 
+use naga::valid::{Capabilities, ValidationFlags, Validator};
 use sightline::render::{SHADERS, layout};
 use std::mem::{offset_of, size_of};
 
@@ -10,17 +11,24 @@ fn module(name: &str) -> naga::Module {
         .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)))
 }
 
+/// Without a primitive index but where the name says so.
 #[test]
 fn every_shader_is_valid() {
+    let sampled = Capabilities::MULTISAMPLED_SHADING;
+    let mut by_primitive = 0;
     for (name, source) in SHADERS {
-        let needed = naga::valid::Capabilities::PRIMITIVE_INDEX
-            | naga::valid::Capabilities::MULTISAMPLED_SHADING;
-        let mut validator =
-            naga::valid::Validator::new(naga::valid::ValidationFlags::all(), needed);
+        let needed = if name.ends_with("by primitive") {
+            by_primitive += 1;
+            sampled | Capabilities::PRIMITIVE_INDEX
+        } else {
+            sampled
+        };
+        let mut validator = Validator::new(ValidationFlags::all(), needed);
         if let Err(error) = validator.validate(&module(name)) {
             panic!("{name}: {}", error.emit_to_string(source));
         }
     }
+    assert_eq!(by_primitive, 2);
 }
 
 /// Names, offsets and size of a WGSL struct without its padding.
@@ -51,12 +59,12 @@ macro_rules! same_layout {
 
 #[test]
 fn structs_have_one_layout_on_both_sides() {
-    for shader in ["mesh", "sphere", "overlay"] {
+    for shader in ["mesh by primitive", "mesh by corner", "sphere", "overlay"] {
         let frame = wgsl_layout(shader, "Frame");
-        assert_eq!(frame, wgsl_layout("mesh", "Frame"), "{shader}");
+        assert_eq!(frame, wgsl_layout("mesh by primitive", "Frame"), "{shader}");
     }
     same_layout!(
-        "mesh",
+        "mesh by primitive",
         Frame {
             ndc_per_view,
             viewport_px,
@@ -77,7 +85,7 @@ fn structs_have_one_layout_on_both_sides() {
         }
     );
     same_layout!(
-        "mesh",
+        "mesh by primitive",
         Batch {
             pivot,
             object_of_part_0,
@@ -90,7 +98,7 @@ fn structs_have_one_layout_on_both_sides() {
         }
     );
     same_layout!(
-        "mesh",
+        "mesh by primitive",
         ObjectState {
             colour,
             has_colour,
@@ -137,7 +145,7 @@ fn structs_have_one_layout_on_both_sides() {
 
 #[test]
 fn flags_have_one_value_on_both_sides() {
-    let module = module("mesh");
+    let module = module("mesh by primitive");
     let value = |name: &str| {
         let constant = module
             .constants

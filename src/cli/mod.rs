@@ -5,6 +5,7 @@
 mod command_first;
 mod contract;
 mod desktop;
+mod doctor;
 mod error;
 mod in_file;
 mod list;
@@ -19,6 +20,7 @@ mod view;
 mod window;
 
 pub use desktop::InstallDesktopArgs;
+pub use doctor::DoctorArgs;
 pub use error::CliError;
 pub use list::ListArgs;
 pub use pick::{At, PickArgs};
@@ -77,6 +79,9 @@ pub enum Command {
     /// Compare what is drawn with what is picked, pixel by pixel
     #[command(after_long_help = EXIT_CODES)]
     Verify(VerifyArgs),
+    /// Say what this machine draws with, and what that can and cannot do: the text for a bug report
+    #[command(after_long_help = doctor::CODES)]
+    Doctor(DoctorArgs),
     /// Tell the desktop: menu entry, icon, OBJ files, thumbnails, man pages, completions
     #[command(after_long_help = EXIT_CODES)]
     InstallDesktop(InstallDesktopArgs),
@@ -112,6 +117,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Command::List(args)) => list::run(args),
         Some(Command::Study(args)) => study::run(args),
         Some(Command::Verify(args)) => verify::run(args),
+        Some(Command::Doctor(args)) => doctor::run(args),
         Some(Command::InstallDesktop(args)) => desktop::run(args),
         None => window::run(&cli.window),
     };

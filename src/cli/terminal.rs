@@ -34,13 +34,18 @@ pub(super) fn say(text: &str) {
 
 /// One line, whatever the text holds: names in files may contain control characters.
 fn line(text: &str) -> String {
-    let mut line = String::from("sightline: ");
+    format!("sightline: {}", plain(text))
+}
+
+/// The text with control and direction marks escaped.
+pub(super) fn plain(text: &str) -> String {
+    let mut plain = String::new();
     for c in text.chars() {
         if is_mark(c) {
-            line.extend(c.escape_default());
+            plain.extend(c.escape_default());
         } else {
-            line.push(c);
+            plain.push(c);
         }
     }
-    line
+    plain
 }

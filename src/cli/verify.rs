@@ -5,7 +5,7 @@ use crate::{
     camera::View,
     image::{Id, Image},
     json, pick,
-    render::{self, Gpu},
+    render::{self, Gpu, Rasteriser},
     scene::Scene,
     study::methods::usual,
     verify::{
@@ -59,8 +59,8 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let picked = picked(args.picker, scene, &view);
     let picked_s = start.elapsed().as_secs_f64();
-    let report = verify::compare(scene, &view, &drawn, &picked);
-    let in_one_place = Places::new(scene, &view).pixels(|| false);
+    let report = verify::compare(scene, &view, gpu.rasteriser(), &drawn, &picked);
+    let in_one_place = Places::new(scene, &view, gpu.rasteriser()).pixels(|| false);
     if let Some(path) = &args.image {
         verify::paint(&colours, &in_one_place, &report.disagreements).write_png(path)?;
     }
@@ -70,6 +70,7 @@ pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
         in_one_place: in_one_place.len(),
         size: [view.viewport.width(), view.viewport.height()],
         adapter: gpu.adapter_name(),
+        rasteriser: gpu.rasteriser(),
         seconds: [drawn_s, picked_s],
     };
     let text = if args.json {
@@ -104,6 +105,7 @@ struct Outcome<'a> {
     in_one_place: usize,
     size: [u32; 2],
     adapter: &'a str,
+    rasteriser: Rasteriser,
     /// Spent drawing and picking.
     seconds: [f64; 2],
 }
@@ -128,6 +130,8 @@ struct Line<'a> {
     share_of_outline: f64,
     worst: Option<Worst<'a>>,
     adapter: &'a str,
+    sub_pixel_bits: u32,
+    names_triangles: bool,
     drawn_s: f64,
     picked_s: f64,
 }
@@ -204,6 +208,8 @@ impl<'a> Outcome<'a> {
             share_of_outline: report.share_of_outline(),
             worst: report.worst().map(|at| self.worst(at)),
             adapter: self.adapter,
+            sub_pixel_bits: self.rasteriser.sub_pixel_bits(),
+            names_triangles: self.rasteriser.names_triangles,
             drawn_s: self.seconds[0],
             picked_s: self.seconds[1],
         };
@@ -234,17 +240,17 @@ impl<'a> Outcome<'a> {
             }
         };
         row("same", report.same(), "");
+        let grid = 1 << self.rasteriser.sub_pixel_bits();
         for (class, _, colour) in COLOURS {
             let what = match class {
-                Class::Edge => "the centre lies on an outline, to 1/256 pixel".to_owned(),
+                Class::Edge => format!("the centre lies on an outline, to 1/{grid} pixel"),
                 Class::Depth => {
                     "two surfaces as deep, to the depth buffer and at most half a pixel's width"
                         .into()
                 }
-                Class::Section => {
-                    "the section passes the surface, to 1/256 pixel or f32 and at most half a pixel's width"
-                        .into()
-                }
+                Class::Section => format!(
+                    "the section passes the surface, to 1/{grid} pixel or f32 and at most half a pixel's width"
+                ),
                 Class::F32Limit => format!(
                     "the centre lies on an outline, to what f32 can tell and at most {OUTLINE_CEILING_PX} px"
                 ),
@@ -283,6 +289,10 @@ impl<'a> Outcome<'a> {
             "drawn in {drawn_s:.2} s by {}, picked in {picked_s:.2} s",
             self.adapter
         );
+        if !self.rasteriser.names_triangles {
+            text +=
+                "objects are compared, and not their triangles, which this adapter cannot number\n";
+        }
         text
     }
 

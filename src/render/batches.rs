@@ -41,6 +41,14 @@ impl DrawnShape {
         }
     }
 
+    /// The end of those triangles, from this one on, that one call may draw.
+    pub fn end_of_call(&self, first: u32) -> u32 {
+        match self {
+            Self::Triangles { buffers, triangles } => buffers.end_of_call(first).min(triangles.end),
+            Self::Spheres => 0,
+        }
+    }
+
     /// The triangles of each instance; none of spheres.
     pub fn triangles(&self) -> Range<u32> {
         match self {

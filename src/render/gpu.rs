@@ -1,15 +1,24 @@
-//! The graphics device, with or without a window, and what can go wrong with it.
+//! The graphics device, with or without a window.
 
-use crate::camera::Viewport;
-use std::sync::{
-    Arc, Mutex,
-    atomic::{AtomicBool, Ordering},
+use super::{
+    abilities::{Numbers, Restraint, lacks},
+    probe::{Rasteriser, probe},
 };
+use crate::camera::Viewport;
+use std::{
+    sync::{
+        Arc, Mutex,
+        atomic::{AtomicBool, Ordering},
+    },
+    time::Instant,
+};
+
+pub use super::gpu_error::GpuError;
 
 /// How much is copied to the adapter at a time: a millisecond or two.
 const PIECE_BYTES: usize = 1 << 23;
 
-/// A graphics device that can draw triangle ids.
+/// A graphics device that can draw ids.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     /// What the device was made from: a window asks it what its surface can do.
@@ -20,6 +29,9 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
     reports: Arc<Reports>,
+    numbers: Numbers,
+    smooth_samples: u32,
+    rasteriser: Rasteriser,
 }
 
 /// What the driver said outside of any call that could return it.
@@ -30,81 +42,22 @@ struct Reports {
     error: Mutex<Option<String>>,
 }
 
-/// Why nothing can be drawn. Each says in one line what to do about it.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum GpuError {
-    /// No driver, or none that can show on this window.
-    #[error(
-        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
-         `sightline render --by raycast` draws without"
-    )]
-    NoAdapter,
-    /// The driver cannot tell which triangle a pixel shows.
-    #[error(
-        "{0} cannot number triangles (no primitive index): use another driver; \
-         `sightline render --by raycast` draws without"
-    )]
-    NoPrimitiveIndex(String),
-    /// The driver is there but does not work.
-    #[error(
-        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` draws without"
-    )]
-    Device {
-        /// The adapter's name.
-        adapter: String,
-        /// What the driver said.
-        reason: String,
-    },
-    /// More pixels than a texture may have.
-    #[error(
-        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way"
-    )]
-    PictureTooLarge {
-        /// The adapter's name.
-        adapter: String,
-        /// Asked width.
-        width: u32,
-        /// Asked height.
-        height: u32,
-        /// The most the adapter does.
-        limit: u32,
-    },
-    /// More vertices, triangles or objects than a buffer may hold.
-    #[error(
-        "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}; \
-         `sightline render --by raycast` draws without"
-    )]
-    SceneTooLarge {
-        /// The adapter's name.
-        adapter: String,
-        /// What does not fit.
-        what: &'static str,
-        /// How much it needs.
-        bytes: u64,
-        /// The most the adapter takes.
-        limit: u64,
-    },
-    /// The driver gave the device up: it was reset, updated or unplugged.
-    #[error(
-        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` draws without"
-    )]
-    Lost(String),
-    /// Graphics memory is used up.
-    #[error(
-        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` draws without"
-    )]
-    OutOfMemory(String),
-}
-
 impl Gpu {
     /// A device that draws into textures only. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
     ///
     /// # Errors
     /// When there is no driver, or it cannot do what drawing needs.
     pub fn headless() -> Result<Self, GpuError> {
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        pollster::block_on(Self::request(&instance, None))
+        Self::headless_within(&Restraint::default())
+    }
+
+    /// [`Gpu::headless`] on what might be a lesser adapter.
+    ///
+    /// # Errors
+    /// As [`Gpu::headless`].
+    pub fn headless_within(restraint: &Restraint) -> Result<Self, GpuError> {
+        let adapter = pollster::block_on(best_adapter(&instance(), None))?;
+        Self::of(adapter, restraint)
     }
 
     /// A device that can draw on a window's surface.
@@ -115,46 +68,96 @@ impl Gpu {
         instance: &wgpu::Instance,
         surface: &wgpu::Surface<'_>,
     ) -> Result<Self, GpuError> {
-        pollster::block_on(Self::request(instance, Some(surface)))
+        let adapter = pollster::block_on(best_adapter(instance, Some(surface)));
+        let adapter = adapter.map_err(|_| Self::no_window(instance))?;
+        Self::of(adapter, &Restraint::default())
     }
 
-    async fn request(
-        instance: &wgpu::Instance,
-        compatible_surface: Option<&wgpu::Surface<'_>>,
-    ) -> Result<Self, GpuError> {
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            compatible_surface,
-            ..Default::default()
-        };
-        let adapter = instance.request_adapter(&options).await;
-        let adapter = adapter.map_err(|_| GpuError::NoAdapter)?;
-        let info = adapter.get_info();
-        if !adapter.features().contains(wgpu::Features::PRIMITIVE_INDEX) {
-            return Err(GpuError::NoPrimitiveIndex(info.name));
+    /// Why a window's surface cannot be drawn on: there is no adapter, or it only draws into pictures.
+    #[must_use]
+    pub fn no_window(instance: &wgpu::Instance) -> GpuError {
+        match pollster::block_on(best_adapter(instance, None)) {
+            Err(error) => error,
+            Ok(adapter) => GpuError::Lacks {
+                adapter: adapter.get_info().name,
+                what: "a way to show on windows (`sightline render` and `verify` work with it)"
+                    .into(),
+            },
         }
+    }
+
+    /// A device of an adapter.
+    pub(super) fn of(adapter: wgpu::Adapter, restraint: &Restraint) -> Result<Self, GpuError> {
+        let info = adapter.get_info();
+        let lacking = lacks(&adapter);
+        if !lacking.is_empty() {
+            return Err(GpuError::Lacks {
+                adapter: info.name,
+                what: lacking.join(", "),
+            });
+        }
+        let numbers = restraint.numbers_of(&adapter);
+        let index = match numbers {
+            Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
+            Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
+        };
+        // All there is: meshes and pictures are as large as the user says.
+        let limits = (restraint.limits.clone()).unwrap_or_else(|| adapter.limits());
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("sightline"),
-            required_features: wgpu::Features::PRIMITIVE_INDEX
-                | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
-            // All there is: meshes and pictures are as large as the user says.
-            required_limits: adapter.limits(),
+            required_features: index | (adapter.features() & wgpu::Features::POLYGON_MODE_LINE),
+            required_limits: limits,
             ..Default::default()
         };
         let (device, queue) =
-            (adapter.request_device(&descriptor).await).map_err(|error| GpuError::Device {
-                adapter: info.name.clone(),
-                reason: one_line(&error),
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
+                GpuError::Device {
+                    adapter: info.name.clone(),
+                    reason: one_line(&error),
+                }
             })?;
         let reports = Arc::default();
         report_to(&reports, &device);
-        Ok(Self {
+        let mut gpu = Self {
+            numbers,
+            smooth_samples: restraint.samples_of(&adapter),
+            rasteriser: Rasteriser::COMMON,
             adapter,
             device,
             queue,
             info,
             reports,
-        })
+        };
+        let start = Instant::now();
+        gpu.probe()?;
+        log::info!(
+            "{} has {} sub-pixel bits and numbers triangles by {:?}: found in {:.1?}",
+            gpu.info.name,
+            gpu.rasteriser.sub_pixel_bits(),
+            gpu.numbers,
+            start.elapsed()
+        );
+        Ok(gpu)
+    }
+
+    /// Finds out what its rasteriser does. A way of numbering triangles that does not work is given up for the next.
+    fn probe(&mut self) -> Result<(), GpuError> {
+        loop {
+            let found = probe(self)?;
+            let names_triangles = found.names_triangles && self.numbers != Numbers::Objects;
+            self.rasteriser = Rasteriser {
+                names_triangles,
+                ..found
+            };
+            self.numbers = match self.numbers {
+                numbers if names_triangles => numbers,
+                Numbers::Primitives => Numbers::Corners,
+                Numbers::Corners | Numbers::Objects => Numbers::Objects,
+            };
+            if names_triangles || self.numbers == Numbers::Objects {
+                return Ok(());
+            }
+        }
     }
 
     /// What the adapter calls itself.
@@ -169,6 +172,25 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// How ids name triangles.
+    #[must_use]
+    pub fn numbers(&self) -> Numbers {
+        self.numbers
+    }
+
+    /// Samples a pixel of a picture with smooth edges: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES), or 1 where the adapter
+    /// cannot.
+    #[must_use]
+    pub fn smooth_samples(&self) -> u32 {
+        self.smooth_samples
+    }
+
+    /// What covers pixels, as measured when the device was made.
+    #[must_use]
+    pub fn rasteriser(&self) -> Rasteriser {
+        self.rasteriser
+    }
+
     /// Whether triangles can be drawn as their edges.
     #[must_use]
     pub fn draws_wireframes(&self) -> bool {
@@ -176,14 +198,13 @@ impl Gpu {
         features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
-    /// Samples a pixel that colours are worth while the picture moves: [`SMOOTH_SAMPLES`](super::SMOOTH_SAMPLES) on
-    /// hardware, 1 in software.
+    /// Samples a pixel that colours are worth while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
     #[must_use]
     pub fn samples_in_motion(&self) -> u32 {
         if self.is_software() {
             1
         } else {
-            super::SMOOTH_SAMPLES
+            self.smooth_samples
         }
     }
 
@@ -301,6 +322,25 @@ impl Gpu {
             reason: one_line(error),
         }
     }
+}
+
+/// What finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
+pub(super) fn instance() -> wgpu::Instance {
+    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+}
+
+/// The adapter to draw with, on a window's surface where there is one.
+pub(super) async fn best_adapter(
+    instance: &wgpu::Instance,
+    compatible_surface: Option<&wgpu::Surface<'_>>,
+) -> Result<wgpu::Adapter, GpuError> {
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        compatible_surface,
+        ..Default::default()
+    };
+    let adapter = instance.request_adapter(&options).await;
+    adapter.map_err(|_| GpuError::NoAdapter)
 }
 
 /// Keeps what `device` reports; left alone, wgpu would panic.

@@ -1,6 +1,7 @@
 //! Vertex and index buffers of one mesh.
 
 use super::{
+    abilities::Numbers,
     gpu::{Gpu, GpuError},
     layout::Vertex,
 };
@@ -9,15 +10,24 @@ use crate::{
     geometry::{Cuboid, Mesh, Square, face_normal},
 };
 use glam::DVec3;
-use std::{borrow::Cow, collections::HashMap};
+use std::{borrow::Cow, collections::HashMap, ops::Range, sync::Arc};
 use wgpu::BufferUsages;
 
 /// A mesh in graphics memory. Its triangles are the mesh's, in order.
 #[derive(Clone, Debug)]
 pub(super) struct MeshBuffers {
-    pub vertices: wgpu::Buffer,
-    pub indices: wgpu::Buffer,
     pub triangles: u32,
+    /// One, unless that would be larger than a buffer may be.
+    chunks: Arc<[Chunk]>,
+}
+
+/// Some of a mesh's triangles.
+#[derive(Debug)]
+struct Chunk {
+    triangles: Range<u32>,
+    vertices: wgpu::Buffer,
+    /// `None` where each triangle has three vertices to itself.
+    indices: Option<wgpu::Buffer>,
 }
 
 impl MeshBuffers {
@@ -27,11 +37,77 @@ impl MeshBuffers {
     }
 
     fn new(gpu: &Gpu, vertices: &[Vertex], triangles: &[[u32; 3]]) -> Result<Self, GpuError> {
+        let count = |triangles: usize| u32::try_from(triangles).unwrap_or(u32::MAX);
+        let is_indexed = gpu.numbers() != Numbers::Corners;
+        let most = gpu.device.limits().max_buffer_size;
+        let fits = is_indexed && size_of_val(vertices).max(size_of_val(triangles)) as u64 <= most;
+        // Where no two triangles share a vertex.
+        let triangles_of_chunk = most / (3 * size_of::<Vertex>()) as u64;
+        let triangles_of_chunk = usize::try_from(triangles_of_chunk).unwrap_or(usize::MAX);
+        let of_chunk = |(at, some): (usize, &[[u32; 3]])| {
+            let own;
+            let (vertices, indices) = if fits {
+                (vertices, Some(triangles))
+            } else if is_indexed {
+                own = renumbered(vertices, some);
+                (&*own.0, Some(&*own.1))
+            } else {
+                let corners = some.as_flattened().iter();
+                own = (corners.map(|&i| vertices[i as usize]).collect(), vec![]);
+                (&*own.0, None)
+            };
+            let indices = indices.map(|all| gpu.buffer("triangles", BufferUsages::INDEX, all));
+            let first = at * triangles_of_chunk;
+            Ok(Chunk {
+                triangles: count(first)..count(first + some.len()),
+                vertices: gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?,
+                indices: indices.transpose()?,
+            })
+        };
+        let chunks: Result<_, GpuError> = if fits {
+            of_chunk((0, triangles)).map(|chunk| [chunk].into())
+        } else {
+            let chunks = triangles.chunks(triangles_of_chunk.max(1)).enumerate();
+            chunks.map(of_chunk).collect()
+        };
         Ok(Self {
-            vertices: gpu.buffer("vertices", BufferUsages::VERTEX, vertices)?,
-            indices: gpu.buffer("triangles", BufferUsages::INDEX, triangles)?,
-            triangles: u32::try_from(triangles.len()).unwrap_or(u32::MAX),
+            triangles: count(triangles.len()),
+            chunks: chunks?,
         })
+    }
+
+    /// The end of those triangles, from this one on, that one call may draw.
+    pub fn end_of_call(&self, first: u32) -> u32 {
+        let chunk = self.chunk(first);
+        chunk.map_or(self.triangles, |chunk| chunk.triangles.end)
+    }
+
+    /// Draws triangles that one call may draw, of some instances. There they are numbered from 0.
+    pub fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        triangles: &Range<u32>,
+        instances: Range<u32>,
+    ) {
+        let Some(chunk) = self.chunk(triangles.start) else {
+            return;
+        };
+        let [first, end] =
+            [triangles.start, triangles.end].map(|i| 3 * (i - chunk.triangles.start));
+        if let Some(indices) = &chunk.indices {
+            pass.set_vertex_buffer(0, chunk.vertices.slice(..));
+            pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(first..end, 0, instances);
+        } else {
+            let byte = u64::from(first) * size_of::<Vertex>() as u64;
+            pass.set_vertex_buffer(0, chunk.vertices.slice(byte..));
+            pass.draw(0..end - first, instances);
+        }
+    }
+
+    fn chunk(&self, triangle: u32) -> Option<&Chunk> {
+        let mut chunks = self.chunks.iter();
+        chunks.find(|chunk| chunk.triangles.contains(&triangle))
     }
 
     /// The unit cube as twelve triangles.
@@ -61,6 +137,21 @@ impl MeshBuffers {
         }
         Self::new(gpu, &vertices, &triangles)
     }
+}
+
+/// The vertices that some triangles have, and these as indices into them.
+fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+    let (mut own, mut numbers) = (Vec::new(), HashMap::new());
+    let triangles = triangles.iter().map(|corners| {
+        corners.map(|corner| {
+            *numbers.entry(corner).or_insert_with(|| {
+                own.push(vertices[corner as usize]);
+                u32::try_from(own.len() - 1).unwrap_or(u32::MAX)
+            })
+        })
+    });
+    let triangles = triangles.collect();
+    (own, triangles)
 }
 
 /// One vertex for each distinct (position, normal, part, colour) that a corner has, and the corners as indices into

@@ -13,6 +13,9 @@
 //! one call as far as that shows nothing else. Where they are many, a thread beside composes their rows for the view, and
 //! who draws takes what is ready.
 //!
+//! What an adapter lacks is made up for: triangles are numbered in another way ([`Numbers`]), meshes larger than a buffer may be
+//! are split, and what its rasteriser does to corners is measured ([`Rasteriser`]).
+//!
 //! Each step submits its own work. [`render`] does all of them for one picture. Where the first two of the last three
 //! take long, [`Renderer::advance`] does them in pieces.
 //!
@@ -20,11 +23,14 @@
 //! of equal depths the lower triangle, and the lower object of those that touch. Everything is composed in `f64` and rounded to `f32` once (see
 //! [`transform`] and [`sphere`]).
 
+mod abilities;
+mod adapters;
 mod batches;
 mod composing;
 mod drawing;
 mod frustum;
 mod gpu;
+mod gpu_error;
 pub mod layout;
 mod lines;
 mod mesh_buffers;
@@ -32,11 +38,13 @@ mod mesh_store;
 mod order;
 mod outline;
 mod pipelines;
+mod probe;
 mod raster;
 mod readback;
 mod scene_buffers;
 pub(crate) mod section;
 mod seen;
+mod shaders;
 mod slices;
 pub mod sphere;
 mod steps;
@@ -44,15 +52,19 @@ mod targets;
 pub mod transform;
 pub mod view_space;
 
+pub use abilities::{Numbers, Restraint};
+pub use adapters::{AdapterCan, AdapterFound, adapters};
 pub use drawing::Drawing;
 pub use gpu::{Gpu, GpuError};
 pub use lines::Line;
 pub use mesh_store::MeshStore;
 pub use outline::{Destination, Marks};
-pub use pipelines::SHADERS;
+pub use probe::Rasteriser;
 pub use raster::Wireframe;
 pub(crate) use readback::read_rgb;
 pub use scene_buffers::SceneBuffers;
+pub use shaders::SHADERS;
+pub(crate) use shaders::shader_module;
 pub use slices::Piece;
 pub use targets::Targets;
 
@@ -62,7 +74,7 @@ use crate::{
     scene::Scene,
 };
 
-/// Samples a pixel of a picture at rest: its edges are smooth.
+/// Samples a pixel of a picture at rest, where the adapter can ([`Gpu::smooth_samples`]): its edges are smooth.
 pub const SMOOTH_SAMPLES: u32 = 4;
 
 /// The pipelines of one device, for one number of colour samples.
@@ -101,7 +113,7 @@ pub fn render(
     view: &View,
     selection: Option<usize>,
 ) -> Result<(Image<Id>, Image<Rgb>), GpuError> {
-    let drawing = Drawing::of_scene(SMOOTH_SAMPLES, view, Vec::new());
+    let drawing = Drawing::of_scene(gpu.smooth_samples(), view, Vec::new());
     let (targets, picture) = draw_alone(gpu, scene, view, drawing, selection)?;
     Ok((targets.read_ids(gpu)?, picture))
 }
@@ -111,7 +123,10 @@ pub fn render(
 /// # Errors
 /// As [`render`].
 pub fn picture(gpu: &Gpu, scene: &Scene, view: &View) -> Result<Image<Rgb>, GpuError> {
-    let drawing = Drawing::of_smooth_colours(view, Vec::new(), 1);
+    let drawing = match gpu.smooth_samples() {
+        1 => Drawing::of_scene(1, view, Vec::new()),
+        _ => Drawing::of_smooth_colours(view, Vec::new(), 1),
+    };
     let (_, picture) = draw_alone(gpu, scene, view, drawing, None)?;
     Ok(picture)
 }
@@ -124,9 +139,9 @@ fn draw_alone(
     mut drawing: Drawing,
     selection: Option<usize>,
 ) -> Result<(Targets, Image<Rgb>), GpuError> {
-    let targets = Targets::new(gpu, view.viewport, SMOOTH_SAMPLES)?;
+    let targets = Targets::new(gpu, view.viewport, gpu.smooth_samples())?;
     let buffers = SceneBuffers::upload(gpu, scene)?;
-    let mut renderer = Renderer::new(gpu, SMOOTH_SAMPLES);
+    let mut renderer = Renderer::new(gpu, gpu.smooth_samples());
     while !renderer.advance(gpu, &buffers, &targets, &mut drawing, Piece::WHOLE)? {}
     if let Some(object) = selection {
         renderer.draw_selection(gpu, &buffers, &targets, view, object)?;

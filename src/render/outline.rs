@@ -5,8 +5,8 @@ use super::{
     drawing::Drawing,
     gpu::{Gpu, GpuError},
     layout,
-    pipelines::shader_module,
     scene_buffers::{Place, SceneBuffers},
+    shaders::shader_module,
     slices::Piece,
     targets::{MARKS, Targets},
 };

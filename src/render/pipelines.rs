@@ -2,53 +2,15 @@
 //! and most programs need few.
 
 use super::{
+    abilities::Numbers,
     gpu::Gpu,
     layout::{LineVertex, Vertex},
+    shaders::shader_module,
     targets::{COLOUR, DEPTH, IDS, MARKS},
 };
 use crate::camera::{DepthMapping, View};
 use std::{collections::HashMap, mem::offset_of};
 use wgpu::{VertexAttribute, VertexFormat};
-
-/// WGSL of each shader, by name: the shared head is already before those that need it.
-pub const SHADERS: [(&str, &str); 5] = [
-    (
-        "mesh",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/mesh.wgsl")
-        ),
-    ),
-    (
-        "sphere",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/sphere.wgsl")
-        ),
-    ),
-    (
-        "overlay",
-        concat!(
-            include_str!("../../shaders/head.wgsl"),
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/overlay.wgsl")
-        ),
-    ),
-    (
-        "composite",
-        concat!(
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/composite.wgsl")
-        ),
-    ),
-    (
-        "panels",
-        concat!(
-            include_str!("../../shaders/cover.wgsl"),
-            include_str!("../../shaders/panels.wgsl")
-        ),
-    ),
-];
 
 /// What a pass writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -131,8 +93,12 @@ const fn attribute(shader_location: u32, format: VertexFormat, offset: usize) ->
 
 impl Pipelines {
     pub fn new(gpu: &Gpu, samples: u32) -> Self {
+        let mesh = match gpu.numbers() {
+            Numbers::Primitives => "mesh by primitive",
+            Numbers::Corners | Numbers::Objects => "mesh by corner",
+        };
         let [mesh, sphere, overlay] =
-            ["mesh", "sphere", "overlay"].map(|name| shader_module(gpu, name));
+            [mesh, "sphere", "overlay"].map(|name| shader_module(gpu, name));
         let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
         let storage = wgpu::BufferBindingType::Storage { read_only: true };
         let entries = [
@@ -270,15 +236,6 @@ impl Pipelines {
                 cache: None,
             })
     }
-}
-
-pub(super) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
-    let source = SHADERS.iter().find(|(other, _)| *other == name);
-    gpu.device
-        .create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(name),
-            source: wgpu::ShaderSource::Wgsl(source.map_or("", |(_, text)| text).into()),
-        })
 }
 
 /// Counter-clockwise in the world is counter-clockwise in the picture, unless the model matrix mirrors: then what

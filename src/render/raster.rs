@@ -108,10 +108,7 @@ impl Renderer {
         if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
             pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, view));
             pass.set_bind_group(0, &bindings.triangles, &[]);
-            pass.set_vertex_buffer(0, buffers.vertices.slice(..));
-            pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-            let indices = 3 * slice.triangles.start..3 * slice.triangles.end;
-            pass.draw_indexed(indices, 0, slice.instances.clone());
+            buffers.draw(pass, &slice.triangles, slice.instances.clone());
         }
     }
 
@@ -133,12 +130,9 @@ impl Renderer {
             DrawnShape::Triangles { buffers, .. } => {
                 let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
                 let drawn = Drawn::Triangles { culled_mirrored };
-                let indices = 3 * slice.triangles.start..3 * slice.triangles.end;
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, view));
                 pass.set_bind_group(0, &bindings.triangles, &[]);
-                pass.set_vertex_buffer(0, buffers.vertices.slice(..));
-                pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
-                pass.draw_indexed(indices, 0, instances);
+                buffers.draw(pass, &slice.triangles, instances);
             }
             DrawnShape::Spheres => {
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, view));

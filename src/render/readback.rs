@@ -129,7 +129,7 @@ pub(crate) fn read_rgb(
 }
 
 /// Pixels of a part of a texture, row by row from the top.
-fn read<T: bytemuck::Pod, P>(
+pub(super) fn read<T: bytemuck::Pod, P>(
     gpu: &Gpu,
     texture: &wgpu::Texture,
     [left, first]: [u32; 2],
@@ -139,7 +139,8 @@ fn read<T: bytemuck::Pod, P>(
     let row = width as usize * size_of::<T>();
     let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize) as u64;
     // In bands, since a buffer may not hold as much as a texture.
-    let rows = u32::try_from(BAND_BYTES / padded).unwrap_or(u32::MAX);
+    let band_bytes = BAND_BYTES.min(gpu.device.limits().max_buffer_size);
+    let rows = u32::try_from(band_bytes / padded).unwrap_or(u32::MAX);
     let rows = rows.clamp(1, height);
     let buffer = gpu.within_memory(|| {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {

@@ -1,6 +1,7 @@
 //! The scene in graphics memory: meshes once, objects as rows of small tables.
 
 use super::{
+    abilities::Numbers,
     batches::{Batch, DrawnShape, Kind, Own, TriangleBatch},
     composing::{Draw, ToDraw},
     gpu::{Gpu, GpuError},
@@ -152,6 +153,7 @@ impl SceneBuffers {
         meshes: &mut MeshStore,
         [cube, square]: [MeshBuffers; 2],
     ) -> Result<Self, GpuError> {
+        let names_triangles = gpu.numbers() != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut known) = (Vec::new(), HashMap::new());
         let mut batches = Vec::with_capacity(scene.batches().len());
@@ -193,7 +195,13 @@ impl SceneBuffers {
             whole.work += work(&triangles);
             whole.instances += 1;
             let number = index(batches.len());
-            batches.push(drawn_batch(scene, batch, kind, triangles.start));
+            batches.push(drawn_batch(
+                scene,
+                batch,
+                kind,
+                triangles.start,
+                names_triangles,
+            ));
             for object in batch.clone() {
                 let shape = &scene.objects()[object].shape;
                 places.push(Place {
@@ -269,7 +277,13 @@ impl SceneBuffers {
 }
 
 /// A batch of a scene, to be seen in views.
-fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u32) -> Batch {
+fn drawn_batch(
+    scene: &Scene,
+    range: &Range<usize>,
+    kind: u32,
+    first_triangle: u32,
+    names_triangles: bool,
+) -> Batch {
     let objects = &scene.objects()[range.clone()];
     let object = &objects[0];
     let own = match &object.shape {
@@ -287,7 +301,7 @@ fn drawn_batch(scene: &Scene, range: &Range<usize>, kind: u32, first_triangle: u
                 bounds,
                 object_of_part_0: index(range.start).wrapping_sub(index(first_part)),
                 first_triangle,
-                numbers_triangles: shape.triangles().is_some(),
+                numbers_triangles: names_triangles && shape.triangles().is_some(),
             })
         }
     };

@@ -88,20 +88,22 @@ impl Cursor {
         slices
     }
 
-    /// The next slice of a draw; `None` where too little of the piece is left, unless it is the first.
+    /// The next slice of a draw; `None` where too little of the piece is left, unless it is the first. Of a row of the
+    /// tables there is one at most, which says which triangle it begins with.
     fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
         let (index, all) = (self.draw, draw.shape.triangles());
         let first = draw.instances.start + self.instance;
         let each = work(&all);
         let fit = u32::try_from(left.work / each).unwrap_or(u32::MAX);
         let fit = fit.min(left.instances).min(draw.instances.end - first);
-        let (triangles, count) = if self.triangle == 0 && fit > 0 {
+        let begin = all.start + self.triangle;
+        let end = draw.shape.end_of_call(begin);
+        let (triangles, count) = if self.triangle == 0 && fit > 0 && end == all.end {
             (all.clone(), fit)
-        } else if is_first {
-            let begin = all.start + self.triangle;
+        } else if is_first || (self.triangle == 0 && fit > 0) {
             let most = left.work.saturating_sub(INSTANCE).max(1);
             let most = u32::try_from(most).unwrap_or(u32::MAX);
-            (begin..begin.saturating_add(most).min(all.end), 1)
+            (begin..begin.saturating_add(most).min(end), 1)
         } else {
             return None;
         };

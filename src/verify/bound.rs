@@ -1,7 +1,8 @@
 //! How far off drawing may be at a pixel, and what that explains there. Bounds are made from camera, scene and the
 //! driver's steps; nothing here knows what was drawn or picked.
 
-use super::{Class, GRID_PX, OUTLINE_CEILING_PX};
+use super::{Class, OUTLINE_CEILING_PX};
+use crate::render::Rasteriser;
 
 /// An outline near a pixel's centre; lengths in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +73,7 @@ impl Outline {
         let strain = strain(self.distance_px, error_px)?;
         let class = if beyond_f32(error_px, 0.0, 0.0) {
             Class::BeyondF32
-        } else if self.f32_px <= GRID_PX {
+        } else if self.f32_px <= self.grid_px.max(Rasteriser::COMMON.grid_px) {
             Class::Edge
         } else {
             Class::F32Limit

@@ -13,6 +13,7 @@ use crate::{
     image::Id,
     pick::SceneHit,
     render::{
+        Rasteriser,
         transform::{self, VertexToView},
         view_space::ViewSpace,
     },
@@ -36,6 +37,7 @@ pub(super) struct Face {
 pub(super) struct Surfaces<'a> {
     pub scene: &'a Scene,
     pub space: ViewSpace,
+    grid_px: f64,
     /// By the batch's first object; of those that were asked for.
     vertices: RwLock<HashMap<usize, Vertices>>,
     /// By where the mesh is kept; of those that were asked for.
@@ -124,10 +126,11 @@ impl Face {
 }
 
 impl<'a> Surfaces<'a> {
-    pub fn new(scene: &'a Scene, view: &View) -> Self {
+    pub fn new(scene: &'a Scene, view: &View, rasteriser: Rasteriser) -> Self {
         Self {
             scene,
             space: ViewSpace::new(view),
+            grid_px: rasteriser.grid_px,
             vertices: RwLock::default(),
             adjoining: RwLock::default(),
         }
@@ -149,11 +152,6 @@ impl<'a> Surfaces<'a> {
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();
                 let triangles = &data.parts[*part].triangles;
-                let triangle = triangles.start.checked_add(id.triangle.wrapping_sub(1));
-                let Some(triangle) = triangle.filter(|triangle| triangles.contains(triangle))
-                else {
-                    return Vec::new();
-                };
                 let batch = batch_of(scene, index);
                 let is_shown = |triangle| {
                     let object = (mesh.part_of(triangle) + index).checked_sub(*part);
@@ -163,7 +161,16 @@ impl<'a> Surfaces<'a> {
                     Arc::new(Adjoining::new(data))
                 });
                 let flat = self.flat(px, index);
-                flat.triangle(data, &adjoining, batch.start, triangle, is_shown)
+                let of =
+                    |triangle| flat.triangle(data, &adjoining, batch.start, triangle, is_shown);
+                let Some(number) = id.triangle.checked_sub(1) else {
+                    // Whichever of its triangles that is.
+                    let near = triangles.clone().filter(|&i| flat.may_show(data, i));
+                    return near.flat_map(of).collect();
+                };
+                let triangle = triangles.start.checked_add(number);
+                let triangle = triangle.filter(|triangle| triangles.contains(triangle));
+                triangle.map_or_else(Vec::new, of)
             }
         }
     }
@@ -198,6 +205,7 @@ impl<'a> Surfaces<'a> {
         });
         Flat {
             space: &self.space,
+            grid_px: self.grid_px,
             placement,
             vertices,
             px,

@@ -5,9 +5,10 @@
 //! of them ends.
 
 use super::{
+    OUTLINE_CEILING_PX,
     adjoining::Adjoining,
     bound::Reason,
-    polygon::{Corner, Polygon, outline, polygon},
+    polygon::{Corner, Polygon, outline, polygon, project},
     surface::{Source, Surface, with_cut_neighbours},
 };
 use crate::{
@@ -25,6 +26,9 @@ use std::collections::HashSet;
 /// may move an edge by.
 const MOST: usize = 1024;
 
+/// No bound within its ceiling moves an edge so far.
+const REACH_PX: f64 = 2.0 * OUTLINE_CEILING_PX;
+
 /// The sine of the angle under which a triangle is seen edge-on: far more than `f64` loses of it, and next to nothing of a
 /// pixel.
 const EDGE_ON: f64 = 1e-6;
@@ -32,6 +36,8 @@ const EDGE_ON: f64 = 1e-6;
 /// Flat surfaces of one placement at a pixel.
 pub(super) struct Flat<'a> {
     pub space: &'a ViewSpace,
+    /// The rasteriser's.
+    pub grid_px: f64,
     pub placement: &'a Placement,
     pub vertices: Vertices,
     pub px: DVec2,
@@ -64,7 +70,8 @@ impl Flat<'_> {
         let ends: Vec<_> = (ends_vertex_space.iter())
             .map(|&corner| self.corner(corner))
             .collect();
-        outline(self.space.view(), self.px, &ends).is_some_and(|outline| outline.reason().is_some())
+        outline(self.space.view(), self.grid_px, self.px, &ends)
+            .is_some_and(|outline| outline.reason().is_some())
     }
 
     /// The faces of the cube that may be seen.
@@ -146,6 +153,19 @@ impl Flat<'_> {
         with_cut_neighbours(surfaces)
     }
 
+    /// Whether drawing may show a triangle at the pixel: as far as its place in the picture goes. One that reaches before
+    /// the near plane may be anywhere.
+    pub fn may_show(&self, mesh: &MeshData, triangle: u32) -> bool {
+        let corners = mesh.triangles[triangle as usize];
+        let corners = corners.map(|i| mesh.positions[i as usize]);
+        let corners = corners.map(|p| self.view(DVec3::from_array(p.map(f64::from))));
+        let px = corners.map(|corner| project(self.space.view(), corner));
+        let (min, max) = (px[0].min(px[1]).min(px[2]), px[0].max(px[1]).max(px[2]));
+        let is_near =
+            (min - REACH_PX).cmple(self.px).all() && (max + REACH_PX).cmpge(self.px).all();
+        is_near || !corners.iter().all(|corner| corner.z > 0.0)
+    }
+
     fn polygon(&self, corners_vertex_space: &[DVec3]) -> Option<Polygon> {
         let corners = corners_vertex_space.iter();
         let corners: Vec<_> = corners.map(|&corner| self.corner(corner)).collect();
@@ -154,7 +174,7 @@ impl Flat<'_> {
             origin, to_view, ..
         } = self.vertices;
         let source = Source::Vertices(to_view, self.placement.model(), [origin, a, b, c]);
-        polygon(self.space, self.px, &corners, &source)
+        polygon(self.space, self.grid_px, self.px, &corners, &source)
     }
 
     fn corner(&self, corner_vertex_space: DVec3) -> Corner {

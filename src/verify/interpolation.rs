@@ -1,9 +1,6 @@
 //! What interpolating depth over the picture takes.
 
-use super::{
-    GRID_PX,
-    polygon::{project, w},
-};
+use super::polygon::{project, w};
 use crate::{
     camera::View,
     geometry::clip,
@@ -27,7 +24,7 @@ pub(super) fn error(
     stored: impl Fn(f64) -> f64,
     within_picture: &[DVec3],
     px: DVec2,
-    reach_px: f64,
+    [grid_px, reach_px]: [f64; 2],
 ) -> f64 {
     let corners = within_picture.iter();
     let corners: Vec<Corner> = corners
@@ -38,7 +35,7 @@ pub(super) fn error(
     let triangles = triangles.map(|indices| indices.map(|i| corners[i]));
     // Cut to less than the grid, what is left covers no centre but at its ends; without area, none.
     let is_left = |triangle: &[Corner; 3]| {
-        let is_short = |side: &DVec2| side.length() <= GRID_PX;
+        let is_short = |side: &DVec2| side.length() <= grid_px;
         n == 3 || !(sides_px(triangle).iter().any(is_short) || slimness(triangle).is_infinite())
     };
     let about = triangles.filter(|triangle| is_left(triangle) && may_hold(triangle, px, reach_px));

@@ -1,7 +1,7 @@
 //! Drawn against picked: every pixel's (object, triangle) as the GPU drew it and as a ray through the pixel's centre
 //! hits it; each difference is put down to geometry, or is a defect.
 //!
-//! A rasteriser moves vertices to a grid of 1/256 pixel and computes in `f32`; the pick does neither. How far that may
+//! A rasteriser moves vertices to a grid, mostly of 1/256 pixel, and computes in `f32`; the pick does neither. How far that may
 //! carry a surface at a pixel is bounded from camera, scene and the driver's steps before anybody looks at what differs,
 //! and never by trying pixels nearby. Where drawn and picked differ, one of these has to hold:
 //!
@@ -32,12 +32,15 @@
 //!
 //! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
 //!   units in the last place (WGSL's rules).
-//! * Corners go to a grid of 1/256 pixel ([`GRID_PX`]). Vulkan asks for no more than 1/16 and wgpu does not tell: on a
-//!   device with fewer sub-pixel bits this bound is too small, and pixels on edges are called unexplained.
+//! * Corners are moved by no more than half a step of a grid along each axis. Direct3D asks for one of 1/256 pixel, Vulkan for
+//!   1/16, and wgpu does not tell: each device's is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
 //! * A pixel is covered when its centre is, by edges through the rounded corners; clipping at a border of the picture makes new
 //!   corners between old ones and rounds them.
 //! * Depth over a triangle is the plane through its corners, with slopes that are rounded relatively to their terms; of one
-//!   that leaves the picture, through corners of what is left of it within the picture's borders, or as good as that.
+//!   that leaves the picture, through corners of what is left of it within the picture's borders, or as good as that. Not so
+//!   good is `SwiftShader`: its plane goes through the corners of the whole triangle in the picture's plane, to its grid and to
+//!   `f32`, however far outside or behind the eye they lie, so that of triangles far larger than the picture it may show
+//!   pixels by wrong depths. Those are called unexplained, since nothing bounds them.
 //! * The same numbers drawn twice give the same pixels and depths, to the bit, and the first of equal depths stays.
 //! * The geometry here is in `f64`. Its own roundings are small beside those of `f32`.
 //!
@@ -74,6 +77,7 @@ use crate::{
     camera::{View, pixel_centre},
     image::{Id, Image},
     pick,
+    render::Rasteriser,
     scene::Scene,
 };
 use bound::{Outline, Reason};
@@ -93,9 +97,6 @@ pub const OUTLINE_CEILING_PX: f64 = 0.5;
 /// These are lengths, and do not depend on what a depth buffer stores. They hold for sections, too: for how far off along
 /// the line of sight the shaders may be about where the plane passes.
 pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
-
-/// The rasteriser's grid for vertices, in pixels: what Vulkan, Metal and Direct3D devices have.
-pub const GRID_PX: f64 = 1.0 / 256.0;
 
 /// Why a pixel is drawn as one thing and picked as another, from harmless to not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -140,12 +141,19 @@ impl Class {
     }
 }
 
-/// Compares two id pictures of a scene, pixel by pixel.
+/// Compares two id pictures of a scene, pixel by pixel; the first is this rasteriser's. Where that names no triangles, objects
+/// are compared.
 ///
 /// # Panics
 /// When either has another size than the view.
 #[must_use]
-pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>) -> Report {
+pub fn compare(
+    scene: &Scene,
+    view: &View,
+    rasteriser: Rasteriser,
+    drawn: &Image<Id>,
+    picked: &Image<Id>,
+) -> Report {
     assert_eq!(
         drawn.size(),
         view.viewport,
@@ -156,7 +164,7 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
         view.viewport,
         "the picked picture is the view's"
     );
-    let surfaces = Surfaces::new(scene, view);
+    let surfaces = Surfaces::new(scene, view, rasteriser);
     let mut report = Report {
         pixels: drawn.pixels().len(),
         ..Report::default()
@@ -168,7 +176,12 @@ pub fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>
         report.picked += is_picked;
         let is_outline = on_outline(drawn, x, y) || on_outline(picked, x, y);
         report.outline += usize::from(is_outline);
-        if ids[0] != ids[1] {
+        let is_same = if rasteriser.names_triangles {
+            ids[0] == ids[1]
+        } else {
+            ids[0].object == ids[1].object
+        };
+        if !is_same {
             report.outline_differ += usize::from(is_outline);
             let difference = explain(&surfaces, [x, y], ids);
             report.disagreements.push(difference);

@@ -3,7 +3,8 @@
 //! A pick's order is exact, a depth buffer's is not. Two surfaces that the ray of a position hits are *in one place*
 //! there when the bounds that [`compare`](super::compare) puts *depth* down to let the buffer order them either way: the
 //! bounds of both together, a bound above a ceiling counting as the ceiling. So a pixel of the class *depth* that shows
-//! one surface and picks another has both in one place, at its centre.
+//! one surface and picks another has both in one place, at its centre; on a coarser grid than the common one, unless both
+//! are triangles of one mesh with a corner nearby that they share.
 //!
 //! What counts as two:
 //!
@@ -26,6 +27,7 @@ use crate::{
     geometry::{Sphere, WorldRay},
     image::Image,
     pick::{self, Beam, InOnePlace, SceneHit},
+    render::Rasteriser,
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -48,18 +50,19 @@ struct Patch {
 }
 
 /// What drawing cannot tell from the pick at a pixel position; `None` where that lies by itself, and where nothing is
-/// picked.
+/// picked. By the common rasteriser's grid, whichever draws: a pick is the same everywhere.
 #[must_use]
 pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace> {
-    InOnePlace::of(scene, &Places::new(scene, view).at(px))
+    let places = Places::new(scene, view, Rasteriser::COMMON);
+    InOnePlace::of(scene, &places.at(px))
 }
 
 impl<'a> Places<'a> {
-    /// Of a scene in a view.
+    /// Of a scene in a view, as this rasteriser draws it.
     #[must_use]
-    pub fn new(scene: &'a Scene, view: &View) -> Self {
+    pub fn new(scene: &'a Scene, view: &View, rasteriser: Rasteriser) -> Self {
         Self {
-            surfaces: Surfaces::new(scene, view),
+            surfaces: Surfaces::new(scene, view, rasteriser),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A flat convex polygon at a pixel, with how far drawing in `f32` may move it.
 
 use super::{
-    GRID_PX, OUTLINE_CEILING_PX,
+    OUTLINE_CEILING_PX,
     bound::{self, Cut, Outline, Reason, Stored},
     interpolation,
     section::Sectioned,
@@ -42,9 +42,10 @@ pub(super) struct Polygon {
     pub edges: Vec<(usize, Outline)>,
 }
 
-/// A flat convex polygon at a pixel; `None` when all of it lies before the near plane.
+/// A flat convex polygon at a pixel, drawn on this grid; `None` when all of it lies before the near plane.
 pub(super) fn polygon(
     space: &ViewSpace,
+    grid_px: f64,
     px: DVec2,
     corners: &[Corner],
     source: &Source,
@@ -62,28 +63,24 @@ pub(super) fn polygon(
         .iter()
         .all(|corner| depths.clips_exactly(corner.view.z));
     let cut_error = depths.near_error(&error, exact);
-    // All that may be behind the near plane; but the eye's plane has no place in the picture.
-    let nearest = match view.camera.lens().projection {
-        Projection::Perspective { .. } => -cut_error.min(0.5 * near),
-        Projection::Orthographic { .. } => -cut_error,
-    };
-    let seen = seen_from(corners, nearest);
+    let seen = seen_from(corners, nearest(view, cut_error));
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
     // Clipping's new corners are some of these.
     let nearest_shown = shown.iter().map(|corner| corner.z).reduce(f64::min);
-    let border_px = shift_px(
-        view,
-        px,
-        depths.w(nearest_shown.unwrap_or(ends[0])),
-        &clipped,
-    );
-    let border = border(view, px, corners, border_px);
+    let nearest_w = depths.w(nearest_shown.unwrap_or(ends[0]));
+    let border_px = shift_px(view, px, nearest_w, &clipped);
+    let border = border(view, px, corners, [grid_px, border_px]);
     let sides = (0..seen.len()).map(|i| [seen[i], seen[(i + 1) % seen.len()]]);
     let sides = sides.filter(|[from, to]| !(from.is_cut && to.is_cut));
     let edges: Vec<(usize, Outline)> = sides
-        .map(|[from, to]| (from.edge, edge(view, px, [from.at, to.at], clipped)))
+        .map(|[from, to]| {
+            (
+                from.edge,
+                edge(view, grid_px, px, [from.at, to.at], clipped),
+            )
+        })
         .collect();
     // Seen edge-on it may be as deep as any of it.
     let slope_px = ray.slope(near + past_near, normal);
@@ -95,7 +92,8 @@ pub(super) fn polygon(
     };
     let at = at.clamp(ends[0], ends[1]);
     let f32_px = shift_px(view, px, depths.w(at), &error);
-    let aside = slope * (GRID_PX + f32_px);
+    let aside_px = grid_px + f32_px;
+    let aside = slope * aside_px;
     let may_be = if aside.is_finite() {
         [past_near - aside, past_near + aside].map(|end| end.clamp(ends[0], ends[1]))
     } else {
@@ -103,7 +101,7 @@ pub(super) fn polygon(
     };
     let rounding = may_be.map(|end| depths.error(end, &error));
     let rounding = larger(rounding[0], rounding[1])
-        + interpolation::error(view, |z| depths.stored(z), &shown, px, GRID_PX + f32_px);
+        + interpolation::error(view, |z| depths.stored(z), &shown, px, [grid_px, aside_px]);
     let rounding = if is_known(&depths, corners, past_near) {
         rounding
     } else {
@@ -113,23 +111,20 @@ pub(super) fn polygon(
     let of_slope = (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0]);
     let ceiling =
         |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
-    let beyond_f32 = bound::beyond_f32(GRID_PX + f32_px, rounding, ceiling(at));
+    let beyond_f32 = bound::beyond_f32(aside_px, rounding, ceiling(at));
     let covers = covers(&ray, corners);
     let cut = Cut {
         gap: past_near.abs(),
-        grid: slope * GRID_PX,
+        grid: slope * grid_px,
         f32: slope * f32_px + cut_error,
     };
     // Corners are cut off before anything is interpolated.
-    let cut_beyond = bound::beyond_f32(
-        GRID_PX + f32_px,
-        cut_error * depths.stored_per_depth(0.0),
-        ceiling(0.0),
-    );
+    let cut_stored = cut_error * depths.stored_per_depth(0.0);
+    let cut_beyond = bound::beyond_f32(aside_px, cut_stored, ceiling(0.0));
     let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
     let section = Sectioned::new(space);
-    let section = section.face(px, past_near, slope_px, f32_px, &error, || {
-        interpolation::error(view, |z| section.q(z), &shown, px, GRID_PX + f32_px)
+    let section = section.face(px, past_near, slope_px, aside_px, &error, || {
+        interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
     });
     let cuts = cut.into_iter().chain(section.reason.filter(|_| covers));
     let [nearest, farthest] = may_be.map(|end| depths.nearness(end));
@@ -155,6 +150,15 @@ pub(super) fn polygon(
     Some(Polygon { surface, edges })
 }
 
+/// The depth past near of all that may be behind the near plane; but the eye's plane has no place in the picture.
+fn nearest(view: &View, cut_error: f64) -> f64 {
+    let lens = view.camera.lens();
+    match lens.projection {
+        Projection::Perspective { .. } => -cut_error.min(0.5 * lens.near),
+        Projection::Orthographic { .. } => -cut_error,
+    }
+}
+
 /// What is left of a polygon at this depth past near and behind.
 fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
     let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
@@ -174,10 +178,11 @@ fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
 }
 
 /// What is behind the near plane of a segment, or of one corner, as an outline; `None` when nothing is.
-pub(super) fn outline(view: &View, px: DVec2, ends: &[Corner]) -> Option<Outline> {
+pub(super) fn outline(view: &View, grid_px: f64, px: DVec2, ends: &[Corner]) -> Option<Outline> {
     let seen = clip(ends, |corner| corner.view.z, Corner::lerp);
     let (from, to) = (seen.first()?, seen.last()?);
-    Some(edge(view, px, [*from, *to], clipping_error(view, ends)))
+    let clipped = clipping_error(view, ends);
+    Some(edge(view, grid_px, px, [*from, *to], clipped))
 }
 
 impl Corner {
@@ -217,7 +222,7 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 ///
 /// On its way to the picture a point that lies the share `s` along the edge is moved by `1 - s` of what moves one end
 /// and `s` of what moves the other.
-fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
+fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
     let [from, to] = [a, b].map(|corner| project(view, corner.view));
     let along = to - from;
     let s = (px - from).dot(along) / along.length_squared();
@@ -228,7 +233,7 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outl
     let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
     Outline {
         distance_px: px.distance(from + s_px * along),
-        grid_px: GRID_PX,
+        grid_px,
         f32_px: shift_px(
             view,
             px,
@@ -240,7 +245,7 @@ fn edge(view: &View, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outl
 
 /// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
 /// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
-fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
+fn border(view: &View, px: DVec2, corners: &[Corner], [grid_px, f32_px]: [f64; 2]) -> Outline {
     let half = view.half_extent();
     let size = view.viewport.size_px();
     let distances = [px.x, size.x - px.x, size.y - px.y, px.y];
@@ -252,7 +257,7 @@ fn border(view: &View, px: DVec2, corners: &[Corner], f32_px: f64) -> Outline {
     let cut = sides.iter().zip(distances).filter(|(side, _)| cut_by(side));
     Outline {
         distance_px: cut.map(|(_, px)| px).fold(f64::INFINITY, f64::min),
-        grid_px: GRID_PX,
+        grid_px,
         f32_px,
     }
 }

@@ -5,7 +5,7 @@
 //! a pixel's width, and what half a pixel aside makes of it.
 
 use super::{
-    Class, GRID_PX, OUTLINE_CEILING_PX,
+    Class, OUTLINE_CEILING_PX,
     bound::{self, Outline, Reason},
     surface::Depths,
 };
@@ -45,14 +45,14 @@ impl<'a> Sectioned<'a> {
         q(self.space, past_near)[0]
     }
 
-    /// A face by its depth past near at a pixel's centre and the slope of that, in depth per pixel. `f32` moves it aside by
-    /// `f32_px` and off by `error`; interpolation over it takes `interpolation` of [`Sectioned::q`].
+    /// A face by its depth past near at a pixel's centre and the slope of that, in depth per pixel. Drawing moves it aside by
+    /// `aside_px`, and `f32` off by `error`; interpolation over it takes `interpolation` of [`Sectioned::q`].
     pub fn face(
         &self,
         px: DVec2,
         past_near: f64,
         slope: DVec2,
-        f32_px: f64,
+        aside_px: f64,
         error: &ViewError,
         interpolation: impl FnOnce() -> f64,
     ) -> AtSection {
@@ -61,7 +61,7 @@ impl<'a> Sectioned<'a> {
         };
         let per_depth = q(self.space, past_near)[1];
         let gradient = (screen.per_px + screen.per_q * per_depth * slope).length();
-        let moved = gradient * (GRID_PX + f32_px);
+        let moved = gradient * aside_px;
         let room = gradient * OUTLINE_CEILING_PX;
         let off = screen.per_q.abs() * interpolation();
         self.at(screen, px, past_near, error, [moved, off, room])

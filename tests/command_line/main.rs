@@ -2,6 +2,7 @@
 #![cfg(feature = "window")]
 
 mod desktop;
+mod doctor;
 #[path = "../common/exact/mod.rs"]
 mod exact;
 mod flags;

@@ -5,6 +5,7 @@
 mod common;
 #[path = "../common/images.rs"]
 mod images;
+mod lesser;
 mod looks;
 mod many;
 mod marks;

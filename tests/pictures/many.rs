@@ -106,7 +106,13 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
             section: None,
         };
         let picked = pick::ids(&scene, &view);
-        let report = verify::compare(&scene, &view, &ids(&gpu, &buffers, &view), &picked);
+        let report = verify::compare(
+            &scene,
+            &view,
+            gpu.rasteriser(),
+            &ids(&gpu, &buffers, &view),
+            &picked,
+        );
         assert_eq!(report.count(verify::Class::Unexplained), 0, "{view:?}");
         seen += picked.pixels().iter().filter(|id| id.object > 0).count();
         // In pieces, which take what is composed as it comes: the same.

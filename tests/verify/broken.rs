@@ -1,6 +1,6 @@
 //! Pickers that are wrong in the ways that pickers are: each is found out, on a view where the right one is not.
 
-use crate::{common, drawn_once, scenes::shapes};
+use crate::{common, compare, drawn_once, scenes::shapes};
 use glam::{DAffine3, DVec2, DVec3, dvec3};
 use sightline::{
     camera::{DepthMapping, Lens, View},
@@ -8,7 +8,7 @@ use sightline::{
     pick::{self, SceneHit, closest},
     scene::{Object, Scene, Shape},
     study::methods::usual,
-    verify::{Class, Verdict, compare},
+    verify::{Class, Verdict},
 };
 
 const SIZE: [u32; 2] = [320, 240];

@@ -3,7 +3,7 @@
 use crate::{
     cameras::culled,
     common::{orthographic, perspective, view},
-    drawn_once,
+    compare, drawn_once,
     scenes::shapes,
 };
 use glam::{DAffine3, DVec3};
@@ -13,7 +13,7 @@ use sightline::{
     image::{Id, Image},
     pick::{self, SceneHit},
     scene::{self, Object, Progress, Scene},
-    verify::{Class, Report, Verdict, compare},
+    verify::{Class, Report, Verdict},
 };
 
 pub const SIZE: [u32; 2] = [200, 150];

@@ -2,7 +2,7 @@
 
 use crate::{
     cameras::{NARROWEST, SIZE, Shot, culled, few_shots, shots},
-    common, drawn,
+    common, compare, drawn,
     models::{coplanar, inside, matrices, slivers, under},
     scenes::{gpu, shapes},
 };
@@ -11,7 +11,7 @@ use sightline::{
     pick,
     render::{Gpu, Renderer, SceneBuffers},
     scene::{self, Progress, Scene},
-    verify::{Class, Report, Verdict, compare},
+    verify::{Class, Report, Verdict},
 };
 use std::{collections::BTreeMap, time::Instant};
 

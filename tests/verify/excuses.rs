@@ -4,7 +4,7 @@
 use crate::{
     broken_drawings::{SIZE, mapped},
     common::{mesh, orthographic, perspective, view},
-    drawn_once,
+    compare, drawn_once,
     scenes::object,
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
@@ -13,7 +13,7 @@ use sightline::{
     image::Id,
     pick,
     scene::{Scene, Shape},
-    verify::{Class, Verdict, compare},
+    verify::{Class, Verdict},
 };
 
 /// A pipe through the middle of a wall, six pixels wide, of strips a four-hundredth of a pixel wide: each pixel lies as near

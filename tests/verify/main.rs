@@ -18,6 +18,7 @@ mod conditions;
 #[path = "../common/sections.rs"]
 mod cuts;
 mod depths;
+mod drivers;
 mod excuses;
 mod extremes;
 #[path = "../exact_picks/families.rs"]
@@ -39,9 +40,27 @@ mod views;
 use sightline::{
     camera::View,
     image::{Id, Image},
-    render::{Gpu, Renderer, SceneBuffers, Targets},
+    render::{Gpu, Rasteriser, Renderer, SceneBuffers, Targets},
     scene::Scene,
+    verify::{self, Places, Report},
 };
+use std::sync::OnceLock;
+
+/// What the driver does that draws here.
+fn rasteriser() -> Rasteriser {
+    static FOUND: OnceLock<Rasteriser> = OnceLock::new();
+    *FOUND.get_or_init(|| scenes::gpu().rasteriser())
+}
+
+/// [`verify::compare`] by it.
+fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>) -> Report {
+    verify::compare(scene, view, rasteriser(), drawn, picked)
+}
+
+/// [`Places`] by it.
+fn places<'a>(scene: &'a Scene, view: &View) -> Places<'a> {
+    Places::new(scene, view, rasteriser())
+}
 
 /// What the GPU draws, as ids.
 fn drawn(gpu: &Gpu, renderer: &mut Renderer, buffers: &SceneBuffers, view: &View) -> Image<Id> {

@@ -4,6 +4,7 @@
 use crate::{
     cameras::few_shots,
     common::{self, Random},
+    compare,
     cuts::some_section,
     drawn,
     scenes::{gpu, shapes},
@@ -16,7 +17,7 @@ use sightline::{
     pick,
     render::{Renderer, SceneBuffers},
     scene::{self, Progress, Scene, gallery::GALLERY},
-    verify::{Class, Verdict, compare},
+    verify::{Class, Verdict},
 };
 use std::path::PathBuf;
 

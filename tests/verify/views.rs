@@ -7,8 +7,9 @@
 use crate::{
     blocks::{Layout, Sample, chance},
     common::Random,
-    drawn, families, lattice,
+    compare, drawn, families, lattice,
     one_place::{is_of_two_surfaces, name},
+    places,
     scenes::gpu,
     ties,
 };
@@ -16,7 +17,7 @@ use sightline::{
     camera::{DepthMapping, Lens, View, Viewport, fit_near_far},
     pick,
     render::{Gpu, Renderer, SceneBuffers},
-    verify::{Class, Places, Report, Verdict, compare},
+    verify::{Class, Report, Verdict},
 };
 
 /// Views of each family in an ordinary run: so many that edges of neighbours that are seen edge-on come up.
@@ -179,7 +180,7 @@ fn compared(gpu: &Gpu, renderer: &mut Renderer, sample: &Sample) -> Report {
 
 /// How many pixels of the class *depth* show one surface and pick another; fails where a pick does not name both.
 fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &Report) -> usize {
-    let places = Places::new(scene, view);
+    let places = places(scene, view);
     let of_two = report.disagreements.iter();
     let of_two = of_two.filter(|at| is_of_two_surfaces(view, at));
     of_two

@@ -32,7 +32,9 @@ impl App {
         match canvas.read_ids(&self.state.to_show()) {
             Ok(Some(drawn)) => {
                 let wake = self.wake.clone();
-                let check = Check::start(&self.state, drawn, move || wake(Wake::Look));
+                let check = Check::start(&self.state, canvas.gpu.rasteriser(), drawn, move || {
+                    wake(Wake::Look);
+                });
                 self.checking = Checking::On(Box::new(check));
                 self.marks = None;
                 self.context.request_repaint();

@@ -12,4 +12,4 @@ pub use controls::Control;
 pub use mark::{APP_ID, ICON_PNG};
 pub use offscreen::Offscreen;
 pub use views_picture::picture_of_views;
-pub use window::run;
+pub use window::{display, run};

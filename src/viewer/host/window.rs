@@ -50,6 +50,17 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
     host.failed.map_or(Ok(()), Err)
 }
 
+/// Whether there is a display for it.
+///
+/// # Errors
+/// When there is none. Not to be asked in a process that has a window.
+pub fn display() -> Result<(), ViewerError> {
+    let event_loop = EventLoop::<()>::with_user_event().build();
+    event_loop
+        .map(drop)
+        .map_err(|error| ViewerError::no_display(&error))
+}
+
 /// The program in its window.
 struct Program {
     app: App,

@@ -3,6 +3,7 @@
 use crate::{
     image::{Id, Image},
     pick::{self, SceneHit},
+    render::Rasteriser,
     study::swap::Swap,
     verify::{self, Places, Report},
     viewer::model::{Compared, Fault, OnScreen, State},
@@ -46,8 +47,13 @@ pub(in crate::viewer) struct Checked {
 }
 
 impl Check {
-    /// Begins to compare `drawn`, the ids on screen, with picks of the state's scene; calls `wake` when done.
-    pub fn start(state: &State, drawn: Image<Id>, wake: impl FnOnce() + Send + 'static) -> Self {
+    /// Begins to compare `drawn`, the ids on screen as this rasteriser drew them, with picks of the state's scene; calls `wake` when done.
+    pub fn start(
+        state: &State,
+        rasteriser: Rasteriser,
+        drawn: Image<Id>,
+        wake: impl FnOnce() + Send + 'static,
+    ) -> Self {
         let (of, method) = (state.to_show(), state.method());
         let scene = state.scene().clone();
         let cancelled = Arc::new(AtomicBool::new(false));
@@ -67,10 +73,10 @@ impl Check {
             let stopped = || stop.load(Ordering::Relaxed);
             let in_one_place = match method {
                 Some(_) => Vec::new(),
-                None => Places::new(&scene, &of.view).pixels(stopped),
+                None => Places::new(&scene, &of.view, rasteriser).pixels(stopped),
             };
             if !stopped() {
-                let report = verify::compare(&scene, &of.view, &drawn, &picked);
+                let report = verify::compare(&scene, &of.view, rasteriser, &drawn, &picked);
                 // The receiver is gone when the view has changed; then nobody wants what was found.
                 let _ = sender.send(Checked {
                     report,

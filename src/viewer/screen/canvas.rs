@@ -10,7 +10,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb},
+    render::{Gpu, GpuError, MeshStore, Renderer, read_rgb},
     viewer::{
         jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
@@ -76,7 +76,7 @@ impl Canvas {
     pub fn new(gpu: Gpu, format: TextureFormat) -> Self {
         Self {
             panels: PanelsPicture::new(&gpu, format),
-            renderer: Renderer::new(&gpu, SMOOTH_SAMPLES),
+            renderer: Renderer::new(&gpu, gpu.smooth_samples()),
             scene: ScenePicture::new(&gpu),
             stages: None,
             page: page(&gpu, Viewport::DEFAULT, format),

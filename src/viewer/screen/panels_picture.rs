@@ -6,7 +6,7 @@ use super::{
     place::{PixelRect, SceneRect},
     tiles::Tiles,
 };
-use crate::render::{Gpu, SHADERS};
+use crate::render::{Gpu, shader_module};
 use egui::{ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta, epaint::Primitive};
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
 use std::mem;
@@ -41,14 +41,7 @@ struct Kept {
 impl PanelsPicture {
     /// For frames of this format, as values are.
     pub fn new(gpu: &Gpu, format: TextureFormat) -> Self {
-        let source = SHADERS.iter().find(|(name, _)| *name == "panels");
-        let source = source.map_or("", |(_, source)| source);
-        let shader = gpu
-            .device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("panels"),
-                source: wgpu::ShaderSource::Wgsl(source.into()),
-            });
+        let shader = shader_module(gpu, "panels");
         let pipeline = |fragment: &str, blend: Option<BlendState>| {
             gpu.device
                 .create_render_pipeline(&wgpu::RenderPipelineDescriptor {

@@ -11,9 +11,7 @@ use super::{
 use crate::{
     camera::Viewport,
     image::{Id, Image},
-    render::{
-        Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, SMOOTH_SAMPLES, Targets,
-    },
+    render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, Targets},
     viewer::model::{OnScreen, Subject},
 };
 use std::{
@@ -179,10 +177,12 @@ impl ScenePicture {
             return Ok(());
         }
         let samples = gpu.samples_in_motion();
-        let finish = match samples {
-            SMOOTH_SAMPLES => Finish::Smooth,
-            _ if motion == Motion::Goes => Finish::coarse(scene.buffers.whole()),
-            _ => Finish::Rough,
+        let finish = if gpu.is_software() && motion == Motion::Goes {
+            Finish::coarse(scene.buffers.whole())
+        } else if samples == gpu.smooth_samples() {
+            Finish::Smooth
+        } else {
+            Finish::Rough
         };
         let view = finish.drawn(&wanted.view);
         let drawing = Drawing::of_scene(samples, &view, lines(subject));
@@ -223,7 +223,7 @@ impl ScenePicture {
         self.spare
             .retain(|targets| targets.viewport() == window || found.is_some());
         self.spare.truncate(2);
-        found.map_or_else(|| Targets::new(gpu, size, SMOOTH_SAMPLES), Ok)
+        found.map_or_else(|| Targets::new(gpu, size, gpu.smooth_samples()), Ok)
     }
 
     /// Begins to draw the picture on screen with smooth edges, where it has none.

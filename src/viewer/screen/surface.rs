@@ -129,7 +129,7 @@ fn create(
     window: &Arc<Window>,
 ) -> Result<wgpu::Surface<'static>, GpuError> {
     let surface = instance.create_surface(Arc::clone(window));
-    surface.map_err(|_| GpuError::NoAdapter)
+    surface.map_err(|_| Gpu::no_window(instance))
 }
 
 /// How the surface shows frames: sRGB values as they are, in step with the screen.

@@ -119,7 +119,7 @@ fn squares_of_one_plane_too_large_for_their_depth() {
         let px = dvec2(20.25, 30.5);
         let hits = pick::all(&scene, view.ray(px), view.sides);
         assert_eq!(hits.len(), 2, "{exponent}");
-        assert_eq!(Places::new(&scene, &view).at(px), hits, "{exponent}");
+        assert_eq!(places(&scene, &view).at(px), hits, "{exponent}");
     }
 }
 
@@ -129,7 +129,7 @@ fn all_that_lie_in_one_plane_are_found() {
     let scene = coplanar();
     let lens = perspective(45.0, 0.1, 10.0);
     let view = view([0.0, 0.0, 3.0], [0.0; 3], lens, [96, 72]);
-    let places = Places::new(&scene, &view);
+    let places = places(&scene, &view);
     let mut of_count = [0; 4];
     for px in centres(&view) {
         let hits = pick::all(&scene, view.ray(px), view.sides);
@@ -166,7 +166,7 @@ fn a_gap_that_drawing_can_tell_or_not() {
         ]);
         let lens = perspective(45.0, 0.1, 10.0);
         let view = view([0.0, 0.0, 3.0], [0.0; 3], lens, [64, 48]);
-        let places = Places::new(&scene, &view);
+        let places = places(&scene, &view);
         let marked = places.pixels(|| false).len();
         let both = |px: &DVec2| pick::all(&scene, view.ray(*px), view.sides).len() == 2;
         let both = centres(&view).filter(both).count();
@@ -208,7 +208,7 @@ fn the_bound_is_the_one_that_excuses_depth() {
             };
             let drawn = pick::ids_by(&scene, &view, farther);
             let report = compare(&scene, &view, &drawn, &pick::ids(&scene, &view));
-            let places = Places::new(&scene, &view);
+            let places = places(&scene, &view);
             for at in &report.disagreements {
                 let named = name(&scene, &places, at.pixel, at.drawn);
                 match at.class {
@@ -243,7 +243,7 @@ fn not_only_the_next_one() {
         perspective(45.0, 0.1, 10.0),
         [64, 48],
     );
-    let found = Places::new(&scene, &view).at(dvec2(30.0, 20.0));
+    let found = places(&scene, &view).at(dvec2(30.0, 20.0));
     let found: Vec<_> = found.iter().map(|hit| hit.object).collect();
     assert_eq!(found, [2, 0, 1, 3]);
     let said = in_one_place(&scene, &view, dvec2(30.0, 20.0)).expect("four");

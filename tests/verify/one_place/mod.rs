@@ -6,7 +6,7 @@ mod surfaces;
 use crate::{
     blocks::one_mesh,
     common::{box_triangles, icosphere, orthographic, perspective, view},
-    drawn_once,
+    compare, drawn_once, places,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, dvec2, dvec3};
 use sightline::{
@@ -15,7 +15,7 @@ use sightline::{
     image::Id,
     pick::{self, InOnePlace, MOST_NAMED, SceneHit},
     scene::{Object, Scene, Shape},
-    verify::{Class, Disagreement, Places, compare, in_one_place},
+    verify::{Class, Disagreement, Places, in_one_place},
 };
 
 fn object(name: &str, shape: Shape, model: DAffine3) -> Object {
@@ -104,7 +104,7 @@ fn counts(scene: &Scene, view: &View) -> [usize; 3] {
         &drawn_once(scene, view),
         &pick::ids(scene, view),
     );
-    let places = Places::new(scene, view);
+    let places = places(scene, view);
     for at in &report.disagreements {
         if at.class == Class::Depth {
             for id in [at.drawn, at.picked] {

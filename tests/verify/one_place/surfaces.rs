@@ -20,8 +20,8 @@ fn an_edge_that_two_triangles_share_is_one_surface() {
     for i in -9..=9 {
         let px = dvec2(32.0 + f64::from(i), 24.0 - f64::from(i));
         assert_eq!([hits(&once, px), hits(&twice, px)], [2, 4], "{px}");
-        assert_eq!(Places::new(&once, &view).at(px), [], "{px}");
-        let found = Places::new(&twice, &view).at(px);
+        assert_eq!(places(&once, &view).at(px), [], "{px}");
+        let found = places(&twice, &view).at(px);
         let found: Vec<_> = found.iter().map(|hit| hit.object).collect();
         assert_eq!(found, [0, 1], "{px}");
     }
@@ -157,7 +157,7 @@ fn a_rim_is_one_surface_and_a_thin_sheet_two() {
                 )])
             };
             let scene = solid(1.0);
-            let places = Places::new(&scene, &view);
+            let places = places(&scene, &view);
             // From pixels within to pixels without, as near to the rim as f64 goes.
             for i in 0..60 {
                 let (sin, cos) = (0.1 * f64::from(i)).sin_cos();

@@ -45,10 +45,12 @@ fn ball_world(offset: f64) -> Arc<PickWorld> {
     Arc::clone(world)
 }
 
-/// The graphics adapter, asked for once.
+/// The graphics adapter, asked for once; `None` of one that cannot name triangles.
 pub fn gpu() -> Option<&'static Gpu> {
     static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
-    GPU.get_or_init(|| Gpu::headless().ok()).as_ref()
+    let with_triangles = |gpu: &Gpu| gpu.rasteriser().names_triangles;
+    GPU.get_or_init(|| Gpu::headless().ok().filter(with_triangles))
+        .as_ref()
 }
 
 /// The ball and a camera that sees it well.

@@ -1,0 +1,28 @@
+// Triangles numbered by their corners, of which each has three to itself, for adapters without a primitive index.
+
+@vertex
+fn vertex(in: Vertex, @builtin(instance_index) instance: u32, @builtin(vertex_index) index: u32) -> Corner {
+    return corner(in, instance, index / 3u);
+}
+
+@fragment
+fn id(in: Corner) -> @location(0) vec2<u32> {
+    return id_of(in, 0u);
+}
+
+@fragment
+fn colour_and_id(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
+    return ColourAndId(lit(in, front, false), id_of(in, 0u));
+}
+
+@fragment
+fn id_cut(in: Corner) -> @location(0) vec2<u32> {
+    cut(in);
+    return id_of(in, 0u);
+}
+
+@fragment
+fn colour_and_id_cut(in: Corner, @builtin(front_facing) front: bool) -> ColourAndId {
+    cut(in);
+    return ColourAndId(lit(in, front, true), id_of(in, 0u));
+}

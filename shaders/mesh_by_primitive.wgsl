@@ -1,0 +1,36 @@
+// Triangles numbered by the index that the adapter gives each primitive.
+
+@vertex
+fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
+    return corner(in, instance, 0u);
+}
+
+@fragment
+fn id(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
+    return id_of(in, primitive);
+}
+
+@fragment
+fn colour_and_id(
+    in: Corner,
+    @builtin(front_facing) front: bool,
+    @builtin(primitive_index) primitive: u32,
+) -> ColourAndId {
+    return ColourAndId(lit(in, front, false), id_of(in, primitive));
+}
+
+@fragment
+fn id_cut(in: Corner, @builtin(primitive_index) primitive: u32) -> @location(0) vec2<u32> {
+    cut(in);
+    return id_of(in, primitive);
+}
+
+@fragment
+fn colour_and_id_cut(
+    in: Corner,
+    @builtin(front_facing) front: bool,
+    @builtin(primitive_index) primitive: u32,
+) -> ColourAndId {
+    cut(in);
+    return ColourAndId(lit(in, front, true), id_of(in, primitive));
+}

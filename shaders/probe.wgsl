@@ -1,0 +1,28 @@
+// Triangles in pixels, one side of each a little past the centre of a pixel that it leaves out: it takes the pixel where
+// the rasteriser's grid moves that side onto the centre.
+
+struct Corner {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(flat) triangle: u32,
+}
+
+const SIZE_PX = vec2<f32>(16.0, 8.0);
+
+// Corner `index` of all. Four groups of eight triangles, each in a lane of its own: in rows, left of what they leave out
+// and right of it, then in columns, above and below. The one in lane i is past the centre by 3/4 of half of 2^-(i + 1).
+fn probe(index: u32) -> vec4<f32> {
+    let triangle = index / 3u;
+    let lane = triangle % 8u;
+    let past = 0.5 + ldexp(0.375, -1 - i32(lane));
+    // Along the lane, and across it.
+    var at = vec2<f32>(past, f32(index % 3u));
+    if index % 3u == 2u {
+        at = vec2<f32>(3.5, 0.5);
+    }
+    let group = triangle / 8u;
+    at.x = select(at.x, 8.0 - at.x, group % 2u == 1u);
+    at.y += f32(lane);
+    let px = select(at, vec2<f32>(8.0 + at.y, at.x), group >= 2u);
+    let ndc = 2.0 * px / SIZE_PX - 1.0;
+    return vec4<f32>(ndc.x, -ndc.y, 0.5, 1.0);
+}

@@ -1,0 +1,100 @@
+//! What an adapter can do: what drawing cannot go without, and what it makes do without.
+
+use super::{
+    SMOOTH_SAMPLES,
+    targets::{COLOUR, DEPTH, IDS, MARKS},
+};
+use wgpu::{DownlevelFlags, Features, TextureUsages};
+
+/// How the triangles that ids name are counted; from best to worst.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Numbers {
+    /// By the index that the adapter gives each primitive.
+    #[default]
+    Primitives,
+    /// By their corners, of which each triangle then has three to itself: meshes take about four times the memory.
+    Corners,
+    /// Not at all: ids name objects alone, as if each had one triangle.
+    Objects,
+}
+
+/// What of an adapter may be used, as if it were a lesser one: all of it by default. For tests.
+#[derive(Clone, Debug)]
+pub struct Restraint {
+    /// Nothing better than this.
+    pub numbers: Numbers,
+    /// No more samples a pixel than these: 1, or [`SMOOTH_SAMPLES`].
+    pub samples: u32,
+    /// These limits, in place of all that the adapter has.
+    pub limits: Option<wgpu::Limits>,
+}
+
+impl Default for Restraint {
+    fn default() -> Self {
+        Self {
+            numbers: Numbers::default(),
+            samples: SMOOTH_SAMPLES,
+            limits: None,
+        }
+    }
+}
+
+impl Restraint {
+    /// The way of numbering that an adapter says that it has.
+    pub(super) fn numbers_of(&self, adapter: &wgpu::Adapter) -> Numbers {
+        let has_index = adapter.features().contains(Features::PRIMITIVE_INDEX);
+        let best = if has_index {
+            Numbers::Primitives
+        } else {
+            Numbers::Corners
+        };
+        best.max(self.numbers)
+    }
+
+    /// Samples a pixel of a picture with smooth edges.
+    pub(super) fn samples_of(&self, adapter: &wgpu::Adapter) -> u32 {
+        let flags = adapter.get_downlevel_capabilities().flags;
+        if flags.contains(DownlevelFlags::MULTISAMPLED_SHADING) {
+            self.samples
+        } else {
+            1
+        }
+    }
+}
+
+/// What an adapter lacks of what drawing cannot go without.
+pub(super) fn lacks(adapter: &wgpu::Adapter) -> Vec<&'static str> {
+    let flags = adapter.get_downlevel_capabilities().flags;
+    let flags_needed = [
+        (
+            DownlevelFlags::VERTEX_STORAGE,
+            "tables that vertex shaders read (storage buffers)",
+        ),
+        (
+            DownlevelFlags::FRAGMENT_STORAGE,
+            "tables that fragment shaders read (storage buffers)",
+        ),
+        (
+            DownlevelFlags::VIEW_FORMATS,
+            "two formats for one texture (view formats)",
+        ),
+        (
+            DownlevelFlags::FULL_DRAW_INDEX_UINT32,
+            "meshes of many vertices (32-bit indices)",
+        ),
+    ];
+    let formats_needed = [
+        (COLOUR, "8-bit sRGB colours to draw into"),
+        (IDS, "pairs of 32-bit integers to draw into"),
+        (DEPTH, "32-bit floating-point depth"),
+        (MARKS, "8-bit grey to draw into"),
+    ];
+    let flags_needed = flags_needed.map(|(flag, what)| (flags.contains(flag), what));
+    let formats_needed = formats_needed.map(|(format, what)| {
+        let usages = adapter.get_texture_format_features(format).allowed_usages;
+        (usages.contains(TextureUsages::RENDER_ATTACHMENT), what)
+    });
+    let all = flags_needed.into_iter().chain(formats_needed);
+    all.filter_map(|(has, what)| (!has).then_some(what))
+        .collect()
+}

@@ -1,0 +1,93 @@
+//! The adapters of this machine, each with what it can do: for somebody who wants to know why it draws as it does.
+
+use super::{
+    abilities::{Numbers, Restraint},
+    gpu::{Gpu, GpuError, best_adapter, instance},
+    probe::Rasteriser,
+};
+
+/// An adapter that was found.
+#[derive(Clone, Debug)]
+pub struct AdapterFound {
+    /// What it calls itself.
+    pub name: String,
+    /// Of which kind: integrated, discrete, software.
+    pub kind: &'static str,
+    /// What it is reached by, as `vulkan`.
+    pub backend: &'static str,
+    /// Its driver, and which version of that.
+    pub driver: String,
+    /// Its vendor's and its own number.
+    pub numbers: [u32; 2],
+    /// Whether it is the one that draws where no window says otherwise.
+    pub is_used: bool,
+    /// What it can do, or why it cannot draw.
+    pub can: Result<AdapterCan, GpuError>,
+}
+
+/// What an adapter can do that not all can.
+#[derive(Clone, Copy, Debug)]
+pub struct AdapterCan {
+    /// How ids name triangles.
+    pub numbers: Numbers,
+    /// What it does to corners, as measured.
+    pub rasteriser: Rasteriser,
+    /// Samples a pixel of smooth pictures.
+    pub smooth_samples: u32,
+    /// Whether triangles are drawn as their edges.
+    pub draws_wireframes: bool,
+    /// The largest side of a picture, in pixels.
+    pub max_side_px: u32,
+    /// The largest part of a mesh, in bytes; larger ones are split.
+    pub max_buffer_bytes: u64,
+    /// The largest table of objects, in bytes.
+    pub max_table_bytes: u64,
+}
+
+/// All adapters, in the order in which the system names them. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
+#[must_use]
+pub fn adapters() -> Vec<AdapterFound> {
+    let instance = instance();
+    let used = pollster::block_on(best_adapter(&instance, None));
+    let used = used.map(|adapter| adapter.get_info());
+    let all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+    all.into_iter()
+        .map(|adapter| {
+            let info = adapter.get_info();
+            let driver = [info.driver.as_str(), info.driver_info.as_str()];
+            let driver = driver.map(str::trim).join(" ");
+            AdapterFound {
+                kind: kind(info.device_type),
+                backend: info.backend.to_str(),
+                driver: driver.trim().to_owned(),
+                numbers: [info.vendor, info.device],
+                is_used: used.as_ref().is_ok_and(|used| *used == info),
+                name: info.name,
+                can: Gpu::of(adapter, &Restraint::default()).map(|gpu| can(&gpu)),
+            }
+        })
+        .collect()
+}
+
+fn can(gpu: &Gpu) -> AdapterCan {
+    let limits = gpu.device.limits();
+    AdapterCan {
+        numbers: gpu.numbers(),
+        rasteriser: gpu.rasteriser(),
+        smooth_samples: gpu.smooth_samples(),
+        draws_wireframes: gpu.draws_wireframes(),
+        max_side_px: limits.max_texture_dimension_2d,
+        max_buffer_bytes: limits.max_buffer_size,
+        max_table_bytes: limits.max_storage_buffer_binding_size,
+    }
+}
+
+fn kind(of: wgpu::DeviceType) -> &'static str {
+    match of {
+        wgpu::DeviceType::IntegratedGpu => "integrated",
+        wgpu::DeviceType::DiscreteGpu => "discrete",
+        wgpu::DeviceType::VirtualGpu => "virtual",
+        wgpu::DeviceType::Cpu => "software",
+        wgpu::DeviceType::Other => "of another kind",
+    }
+}

@@ -1,0 +1,72 @@
+//! What can go wrong with the graphics device.
+
+/// Why nothing can be drawn. Each says in one line what to do about it.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum GpuError {
+    /// No driver.
+    #[error(
+        "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
+         `sightline render --by raycast` draws without"
+    )]
+    NoAdapter,
+    /// The driver lacks what drawing cannot go without.
+    #[error(
+        "{adapter} lacks {what}: use another driver; `sightline render --by raycast` draws without, \
+         `sightline doctor` says what there is"
+    )]
+    Lacks {
+        /// The adapter's name.
+        adapter: String,
+        /// What it lacks.
+        what: String,
+    },
+    /// The driver is there but does not work.
+    #[error(
+        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` draws without"
+    )]
+    Device {
+        /// The adapter's name.
+        adapter: String,
+        /// What the driver said.
+        reason: String,
+    },
+    /// More pixels than a texture may have.
+    #[error(
+        "a picture of {width}x{height} is too large: {adapter} draws at most {limit} pixels each way"
+    )]
+    PictureTooLarge {
+        /// The adapter's name.
+        adapter: String,
+        /// Asked width.
+        width: u32,
+        /// Asked height.
+        height: u32,
+        /// The most the adapter does.
+        limit: u32,
+    },
+    /// More vertices, triangles or objects than a buffer may hold.
+    #[error(
+        "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}; \
+         `sightline render --by raycast` draws without"
+    )]
+    SceneTooLarge {
+        /// The adapter's name.
+        adapter: String,
+        /// What does not fit.
+        what: &'static str,
+        /// How much it needs.
+        bytes: u64,
+        /// The most the adapter takes.
+        limit: u64,
+    },
+    /// The driver gave the device up: it was reset, updated or unplugged.
+    #[error(
+        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` draws without"
+    )]
+    Lost(String),
+    /// Graphics memory is used up.
+    #[error(
+        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` draws without"
+    )]
+    OutOfMemory(String),
+}

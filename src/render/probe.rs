@@ -1,0 +1,198 @@
+//! What an adapter's rasteriser does, found out by drawing a few triangles: wgpu does not tell.
+
+use super::{
+    abilities::Numbers,
+    gpu::{Gpu, GpuError},
+    readback::read,
+    shaders::shader_module,
+    targets::IDS,
+};
+
+/// A column or row of the picture for each triangle of a group, and four groups: see `shaders/probe.wgsl`.
+const LANES: u32 = 8;
+const SIZE: [u32; 2] = [16, 8];
+
+/// What draws triangles, as far as that decides which pixels show what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rasteriser {
+    /// Its grid for corners, in pixels: they are moved by at most half of that along each axis. No finer one is told apart
+    /// from the common one.
+    pub grid_px: f64,
+    /// Whether ids name triangles, and not objects alone.
+    pub names_triangles: bool,
+}
+
+impl Rasteriser {
+    /// What Direct3D and Metal ask for, and most Vulkan devices have.
+    pub const COMMON: Self = Self {
+        grid_px: 1.0 / 256.0,
+        names_triangles: true,
+    };
+
+    /// Binary digits of a pixel in the grid: 8 in the common one.
+    #[must_use]
+    pub fn sub_pixel_bits(&self) -> u32 {
+        (1..LANES)
+            .find(|bits| self.grid_px >= grid_px(*bits))
+            .unwrap_or(LANES)
+    }
+}
+
+/// Draws with the way of numbering that `gpu` has.
+///
+/// A side that lies past a pixel's centre by a little less than half a step of a grid of 2^-bits pixel goes onto the
+/// centre where there are so few bits, and its triangle takes the pixel then: of the two on the sides of it one does,
+/// whatever the rule for centres on edges. A rasteriser that cuts digits off moves sides twice as far, and is said to have a
+/// bit less.
+pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
+    let name = match gpu.numbers() {
+        Numbers::Primitives => "probe by primitive",
+        Numbers::Corners | Numbers::Objects => "probe by corner",
+    };
+    let module = shader_module(gpu, name);
+    let pipeline = gpu
+        .device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("probe"),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("id"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(IDS.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("probe"),
+        size: wgpu::Extent3d {
+            width: SIZE[0],
+            height: SIZE[1],
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: IDS,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    });
+    let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+    let mut encoder = gpu.encoder();
+    {
+        let mut pass = super::outline::begin(&mut encoder, &view, true);
+        pass.set_pipeline(&pipeline);
+        pass.draw(0..4 * LANES * 3, 0..1);
+    }
+    gpu.queue.submit([encoder.finish()]);
+    let pixels = read(gpu, &texture, [0, 0], SIZE, |id: [u32; 2]| id)?;
+    Ok(found(&pixels))
+}
+
+/// What the pixels of the picture say, row by row: 1 where something is, and the number of the triangle plus 1.
+fn found(pixels: &[[u32; 2]]) -> Rasteriser {
+    // A pixel of a group's lane, so far along it.
+    let at = |group: u32, lane: u32, along: u32| {
+        let along = if group.is_multiple_of(2) {
+            along
+        } else {
+            7 - along
+        };
+        let [x, y] = if group < 2 {
+            [along, lane]
+        } else {
+            [8 + lane, along]
+        };
+        pixels[(y * SIZE[0] + x) as usize]
+    };
+    let each = || (0..4).flat_map(|group| (0..LANES).map(move |lane| (group, lane)));
+    let moved = each().filter(|&(group, lane)| at(group, lane, 0)[0] == 1);
+    let bits = moved.map(|(_, lane)| lane + 1).min().unwrap_or(LANES);
+    let number = |(group, lane)| [1, group * LANES + lane + 1];
+    Rasteriser {
+        grid_px: grid_px(bits),
+        names_triangles: each().all(|of| at(of.0, of.1, 1) == number(of)),
+    }
+}
+
+fn grid_px(sub_pixel_bits: u32) -> f64 {
+    1.0 / f64::from(1_u32 << sub_pixel_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The picture of a rasteriser that rounds to a grid of so many bits, or cuts digits off, and names triangles.
+    fn picture(bits: i32, round: fn(f64) -> f64, number: fn(u32) -> u32) -> Vec<[u32; 2]> {
+        let mut pixels = vec![[0; 2]; (SIZE[0] * SIZE[1]) as usize];
+        let step = 0.5_f64.powi(bits);
+        for triangle in 0..4 * LANES {
+            let (group, lane) = (triangle / LANES, triangle % LANES);
+            let past = 0.5 + 0.375 * 0.5_f64.powi(i32::try_from(lane).expect("few") + 1);
+            let at = if group.is_multiple_of(2) {
+                past
+            } else {
+                8.0 - past
+            };
+            let at = round(at / step) * step;
+            for along in 0..4 {
+                let px = if group.is_multiple_of(2) {
+                    along
+                } else {
+                    7 - along
+                };
+                let centre = f64::from(px) + 0.5;
+                // Top and left sides belong to it.
+                let is_in = if group.is_multiple_of(2) {
+                    at <= centre
+                } else {
+                    centre < at
+                };
+                let [x, y] = if group < 2 {
+                    [px, lane]
+                } else {
+                    [8 + lane, px]
+                };
+                if is_in {
+                    pixels[(y * SIZE[0] + x) as usize] = [1, number(triangle)];
+                }
+            }
+        }
+        pixels
+    }
+
+    #[test]
+    fn grids_are_told_apart() {
+        for bits in 1..=12 {
+            let found = |round| found(&picture(bits, round, |i| i + 1)).sub_pixel_bits();
+            let bits = u32::try_from(bits).expect("few");
+            assert_eq!(found(f64::round_ties_even), bits.min(LANES));
+            // Twice as far off.
+            let cut = found(f64::floor);
+            assert!(
+                cut == bits.saturating_sub(1).clamp(1, LANES),
+                "{bits}: {cut}"
+            );
+        }
+    }
+
+    #[test]
+    fn wrong_numbers_are_noticed() {
+        let names = |number| found(&picture(8, f64::round, number)).names_triangles;
+        assert!(names(|i| i + 1));
+        assert!(!names(|i| i));
+        assert!(!names(|_| 1));
+        assert!(!names(|i| 1 + i % 31));
+    }
+}

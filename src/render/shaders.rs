@@ -1,0 +1,88 @@
+//! The shaders' texts, and modules of them.
+
+use super::gpu::Gpu;
+
+/// WGSL of each shader, by name: what it shares with others is already before it.
+pub const SHADERS: [(&str, &str); 8] = [
+    (
+        "mesh by primitive",
+        concat!(
+            "enable primitive_index;\n",
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/mesh.wgsl"),
+            include_str!("../../shaders/mesh_by_primitive.wgsl")
+        ),
+    ),
+    (
+        "mesh by corner",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/mesh.wgsl"),
+            include_str!("../../shaders/mesh_by_corner.wgsl")
+        ),
+    ),
+    (
+        "sphere",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/sphere.wgsl")
+        ),
+    ),
+    (
+        "overlay",
+        concat!(
+            include_str!("../../shaders/head.wgsl"),
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/overlay.wgsl")
+        ),
+    ),
+    (
+        "composite",
+        concat!(
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/composite.wgsl")
+        ),
+    ),
+    (
+        "panels",
+        concat!(
+            include_str!("../../shaders/cover.wgsl"),
+            include_str!("../../shaders/panels.wgsl")
+        ),
+    ),
+    (
+        "probe by primitive",
+        concat!(
+            "enable primitive_index;\n",
+            include_str!("../../shaders/probe.wgsl"),
+            include_str!("../../shaders/probe_by_primitive.wgsl")
+        ),
+    ),
+    (
+        "probe by corner",
+        concat!(
+            include_str!("../../shaders/probe.wgsl"),
+            include_str!("../../shaders/probe_by_corner.wgsl")
+        ),
+    ),
+];
+
+/// What makes a shader run once for each sample.
+const EACH_SAMPLE: &str = ", @builtin(sample_index) sample: u32";
+
+/// A shader by its name.
+pub(crate) fn shader_module(gpu: &Gpu, name: &str) -> wgpu::ShaderModule {
+    let found = SHADERS.iter().find(|(other, _)| *other == name);
+    let source = found.map_or("", |(_, text)| text);
+    let source = if gpu.smooth_samples() > 1 {
+        source.into()
+    } else {
+        // An adapter without multisampling refuses the word.
+        source.replace(EACH_SAMPLE, "").into()
+    };
+    gpu.device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(source),
+        })
+}

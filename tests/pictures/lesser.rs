@@ -1,0 +1,225 @@
+//! Adapters that can do less draw the same: without a primitive index, without multisampling, within the smallest limits.
+//! What this adapter has is left unused.
+
+use super::*;
+use sightline::{
+    geometry::{Mesh, Placement},
+    render::{Numbers, Restraint, SMOOTH_SAMPLES, Wireframe},
+    scene::{Object, Shape},
+};
+use std::sync::Arc;
+
+fn lesser(restraint: &Restraint) -> Gpu {
+    Gpu::headless_within(restraint).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn numbered(numbers: Numbers) -> Gpu {
+    let gpu = lesser(&Restraint {
+        numbers,
+        ..Restraint::default()
+    });
+    assert_eq!(gpu.numbers(), numbers);
+    gpu
+}
+
+/// A view with a section, one without, and one that culls.
+fn views() -> [View; 3] {
+    let whole = overview([320, 200]);
+    let section = sightline::geometry::Section::new(DVec3::new(0.3, -0.2, -1.0), 0.1);
+    [
+        whole,
+        View {
+            section: Some(section.expect("a plane")),
+            ..whole
+        },
+        View {
+            sides: Sides::Front,
+            ..whole
+        },
+    ]
+}
+
+/// All that is drawn of a view: ids, colours with the edges of triangles, marks, at one sample and smooth.
+fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<Rgb>>) {
+    let mut ids = Vec::new();
+    let mut colours = Vec::new();
+    for samples in [1, gpu.smooth_samples()] {
+        let mut renderer = Renderer::new(gpu, samples);
+        let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+        let targets = Targets::new(gpu, view.viewport, samples).expect("fits");
+        for edges in [None, Some(Wireframe::OfAll), Some(Wireframe::Of(1))] {
+            renderer.wireframe = edges;
+            let drawn = renderer.draw(gpu, &buffers, &targets, view, &[]);
+            drawn.expect("drawn");
+            colours.push(targets.read_colours(gpu).expect("colours"));
+        }
+        let selection = renderer.draw_selection(gpu, &buffers, &targets, view, 1);
+        selection.expect("drawn");
+        let marks = Marks {
+            selection: Some(1),
+            hover: Some(2),
+        };
+        let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+        colours.push(picture.expect("a picture"));
+        ids.push(targets.read_ids(gpu).expect("ids"));
+    }
+    (ids, colours)
+}
+
+#[test]
+fn without_a_primitive_index_all_is_the_same() {
+    let scene = shapes(DVec3::ZERO);
+    let gpus = [gpu(), numbered(Numbers::Corners)];
+    for view in views() {
+        let [(ids, colours), (by_corner, coloured)] =
+            gpus.each_ref().map(|gpu| all_of(gpu, &scene, &view));
+        let triangles = ids[0].pixels().iter().filter(|id| id.triangle > 100);
+        assert!(triangles.count() > 1000, "many triangles are named");
+        assert!(
+            ids.iter()
+                .zip(&by_corner)
+                .all(|(a, b)| a.pixels() == b.pixels())
+        );
+        assert!(
+            colours
+                .iter()
+                .zip(&coloured)
+                .all(|(a, b)| a.pixels() == b.pixels())
+        );
+    }
+}
+
+#[test]
+fn where_triangles_have_no_numbers_objects_do() {
+    let scene = shapes(DVec3::ZERO);
+    let gpus = [gpu(), numbered(Numbers::Objects)];
+    for view in views() {
+        let [(ids, colours), (objects, coloured)] =
+            gpus.each_ref().map(|gpu| all_of(gpu, &scene, &view));
+        for (ids, objects) in ids.iter().zip(&objects) {
+            let pairs = ids.pixels().iter().zip(objects.pixels());
+            for (id, object) in pairs {
+                assert_eq!([id.object, 0], [object.object, object.triangle]);
+            }
+        }
+        assert!(
+            colours
+                .iter()
+                .zip(&coloured)
+                .all(|(a, b)| a.pixels() == b.pixels())
+        );
+    }
+}
+
+#[test]
+fn without_multisampling_pictures_are_rough() {
+    let rough = lesser(&Restraint {
+        samples: 1,
+        ..Restraint::default()
+    });
+    assert_eq!(rough.smooth_samples(), 1);
+    assert_eq!(gpu().smooth_samples(), SMOOTH_SAMPLES);
+    let scene = shapes(DVec3::ZERO);
+    for view in views() {
+        let (ids, colours, _) = draw(&gpu(), &scene, &view, &[], &Marks::default(), 1);
+        let drawn = sightline::render::render(&rough, &scene, &view, None).expect("drawn");
+        assert_eq!(differing(&ids, &drawn.0), 0);
+        assert_eq!(differing(&colours, &drawn.1), 0);
+        let alone = sightline::render::picture(&rough, &scene, &view).expect("drawn");
+        assert_eq!(differing(&colours, &alone), 0);
+    }
+}
+
+/// What every adapter has by WebGPU's rules.
+fn smallest() -> wgpu::Limits {
+    wgpu::Limits::default()
+}
+
+#[test]
+fn the_smallest_limits_draw_the_same_and_refuse_in_a_line() {
+    for samples in [1, SMOOTH_SAMPLES] {
+        let small = lesser(&Restraint {
+            samples,
+            limits: Some(smallest()),
+            ..Restraint::default()
+        });
+        let scene = shapes(DVec3::ZERO);
+        for view in views() {
+            let whole = draw(&gpu(), &scene, &view, &[], &Marks::default(), samples);
+            let drawn = draw(&small, &scene, &view, &[], &Marks::default(), samples);
+            assert_eq!(differing(&whole.0, &drawn.0), 0);
+            assert_eq!(differing(&whole.1, &drawn.1), 0);
+        }
+        let view = overview([8193, 3]);
+        let error = sightline::render::render(&small, &scene, &view, None).expect_err("too large");
+        assert!(matches!(error, GpuError::PictureTooLarge { .. }), "{error}");
+        assert_eq!(error.to_string().lines().count(), 1, "{error}");
+    }
+}
+
+/// Two instances of a mesh in two parts with buffers that hold a few triangles, so that it is in many.
+#[test]
+fn meshes_larger_than_a_buffer_are_split() {
+    let (positions, triangles) = common::icosphere(4);
+    let positions: Vec<_> = positions.iter().map(|p| p.as_vec3().to_array()).collect();
+    let half = triangles.len() / 2 + 7;
+    let mesh: Arc<Mesh> = two_parts(positions, triangles, half);
+    let objects = [-1.2, 1.2].into_iter().flat_map(|x| {
+        let placement = Placement::new(glam::DAffine3::from_translation(DVec3::new(x, 0.0, 0.0)));
+        let placement = placement.expect("a matrix");
+        [0, 1].map(|part| {
+            let mesh = Arc::clone(&mesh);
+            Object::new("half", Shape::Mesh { mesh, part }, placement)
+        })
+    });
+    let scene = Scene::new(objects.collect());
+    let limits = wgpu::Limits {
+        max_buffer_size: 100_000,
+        max_storage_buffer_binding_size: 100_000,
+        ..smallest()
+    };
+    for numbers in [Numbers::Primitives, Numbers::Corners] {
+        let small = lesser(&Restraint {
+            numbers,
+            limits: Some(limits.clone()),
+            ..Restraint::default()
+        });
+        for view in views() {
+            let (ids, colours) = all_of(&gpu(), &scene, &view);
+            let (split, coloured) = all_of(&small, &scene, &view);
+            let last = ids[0].pixels().iter().map(|id| id.triangle).max();
+            assert!(last > Some(2000), "{last:?}: beyond the first buffers");
+            assert!(
+                ids.iter()
+                    .zip(&split)
+                    .all(|(a, b)| a.pixels() == b.pixels())
+            );
+            assert!(
+                colours
+                    .iter()
+                    .zip(&coloured)
+                    .all(|(a, b)| a.pixels() == b.pixels())
+            );
+        }
+    }
+}
+
+fn two_parts(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, first: usize) -> Arc<Mesh> {
+    use sightline::geometry::{ColourRun, MeshData, Part};
+    let [first, all] = [first, triangles.len()].map(|n| u32::try_from(n).expect("few"));
+    let part = |name: &str, triangles| Part {
+        name: name.to_owned(),
+        triangles,
+    };
+    let data = MeshData {
+        positions,
+        triangles,
+        parts: vec![part("first", 0..first), part("second", first..all)],
+        colours: vec![ColourRun {
+            triangles: 0..all,
+            colour: None,
+        }],
+        ..MeshData::default()
+    };
+    Arc::new(Mesh::new(data).expect("a mesh"))
+}

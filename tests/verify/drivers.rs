@@ -1,0 +1,141 @@
+//! Whatever driver there is: what is measured of it, and that nothing is left unexplained on it. `.ci/run` runs these tests on
+//! two drivers that share no code.
+
+use crate::{
+    compare, drawn_once,
+    models::slivers,
+    scenes::{gpu, shapes},
+};
+use glam::DVec3;
+use sightline::{
+    camera::{CameraChoice, DepthMapping, Lens, View, Viewport},
+    geometry::Sides,
+    pick,
+    render::{Gpu, Numbers, Rasteriser, Renderer, Restraint, SceneBuffers},
+    scene::{self, Progress, Scene, gallery::GALLERY},
+    verify::{self, Class, Verdict},
+};
+
+/// Words of an adapter's name, its sub-pixel bits, and how it numbers triangles.
+const KNOWN: [(&str, u32, Numbers); 2] = [
+    ("llvmpipe", 8, Numbers::Primitives),
+    ("SwiftShader", 4, Numbers::Corners),
+];
+
+#[test]
+fn what_known_drivers_do_is_measured() {
+    let gpu = gpu();
+    let name = gpu.adapter_name();
+    let bits = gpu.rasteriser().sub_pixel_bits();
+    assert!((4..=8).contains(&bits), "{name}: {bits} sub-pixel bits");
+    assert!(gpu.rasteriser().names_triangles, "{name}");
+    let known = KNOWN.iter().find(|(words, ..)| name.contains(words));
+    if let Some((words, known_bits, numbers)) = known {
+        assert_eq!((bits, gpu.numbers()), (*known_bits, *numbers), "{words}");
+    } else {
+        println!("{name}: {bits} sub-pixel bits, {:?}", gpu.numbers());
+    }
+}
+
+/// As framed, and with standard depth.
+fn views(scene: &Scene) -> [View; 2] {
+    let viewport = Viewport::new(320, 240).expect("a size");
+    let camera = CameraChoice::default().resolve(&scene.visible_bounds(), viewport);
+    let camera = camera.expect("a camera");
+    let lens = Lens {
+        depth: DepthMapping::Standard,
+        ..*camera.lens()
+    };
+    [camera, camera.with_lens(lens).expect("a lens")].map(|camera| View {
+        camera,
+        viewport,
+        sides: Sides::Both,
+        section: None,
+    })
+}
+
+#[test]
+fn nothing_is_unexplained_in_the_demo_the_gallery_and_two_scenes() {
+    let open = |paths: &[_]| {
+        scene::load(paths, &Progress::default())
+            .expect("a scene")
+            .scene
+    };
+    let mut scenes = vec![
+        ("demo".to_owned(), open(&[])),
+        ("shapes".to_owned(), shapes(DVec3::ZERO)),
+        ("slivers".to_owned(), slivers()),
+    ];
+    scenes.extend((GALLERY.iter()).map(|exhibit| (exhibit.title(), open(&[exhibit.path()]))));
+    let mut shown = 0;
+    for (name, scene) in &scenes {
+        scene.build_trees();
+        for view in views(scene) {
+            let report = compare(
+                scene,
+                &view,
+                &drawn_once(scene, &view),
+                &pick::ids(scene, &view),
+            );
+            let unexplained = report.count(Class::Unexplained);
+            assert_eq!(unexplained, 0, "{name}: {:?}, {view:?}", report.worst());
+            shown += report.drawn.min(report.picked);
+        }
+    }
+    assert!(shown > 200_000, "{shown}: the scenes are seen");
+}
+
+/// The bound is the driver's: by the common grid pixels of a driver with a coarser one are called unexplained, and are not by
+/// its own.
+#[test]
+fn a_coarser_grid_is_what_its_edges_need() {
+    let own = gpu().rasteriser();
+    let scene = shapes(DVec3::ZERO);
+    scene.build_trees();
+    let (mut by_common, mut by_own) = (0, 0);
+    for view in views(&scene) {
+        let (drawn, picked) = (drawn_once(&scene, &view), pick::ids(&scene, &view));
+        let count = |rasteriser| {
+            let report = verify::compare(&scene, &view, rasteriser, &drawn, &picked);
+            report.count(Class::Unexplained)
+        };
+        by_common += count(Rasteriser::COMMON);
+        by_own += count(own);
+    }
+    assert_eq!(by_own, 0);
+    assert_eq!(by_common > 0, own.sub_pixel_bits() < 8, "{by_common}");
+}
+
+/// Where triangles have no numbers objects are compared, and what differs there is explained.
+#[test]
+fn objects_alone_are_compared_where_triangles_have_no_numbers() {
+    let objects = Restraint {
+        numbers: Numbers::Objects,
+        ..Restraint::default()
+    };
+    let gpu = Gpu::headless_within(&objects).expect("a driver");
+    let rasteriser = gpu.rasteriser();
+    assert!(!rasteriser.names_triangles);
+    let scene = shapes(DVec3::ZERO);
+    scene.build_trees();
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let mut differ = 0;
+    for view in views(&scene) {
+        let drawn = crate::drawn(&gpu, &mut Renderer::new(&gpu, 1), &buffers, &view);
+        let report = verify::compare(&scene, &view, rasteriser, &drawn, &pick::ids(&scene, &view));
+        assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
+        differ += report.disagreements.len();
+        let hidden = {
+            let mut all = scene.objects().to_vec();
+            all[1].visible = false;
+            Scene::new(all)
+        };
+        let picked = pick::ids(&hidden, &view);
+        let report = verify::compare(&scene, &view, rasteriser, &drawn, &picked);
+        assert!(
+            report.count(Class::Unexplained) > 1000,
+            "a missing mesh is found"
+        );
+    }
+    println!("{differ} pixels show another object than is picked, on edges");
+}
