@@ -80,7 +80,8 @@ impl Gpu {
             Err(error) => error,
             Ok(adapter) => GpuError::Lacks {
                 adapter: adapter.get_info().name,
-                what: "a way to show on windows (`sightline render` and `verify` work with it)".into(),
+                what: "a way to show on windows (`sightline render` and `verify` work with it)"
+                    .into(),
             },
         }
     }
