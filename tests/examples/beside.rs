@@ -9,7 +9,7 @@
 use parry3d::{
     math::Vector,
     query::{self, RayCast},
-    shape::{FeatureId, TriMesh},
+    shape::TriMesh,
 };
 use sightline::{
     camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
@@ -108,12 +108,7 @@ fn parry_closest(mesh: &TriMesh, inverse: &DMat4, (origin, direction): (DVec3, D
     let direction = (*inverse * direction.extend(0.0)).truncate();
     let ray = query::Ray::new(narrow(origin), narrow(direction));
     let hit = mesh.cast_local_ray_and_get_normal(&ray, f32::INFINITY, false)?;
-    let FeatureId::Face(face) = hit.feature else {
-        return None;
-    };
-    // Back faces are counted on from the last front.
-    let count = u32::try_from(mesh.indices().len()).ok()?;
-    Some((face % count, f64::from(hit.time_of_impact)))
+    Some((hit.subshape, f64::from(hit.time_of_impact)))
 }
 
 /// A ball of triangles, radius 1: `rings` from pole to pole, twice as many around.
@@ -197,11 +192,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let parry = |px: DVec2| parry_closest(&parry, &inverse, ray(px));
         let each = |px: DVec2| three_closest(mesh.data(), &inverse, ray(px));
 
-        // Half of them where triangles meet in the picture, as a snapped click has it; no order that a processor learns.
-        let corners = mesh.data().positions.iter().map(|p| {
-            let corner = model.transform_point3(DVec3::from_array(p.map(f64::from)));
-            view.project(corner).map(|shown| shown.px)
-        });
+        // No order that a processor learns.
         let pixels = u64::from(SIZE[0] * SIZE[1]);
         let centre = |n: u64| {
             let n = n * 48_271 % pixels;
@@ -209,8 +200,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             #[expect(clippy::cast_precision_loss, reason = "pixels are few")]
             DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
         };
-        let corners: Vec<DVec2> = corners.flatten().take(20_000).collect();
-        let positions: Vec<DVec2> = (0..20_000).map(centre).chain(corners).collect();
+        let positions: Vec<DVec2> = (0..20_000).map(centre).collect();
         let few: Vec<DVec2> = (positions.iter().copied())
             .step_by(positions.len() / FEW)
             .collect();
