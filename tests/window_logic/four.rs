@@ -294,7 +294,7 @@ fn ndc_ends_at_the_section() {
             let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
             assert!(on_plane >= 4, "{object}: {on_plane}");
             let (kept, gone): (Vec<_>, Vec<_>) = before.iter().partition(|at| side(at) > -rounding);
-            assert!(gone.len() > 4 && kept.len() > 4, "{object}");
+            assert!(!gone.is_empty() && !kept.is_empty(), "{object}");
             let kept = kept.into_iter().filter(|at| side(at) > off);
             for at in kept {
                 assert!(after.contains(&at), "{object}: {at:?}");

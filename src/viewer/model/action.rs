@@ -1,7 +1,7 @@
 //! What a user can do to the scene and the view: the window's own event type. Tests replay it.
 
 use super::{
-    matrices::Row, measuring::MeasureAction, overlay::Overlay, seeking::Sought, stages::Stage,
+    matrices::Row, measuring::MeasureAction, overlay::Overlay, sought::Sought, stages::Stage,
     views::Views,
 };
 use crate::{

@@ -66,6 +66,7 @@ impl State {
             landmarks: Vec::new(),
             measuring: Measuring::default(),
             sought: None,
+            cleared: None,
             section_memory: SectionMemory::default(),
             source: Source {
                 paths: Vec::new(),

@@ -4,8 +4,7 @@ use super::{
     action::Action,
     hits::RayHits,
     stages::{Stage, standard, view_of_ndc_drawn},
-    state::{Cursor, DOUBLE_CLICK_S, Selection, State},
-    views::Cleared,
+    state::{Cleared, Cursor, DOUBLE_CLICK_S, Selection, State},
 };
 use crate::{
     camera::pixel_centre,
@@ -110,15 +109,16 @@ impl State {
         let Some(panes) = &mut self.panes else { return };
         let last_s = panes.clicked_s.replace(time_s);
         let is_second = last_s.is_some_and(|last_s| time_s - last_s <= DOUBLE_CLICK_S);
-        if !(is_second && is_on_nothing && panes.cleared.is_some()) {
-            panes.cleared = kept;
+        if !(is_second && is_on_nothing && self.cleared.is_some()) {
+            self.cleared = kept;
         }
     }
 
     /// A double click is not meant to take away what is picked.
     fn restore_cleared(&mut self) {
-        let kept = self.panes.as_mut().and_then(|panes| panes.cleared.take());
-        let Some(kept) = kept else { return };
+        let Some(kept) = self.cleared.take() else {
+            return;
+        };
         (self.selection, self.hits) = (kept.chosen.selection, kept.chosen.hits);
         (self.landmarks, self.sought) = (kept.landmarks, kept.sought);
         if let Some(panes) = &mut self.panes {

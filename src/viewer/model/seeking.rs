@@ -1,8 +1,7 @@
 //! The way to what a file has a number for, and the mark that it leaves.
 
-use super::{hits::RayHits, state::State};
+use super::{hits::RayHits, sought::Sought, state::State};
 use crate::{
-    geometry::PlacedPoint,
     pick::{NamedSurface, Pick, PickLine, Sight, sight},
     scene::Shape,
 };
@@ -10,39 +9,6 @@ use glam::{DVec2, DVec3};
 
 /// At a vertex `f64` may put the ray beside each of its triangles: then it is cast so far towards the middle of one.
 const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
-
-/// What a file has a number for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Numbered {
-    /// A face.
-    Face(usize),
-    /// A vertex.
-    Vertex(usize),
-}
-
-impl Numbered {
-    /// As panels and marks write it.
-    #[must_use]
-    pub fn name(self) -> String {
-        match self {
-            Self::Face(number) => format!("face {number}"),
-            Self::Vertex(number) => format!("v {number}"),
-        }
-    }
-}
-
-/// What was gone to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sought {
-    /// Its number.
-    pub of: Numbered,
-    /// The index of the object that it is on.
-    pub object: usize,
-    /// A triangle of that which has it.
-    pub triangle: u32,
-    /// The vertex, or a point inside of the face.
-    pub point: PlacedPoint,
-}
 
 impl State {
     /// What was gone to by its number and is marked, where it stands now.

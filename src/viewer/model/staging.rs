@@ -70,7 +70,6 @@ impl State {
             object: None,
             alone: Staged::default(),
             ndc: Staged::default(),
-            cleared: None,
             clicked_s: None,
             point: None,
         }));

@@ -10,8 +10,8 @@ use super::{
     ortho_height::OrthoHeight,
     overlay::Overlays,
     section_memory::SectionMemory,
-    seeking::Sought,
     showing::Showing,
+    sought::Sought,
     timeline::Timeline,
     views::Panes,
 };
@@ -73,6 +73,14 @@ pub(super) struct Stand {
 pub(super) struct Chosen {
     pub selection: Option<Selection>,
     pub hits: Option<RayHits>,
+}
+
+/// What is picked, as a click on nothing takes it away.
+pub(super) struct Cleared {
+    pub chosen: Chosen,
+    pub landmarks: Vec<Landmark>,
+    pub sought: Option<Sought>,
+    pub point: Option<(usize, DVec3)>,
 }
 
 /// Which edits a scene has: numbers that change with each. The same numbers, the same scene.
@@ -161,6 +169,8 @@ pub struct State {
     pub(super) measuring: Measuring,
     /// What was gone to by its number, until something else is picked.
     pub(super) sought: Option<Sought>,
+    /// What a click on nothing in one of the four views has just taken away, in case it begins a double click.
+    pub(super) cleared: Option<Cleared>,
     pub(super) section_memory: SectionMemory,
     pub(super) source: Source,
     /// Which scene this is among those that were open.

@@ -1,6 +1,6 @@
 //! What the four views hold.
 
-use super::{hits::Landmark, observer::Observer, seeking::Sought, stages::Stage, state::Chosen};
+use super::{observer::Observer, stages::Stage};
 use crate::{camera::View, geometry::Aabb, scene::Scene};
 use glam::DVec3;
 use std::mem;
@@ -35,19 +35,9 @@ pub(super) struct Panes {
     pub object: Option<usize>,
     pub alone: Staged,
     pub ndc: Staged,
-    /// What a click on nothing in one of them has just taken away, in case it begins a double click.
-    pub cleared: Option<Cleared>,
     /// When one of them was clicked last.
     pub clicked_s: Option<f64>,
     /// A point that was picked where the scene's camera does not see it: of which object, in its space.
-    pub point: Option<(usize, DVec3)>,
-}
-
-/// What is picked, as a click on nothing takes it away.
-pub(super) struct Cleared {
-    pub chosen: Chosen,
-    pub landmarks: Vec<Landmark>,
-    pub sought: Option<Sought>,
     pub point: Option<(usize, DVec3)>,
 }
 

@@ -1,0 +1,36 @@
+//! What was gone to by its number.
+
+use crate::geometry::PlacedPoint;
+
+/// What a file has a number for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbered {
+    /// A face.
+    Face(usize),
+    /// A vertex.
+    Vertex(usize),
+}
+
+impl Numbered {
+    /// As panels and marks write it.
+    #[must_use]
+    pub fn name(self) -> String {
+        match self {
+            Self::Face(number) => format!("face {number}"),
+            Self::Vertex(number) => format!("v {number}"),
+        }
+    }
+}
+
+/// What was gone to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sought {
+    /// Its number.
+    pub of: Numbered,
+    /// The index of the object that it is on.
+    pub object: usize,
+    /// A triangle of that which has it.
+    pub triangle: u32,
+    /// The vertex, or a point inside of the face.
+    pub point: PlacedPoint,
+}
