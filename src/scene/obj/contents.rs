@@ -1,8 +1,9 @@
 //! Where in a file its faces and vertices stand: what is kept of that, an entry for each piece that the file was read by. So
 //! what it writes of a face can be read again without all that comes before.
 
-use super::pieces::Counts;
-use std::{fs, path::Path, time::SystemTime};
+use super::{FileError, pieces::Counts};
+use crate::scene::file;
+use std::{fs::Metadata, path::Path, time::SystemTime};
 
 /// What stands before each piece of a file. A piece is some 256 KiB long.
 #[derive(Clone, Debug, Default)]
@@ -26,17 +27,34 @@ pub(super) struct Start {
 pub(super) struct Stamp {
     bytes: u64,
     modified: Option<SystemTime>,
+    /// Another file may have the same name, size and time.
+    number: Option<u64>,
 }
 
 impl Stamp {
     /// Of a file as it is now.
-    pub fn of(path: &Path) -> Option<Self> {
-        let about = fs::metadata(path).ok()?;
-        Some(Self {
+    ///
+    /// # Errors
+    /// When it is none, or not there.
+    pub fn of(path: &Path) -> Result<Self, FileError> {
+        let about = file::about(path)?;
+        Ok(Self {
             bytes: about.len(),
             modified: about.modified().ok(),
+            number: number(&about),
         })
     }
+}
+
+/// The number that the system has for a file, where it has one.
+#[cfg(unix)]
+fn number(about: &Metadata) -> Option<u64> {
+    Some(std::os::unix::fs::MetadataExt::ino(about))
+}
+
+#[cfg(not(unix))]
+fn number(_: &Metadata) -> Option<u64> {
+    None
 }
 
 impl Contents {

@@ -4,7 +4,7 @@ use super::{
     vertices::narrow,
     words::{Number, fields},
 };
-use crate::scene::Cancelled;
+use crate::scene::{Cancelled, FileError};
 use glam::DVec3;
 use serde::Serialize;
 use std::{io, ops::Range, path::PathBuf};
@@ -23,6 +23,9 @@ pub enum AgainError {
         /// What the system says.
         source: io::Error,
     },
+    /// It is no file any more, or too large a one.
+    #[error(transparent)]
+    File(FileError),
     /// It is not what it was.
     #[error("{}: the file has changed since it was loaded", file.display())]
     Changed {
@@ -41,6 +44,15 @@ pub enum AgainError {
         /// How many there are.
         count: usize,
     },
+}
+
+impl From<FileError> for AgainError {
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Unreadable { file, source } => Self::Unreadable { file, source },
+            other => Self::File(other),
+        }
+    }
 }
 
 /// A vertex as its file has it.
@@ -70,7 +82,11 @@ pub struct FaceInFile {
     pub face: usize,
     /// The line that it stands in, from 1; of continued lines the first.
     pub line: usize,
-    /// Its corners in order.
+    /// Its corners as they are written there, with a space between.
+    pub written: String,
+    /// Why nothing of it is in the mesh, where nothing is.
+    pub left_out: Option<String>,
+    /// Its corners in order; of one that is left out those that are there.
     pub vertices: Vec<VertexInFile>,
     /// What is left of it in the mesh.
     pub triangles: Range<u32>,

@@ -124,7 +124,10 @@ impl App {
     fn arrive_at(&mut self, to: GoTo, file: &MeshFile, found: Found) {
         let found = match found {
             Found::Face(face) => face.map(|face| {
-                let name = format!("face {}, line {}", face.face, face.line);
+                let mut name = format!("face {}, line {}", face.face, face.line);
+                if let Some(why) = &face.left_out {
+                    name = format!("{name}, left out: {why}");
+                }
                 let places = |state: &State| {
                     let (scene, view) = (state.scene(), state.view());
                     Whereabouts::of_face(scene, view, &file.mesh, face.triangles.clone())
