@@ -2,7 +2,7 @@
 
 use super::{
     MeshFile, Progress, Scene, Shape,
-    obj::{Again, FaceInFile, InFile},
+    obj::{Again, AgainError, FaceInFile, InFile},
 };
 use crate::geometry::Mesh;
 use std::sync::Arc;
@@ -46,11 +46,18 @@ impl<'a> FilesAgain<'a> {
         InFile::default()
     }
 
-    /// The face that a triangle of an object's mesh came from, where the file says.
-    pub fn face_of(&mut self, object: usize, triangle: u32) -> Option<FaceInFile> {
+    /// The face that a triangle of an object's mesh came from; `None` where that is from no file.
+    ///
+    /// # Errors
+    /// When the file does not say.
+    pub fn face_of(
+        &mut self,
+        object: usize,
+        triangle: u32,
+    ) -> Result<Option<FaceInFile>, AgainError> {
         let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
-            return None;
+            return Ok(None);
         };
-        self.of(mesh)?.face_of(triangle).ok()
+        (self.of(mesh).map(|again| again.face_of(triangle))).transpose()
     }
 }

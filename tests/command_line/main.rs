@@ -1,5 +1,6 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 
+mod changed;
 mod desktop;
 #[path = "../common/exact/mod.rs"]
 mod exact;

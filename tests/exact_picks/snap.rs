@@ -129,7 +129,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample) -> [usize; 3] {
             if !view.viewport.contains(px) {
                 continue;
             }
-            let found = Snap::at(&scene, &view, px, RADIUS_PX, &mut |_, _| None);
+            let found = Snap::at(&scene, &view, px, RADIUS_PX, &mut |_, _| Ok(None));
             let best = |share: &dyn Fn(&Side) -> Option<f64>| {
                 let mut near: Vec<(f64, &Side, f64)> = sides
                     .iter()
