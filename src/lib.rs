@@ -3,6 +3,138 @@
 //! A rasteriser draws the scene with Projection * View * Model; a click casts one ray on the CPU through *the same
 //! camera* and selects what that pixel shows. What a pick is, to the last bit, stands in [`pick`]. This page is the map.
 //!
+//! # A core to build on
+//!
+//! With `default-features = false` the crate is the picking core: [`geometry`], [`camera`], [`scene`] and [`pick`] (and
+//! [`colour`], [`image`], [`look`] for pictures by rays), which know no graphics and no window. Features add the rest:
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `files` | OBJ and scene files, read and written; the demo and the gallery; PNG files |
+//! | `render` | drawing by wgpu, and `verify`, which compares it with picks |
+//! | `study` | methods beside exact arithmetic; brings `files` and `render` |
+//! | `window`, on by default | window, command line and the program; brings all of the above |
+//!
+//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may ask one scene at a time. What cannot be is a
+//! miss (`None`) or an error; who names an object or triangle by an index that is not there is told by a panic. Vectors and
+//! matrices are those of [`glam`], which is handed on.
+//!
+//! **Picks in a scene of your own.** The camera's numbers are what a renderer has already:
+//!
+//! ```
+//! use sightline::{
+//!     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
+//!     geometry::{Placement, Trs},
+//!     glam::{DVec2, DVec3},
+//!     pick,
+//!     scene::{Object, Scene, Shape},
+//! };
+//!
+//! let beside = Trs {
+//!     translation: DVec3::new(2.0, 0.0, 0.0),
+//!     rotation_deg: DVec3::new(0.0, 30.0, 0.0),
+//!     scale: DVec3::ONE,
+//! };
+//! let scene = Scene::new(vec![
+//!     Object::new("ball", Shape::Sphere, Placement::IDENTITY),
+//!     Object::new("box", Shape::Cube, Placement::new(beside.to_model())?),
+//! ]);
+//! let lens = Lens {
+//!     projection: Projection::Perspective { fov_y: 45_f64.to_radians() },
+//!     near: 0.1,
+//!     far: 100.0,
+//!     depth: DepthMapping::default(),
+//! };
+//! let camera = Camera::new(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, lens)?;
+//! let view = View::new(camera, Viewport::new(640, 480)?);
+//!
+//! let picked = pick::pick(&scene, &view, DVec2::new(320.0, 240.0)).expect("the ball is in the middle");
+//! assert_eq!((picked.object.as_str(), picked.depth), ("ball", 4.5));
+//! let of_box = camera.project(view.viewport, beside.translation).expect("it lies before the eye");
+//! assert_eq!(pick::pick(&scene, &view, of_box.px).map(|picked| picked.id), Some(2));
+//! assert!(pick::pick(&scene, &view, DVec2::new(5.0, 5.0)).is_none());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Triangle meshes of your own.** One mesh may stand in many places; vertices are `f32` about an `f64` origin:
+//!
+//! ```
+//! use sightline::{
+//!     geometry::{Mesh, MeshData, Placement, Ray, Sides},
+//!     glam::{DAffine3, DVec3},
+//!     pick,
+//!     scene::{Object, Scene, Shape},
+//! };
+//! use std::sync::Arc;
+//!
+//! let roof = MeshData {
+//!     origin: DVec3::new(3_500_000.0, 0.0, 5_400_000.0), // as maps have them: nothing is lost there
+//!     ..MeshData::of_triangles(
+//!         "roof",
+//!         vec![[0.0, 0.0, 0.0], [0.0, 0.0, 4.0], [4.0, 2.0, 0.0], [4.0, 2.0, 4.0]],
+//!         vec![[0, 1, 2], [2, 1, 3]],
+//!     )
+//! };
+//! let middle = roof.origin + DVec3::new(2.0, 0.0, 2.0);
+//! let mesh = Arc::new(Mesh::new(roof)?);
+//! let houses = (0..100).map(|i| {
+//!     let model = DAffine3::from_translation(10.0 * f64::from(i) * DVec3::X);
+//!     let shape = Shape::Mesh { mesh: Arc::clone(&mesh), part: 0 };
+//!     Ok(Object::new(format!("house {i}"), shape, Placement::new(model)?))
+//! });
+//! let scene = Scene::new(houses.collect::<Result<_, sightline::geometry::PlacementError>>()?);
+//!
+//! let down = Ray {
+//!     origin: middle + DVec3::new(420.0, 50.0, 0.0),
+//!     direction: DVec3::NEG_Y,
+//!     t_min: 0.0,
+//!     t_max: f64::INFINITY,
+//! };
+//! let hit = pick::closest(&scene, down, Sides::Front).expect("a roof is below");
+//! assert_eq!(scene.objects()[hit.object].name, "house 42");
+//! assert_eq!(hit.hit.t, 49.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Many rays.** Build the trees first, then ask from as many threads as there are; [`pick::ids`] does so for a whole
+//! picture:
+//!
+//! ```
+//! use sightline::{
+//!     geometry::{Mesh, MeshData, Placement, Ray, Sides},
+//!     glam::DVec3,
+//!     pick,
+//!     scene::{Object, Scene, Shape},
+//! };
+//! use std::{sync::Arc, thread};
+//!
+//! let side = 100_u16; // a hilly field of 20,000 triangles
+//! let at = |i: u16| f32::from(i) / f32::from(side);
+//! let height = |x: f32, z: f32| 0.1 * (9.0 * x).sin() * (7.0 * z).cos();
+//! let point = |i, j| [at(i), height(at(i), at(j)), at(j)];
+//! let positions = (0..=side).flat_map(|j| (0..=side).map(move |i| point(i, j)));
+//! let width = u32::from(side) + 1;
+//! let cells = (0..width - 1).flat_map(|j| (0..width - 1).map(move |i| j * width + i));
+//! let triangles = cells.flat_map(|a| [[a, a + width, a + 1], [a + 1, a + width, a + width + 1]]);
+//! let data = MeshData::of_triangles("field", positions.collect(), triangles.collect());
+//! let shape = Shape::Mesh { mesh: Arc::new(Mesh::new(data)?), part: 0 };
+//! let scene = Scene::new(vec![Object::new("field", shape, Placement::IDENTITY)]);
+//! scene.build_trees();
+//!
+//! let depth = |i: u32| {
+//!     let origin = DVec3::new(f64::from(i % 97) / 97.0, 1.0, f64::from(i % 89) / 89.0);
+//!     let down = Ray { origin, direction: DVec3::NEG_Y, t_min: 0.0, t_max: 10.0 };
+//!     pick::closest(&scene, down, Sides::Both).map(|hit| hit.hit.t)
+//! };
+//! let depths: Vec<_> = thread::scope(|threads| {
+//!     let quarters = (0..4).map(|n| threads.spawn(move || (n..8000).step_by(4).filter_map(depth).count()));
+//!     let quarters: Vec<_> = quarters.collect();
+//!     quarters.into_iter().map(|quarter| quarter.join().expect("no panic")).collect()
+//! });
+//! assert_eq!(depths, [2000; 4]); // not one slips through between two triangles
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # What flows where
 //!
 //! ```text
@@ -19,8 +151,10 @@
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
 //! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
-//! egui. `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files
-//! that are written whole or not at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of that.
+//! egui. What the core is (above) names nothing of the others, nor does `scene` of what it adds for files (`scene/files`).
+//! `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files that are written whole or not
+//! at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of
+//! that.
 //!
 //! # Spaces
 //!
@@ -69,7 +203,7 @@
 //!
 //! **A shape.** Give it a file in `geometry` with its box and its hits, a [`geometry::LocalRay`] in: a filter in `f64` with
 //! bounds, and in `geometry/exact` what decides the rest. Hold it to a closed form in `tests/shapes` and to the oracle in
-//! `tests/exact_picks`. Add the variant to [`scene::Shape`] and its word to `scene/entry.rs`; the compiler then
+//! `tests/exact_picks`. Add the variant to [`scene::Shape`] and its word to `scene/files/entry.rs`; the compiler then
 //! names every place that has to know it: its bounds, who asks it for hits, its edges, how it is drawn, what `verify`
 //! may put down to its outline, the study's truth. Name the word in README's scene file and in [`scene::description`], and
 //! what counts as a hit on it in [`pick`] and in `pick --help`. A shape of flat faces is drawn as those
@@ -88,17 +222,29 @@
 //! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an
 //! error of one line.
 
+// What only the parts above the core ask of it is unused without them.
+#![cfg_attr(not(feature = "window"), allow(dead_code, unused_imports))]
+
 pub mod camera;
+#[cfg(feature = "window")]
 pub mod cli;
 pub mod colour;
 pub mod geometry;
 pub mod image;
+#[cfg(feature = "window")]
 mod json;
 pub mod look;
 pub mod pick;
+#[cfg(feature = "render")]
 pub mod render;
+#[cfg(feature = "files")]
 mod replace;
 pub mod scene;
+#[cfg(feature = "study")]
 pub mod study;
+#[cfg(feature = "render")]
 pub mod verify;
+#[cfg(feature = "window")]
 pub mod viewer;
+
+pub use glam;

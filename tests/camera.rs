@@ -1,4 +1,5 @@
 //! One camera for picture and pick: matrices and rays agree with each other and with the textbook.
+#![cfg(feature = "window")]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! A city in map coordinates: drawn as steadily, and picked as well, as if it stood at the origin.
+#![cfg(feature = "window")]
 
 mod common;
 #[path = "common/scenes.rs"]

@@ -1,5 +1,6 @@
 //! Triangles are decided as exact arithmetic decides: hit or miss, front or back, in the interval or not, and which is
 //! nearest, over families of rays that stress the arithmetic. The truth is `common/oracle.rs`.
+#![cfg(feature = "window")]
 
 mod common;
 #[path = "common/families.rs"]

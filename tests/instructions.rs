@@ -1,4 +1,5 @@
 //! Whichever instructions walk a tree, and whatever the mesh: the same hits as by trying every triangle, to the bit.
+#![cfg(feature = "window")]
 
 mod common;
 

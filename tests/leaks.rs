@@ -1,4 +1,5 @@
 //! Closed meshes let no ray through: not at their edges, not at their corners, near the origin or far from it.
+#![cfg(feature = "window")]
 
 mod common;
 #[path = "common/oracle.rs"]

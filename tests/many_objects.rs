@@ -1,4 +1,5 @@
 //! A scene of many objects answers as each of them alone would, and asks few of them.
+#![cfg(feature = "window")]
 
 mod common;
 
@@ -288,7 +289,11 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
         } else {
             scene.set_visible(object, i % 8 == 0);
         }
-        changed.push(Change { object, moved });
+        changed.push(Change {
+            object,
+            moved,
+            visible: scene.objects()[object].visible,
+        });
         assert_eq!(scene.changed_since(begun), Some(&changed[..]));
     }
     let fresh = Scene::new(scene.objects().to_vec());

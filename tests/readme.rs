@@ -1,4 +1,5 @@
 //! What README says is what the program does.
+#![cfg(feature = "window")]
 
 #[path = "common/images.rs"]
 mod images;

@@ -1,4 +1,5 @@
 //! Every shader is valid, and both sides mean the same by each struct. Needs no GPU.
+#![cfg(feature = "window")]
 
 use sightline::render::{SHADERS, layout};
 use std::mem::{offset_of, size_of};

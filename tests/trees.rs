@@ -1,4 +1,5 @@
 //! Meshes: the tree against brute force, ties, hidden parts, culled sides and triangles that are none.
+#![cfg(feature = "window")]
 
 mod common;
 

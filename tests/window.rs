@@ -1,5 +1,6 @@
 //! The real window under Xvfb, with real pointer events: what it prints for a click is what `sightline pick` prints
 //! for the same view.
+#![cfg(feature = "window")]
 
 use std::{
     io::{BufRead, BufReader, Read},

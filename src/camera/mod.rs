@@ -39,6 +39,7 @@ pub struct Camera {
 
 /// Why there is no such camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CameraError {
     /// Eye, target, direction or up has a NaN or an infinity.
     #[error("the camera's {0} is not a finite vector")]

@@ -33,6 +33,7 @@ pub enum SectionChoice {
 
 /// Why a text is no section. One line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SectionWordError {
     /// Not one of the forms.
     #[error(

@@ -93,6 +93,17 @@ pub struct View {
 }
 
 impl View {
+    /// What a camera sees of both sides of all surfaces, cut by nothing.
+    #[must_use]
+    pub fn new(camera: Camera, viewport: Viewport) -> Self {
+        Self {
+            camera,
+            viewport,
+            sides: Sides::Both,
+            section: None,
+        }
+    }
+
     /// Both ends, in pixels, of what the picture shows of a world-space segment: the part at or behind the near plane,
     /// clipped by nothing else. `None` where there is no such part.
     #[must_use]

@@ -52,6 +52,7 @@ pub(crate) use exact::{
 };
 pub(crate) use interval::HALF_OF_THE_DIGITS;
 pub use local_ray::{LocalRay, PlacedRay};
+pub(crate) use mesh::BLOCK;
 pub use mesh::{ColourRun, Mesh, MeshData, MeshError, Part};
 pub use normals::{CornerNormals, crease_normals, face_normal};
 pub use placed_point::{PlacedPoint, ThroughPoint};

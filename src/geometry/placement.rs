@@ -25,6 +25,7 @@ pub struct Placement {
 
 /// Why a model matrix was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlacementError {
     /// It flattens space, or its inverse does not fit into `f64`.
     #[error("the model matrix has no inverse (is a scale zero?)")]
@@ -117,6 +118,21 @@ impl Placement {
     #[must_use]
     pub fn point_to_world(&self, point_object: DVec3) -> DVec3 {
         self.model.transform_point3(point_object)
+    }
+
+    /// The sizes of what a point of object space is made of in the world: `|L| sizes + |T|`.
+    pub(crate) fn sizes_in_world(&self, sizes: DVec3) -> DVec3 {
+        self.sizes_along(sizes) + self.model.translation.abs()
+    }
+
+    /// How far along the world's axes reaches what has these sizes along the object's: `|L| sizes`.
+    pub(crate) fn sizes_along(&self, sizes: DVec3) -> DVec3 {
+        let DMat3 {
+            x_axis,
+            y_axis,
+            z_axis,
+        } = self.model.matrix3;
+        DMat3::from_cols(x_axis.abs(), y_axis.abs(), z_axis.abs()) * sizes
     }
 
     /// A world-space ray in object space as picks take it, with the same `t`.

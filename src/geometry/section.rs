@@ -1,7 +1,7 @@
 //! A plane that cuts the world: what lies behind it is neither drawn nor hit.
 
 use super::{
-    Corners, Ray, RayError, U, exact,
+    Placement, Ray, RayError, U, exact,
     interval::{Approximate, InDoubt},
 };
 use glam::DVec3;
@@ -15,6 +15,7 @@ pub struct Section {
 
 /// Why there is no such section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SectionError {
     /// The numbers make no plane.
     #[error("a section's numbers must be finite")]
@@ -77,15 +78,32 @@ impl Section {
         )
     }
 
-    /// The same with c raised until it keeps a triangle's corners.
-    pub(crate) fn moved_to_keep(self, triangle: &Corners) -> Result<Self, SectionError> {
-        let mut section = self;
-        let mut step = U * self.offset.abs().max(f64::MIN_POSITIVE);
-        while !exact::keeps_corners(&section, triangle) {
-            section = Self::new(self.normal, self.offset + step)?;
-            step *= 2.0;
+    /// The same with c raised until it keeps points of an object, each about an origin in object space. The first step is
+    /// what c may have been rounded by.
+    ///
+    /// # Errors
+    /// When no finite c does.
+    pub(crate) fn moved_to_keep(
+        mut self,
+        placement: &Placement,
+        origin: DVec3,
+        points: impl IntoIterator<Item = DVec3>,
+    ) -> Result<Self, SectionError> {
+        for point in points {
+            let world = placement.point_to_world(origin + point);
+            let reach = placement.sizes_in_world(origin.abs() + point.abs());
+            let terms = self.normal.abs().dot(reach) + self.offset.abs();
+            // The world point is off by less than 8 U of them, the side by 5 more.
+            if self.side(world) > 16.0 * U * terms {
+                continue;
+            }
+            let mut step = (U * terms).max(f64::from_bits(1));
+            while !exact::keeps_point(&self, placement, [origin, point]) {
+                self = Self::new(self.normal, self.offset + step)?;
+                step *= 2.0;
+            }
         }
-        Ok(section)
+        Ok(self)
     }
 
     /// n: it points to what is kept.

@@ -4,7 +4,7 @@ use super::{InOnePlace, SceneHit, edge, order};
 use crate::{
     camera::View,
     geometry::{OnTriangle, Placement},
-    scene::{Scene, Shape, obj::InFile},
+    scene::{InFile, Scene, Shape},
 };
 use glam::{DVec2, DVec3};
 use serde::Serialize;

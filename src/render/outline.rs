@@ -105,7 +105,7 @@ impl Renderer {
         let marks = (self.post).bind(gpu, targets, &targets.values_view, &targets.mask_view);
         let pipeline = self.post.pipeline(gpu, "outline", MARKS);
         let mut encoder = gpu.encoder();
-        let place = scene.places.get(selection).filter(|place| place.visible);
+        let place = scene.shown(selection);
         {
             let mut pass = begin(&mut encoder, &targets.outline_view, true);
             let rect = place.and_then(|place| screen_rect(place, view, outline_px));
@@ -140,7 +140,7 @@ impl Renderer {
         let outline_px = self.outline_px();
         let whole = [0, 0, viewport.width(), viewport.height()];
         let box_of = |object: Option<usize>| {
-            let place = scene.places.get(object?).filter(|place| place.visible)?;
+            let place = scene.shown(object?)?;
             screen_rect(place, view, outline_px)
         };
         let marked = [

@@ -22,7 +22,7 @@ use crate::{
 use std::{
     cell::{RefCell, RefMut},
     collections::HashMap,
-    fmt,
+    fmt, mem,
     ops::Range,
     sync::{Arc, PoisonError, RwLock},
 };
@@ -41,7 +41,7 @@ pub struct SceneBuffers {
     /// [`ObjectState`] of each object.
     pub(super) objects: wgpu::Buffer,
     /// Where each object is drawn.
-    pub(super) places: Vec<Place>,
+    places: Vec<Place>,
     /// What `objects` holds.
     states: Vec<ObjectState>,
     /// How many changes of the scene it has.
@@ -67,7 +67,6 @@ pub(super) struct Place {
     /// Its triangles; none for spheres.
     pub triangles: Range<u32>,
     pub bounds_world: Aabb,
-    pub visible: bool,
 }
 
 impl SceneBuffers {
@@ -110,28 +109,27 @@ impl SceneBuffers {
     /// Takes over what single objects are now.
     fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change]) {
         let seen = self.seen.get_mut();
-        if changed.len() > MANY {
+        let are_many = changed.len() > MANY;
+        if are_many {
             seen.forget();
         }
         let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
-        for &Change { object, moved } in changed {
+        for change in changed {
+            let (object, visible) = (change.object, u32::from(change.visible));
             let place = &mut self.places[object];
             let number = place.batch;
             let batch = &mut all.batches[number as usize];
-            let Object {
-                visible, placement, ..
-            } = scene.objects()[object];
-            if place.visible != visible {
-                let shown = if visible { 1 } else { u32::MAX };
-                batch.shown = batch.shown.wrapping_add(shown);
-                self.states[object].visible = u32::from(visible);
-                place.visible = visible;
-            }
+            let before = mem::replace(&mut self.states[object].visible, visible);
+            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
             let mut stays = batch.twins.is_none();
-            if moved {
+            if change.moved {
                 place.bounds_world = scene.bounds_of(object);
                 let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
+                let placement = scene.objects()[object].placement;
                 stays &= all.place(scene, number, placement, bounds);
+            }
+            if are_many {
+                continue;
             }
             if stays {
                 seen.renew(number, &all.batches[number as usize]);
@@ -197,12 +195,11 @@ impl SceneBuffers {
             let number = index(batches.len());
             batches.push(drawn_batch(scene, batch, kind, triangles.start));
             for object in batch.clone() {
-                let Object { shape, visible, .. } = &scene.objects()[object];
+                let shape = &scene.objects()[object].shape;
                 places.push(Place {
                     batch: number,
                     triangles: shape.triangles().unwrap_or(triangles.clone()),
                     bounds_world: scene.bounds_of(object),
-                    visible: *visible,
                 });
             }
         }
@@ -249,9 +246,15 @@ impl SceneBuffers {
         &self.tables
     }
 
+    /// Where an object is; `None` while it is hidden.
+    pub(super) fn shown(&self, object: usize) -> Option<&Place> {
+        let is_shown = self.states.get(object)?.visible != 0;
+        is_shown.then(|| &self.places[object])
+    }
+
     /// The draw of an object by itself, which sees to its row; `None` where it is hidden.
     pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
-        let place = self.places.get(object).filter(|place| place.visible)?;
+        let place = self.shown(object)?;
         let all = read(&self.all);
         let batch = &all.batches[place.batch as usize];
         let row = batch.seen_in(&ViewSpace::new(view));

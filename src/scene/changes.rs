@@ -7,6 +7,8 @@ pub struct Change {
     pub object: usize,
     /// Whether it has another placement.
     pub moved: bool,
+    /// Whether it is shown since.
+    pub visible: bool,
 }
 
 /// A log of changed objects.

@@ -1,42 +1,31 @@
 //! What there is to see: objects in the world, each a shape with a model matrix.
 
 mod changes;
-mod demo;
-pub mod description;
-mod entry;
 mod extent;
-mod file;
-mod files_again;
-pub mod gallery;
-mod load;
+#[cfg(feature = "files")]
+mod files;
+mod in_file;
 mod narrowed;
-pub mod obj;
 mod object;
-mod problem;
-mod progress;
-mod save;
 mod section;
 mod sums;
 mod tree;
-mod warning;
 
 pub use changes::Change;
-pub(crate) use entry::matrix_rows;
-pub use file::FileError;
-pub use files_again::FilesAgain;
-pub use load::{Detail, LoadError, Loaded, MeshFile, MeshFiles, load, load_with};
-pub(crate) use load::{is_scene_file, title};
-pub use obj::{ObjError, ObjFile};
+#[cfg(feature = "files")]
+pub use files::{
+    Cancelled, DescriptionError, Detail, FileError, FilesAgain, LoadError, Loaded, MeshFile,
+    MeshFiles, ObjError, ObjFile, Problem, Progress, SaveError, Warning, description, gallery,
+    load, load_with, obj, save,
+};
+#[cfg(feature = "window")]
+pub(crate) use files::{is_scene_file, matrix_rows, title};
+pub use in_file::{FaceInFile, InFile, VertexInFile};
 pub use object::{Object, Shape};
-pub use problem::{DescriptionError, Problem, SaveError};
-pub use progress::{Cancelled, Progress};
-pub use save::save;
 pub use section::NoSection;
-pub use warning::Warning;
 
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
-use extent::Extent;
 use std::{
     collections::HashSet,
     ops::{ControlFlow, Range},
@@ -84,8 +73,6 @@ pub struct Scene {
     /// Until an object is changed.
     sums: OnceLock<Sums>,
     changes: Changes,
-    /// Of the object that was moved last.
-    extent: Option<Arc<Extent>>,
 }
 
 impl Scene {
@@ -103,7 +90,6 @@ impl Scene {
             tree: Arc::default(),
             sums: OnceLock::new(),
             changes: Changes::default(),
-            extent: None,
         };
         scene.tree = Arc::new(SceneTree::new(&scene));
         scene.sums();
@@ -129,6 +115,9 @@ impl Scene {
     }
 
     /// The world-space box about an object; see [`Object::bounds_world`].
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     #[must_use]
     pub fn bounds_of(&self, object: usize) -> Aabb {
         self.bounds[object]
@@ -170,16 +159,22 @@ impl Scene {
     }
 
     /// Shows or hides an object.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     pub fn set_visible(&mut self, object: usize, visible: bool) {
         Arc::make_mut(&mut self.objects)[object].visible = visible;
         self.changed(object, false);
     }
 
     /// Puts an object somewhere else.
+    ///
+    /// # Panics
+    /// When there is no object of this index.
     pub fn place(&mut self, object: usize, placement: Placement) {
         let before = self.joins(object);
         Arc::make_mut(&mut self.objects)[object].placement = placement;
-        Arc::make_mut(&mut self.bounds)[object] = self.bounds_when_moved(object);
+        Arc::make_mut(&mut self.bounds)[object] = extent::bounds_world(&self.objects[object]);
         self.changed(object, true);
         if self.joins(object) == before {
             let batch = self.batches.partition_point(|batch| batch.end <= object);
@@ -190,22 +185,6 @@ impl Scene {
             self.batches = Arc::new(batches(&self.objects));
             self.tree = Arc::new(SceneTree::new(self));
             self.changes.everything();
-        }
-    }
-
-    /// The box about an object that may be moved again soon.
-    fn bounds_when_moved(&mut self, object: usize) -> Aabb {
-        let moved = &self.objects[object];
-        if self
-            .extent
-            .as_ref()
-            .is_none_or(|extent| !extent.is_of(object))
-        {
-            self.extent = Extent::of(object, moved).map(Arc::new);
-        }
-        match &self.extent {
-            Some(extent) => extent.bounds_world(&moved.placement),
-            None => moved.bounds_world(),
         }
     }
 
@@ -223,7 +202,11 @@ impl Scene {
 
     fn changed(&mut self, object: usize, moved: bool) {
         self.sums.take();
-        let change = Change { object, moved };
+        let change = Change {
+            object,
+            moved,
+            visible: self.objects[object].visible,
+        };
         self.changes.push(change, self.objects.len());
     }
 
@@ -320,6 +303,13 @@ impl Scene {
             mesh.build_tree_unless(stop);
         }
     }
+
+    /// Does beforehand what the first move of an object of each mesh needs.
+    pub fn prepare_moves(&self) {
+        for mesh in self.meshes.iter() {
+            mesh.blocks();
+        }
+    }
 }
 
 /// Each mesh of the objects once.
@@ -357,5 +347,7 @@ fn continues(before: &Object, object: &Object) -> bool {
     else {
         return false;
     };
-    Arc::ptr_eq(mesh, next_mesh) && part + 1 == *next_part && before.placement == object.placement
+    Arc::ptr_eq(mesh, next_mesh)
+        && part.checked_add(1) == Some(*next_part)
+        && before.placement == object.placement
 }

@@ -20,7 +20,7 @@ pub enum Shape {
     Mesh {
         /// The whole file.
         mesh: Arc<Mesh>,
-        /// Which of its parts.
+        /// Which of its parts, from 0. One that is not there has no triangles.
         part: usize,
     },
 }
@@ -37,11 +37,14 @@ impl Shape {
         }
     }
 
-    /// The triangles of its mesh; `None` for analytic shapes.
+    /// The triangles of its part of the mesh; `None` for analytic shapes.
     #[must_use]
     pub fn triangles(&self) -> Option<Range<u32>> {
         match self {
-            Self::Mesh { mesh, part } => Some(mesh.data().parts[*part].triangles.clone()),
+            Self::Mesh { mesh, part } => {
+                let part = mesh.data().parts.get(*part);
+                Some(part.map_or(0..0, |part| part.triangles.clone()))
+            }
             _ => None,
         }
     }
@@ -126,8 +129,8 @@ impl Object {
             Shape::Mesh { mesh, part } if self.placement == Placement::IDENTITY => {
                 mesh.part_bounds(*part)
             }
-            Shape::Mesh { mesh, part } => Aabb::around(
-                (mesh.data().parts[*part].triangles.clone())
+            Shape::Mesh { mesh, .. } => Aabb::around(
+                (self.shape.triangles().into_iter().flatten())
                     .flat_map(|triangle| mesh.corners(triangle).map(to_world)),
             ),
         }

@@ -3,12 +3,14 @@
 use super::{NoSuchObject, Object, Scene, Shape};
 use crate::{
     camera::SectionChoice,
-    geometry::{Corners, Cuboid, Section, SectionError, Square},
+    geometry::{Aabb, BLOCK, Cuboid, Mesh, MeshData, Placement, Section, SectionError, Square},
 };
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use std::collections::BTreeSet;
 
 /// Why there is no section along a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NoSection {
     /// There is no such object.
     #[error(transparent)]
@@ -57,50 +59,92 @@ impl Scene {
             Shape::Cube => "a cube has the faces 0 to 5, +x, -x, +y, -y, +z, -z; say face:ID,FACE",
             Shape::Mesh { .. } => "a mesh has triangles; say face:ID,TRIANGLE, as picks name them",
         };
-        match (corners(object, face), face) {
-            (Some((origin, corners)), _) => Ok(Some(along(object, origin, corners)?)),
+        match (face_of(object, face), face) {
+            (Some(face), _) => Ok(Some(along(object, &face)?)),
             (None, Some(face)) => Err(NoSection::Face { id, face, has }),
             (None, None) => Err(NoSection::Unnamed { id, has }),
         }
     }
 }
 
-/// Three corners of a face about an origin of object space, counter-clockwise from outside.
-fn corners(object: &Object, face: Option<u32>) -> Option<(DVec3, [DVec3; 3])> {
+/// A face of an object, about an origin of its object space.
+struct Face {
+    origin: DVec3,
+    /// Counter-clockwise from outside.
+    corners: [DVec3; 3],
+    /// What else lies in its plane.
+    others: Vec<DVec3>,
+}
+
+fn face_of(object: &Object, face: Option<u32>) -> Option<Face> {
+    let flat = |[a, b, c, d]: [DVec3; 4]| Face {
+        origin: DVec3::ZERO,
+        corners: [a, b, c],
+        others: vec![d],
+    };
     match (&object.shape, face) {
-        (Shape::Square, None) => {
-            let [a, b, c, _] = Square::corners();
-            Some((DVec3::ZERO, [a, b, c]))
-        }
+        (Shape::Square, None) => Some(flat(Square::corners())),
         (Shape::Cube, Some(face)) => {
             let normal = Cuboid::NORMALS.get(face as usize)?;
-            let [a, b, c, _] = Cuboid::face(*normal);
-            Some((DVec3::ZERO, [a, b, c]))
+            Some(flat(Cuboid::face(*normal)))
         }
-        (Shape::Mesh { mesh, part }, Some(face)) => {
-            let triangles = &mesh.data().parts[*part].triangles;
+        (Shape::Mesh { mesh, .. }, Some(face)) => {
+            let triangles = object.shape.triangles()?;
             let triangle = triangles.start.checked_add(face)?;
             let is_its = triangles.contains(&triangle);
-            is_its.then(|| (mesh.data().origin, mesh.vertex_corners(triangle)))
+            is_its.then(|| Face {
+                origin: mesh.data().origin,
+                corners: mesh.vertex_corners(triangle),
+                others: Vec::new(),
+            })
         }
         _ => None,
     }
 }
 
-/// What lies behind a face, and all of the face: n and c are rounded, c so that the exact corners are kept.
-fn along(object: &Object, origin: DVec3, corners: [DVec3; 3]) -> Result<Section, SectionError> {
+/// What lies behind a face, and all of the face: n and c are rounded, c so that what is exactly there is kept. Of a mesh that
+/// is each vertex in the face's plane, as far as `f32` tells: a flat face of many triangles is kept as a whole.
+fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
     let placement = &object.placement;
-    let [a, b, c] = corners.map(|corner| placement.point_to_world(origin + corner));
+    let to_world = |corner: DVec3| placement.point_to_world(face.origin + corner);
+    let [a, b, c] = face.corners.map(to_world);
     // Clockwise from outside; under a matrix that mirrors, the other way round.
     let points = if placement.mirrors() {
         [a, b, c]
     } else {
         [a, c, b]
     };
-    let exact = Corners {
-        placement: Some(placement),
-        origin,
-        corners,
+    let section = Section::through_points(points)?;
+    let near = match &object.shape {
+        Shape::Mesh { mesh, .. } => vertices_near(mesh, placement, &section),
+        _ => Vec::new(),
     };
-    Section::through_points(points)?.moved_to_keep(&exact)
+    let points = face.corners.iter().chain(&face.others).chain(&near);
+    section.moved_to_keep(placement, face.origin, points.copied())
+}
+
+/// The vertices of a mesh that lie in a plane but for what rounding to `f32` may have moved a parallelogram's fourth corner
+/// from that of the other three: four times what it moves one.
+fn vertices_near(mesh: &Mesh, placement: &Placement, section: &Section) -> Vec<DVec3> {
+    let MeshData {
+        origin,
+        positions,
+        triangles,
+        ..
+    } = mesh.data();
+    let position = |vertex: u32| Vec3::from(positions[vertex as usize]).as_dvec3();
+    let blocks = || mesh.blocks().iter().zip(triangles.chunks(BLOCK));
+    let largest = blocks().fold(DVec3::ZERO, |largest, (block, _)| {
+        let [min, max] = [block.min, block.max].map(|corner| (corner - *origin).abs());
+        largest.max(min).max(max)
+    });
+    let world = |sizes: DVec3| section.normal().abs().dot(placement.sizes_along(sizes));
+    let room = 4.0 * 0.5 * f64::from(f32::EPSILON) * world(largest);
+    let off = |point_object| section.side(placement.point_to_world(point_object)).abs();
+    let is_near = |block: &Aabb| off(block.center()) <= room + world(0.5 * (block.max - block.min));
+    let near = blocks().filter(|(block, _)| is_near(block));
+    let vertices = near.flat_map(|(_, triangles)| triangles.as_flattened());
+    let in_plane = |vertex: &u32| off(*origin + position(*vertex)) <= room;
+    let vertices: BTreeSet<u32> = vertices.copied().filter(in_plane).collect();
+    vertices.into_iter().map(position).collect()
 }

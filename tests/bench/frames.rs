@@ -23,6 +23,8 @@ use std::{
 
 /// Events of each gesture.
 const EVENTS: u16 = 40;
+/// Of scenes with more triangles a fifth of them: a picture takes seconds.
+const MANY: usize = 2_000_000;
 /// More passes than these after one event do not come.
 const MOST_PASSES: usize = 20_000;
 /// Between passes in which nothing came, as a window waits for what it is woken by.
@@ -30,6 +32,8 @@ const PAUSE: Duration = Duration::from_millis(4);
 
 /// Over the scene.
 const MIDDLE: Pos2 = pos2(590.0, 360.0);
+/// Over the world, of the four views.
+const PANE: Pos2 = pos2(760.0, 200.0);
 /// Over the list of objects.
 const PANEL: Pos2 = pos2(100.0, 200.0);
 
@@ -88,104 +92,143 @@ fn grid(folder: &Path, objects: u32) -> PathBuf {
     file
 }
 
+/// A window in which gestures are made.
+struct Bench {
+    window: Offscreen,
+    /// Events of each gesture.
+    events: u16,
+    /// The thread's time of all passes since the scene was there, in milliseconds.
+    cpu: Vec<f64>,
+}
+
 /// All gestures on one scene, which comes after the demo, or on that.
 fn scene(file: Option<PathBuf>) {
     let size = Viewport::new(1280, 720).expect("a viewport");
-    let mut window = Offscreen::open(Options::default(), size, 1.0);
-    window.draw().unwrap_or_else(|error| panic!("{error}"));
+    let mut bench = Bench {
+        window: Offscreen::open(Options::default(), size, 1.0),
+        events: EVENTS,
+        cpu: Vec::new(),
+    };
+    let drawn = bench.window.draw();
+    drawn.unwrap_or_else(|error| panic!("{error}"));
     if let Some(file) = file {
-        window.begin_to_drop(file);
+        bench.window.begin_to_drop(file);
     }
     let mut costs = Costs::default();
-    costs.of(&mut window, Event::PointerMoved(MIDDLE));
-    let scene = window.state().scene();
+    costs.of(&mut bench.window, Event::PointerMoved(MIDDLE));
+    let scene = bench.window.state().scene();
     let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
     println!("{objects} objects, {triangles} triangles, 1280x720");
+    if triangles > MANY {
+        bench.events /= 5;
+    }
     // Before it was there, another was shown.
     costs.shown.clone_from(&costs.done);
-    costs.report("load");
+    bench.report("load", costs);
 
     let step = |i: u16| f32::from(i % 20);
     let at = |i: u16| MIDDLE + vec2(6.0 * step(i), 3.0 * step(i));
-    moves(&mut window, "panel", |i| PANEL + vec2(0.0, step(i)));
-    moves(&mut window, "hover", at);
-    window.send([Event::PointerMoved(MIDDLE), button(MIDDLE, true)]);
-    moves(&mut window, "turn", |i| at(i + 1));
-    window.send([button(at(EVENTS), false)]);
+    bench.moves("panel", |i| PANEL + vec2(0.0, step(i)));
+    bench.moves("hover", at);
+    (bench.window).send([Event::PointerMoved(MIDDLE), button(MIDDLE, true)]);
+    bench.moves("turn", |i| at(i + 1));
+    bench.window.send([button(at(bench.events), false)]);
 
     let mut costs = Costs::default();
-    for i in 0..EVENTS / 4 {
-        window.wait_s(1.0);
+    for i in 0..bench.events / 4 {
+        bench.window.wait_s(1.0);
         let at = at(i);
-        window.send([Event::PointerMoved(at), button(at, true)]);
-        costs.of(&mut window, button(at, false));
+        bench
+            .window
+            .send([Event::PointerMoved(at), button(at, true)]);
+        costs.of(&mut bench.window, button(at, false));
     }
-    costs.report("click");
+    bench.report("click", costs);
 
-    press(&mut window, Key::F);
-    if window.state().selection().is_some() {
-        place(&mut window);
-        let keys = [(Modifiers::SHIFT, Key::H), (Modifiers::NONE, Key::U)];
-        keyed(&mut window, "hide", &keys);
-        window.send([button(MIDDLE, true), button(MIDDLE, false)]);
-        keyed(
-            &mut window,
+    bench.press(Key::F);
+    if bench.window.state().selection().is_some() {
+        bench.place();
+        bench.keyed(
+            "hide",
+            [(Modifiers::SHIFT, Key::H), (Modifiers::NONE, Key::U)],
+        );
+        bench
+            .window
+            .send([button(MIDDLE, true), button(MIDDLE, false)]);
+        bench.keyed(
             "isolate",
-            &[(Modifiers::NONE, Key::I), (Modifiers::NONE, Key::U)],
+            [Key::I, Key::U].map(|key| (Modifiers::NONE, key)),
         );
     }
-    press(&mut window, Key::P);
+    bench.press(Key::P);
     for stage in ["object", "world", "view", "NDC", "four", "picture"] {
         let mut costs = Costs::default();
-        let at = named(&window, &format!("show {stage}"));
-        window.send([Event::PointerMoved(at), button(at, true)]);
-        costs.of(&mut window, button(at, false));
-        costs.report(stage);
-    }
-    println!("on {}\n", window.adapter_name());
-}
-
-/// Moves of the mouse.
-fn moves(window: &mut Offscreen, name: &str, at: impl Fn(u16) -> Pos2) {
-    let mut costs = Costs::default();
-    for i in 0..EVENTS {
-        costs.of(window, Event::PointerMoved(at(i)));
-    }
-    costs.report(name);
-}
-
-/// Drags at a letter of the selected object's matrix.
-fn place(window: &mut Offscreen) {
-    let header = named(window, "Model matrix");
-    window.send([
-        Event::PointerMoved(header),
-        button(header, true),
-        button(header, false),
-    ]);
-    // The letter stands before its field.
-    let field = window
-        .controls()
-        .iter()
-        .find(|control| control.name == "position x")
-        .expect("the matrix");
-    let letter = field.rect.left_center() - vec2(6.0, 0.0);
-    window.send([Event::PointerMoved(letter), button(letter, true)]);
-    moves(window, "matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
-    window.send([button(letter, false)]);
-}
-
-fn keyed(window: &mut Offscreen, name: &str, keys: &[(Modifiers, Key)]) {
-    let mut costs = Costs::default();
-    for _ in 0..EVENTS / 8 {
-        for (modifiers, key) in keys {
-            costs.of(window, pressed(*modifiers, *key));
+        let at = named(&bench.window, &format!("show {stage}"));
+        (bench.window).send([Event::PointerMoved(at), button(at, true)]);
+        costs.of(&mut bench.window, button(at, false));
+        bench.report(stage, costs);
+        if stage == "four" {
+            bench
+                .window
+                .send([Event::PointerMoved(PANE), button(PANE, true)]);
+            bench.moves("turn one", |i| PANE + vec2(step(i + 1), step(i + 1)));
+            bench.window.send([button(PANE, false)]);
         }
     }
-    costs.report(name);
+    bench.cpu.sort_unstable_by(f64::total_cmp);
+    let [most, worst] = [0.99, 1.0].map(|share| at_share(&bench.cpu, share));
+    let passes = bench.cpu.len();
+    println!("all gestures: {passes} passes, 99 % {most:.2} ms, worst {worst:.2}");
+    println!("on {}\n", bench.window.adapter_name());
 }
 
-fn press(window: &mut Offscreen, key: Key) {
-    window.send([pressed(Modifiers::NONE, key)]);
+impl Bench {
+    /// Moves of the mouse.
+    fn moves(&mut self, name: &str, at: impl Fn(u16) -> Pos2) {
+        let mut costs = Costs::default();
+        for i in 0..self.events {
+            costs.of(&mut self.window, Event::PointerMoved(at(i)));
+        }
+        self.report(name, costs);
+    }
+
+    /// Drags at a letter of the selected object's matrix.
+    fn place(&mut self) {
+        let header = named(&self.window, "Model matrix");
+        self.window.send([
+            Event::PointerMoved(header),
+            button(header, true),
+            button(header, false),
+        ]);
+        // The letter stands before its field.
+        let mut controls = self.window.controls().iter();
+        let field = controls
+            .find(|control| control.name == "position x")
+            .expect("the matrix");
+        let letter = field.rect.left_center() - vec2(6.0, 0.0);
+        (self.window).send([Event::PointerMoved(letter), button(letter, true)]);
+        self.moves("matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
+        self.window.send([button(letter, false)]);
+    }
+
+    fn keyed(&mut self, name: &str, keys: [(Modifiers, Key); 2]) {
+        let mut costs = Costs::default();
+        for _ in 0..self.events / 8 {
+            for (modifiers, key) in keys {
+                costs.of(&mut self.window, pressed(modifiers, key));
+            }
+        }
+        self.report(name, costs);
+    }
+
+    fn press(&mut self, key: Key) {
+        self.window.send([pressed(Modifiers::NONE, key)]);
+    }
+
+    fn report(&mut self, name: &str, costs: Costs) {
+        self.cpu.extend(&costs.cpu);
+        costs.report(name);
+    }
 }
 
 fn pressed(modifiers: Modifiers, key: Key) -> Event {
@@ -260,7 +303,7 @@ impl Costs {
         self.all.push(worked_ms(ClockId::ProcessCPUTime) - worked);
     }
 
-    fn report(&mut self, name: &str) {
+    fn report(mut self, name: &str) {
         for times in [
             &mut self.cpu,
             &mut self.shown,
@@ -269,29 +312,31 @@ impl Costs {
         ] {
             times.sort_unstable_by(f64::total_cmp);
         }
-        let at = |of: &[f64], share: f64| {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                clippy::cast_precision_loss,
-                reason = "an index"
-            )]
-            let index = (share * (of.len() - 1) as f64).ceil() as usize;
-            of[index]
-        };
-        let [median, most, worst] = [0.5, 0.99, 1.0].map(|share| at(&self.cpu, share));
+        let [median, most, worst] = [0.5, 0.99, 1.0].map(|share| at_share(&self.cpu, share));
         let [shown, late, done, last] = [
-            at(&self.shown, 0.5),
-            at(&self.shown, 1.0),
-            at(&self.done, 0.5),
-            at(&self.done, 1.0),
+            at_share(&self.shown, 0.5),
+            at_share(&self.shown, 1.0),
+            at_share(&self.done, 0.5),
+            at_share(&self.done, 1.0),
         ];
         println!(
             "{name:9} {:4} passes of {median:5.2} ms, 99 % {most:5.2}, worst {worst:5.2}; shown after {shown:6.1}, at worst {late:6.1}; done {done:6.1}, {last:6.1}; all threads {:6.1}",
             self.cpu.len(),
-            at(&self.all, 0.5)
+            at_share(&self.all, 0.5)
         );
     }
+}
+
+/// What a share of sorted times stays below.
+fn at_share(times: &[f64], share: f64) -> f64 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "an index"
+    )]
+    let index = (share * (times.len() - 1) as f64).ceil() as usize;
+    times[index]
 }
 
 /// Processor time of this thread, or of all.

@@ -1,4 +1,5 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
+#![cfg(feature = "window")]
 
 mod changed;
 mod desktop;
@@ -8,6 +9,7 @@ mod flags;
 mod in_file;
 mod pictures;
 mod refusals;
+mod section;
 mod snap;
 mod stored;
 mod stored_line;

@@ -6,8 +6,10 @@
 //!
 //! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
 //! positions of each family and prints a line for each.
+#![cfg(feature = "window")]
 
 mod aim;
+mod along_faces;
 mod attacked;
 mod blocks;
 mod borders;

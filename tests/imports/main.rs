@@ -37,6 +37,14 @@ const MAY_NAME: [(&str, &str); 15] = [
     ("main", "cli"),
 ];
 
+/// What the crate is without features: it names none of the other modules, and none of the crates that only those have.
+const CORE: [&str; 7] = [
+    "colour", "geometry", "look", "camera", "image", "scene", "pick",
+];
+
+/// Folders within the core that a feature adds.
+const ADDED: [&str; 2] = ["scene/files", "image/png.rs"];
+
 /// Crates that only some modules may name.
 const KEPT: [(&str, &[&str]); 5] = [
     ("wgpu", &["render", "viewer"]),
@@ -161,4 +169,40 @@ fn graphics_and_windows_are_known_to_those_who_draw_and_show() {
         }
         assert_eq!(seen.len(), modules.len(), "{name}: {seen:?}");
     }
+}
+
+#[test]
+fn the_core_names_no_crate_and_no_module_that_a_feature_adds() {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = fs::read_to_string(package.join("Cargo.toml")).expect("a manifest");
+    let optional = manifest.lines().filter_map(|line| {
+        let (name, rest) = line.split_once(" = {")?;
+        let is_optional = rest.contains("optional = true");
+        is_optional.then(|| name.replace('-', "_"))
+    });
+    let optional: Vec<String> = optional.collect();
+    let beyond: Vec<&str> = (MAY_NAME.iter().map(|(name, _)| *name))
+        .filter(|name| !CORE.contains(name))
+        .collect();
+    let added = ADDED.map(|path| package.join("src").join(path));
+    assert!(added.iter().all(|path| path.exists()), "{added:?}");
+    let of_core = |(module, path): &(String, PathBuf)| {
+        CORE.contains(&module.as_str()) && !added.iter().any(|added| path.starts_with(added))
+    };
+    let files: Vec<_> = sources().into_iter().filter(of_core).collect();
+    for (_, path) in &files {
+        let code = code(path);
+        for name in named_after(&code, "crate::") {
+            assert!(!beyond.contains(&name), "{} names {name}", path.display());
+        }
+        for name in &optional {
+            let named = format!("{name}::");
+            let is_named = code.match_indices(&named).any(|(at, _)| {
+                !code[..at].ends_with(|c: char| c == '_' || c == ':' || c.is_alphanumeric())
+            });
+            assert!(!is_named, "{} names {name}", path.display());
+        }
+    }
+    assert!(optional.len() > 30, "{optional:?}");
+    assert!(files.len() > 70, "only {} files", files.len());
 }

@@ -1,4 +1,5 @@
 //! Choosing a view: orbit and framing; `choice` for planes and flags.
+#![cfg(feature = "window")]
 
 mod choice;
 #[path = "../common/mod.rs"]

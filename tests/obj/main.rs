@@ -1,4 +1,5 @@
 //! OBJ files, good and hostile: what they say is what the mesh holds, and what they cannot say is refused in a line.
+#![cfg(feature = "window")]
 
 mod adverse;
 #[path = "../common/mod.rs"]

@@ -1,4 +1,5 @@
 //! Pick records: their fields agree with each other, with the picture, and with how sure they claim to be.
+#![cfg(feature = "window")]
 
 mod certainty;
 #[path = "../common/mod.rs"]

@@ -1,4 +1,5 @@
 //! What is drawn looks as it should: like the ray caster's picture, with its marks, lines and culling.
+#![cfg(feature = "window")]
 
 #[path = "../common/mod.rs"]
 mod common;

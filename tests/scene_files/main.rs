@@ -1,4 +1,5 @@
 //! Scene files: what people write is what they get, what is saved reads back, and errors say where.
+#![cfg(feature = "window")]
 
 mod beside;
 #[path = "../common/mod.rs"]

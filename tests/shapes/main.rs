@@ -1,4 +1,5 @@
 //! Rays against each shape under every kind of transform, held against closed forms in world space.
+#![cfg(feature = "window")]
 
 mod borders;
 #[path = "../common/mod.rs"]

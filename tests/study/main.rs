@@ -1,5 +1,6 @@
 //! The study: truth is right on cases that hands can do, methods break where they are known to, what this program does
 //! stays within its derived bounds, and the same seed says the same.
+#![cfg(feature = "window")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
 mod breaks;

@@ -1,5 +1,6 @@
 //! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker or a
 //! drawing that is wrong in any way is found out.
+#![cfg(feature = "window")]
 
 #[allow(dead_code, reason = "the oracle's tests use the rest")]
 #[path = "../exact_picks/aim.rs"]

@@ -104,3 +104,23 @@ fn what_is_large_is_read_again_in_shares() {
     let seen = watch(&mut window, &old);
     check(&window, &seen, 1);
 }
+
+#[test]
+fn a_large_stage_is_taken_into_graphics_memory_beside_the_window() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![stalls::many(folder.path())], 1.0);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    window.picture().expect("a picture");
+    for stage in ["view", "NDC", "picture"] {
+        let before = window.drawn().expect("a picture");
+        click_on(&mut window, &format!("show {stage}"));
+        while {
+            window.draw().expect("a frame");
+            assert!(window.uploaded_work() < LITTLE, "{stage}");
+            !window.shows_scene()
+        } {}
+        let picture = egui::Rect::from_center_size(MIDDLE, vec2(300.0, 300.0));
+        let differ = four::differing(&before, &window.drawn().expect("a picture"), picture);
+        assert!(differ > 3000, "{stage}: {differ}");
+    }
+}

@@ -1,4 +1,5 @@
 //! The whole window without a window system: egui's events in; state, clipboard, messages and pictures out.
+#![cfg(feature = "window")]
 
 mod corner;
 mod device;

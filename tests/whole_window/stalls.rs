@@ -58,7 +58,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
 }
 
 /// Cubes and balls, enough for a stage to be made beside the window.
-fn many(folder: &Path) -> PathBuf {
+pub(super) fn many(folder: &Path) -> PathBuf {
     let mut text = String::new();
     for i in 0..20_000 {
         let shape = if i % 100 == 0 { "sphere" } else { "cube" };

@@ -1,4 +1,5 @@
 //! The window's logic, by replaying its own actions: no window, no GPU.
+#![cfg(feature = "window")]
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -31,7 +31,7 @@ pub(super) use matrix::{inverse, mirrors};
 pub(crate) use parameter::Parameter;
 use root::Root;
 pub(crate) use section::keeps;
-pub(super) use section::keeps_corners;
+pub(super) use section::keeps_point;
 pub(super) use solids::{cube, sphere, square};
 pub(crate) use triangle::Corners;
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Whether a section keeps what a ray hits, in integers.
 
 use super::{
-    super::{Section, WorldRay, ray::Line},
+    super::{Placement, Section, WorldRay, ray::Line},
     Surface,
     integer::{Bits, Formula, Integer, Ring, solve},
     number::{Number, Vector},
@@ -9,6 +9,7 @@ use super::{
     triangle::{Corners, Seen},
     world::{ExactLine, point},
 };
+use glam::DVec3;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
@@ -35,15 +36,16 @@ pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> boo
     }
 }
 
-/// Whether a section keeps all corners of a triangle; one that is not finite counts as kept.
-pub(in super::super) fn keeps_corners(section: &Section, triangle: &Corners) -> bool {
+/// Whether a section keeps a point of an object, given as the sum of two in its space; all must be finite.
+pub(in super::super) fn keeps_point(
+    section: &Section,
+    placement: &Placement,
+    point_object: [DVec3; 2],
+) -> bool {
     let normal = Vector::<BigInt>::new(section.normal());
     let offset = Number::new(section.offset());
-    let is_kept = |corner| {
-        let at = point(triangle.placement, [triangle.origin, corner]);
-        normal.dot(&at).plus(&offset).sign().is_ge()
-    };
-    !triangle.is_finite() || triangle.corners.into_iter().all(is_kept)
+    let at = point(Some(placement), point_object);
+    normal.dot(&at).plus(&offset).sign().is_ge()
 }
 
 /// `n . p + c` where a ray starts, and by how much it grows for one unit of t; times the ray's weight, which is above 0.

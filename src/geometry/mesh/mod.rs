@@ -6,12 +6,15 @@ use super::{
     Aabb, Bvh, CornerNormals, OnTriangle, normals::crease_normals_while, shares::in_shares,
 };
 use crate::colour::Srgb;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use std::{
     convert::Infallible,
     ops::Range,
     sync::{Arc, OnceLock},
 };
+
+/// Triangles that have a box together, to tell where an object reaches.
+pub(crate) const BLOCK: usize = 256;
 
 /// What a mesh is made of. Vertices are `f32` about one `f64` origin, so that parts which share a wall keep
 /// sharing it to the bit wherever in the world they stand; object space is `origin + position`.
@@ -36,6 +39,33 @@ pub struct MeshData {
     pub crease: Option<f32>,
 }
 
+impl MeshData {
+    /// Triangles of one part, without colours of their own and with one normal a face. `positions` are in object space,
+    /// `triangles` index them, counter-clockwise seen from outside. [`Mesh::new`] checks all of it.
+    #[must_use]
+    pub fn of_triangles(
+        name: impl Into<String>,
+        positions: Vec<[f32; 3]>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Self {
+        // More than 32 bits count are refused, since the part does not cover them.
+        let all = 0..u32::try_from(triangles.len()).unwrap_or(u32::MAX);
+        Self {
+            positions,
+            parts: vec![Part {
+                name: name.into(),
+                triangles: all.clone(),
+            }],
+            colours: vec![ColourRun {
+                triangles: all,
+                colour: None,
+            }],
+            triangles,
+            ..Self::default()
+        }
+    }
+}
+
 /// One object of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
@@ -56,6 +86,7 @@ pub struct ColourRun {
 
 /// Why data is no mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MeshError {
     /// A coordinate is NaN or infinite.
     #[error("vertex {0} has a coordinate that is not a finite number")]
@@ -73,13 +104,15 @@ pub enum MeshError {
 /// # Memory
 /// A vertex takes 12 bytes, and 3 where the file has colours; a triangle 12: what picks and a saved scene are made of, which
 /// is all that lists and single picks need. Once it is drawn, there are 12 bytes a normal, mostly one a vertex, and 12 a
-/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do. Of the file's
-/// text, and of what was read of it in `f64`, nothing stays.
+/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do, and 48 bytes
+/// for 256 triangles where one of its objects may be moved. Of the file's text, and of what was read of it in `f64`, nothing stays.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
     tree: OnceLock<Bvh>,
     normals: OnceLock<CornerNormals>,
+    /// Boxes about [`BLOCK`] triangles each.
+    blocks: OnceLock<Vec<Aabb>>,
     /// The only triangles that rays are held against, in order; `None` for all.
     few: Option<Vec<u32>>,
 }
@@ -97,6 +130,7 @@ impl Mesh {
             bounds,
             tree: OnceLock::new(),
             normals: OnceLock::new(),
+            blocks: OnceLock::new(),
             few: None,
         })
     }
@@ -107,10 +141,10 @@ impl Mesh {
         &self.data
     }
 
-    /// The box about the triangles of a part, in object space; empty for a part without triangles.
+    /// The box about the triangles of a part, in object space; empty for a part without triangles, and where there is none.
     #[must_use]
     pub fn part_bounds(&self, part: usize) -> Aabb {
-        self.bounds[part]
+        self.bounds.get(part).copied().unwrap_or(Aabb::EMPTY)
     }
 
     /// The part that holds a triangle.
@@ -122,7 +156,42 @@ impl Mesh {
             .partition_point(|part| part.triangles.end <= triangle)
     }
 
+    /// Boxes about the triangles from each multiple of [`BLOCK`] on, in object space; they are made when first asked for.
+    pub(crate) fn blocks(&self) -> &[Aabb] {
+        self.blocks.get_or_init(|| {
+            let count = self.data.triangles.len().div_ceil(BLOCK);
+            let boxes = in_shares(count, |share| {
+                let blocks = self.data.triangles.chunks(BLOCK);
+                let blocks = blocks.skip(share.start).take(share.len());
+                blocks.map(|block| self.around(block)).collect::<Vec<_>>()
+            });
+            boxes.concat()
+        })
+    }
+
+    /// Whether they are there.
+    #[cfg(test)]
+    pub(crate) fn has_blocks(&self) -> bool {
+        self.blocks.get().is_some()
+    }
+
+    /// The box about triangles, in object space. To add the origin keeps the order: of the least it is the least.
+    fn around(&self, triangles: &[[u32; 3]]) -> Aabb {
+        let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for vertex in triangles.as_flattened() {
+            let position = Vec3::from(self.data.positions[*vertex as usize]);
+            (min, max) = (min.min(position), max.max(position));
+        }
+        Aabb {
+            min: self.data.origin + min.as_dvec3(),
+            max: self.data.origin + max.as_dvec3(),
+        }
+    }
+
     /// The corners of a triangle, in object space.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
         self.vertex_corners(triangle)
@@ -174,6 +243,9 @@ impl Mesh {
     }
 
     /// The colour of a triangle, as the file gives it.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn triangle_colour(&self, triangle: u32) -> Option<Srgb> {
         let runs = &self.data.colours;
@@ -182,6 +254,9 @@ impl Mesh {
 
     /// The linear colour at a point of a triangle: its own (neutral where the file gives none, white where
     /// vertices bring theirs) times its vertices'.
+    ///
+    /// # Panics
+    /// When there is no such triangle.
     #[must_use]
     pub fn albedo(&self, at: &OnTriangle) -> [f32; 3] {
         let colours = &self.data.vertex_colours;

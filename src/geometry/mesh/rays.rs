@@ -100,6 +100,7 @@ impl Mesh {
             bounds: Arc::clone(&self.bounds),
             tree: OnceLock::new(),
             normals: OnceLock::new(),
+            blocks: OnceLock::new(),
             few: Some(few.concat()),
         }
     }

@@ -19,10 +19,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::{PlacedPoint, dyadic},
-    scene::{
-        Scene,
-        obj::{AgainError, FaceInFile},
-    },
+    scene::{FaceInFile, Scene},
 };
 use facets::{Facet, facets};
 use glam::DVec2;
@@ -50,9 +47,9 @@ enum Snapped {
     Face,
 }
 
-/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, an error where it
-/// does not say.
-pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, AgainError> + 'a;
+/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, else why it does
+/// not say.
+pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, String> + 'a;
 
 /// A point of a facet's side: so far along it.
 #[derive(Clone, Copy, Debug)]

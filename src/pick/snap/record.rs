@@ -10,10 +10,7 @@ use super::{
 use crate::{
     camera::View,
     geometry::{Cuboid, PlacedPoint, Placement, Square},
-    scene::{
-        Object, Scene, Shape,
-        obj::{FaceInFile, VertexInFile},
-    },
+    scene::{FaceInFile, Object, Scene, Shape, VertexInFile},
 };
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -212,7 +209,7 @@ fn asked(
 ) -> (Option<FaceInFile>, Option<String>) {
     match triangle.map(|triangle| faces(object, triangle)) {
         Some(Ok(face)) => (face, None),
-        Some(Err(error)) => (None, Some(error.to_string())),
+        Some(Err(error)) => (None, Some(error)),
         None => (None, None),
     }
 }
@@ -223,8 +220,8 @@ fn asked(
 pub fn object_area(object: &Object) -> Option<Measured> {
     let placement = &object.placement;
     match &object.shape {
-        Shape::Mesh { mesh, part } => {
-            let triangles = mesh.data().parts[*part].triangles.clone();
+        Shape::Mesh { mesh, .. } => {
+            let triangles = object.shape.triangles()?;
             Some(mesh_area(mesh, placement, triangles))
         }
         Shape::Square => Some(area_of_corners(placement, DVec3::ZERO, &Square::corners())),

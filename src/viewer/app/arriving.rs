@@ -7,14 +7,11 @@ use super::{
 use crate::{
     render::GpuError,
     viewer::{
-        jobs::{Making, Projecting, Upload},
-        model::Made,
+        jobs::{InNdc, LITTLE, Making, Projecting, Upload},
+        model::{Made, Stage},
         ui::Underway,
     },
 };
-
-/// Of so many objects and triangles a scene is there as soon as a job would have begun.
-const LITTLE: usize = 20_000;
 
 impl App {
     /// Begins to project the scene for NDC where that takes long, and takes what is there: one at a time, so that what is
@@ -22,7 +19,13 @@ impl App {
     pub(super) fn take_projected(&mut self) {
         if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
             self.projecting = None;
-            if let Ok((scene, of)) = made {
+            if let Ok(InNdc {
+                scene,
+                of,
+                uploaded,
+            }) = made
+            {
+                (self.uploaded).extend(uploaded.map(|uploaded| (Some(Stage::Ndc), uploaded)));
                 self.state.take_projected(scene, &of);
                 self.context.request_repaint();
             }
@@ -31,7 +34,9 @@ impl App {
             && let Some(what) = self.state.to_project()
         {
             let wake = self.wake.clone();
-            self.projecting = Some(Projecting::start(what, move || wake(Wake::Look)));
+            self.projecting = Some(Projecting::start(what, self.gpu.clone(), move || {
+                wake(Wake::Look);
+            }));
         }
     }
 
@@ -59,7 +64,7 @@ impl App {
         match result {
             Ok(mut uploaded) => {
                 let made = uploaded.as_mut().and_then(|uploaded| uploaded.made.take());
-                self.uploaded = uploaded;
+                (self.uploaded).extend(uploaded.map(|uploaded| (None, uploaded)));
                 self.arrived(what, made);
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => self.complain(error.to_string()),

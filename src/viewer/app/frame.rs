@@ -230,13 +230,15 @@ impl App {
             self.statistics.software = gpu.is_software();
         }
         canvas.take_textures(self.textures.news());
-        if let Some(uploaded) = self.uploaded.take() {
-            canvas.take_uploaded(uploaded);
+        for (stage, uploaded) in self.uploaded.drain(..) {
+            canvas.take_uploaded(stage, uploaded);
         }
         let drawn = screen.draw(&self.state, laid);
         match &drawn {
             Ok(progress) => {
-                self.state.accepted();
+                if !progress.is_coming {
+                    self.state.accepted();
+                }
                 self.picture = *progress;
                 if progress.anew {
                     self.announce();

@@ -15,7 +15,7 @@ use crate::{
             Chart, Checking, Loading, Projecting, Saving, TreeBuild, Typefaces, Upload, Uploaded,
             Watching,
         },
-        model::{Action, Snapshot, State},
+        model::{Action, Snapshot, Stage, State},
         options::Options,
         screen::{Progress, Textures},
         ui::{
@@ -95,8 +95,8 @@ pub(in crate::viewer) struct App {
     pub(super) projecting: Option<Projecting>,
     /// What is on its way into graphics memory, to be shown then.
     pub(super) arriving: Option<(Upload, Arrival)>,
-    /// What is there, for the next picture.
-    pub(super) uploaded: Option<Uploaded>,
+    /// What is there, for the next picture, and of which stage that is: of none, what the camera sees.
+    pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
     /// The load under way, of which files, and what for.
     pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
     /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
@@ -166,7 +166,7 @@ impl App {
             gpu: None,
             projecting: None,
             arriving: None,
-            uploaded: None,
+            uploaded: Vec::new(),
             loading: None,
             to_save: None,
             saving: Vec::new(),

@@ -1,4 +1,4 @@
-//! Trees over meshes, built beside the window.
+//! Trees over meshes, and what the first move of an object needs: made beside the window.
 
 use crate::scene::Scene;
 use std::{
@@ -22,6 +22,7 @@ impl TreeBuild {
         let (scene, stopped) = (scene.clone(), Arc::clone(&stop));
         thread::spawn(move || {
             scene.build_trees_unless(&stopped);
+            scene.prepare_moves();
             wake();
         });
         Self { stop }
@@ -31,5 +32,30 @@ impl TreeBuild {
 impl Drop for TreeBuild {
     fn drop(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Progress, Shape, load};
+    use std::sync::mpsc::channel;
+
+    #[test]
+    fn the_first_move_of_an_object_finds_its_blocks_there() {
+        let scene = load(&[], &Progress::default()).expect("the demo").scene;
+        let (sender, done) = channel();
+        let _job = TreeBuild::start(&scene, move || {
+            let _ = sender.send(());
+        });
+        done.recv().expect("an end");
+        let mut meshes = 0;
+        for object in scene.objects() {
+            if let Shape::Mesh { mesh, .. } = &object.shape {
+                assert!(mesh.has_blocks());
+                meshes += 1;
+            }
+        }
+        assert!(meshes > 0);
     }
 }

@@ -40,6 +40,9 @@ impl Making {
     }
 }
 
+/// Below so many objects and triangles a scene is there, or gone, as soon as a job would have begun.
+pub(in crate::viewer) const LITTLE: usize = 20_000;
+
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
     pub key: SceneKey,
@@ -48,6 +51,27 @@ pub(in crate::viewer) struct Uploaded {
     pub meshes: MeshStore,
     /// The scene, where it was made.
     pub made: Option<Made>,
+}
+
+impl Uploaded {
+    /// Takes a scene there, but for meshes that are there already.
+    ///
+    /// # Errors
+    /// When it does not fit.
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        mut meshes: MeshStore,
+        made: Option<Made>,
+    ) -> Result<Self, GpuError> {
+        let buffers = SceneBuffers::upload_beside(gpu, scene, &mut meshes)?;
+        Ok(Self {
+            key: scene.key(),
+            buffers,
+            meshes,
+            made,
+        })
+    }
 }
 
 /// A scene on its way there.
@@ -61,20 +85,16 @@ impl Upload {
     pub fn start(
         gpu: Gpu,
         making: Making,
-        mut meshes: MeshStore,
+        meshes: MeshStore,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
         let (sender, result) = channel();
         let device = gpu.clone();
         thread::spawn(move || {
             let (scene, made) = making.make();
-            let buffers = SceneBuffers::upload_beside(&device, &scene, &mut meshes);
-            let uploaded = buffers.map(|buffers| Uploaded {
-                key: scene.key(),
-                buffers,
-                meshes,
-                made,
-            });
+            let uploaded = Uploaded::new(&device, &scene, meshes, made);
+            // Only who shows it may still have the scene: it can be changed in place.
+            drop(scene);
             // The receiver is gone when nobody wants the scene any more.
             let _ = sender.send(uploaded);
             wake();

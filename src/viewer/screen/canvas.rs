@@ -12,7 +12,7 @@ use crate::{
     image::{Id, Image, Rgb},
     render::{Gpu, GpuError, MeshStore, Renderer, SMOOTH_SAMPLES, read_rgb},
     viewer::{
-        jobs::Uploaded,
+        jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
     },
 };
@@ -98,9 +98,11 @@ impl Canvas {
         self.scene.read_ids(&self.gpu, wanted)
     }
 
-    /// Takes a scene that is in graphics memory, and is to be shown next.
-    pub fn take_uploaded(&mut self, uploaded: Uploaded) {
-        self.scene.scenes.take_uploaded(uploaded);
+    /// Takes a scene that is in graphics memory, and is to be shown next: as a stage, or as the camera's picture.
+    pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
+        self.scene.scenes.meshes = uploaded.meshes.clone();
+        let (picture, ..) = self.picture_of(stage, 1.0);
+        picture.scenes.take_uploaded(uploaded);
     }
 
     /// The meshes in graphics memory.
@@ -133,8 +135,11 @@ impl Canvas {
             (self.page, self.size) = (page(&self.gpu, size, self.format), size);
         }
         let places = places(laid);
-        if laid.panes.is_empty() {
-            self.stages = None;
+        if laid.panes.is_empty()
+            && let Some(stages) = self.stages.take()
+        {
+            let work = stages.iter().map(|stage| stage.scenes.work()).sum();
+            let_go(stages, work);
         }
         let (mut progress, mut looks) = (Ok(Progress::default()), Vec::new());
         for (stage, place) in &places {

@@ -9,6 +9,8 @@ pub(in crate::viewer) struct Progress {
     pub anew: bool,
     /// How soon another pass is needed, while it is not yet the one that is wanted.
     pub behind: Option<Duration>,
+    /// Whether its scene is on its way into graphics memory still.
+    pub is_coming: bool,
     /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
     pub rough: bool,
     /// About so many triangles were drawn.
@@ -26,6 +28,7 @@ impl Progress {
                 (Some(a), Some(b)) => Some(a.min(b)),
                 (a, b) => a.or(b),
             },
+            is_coming: self.is_coming || other.is_coming,
             rough: self.rough || other.rough,
             drawn: self.drawn + other.drawn,
             uploaded: self.uploaded + other.uploaded,

@@ -119,10 +119,12 @@ impl ScenePicture {
             is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
-        let mut uploaded = 0;
+        let mut uploaded = Some(0);
         if self.next.is_none() {
             uploaded = self.scenes.upload(gpu, subject)?;
-            self.begin(gpu, subject, &wanted, motion)?;
+            if uploaded.is_some() {
+                self.begin(gpu, subject, &wanted, motion)?;
+            }
         }
         if self.next.is_none() && motion == Motion::Rests {
             self.begin_to_smooth(subject, &wanted);
@@ -130,12 +132,14 @@ impl ScenePicture {
         let ([anew, waits], drawn) = self.proceed(brush)?;
         let shown = self.shown.as_ref().filter(|shown| shown.of == wanted);
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
+        let waits = waits || uploaded.is_none();
         Ok(Progress {
             anew,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
+            is_coming: uploaded.is_none(),
             rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
             drawn,
-            uploaded,
+            uploaded: uploaded.unwrap_or(0),
         })
     }
 

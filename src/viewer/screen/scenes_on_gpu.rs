@@ -1,10 +1,11 @@
-//! Scenes in graphics memory: the one that is shown, some before it, and one that is to come.
+//! Scenes in graphics memory: the one that is shown, some before it, and one that is to come. What is much gets there beside
+//! the window.
 
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::{
-        jobs::{Uploaded, let_go},
+        jobs::{LITTLE, Making, Upload, Uploaded, let_go},
         model::Subject,
     },
 };
@@ -21,6 +22,14 @@ pub(super) struct OnGpu {
     visibility: u64,
 }
 
+/// A scene on its way, as it was when it began.
+struct Coming {
+    key: SceneKey,
+    revision: u64,
+    visibility: u64,
+    upload: Upload,
+}
+
 /// All that are there.
 #[derive(Default)]
 pub(super) struct ScenesOnGpu {
@@ -28,6 +37,7 @@ pub(super) struct ScenesOnGpu {
     pub now: Option<OnGpu>,
     /// What came ahead of its scene.
     ready: Option<Uploaded>,
+    coming: Option<Coming>,
     /// Scenes before this one, as long as they may come back; the latest first.
     before: Vec<OnGpu>,
     /// Their meshes.
@@ -53,45 +63,73 @@ impl ScenesOnGpu {
         }
     }
 
-    /// Sees to a picture's scene, as it is now. Returns how many objects and triangles were taken there for that.
+    /// Sees to a picture's scene, as it is now. Returns how many objects and triangles were taken there for that; `None`
+    /// while it is on its way.
     ///
     /// # Errors
     /// When it does not fit.
-    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<usize, GpuError> {
+    pub fn upload(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<usize>, GpuError> {
         let mut taken = 0;
         let (revision, visibility) = (subject.revision, subject.visibility);
-        match &mut self.now {
-            Some(scene) if scene.revision == revision => {
-                if scene.visibility != visibility {
-                    scene.buffers.update(gpu, subject.scene)?;
-                    scene.visibility = visibility;
-                    scene.key = subject.scene.key();
-                }
+        if self.now.as_ref().is_none_or(|now| now.revision != revision) {
+            if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
+                return Err(error.clone());
             }
-            _ => {
-                if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
-                    return Err(error.clone());
-                }
-                let buffers = if let Some(buffers) = self.known(subject.scene) {
-                    Ok(buffers)
-                } else {
-                    taken = subject.scene.objects().len() + subject.scene.triangle_count();
-                    SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes)
-                };
-                let buffers = buffers.inspect_err(|error| {
-                    self.unfit = Some((revision, error.clone()));
-                })?;
-                let before = self.now.replace(OnGpu {
-                    buffers,
-                    key: subject.scene.key(),
-                    revision,
-                    visibility,
-                });
-                self.before.splice(0..0, before);
-                give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
-            }
+            let size = subject.scene.objects().len() + subject.scene.triangle_count();
+            let scene = if let Some(buffers) = self.known(subject.scene) {
+                Ok(Some(on_gpu(buffers, subject)))
+            } else if size < LITTLE {
+                taken = size;
+                let buffers = SceneBuffers::upload_beside(gpu, subject.scene, &mut self.meshes);
+                buffers.map(|buffers| Some(on_gpu(buffers, subject)))
+            } else {
+                self.come(gpu, subject)
+            };
+            let scene = scene.inspect_err(|error| self.unfit = Some((revision, error.clone())))?;
+            let Some(scene) = scene else {
+                return Ok(None);
+            };
+            self.before.splice(0..0, self.now.replace(scene));
+            give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
         }
-        Ok(taken)
+        if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
+            scene.buffers.update(gpu, subject.scene)?;
+            scene.visibility = visibility;
+            scene.key = subject.scene.key();
+        }
+        Ok(Some(taken))
+    }
+
+    /// Has a scene taken there beside the window; `None` until it is.
+    fn come(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<OnGpu>, GpuError> {
+        let is_it = |coming: &Coming| coming.revision == subject.revision;
+        let coming = self.coming.take().filter(is_it).unwrap_or_else(|| {
+            let (making, meshes) = (Making::Scene(subject.scene.clone()), self.meshes.clone());
+            Coming {
+                key: subject.scene.key(),
+                revision: subject.revision,
+                visibility: subject.visibility,
+                upload: Upload::start(gpu.clone(), making, meshes, || ()),
+            }
+        });
+        let Some(uploaded) = coming.upload.poll() else {
+            self.coming = Some(coming);
+            return Ok(None);
+        };
+        Ok(uploaded?.map(|uploaded| {
+            self.meshes = uploaded.meshes;
+            OnGpu {
+                buffers: uploaded.buffers,
+                key: coming.key,
+                revision: coming.revision,
+                visibility: coming.visibility,
+            }
+        }))
+    }
+
+    /// What drawing all of them once comes to.
+    pub fn work(&self) -> usize {
+        work(self.now.iter().chain(&self.before))
     }
 
     /// The buffers of a scene that came ahead of it, or stayed from before.
@@ -106,7 +144,21 @@ impl ScenesOnGpu {
     }
 }
 
+fn on_gpu(buffers: SceneBuffers, subject: &Subject) -> OnGpu {
+    OnGpu {
+        buffers,
+        key: subject.scene.key(),
+        revision: subject.revision,
+        visibility: subject.visibility,
+    }
+}
+
 fn give_up(scenes: Vec<OnGpu>) {
-    let work: u64 = scenes.iter().map(|scene| scene.buffers.whole().work).sum();
-    let_go(scenes, usize::try_from(work).unwrap_or(usize::MAX));
+    let work = work(&scenes);
+    let_go(scenes, work);
+}
+
+fn work<'a>(scenes: impl IntoIterator<Item = &'a OnGpu>) -> usize {
+    let work = scenes.into_iter().map(|scene| scene.buffers.whole().work);
+    usize::try_from(work.sum::<u64>()).unwrap_or(usize::MAX)
 }

@@ -10,7 +10,7 @@ use std::{collections::BTreeSet, fmt::Write};
 /// A mesh as the text of an OBJ file, whose colours are those of the MTL file `library`. Every number is written so that it
 /// reads back as it is.
 #[must_use]
-pub(in crate::scene) fn text(mesh: &Mesh, library: Option<&str>) -> String {
+pub(in crate::scene::files) fn text(mesh: &Mesh, library: Option<&str>) -> String {
     let data = mesh.data();
     let mut text = String::new();
     if let Some(library) = library {
@@ -59,7 +59,7 @@ pub(in crate::scene) fn text(mesh: &Mesh, library: Option<&str>) -> String {
 
 /// The text of the MTL file that [`text`] names; `None` where no triangle has a colour of its own.
 #[must_use]
-pub(in crate::scene) fn materials(mesh: &Mesh) -> Option<String> {
+pub(in crate::scene::files) fn materials(mesh: &Mesh) -> Option<String> {
     let colours: BTreeSet<_> = (mesh.data().colours.iter())
         .map(|run| run.colour.map(|Srgb(rgb)| rgb))
         .collect();
@@ -90,7 +90,7 @@ fn unit(Srgb(channels): Srgb) -> [f64; 3] {
 /// Whether two meshes are picked and coloured alike to the bit, triangle by triangle, and shaded alike but for the last
 /// bits of their normals.
 #[must_use]
-pub(in crate::scene) fn same(a: &Mesh, b: &Mesh) -> bool {
+pub(in crate::scene::files) fn same(a: &Mesh, b: &Mesh) -> bool {
     /// Normals are of unit length, and are made that again when read: a rounding or two.
     const NORMALS: f32 = 4.0 * f32::EPSILON;
     let (a_data, b_data) = (a.data(), b.data());

@@ -23,8 +23,8 @@ macro_rules! exhibit {
     ($name:literal $(, $mesh:literal)*) => {
         Exhibit {
             name: $name,
-            text: include_str!(concat!("../../assets/gallery/", $name, ".toml")),
-            meshes: &[$(($mesh, include_bytes!(concat!("../../assets/gallery/", $mesh))))*],
+            text: include_str!(concat!("../../../assets/gallery/", $name, ".toml")),
+            meshes: &[$(($mesh, include_bytes!(concat!("../../../assets/gallery/", $mesh))))*],
         }
     };
 }

@@ -8,15 +8,13 @@ use super::{
     AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
     contents::{Stamp, Start},
     corners::{MOST_CORNERS, Normal, read_corners, without_comment},
+    file,
     lines::{Lines, decode, is_utf16},
     pieces::Counts,
     polygon::{Splitter, has_area},
     words::fields,
 };
-use crate::{
-    geometry::Mesh,
-    scene::{Progress, file},
-};
+use crate::{geometry::Mesh, scene::Progress};
 use std::{
     collections::HashMap,
     fs::File,
@@ -333,9 +331,10 @@ impl<'a> Again<'a> {
     /// Whether the file is still the one that was loaded. What was read of it stays in memory, so that it is asked each time.
     fn check(&self) -> Result<(), AgainError> {
         let now = Stamp::of(self.path)?;
-        match self.contents.stamp == Some(now) {
-            true => Ok(()),
-            false => Err(self.changed()),
+        if self.contents.stamp == Some(now) {
+            Ok(())
+        } else {
+            Err(self.changed())
         }
     }
 

@@ -1,8 +1,7 @@
 //! Where in a file its faces and vertices stand: what is kept of that, an entry for each piece that the file was read by. So
 //! what it writes of a face can be read again without all that comes before.
 
-use super::{FileError, pieces::Counts};
-use crate::scene::file;
+use super::{FileError, file, pieces::Counts};
 use std::{fs::Metadata, path::Path, time::SystemTime};
 
 /// What stands before each piece of a file. A piece is some 256 KiB long.
@@ -28,7 +27,7 @@ pub(super) struct Stamp {
     bytes: u64,
     modified: Option<SystemTime>,
     /// Another file may have the same name, size and time.
-    number: Option<u64>,
+    number: u64,
 }
 
 impl Stamp {
@@ -46,15 +45,15 @@ impl Stamp {
     }
 }
 
-/// The number that the system has for a file, where it has one.
+/// The number that the system has for a file; 0 where it has none.
 #[cfg(unix)]
-fn number(about: &Metadata) -> Option<u64> {
-    Some(std::os::unix::fs::MetadataExt::ino(about))
+fn number(about: &Metadata) -> u64 {
+    std::os::unix::fs::MetadataExt::ino(about)
 }
 
 #[cfg(not(unix))]
-fn number(_: &Metadata) -> Option<u64> {
-    None
+fn number(_: &Metadata) -> u64 {
+    0
 }
 
 impl Contents {

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     colour::Srgb,
-    scene::{Cancelled, Progress, Warning, load::absolute},
+    scene::{Cancelled, Progress, Warning, files::load::absolute},
 };
 use std::{
     collections::{HashMap, HashSet},

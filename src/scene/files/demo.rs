@@ -1,12 +1,12 @@
 //! The scene that opens when none is named.
 
 use super::{LoadError, Loaded, MeshFiles, Progress, Scene, description};
-use crate::geometry::{ColourRun, Mesh, MeshData, Part};
+use crate::geometry::{Mesh, MeshData};
 use glam::DVec3;
 use std::{f64::consts::TAU, path::Path, sync::Arc};
 
 /// The demo's scene file.
-const DEMO: &str = include_str!("../../assets/demo.toml");
+const DEMO: &str = include_str!("../../../assets/demo.toml");
 /// The mesh file that it names, which is made here.
 const RING: &str = "ring.obj";
 
@@ -59,20 +59,9 @@ fn ring() -> Arc<Mesh> {
     };
     let quads = (0..AROUND).flat_map(|i| (0..ACROSS).map(move |j| (i, j)));
     let triangles: Vec<_> = quads.flat_map(|(i, j)| quad(i, j)).collect();
-    let all = 0..2 * AROUND * ACROSS;
     let mesh = Mesh::new(MeshData {
         crease: Some(CREASE),
-        positions,
-        triangles,
-        parts: vec![Part {
-            name: "Ring".to_owned(),
-            triangles: all.clone(),
-        }],
-        colours: vec![ColourRun {
-            triangles: all,
-            colour: None,
-        }],
-        ..MeshData::default()
+        ..MeshData::of_triangles("Ring", positions, triangles)
     });
     Arc::new(mesh.expect("the ring's indices and ranges are right"))
 }

@@ -7,11 +7,12 @@ use super::{
     obj,
 };
 use crate::{
-    camera::CameraChoice,
+    camera::{CameraChoice, SectionChoice},
     geometry::{Mesh, Placement},
 };
 use std::{
     io::Read,
+    ops::Range,
     path::{Path, PathBuf},
     sync::Arc,
 };
@@ -101,18 +102,21 @@ pub fn load_with(
             let file = exhibit.file();
             let scene =
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
+            let own = objects.len()..objects.len() + scene.objects.len();
             objects.extend(scene.objects);
-            camera = camera.or(scene.camera.map(|camera| (camera, file)));
+            camera = camera.or(scene.camera.map(|camera| (camera, own, file)));
         } else if is_scene_file(path) {
             let text = text(path)?;
             let scene = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
+            let own = objects.len()..objects.len() + scene.objects.len();
             objects.extend(scene.objects);
-            camera = camera.or(scene.camera.map(|camera| (camera, path.clone())));
+            camera = camera.or(scene.camera.map(|camera| (camera, own, path.clone())));
         } else {
             let mesh = meshes.load(path, progress, &mut warnings)?;
             objects.extend(mesh_objects(&mesh));
         }
     }
+    let camera = camera.map(|(camera, own, file)| (of_all(camera, &own, objects.len()), file));
     let (camera, camera_file) = camera.unzip();
     Ok(Loaded {
         scene: Scene::new(objects),
@@ -127,6 +131,23 @@ pub fn load_with(
             _ => None,
         },
     })
+}
+
+/// What a scene file says of the camera, where its own objects are some of more than it knows: the face that it cuts along is
+/// of its own. A number that none of those has is none of them all.
+fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoice {
+    let Some(SectionChoice::Face { id, face }) = camera.section else {
+        return camera;
+    };
+    let id = match id {
+        1.. if id <= own.len() => own.start + id,
+        1.. if id <= count => count + id,
+        _ => id,
+    };
+    CameraChoice {
+        section: Some(SectionChoice::Face { id, face }),
+        ..camera
+    }
 }
 
 /// Whether a path names a scene file.

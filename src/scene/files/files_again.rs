@@ -2,7 +2,7 @@
 
 use super::{
     MeshFile, Progress, Scene, Shape,
-    obj::{Again, AgainError, FaceInFile, InFile},
+    obj::{Again, FaceInFile, InFile},
 };
 use crate::geometry::Mesh;
 use std::sync::Arc;
@@ -49,15 +49,12 @@ impl<'a> FilesAgain<'a> {
     /// The face that a triangle of an object's mesh came from; `None` where that is from no file.
     ///
     /// # Errors
-    /// When the file does not say.
-    pub fn face_of(
-        &mut self,
-        object: usize,
-        triangle: u32,
-    ) -> Result<Option<FaceInFile>, AgainError> {
+    /// Why the file does not say, where it does not.
+    pub fn face_of(&mut self, object: usize, triangle: u32) -> Result<Option<FaceInFile>, String> {
         let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
             return Ok(None);
         };
-        (self.of(mesh).map(|again| again.face_of(triangle))).transpose()
+        let face = self.of(mesh).map(|again| again.face_of(triangle));
+        face.transpose().map_err(|error| error.to_string())
     }
 }

@@ -40,11 +40,12 @@ pub(super) mod write;
 
 use super::{Cancelled, Detail, FileError, Progress, Warning, file};
 use crate::geometry::{Mesh, MeshError, shares::on_all_cores};
+pub use crate::scene::in_file::{FaceInFile, InFile, VertexInFile};
 pub use again::Again;
 use block::Block;
 pub use contents::Contents;
 use contents::Stamp;
-pub use in_file::{AgainError, FaceInFile, InFile, VertexInFile};
+pub use in_file::AgainError;
 use lines::{decode, is_utf16};
 use outline::Outline;
 use pieces::Pieces;

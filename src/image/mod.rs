@@ -1,0 +1,77 @@
+//! Pictures in memory, and as PNG files.
+
+#[cfg(feature = "files")]
+mod png;
+
+#[cfg(feature = "files")]
+pub use self::png::ImageError;
+
+use crate::camera::Viewport;
+
+/// A picture: one value a pixel, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image<T> {
+    size: Viewport,
+    pixels: Vec<T>,
+}
+
+/// An opaque sRGB pixel.
+pub type Rgb = [u8; 3];
+
+/// What a pixel shows: an object and, on a mesh, a triangle of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Id {
+    /// Index of the object plus 1, as people count; 0 for the background.
+    pub object: u32,
+    /// Triangle of that object plus 1; 0 for analytic shapes and the background.
+    pub triangle: u32,
+}
+
+impl<T: Copy> Image<T> {
+    /// Takes pixels row by row from the top.
+    ///
+    /// # Panics
+    /// When there are not as many as `size` says.
+    #[must_use]
+    pub fn new(size: Viewport, pixels: Vec<T>) -> Self {
+        assert_eq!(
+            pixels.len(),
+            size.width() as usize * size.height() as usize,
+            "pixels fill the image"
+        );
+        Self { size, pixels }
+    }
+
+    /// Width and height.
+    #[must_use]
+    pub fn size(&self) -> Viewport {
+        self.size
+    }
+
+    /// All pixels, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[T] {
+        &self.pixels
+    }
+
+    /// All pixels, to be changed.
+    pub fn pixels_mut(&mut self) -> &mut [T] {
+        &mut self.pixels
+    }
+
+    /// The pixel in column `x` and row `y`.
+    ///
+    /// # Panics
+    /// When that lies outside.
+    #[must_use]
+    pub fn at(&self, x: u32, y: u32) -> T {
+        assert!(x < self.size.width(), "column within the image");
+        self.pixels[y as usize * self.size.width() as usize + x as usize]
+    }
+
+    /// Column and row of each pixel, in the order of [`Image::pixels`].
+    pub fn positions(&self) -> impl Iterator<Item = (u32, u32)> + use<T> {
+        let size = self.size;
+        (0..size.height()).flat_map(move |y| (0..size.width()).map(move |x| (x, y)))
+    }
+}

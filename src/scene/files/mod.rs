@@ -1,0 +1,26 @@
+//! Scenes from files and into files: OBJ, MTL and scene files, the demo and the gallery.
+
+mod demo;
+pub mod description;
+mod entry;
+mod file;
+mod files_again;
+pub mod gallery;
+mod load;
+pub mod obj;
+mod problem;
+mod progress;
+mod save;
+mod warning;
+
+use super::{Object, Scene, Shape};
+pub(crate) use entry::matrix_rows;
+pub use file::FileError;
+pub use files_again::FilesAgain;
+pub use load::{Detail, LoadError, Loaded, MeshFile, MeshFiles, load, load_with};
+pub(crate) use load::{is_scene_file, title};
+pub use obj::{ObjError, ObjFile};
+pub use problem::{DescriptionError, Problem, SaveError};
+pub use progress::{Cancelled, Progress};
+pub use save::save;
+pub use warning::Warning;
