@@ -88,20 +88,27 @@ The lines of --snap R, one for each --at, with px:
                    (vertex, edge or face), object, id, triangle, point_world, px
                    (where that is) and away_px (from the position); line, face
                    and vertices: the vertex, the ends of the edge or the corners
-                   of the face in the file; length, of the edge; area, of the
-                   face that it is on
+                   of the face in the file; file_error, why that does not say;
+                   length, of the edge; area, of the face that it is on
   distance         from the position before
   object_area      of the object
+  file_error       where snap is null: why edges that are near did not count
   Each measure is value and error: how far value is from the exact one at most,
   for coordinates as the file writes them. The nearest visible vertex is taken,
   else the nearest visible point of an edge, else the pick; edges that only
-  split a polygon into triangles do not count. As near, to the last bit: the
-  lesser depth, then the first object, then the first triangle.";
+  split a polygon into triangles do not count, nor do any of a file that does
+  not say which those are. As near, to the last bit: the lesser depth, then the
+  first object, then the first triangle. The area of a face is that of the
+  triangles that it is split into and that have one as stored: its own, where
+  it is flat and does not cross itself.";
 
 /// What the lines of `--face` and `--vertex` hold.
 pub(super) const PLACES: &str = "\
 The lines of --face and --vertex, after those of --at:
-  file, line, face, vertices; or vertex, written, stored: as above
+  file, line, face, vertices; or vertex, written, stored: as above; of a face
+                   also written, its corners as they stand there
+  left_out         of a face: why nothing of it is shown, or null; its vertices
+                   are those that are there
   places           where it is on each object that has it: object, id; triangle,
                    the first that has it; point_world and px, of the vertex or
                    of a point inside of the face; in_picture; seen; hidden_by,

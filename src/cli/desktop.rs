@@ -1,6 +1,6 @@
 //! `sightline install-desktop`: what a desktop and a shell want to know of a program, written where they look for it.
 
-use super::{Cli, CliError};
+use super::{Cli, CliError, terminal::start_log};
 use crate::{
     replace::replace,
     viewer::{APP_ID, ICON_PNG},
@@ -37,33 +37,82 @@ const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 </mime-info>
 "#;
 
-/// What tells desktops of new files, and in which folder of theirs.
-const TELLERS: [(&str, &str); 2] = [
-    ("update-desktop-database", "applications"),
-    ("update-mime-database", "mime"),
+/// What tells desktops of new files, in which folder of theirs, where those files are and how they end, and what it writes.
+const TELLERS: [Teller; 2] = [
+    Teller {
+        command: "update-desktop-database",
+        folder: "applications",
+        files: "",
+        end: "desktop",
+        caches: &["mimeinfo.cache"],
+    },
+    Teller {
+        command: "update-mime-database",
+        folder: "mime",
+        files: "packages",
+        end: "xml",
+        caches: &[
+            "XMLnamespaces",
+            "aliases",
+            "generic-icons",
+            "globs",
+            "globs2",
+            "icons",
+            "magic",
+            "mime.cache",
+            "subclasses",
+            "treemagic",
+            "types",
+            "version",
+        ],
+    },
 ];
+
+struct Teller {
+    command: &'static str,
+    folder: &'static str,
+    files: &'static str,
+    end: &'static str,
+    caches: &'static [&'static str],
+}
+
+/// In a comment at the end of each text whose contents change from place to place or from version to version: whose it is.
+const MARK: &str = "Written by sightline install-desktop, which --remove takes away.";
 
 /// Writes the files, or takes them away, and prints which.
 pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
+    start_log(false);
     let share = match &args.to {
         Some(folder) => folder.clone(),
         None => own_share_folder()?,
     };
     let program = env::current_exe().map_err(|source| CliError::file(Path::new(APP_ID), source))?;
     let mut out = io::stdout().lock();
-    for (place, contents) in files(&program) {
+    let files = files(&program);
+    for (place, contents) in &files {
         let path = share.join(place);
         let done = if args.remove {
-            remove(&path)
+            remove(&path, contents)
         } else {
-            write(&path, &contents)
+            write(&path, contents)
         };
         if done.map_err(|source| CliError::file(&path, source))? {
             writeln!(out, "{}", path.display()).map_err(CliError::stdout)?;
         }
     }
-    for (teller, folder) in TELLERS {
-        tell(teller, &share.join(folder));
+    for teller in &TELLERS {
+        teller.tell(&share, args.remove);
+    }
+    if args.remove {
+        // In the last one is what is made of the type of OBJ files.
+        let places = files.iter().map(|(place, _)| &**place);
+        for place in places.chain([Path::new("mime/model/obj.xml")]) {
+            let folders = place.ancestors().skip(1);
+            for folder in folders.filter(|folder| *folder != Path::new("")) {
+                // It stays where something is in it.
+                let _ = fs::remove_dir(share.join(folder));
+            }
+        }
     }
     Ok(())
 }
@@ -80,30 +129,55 @@ fn own_share_folder() -> Result<PathBuf, CliError> {
     Ok(places.data_dir())
 }
 
-/// Whether a file was written.
+/// Whether a file was written. What a link points to is somebody's own: the link gives way.
 fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
+    }
+    if fs::symlink_metadata(path).is_ok_and(|about| about.is_symlink()) {
+        fs::remove_file(path)?;
     }
     replace(path, |out| out.write_all(contents))?;
     Ok(true)
 }
 
-/// Whether there was a file to take away.
-fn remove(path: &Path) -> io::Result<bool> {
-    match fs::remove_file(path) {
-        Ok(()) => Ok(true),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
-        Err(error) => Err(error),
+/// Whether there was a file to take away: one that was written here, by this version or another.
+fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
+    let about = match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
+        about => about?,
+    };
+    let is_ours = about.is_file() && {
+        let there = fs::read(path)?;
+        there == contents || String::from_utf8_lossy(&there).contains(MARK)
+    };
+    if !is_ours {
+        log::warn!("{}: left, for it is not Sightline's", path.display());
+        return Ok(false);
     }
+    fs::remove_file(path)?;
+    Ok(true)
 }
 
-/// Asks the system to look at a folder again. Where it has no such command, it looks by itself, or at the next login.
-fn tell(command: &str, folder: &Path) {
-    if folder.is_dir() {
-        let told = process::Command::new(command).arg(folder).output();
+impl Teller {
+    /// Asks the system to look at a folder again. Where it has no such command, it looks by itself, or at the next login.
+    /// What it wrote goes where nothing is left to be told of, if that is wanted.
+    fn tell(&self, share: &Path, take_away: bool) {
+        let folder = share.join(self.folder);
+        if !folder.is_dir() {
+            return;
+        }
+        let told = process::Command::new(self.command).arg(&folder).output();
         if let Err(error) = told {
-            log::info!("{command}: {error}");
+            log::info!("{}: {error}", self.command);
+        }
+        let files = folder.join(self.files);
+        let is_one = |path: PathBuf| path.extension().is_some_and(|end| end == self.end);
+        let mut left = (fs::read_dir(files).into_iter().flatten()).flatten();
+        if take_away && !left.any(|entry| is_one(entry.path())) {
+            for cache in self.caches {
+                let _ = fs::remove_file(folder.join(cache));
+            }
         }
     }
 }
@@ -136,6 +210,7 @@ fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     ] {
         let mut script = Vec::new();
         clap_complete::generate(shell, &mut Cli::command(), APP_ID, &mut script);
+        script.extend(format!("# {MARK}\n").bytes());
         files.push((place.into(), script));
     }
     let mut cli = Cli::command();
@@ -148,6 +223,7 @@ fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
         let mut text = Vec::new();
         page.render(&mut text)
             .expect("memory takes all that is written");
+        text.extend(format!(".\\\" {MARK}\n").bytes());
         let name = command.get_display_name().unwrap_or(APP_ID);
         files.push((format!("man/man1/{name}.1").into(), text));
     }
@@ -176,7 +252,8 @@ fn entry(program: &Path) -> String {
          \n\
          [Desktop Action tour]\n\
          Name=Tour of cameras and raycasting\n\
-         Exec={exec} --tour\n"
+         Exec={exec} --tour\n\
+         # {MARK}\n"
     )
 }
 
@@ -186,7 +263,8 @@ fn thumbnailer(program: &Path) -> String {
     format!(
         "[Thumbnailer Entry]\n\
          Exec={exec} render --by raycast --size %sx%s -o %o %i\n\
-         MimeType=model/obj;\n"
+         MimeType=model/obj;\n\
+         # {MARK}\n"
     )
 }
 

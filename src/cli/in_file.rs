@@ -16,7 +16,9 @@ struct FaceLine {
     file: String,
     face: usize,
     line: usize,
+    written: String,
     vertices: Vec<VertexInFile>,
+    left_out: Option<String>,
     places: Vec<Whereabouts>,
 }
 
@@ -54,7 +56,9 @@ pub(super) fn write(
             file: name.clone(),
             face: found.face,
             line: found.line,
+            written: found.written,
             vertices: found.vertices,
+            left_out: found.left_out,
             places: Whereabouts::of_face(scene, view, mesh, found.triangles),
         }))?;
     }

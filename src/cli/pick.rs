@@ -150,7 +150,13 @@ struct Measures {
 }
 
 impl Measures {
-    fn line(&mut self, scene: &Scene, px: DVec2, snap: Option<Snap>) -> SnapLine {
+    fn line(
+        &mut self,
+        scene: &Scene,
+        px: DVec2,
+        snap: Option<Snap>,
+        file_error: Option<String>,
+    ) -> SnapLine {
         let exact = snap.as_ref().map(|snap| snap.exact.clone());
         let before = std::mem::replace(&mut self.from, exact);
         let ends = before.as_ref().zip(self.from.as_ref());
@@ -164,6 +170,7 @@ impl Measures {
             distance: ends.map(|(from, to)| from.distance(to)),
             object_area: snap.as_ref().map(area_of),
             snap,
+            file_error,
         }
     }
 }
@@ -204,9 +211,14 @@ impl Picker<'_> {
             build_trees(self.scene);
         }
         let files = &mut self.files;
-        let mut faces = |object, triangle| files.face_of(object, triangle);
+        let mut file_error = None;
+        let mut faces = |object, triangle| {
+            let face = files.face_of(object, triangle);
+            face.inspect_err(|error| file_error = Some(error.clone()))
+        };
         let snap = Snap::at(self.scene, self.view, px, radius_px, &mut faces);
-        let line = self.measured.line(self.scene, px, snap);
+        let file_error = file_error.filter(|_| snap.is_none());
+        let line = self.measured.line(self.scene, px, snap, file_error);
         self.print(json::text(&line))
     }
 

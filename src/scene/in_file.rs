@@ -31,7 +31,11 @@ pub struct FaceInFile {
     pub face: usize,
     /// The line that it stands in, from 1; of continued lines the first.
     pub line: usize,
-    /// Its corners in order.
+    /// Its corners as they are written there, with a space between.
+    pub written: String,
+    /// Why nothing of it is in the mesh, where nothing is.
+    pub left_out: Option<String>,
+    /// Its corners in order; of one that is left out those that are there.
     pub vertices: Vec<VertexInFile>,
     /// What is left of it in the mesh.
     pub triangles: Range<u32>,

@@ -88,14 +88,110 @@ fn the_thumbnailer_draws() {
     );
 }
 
+/// All files and folders below one, by their paths in it.
+fn all_in(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            found.push(path.strip_prefix(folder).unwrap().to_owned());
+            if path.is_dir() && !path.is_symlink() {
+                folders.push(path);
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
 #[test]
 fn nothing_is_left_after_remove() {
     let folder = Folder::new();
     let files = install(&folder, "");
+    assert!(
+        all_in(&folder.path("share")).len() > files.len(),
+        "folders too"
+    );
     assert_eq!(install(&folder, "--remove"), files);
-    assert!(!files.iter().any(|file| file.exists()));
+    assert_eq!(all_in(&folder.path("share")), Vec::<PathBuf>::new());
     assert!(
         install(&folder, "--remove").is_empty(),
         "nothing to take away"
     );
+}
+
+/// What others have there stays, under the names of Sightline's files too, and what is known of it.
+#[test]
+fn what_others_wrote_stays() {
+    let folder = Folder::new();
+    let share = folder.path("share");
+    let others = [
+        (
+            "applications/sightline.desktop",
+            "[Desktop Entry]\nName=Mine\n",
+        ),
+        (
+            "applications/other.desktop",
+            "[Desktop Entry]\nType=Application\nName=O\nExec=o\nMimeType=text/x-o;\n",
+        ),
+        ("man/man1/sightline.1", "mine"),
+        (
+            "mime/packages/other.xml",
+            "<?xml version=\"1.0\"?><mime-info xmlns=\"http://www.freedesktop.org/standards/shared-mime-info\"><mime-type type=\"text/x-o\"><glob pattern=\"*.o1\"/></mime-type></mime-info>",
+        ),
+    ];
+    install(&folder, "");
+    for (place, text) in others {
+        std::fs::write(share.join(place), text).unwrap();
+    }
+    // Of another version, or of a program that stood elsewhere.
+    let bash = share.join("bash-completion/completions/sightline");
+    let script = std::fs::read_to_string(&bash).unwrap();
+    std::fs::write(&bash, script.replace("--tour", "--more")).unwrap();
+    let output = folder.run("install-desktop --to share --remove");
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{said}");
+    assert_eq!(said.matches("left").count(), 2, "{said}");
+    for (place, text) in others {
+        assert_eq!(std::fs::read_to_string(share.join(place)).unwrap(), text);
+    }
+    assert!(!bash.exists());
+    let cache = |place: &str| {
+        let text = std::fs::read(share.join(place)).unwrap();
+        String::from_utf8_lossy(&text).into_owned()
+    };
+    for (place, theirs) in [
+        ("applications/mimeinfo.cache", "text/x-o"),
+        ("mime/globs2", "*.o1"),
+    ] {
+        let text = cache(place);
+        assert!(
+            text.contains(theirs) && !text.contains("obj"),
+            "{place}: {text}"
+        );
+    }
+    let ours = all_in(&share);
+    let ours = ours
+        .iter()
+        .filter(|path| path.to_string_lossy().contains("sightline"));
+    assert_eq!(ours.count(), 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_a_link_points_to_is_not_written() {
+    let folder = Folder::new();
+    let link = folder.path("share/applications/sightline.desktop");
+    std::fs::create_dir_all(link.parent().unwrap()).unwrap();
+    let victim = folder.path("victim");
+    std::fs::write(&victim, "mine").unwrap();
+    std::os::unix::fs::symlink(&victim, &link).unwrap();
+    install(&folder, "");
+    assert_eq!(std::fs::read_to_string(&victim).unwrap(), "mine");
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_file());
+    std::fs::remove_file(&link).unwrap();
+    std::os::unix::fs::symlink(&victim, &link).unwrap();
+    install(&folder, "--remove");
+    assert!(link.is_symlink() && victim.exists());
 }

@@ -136,3 +136,59 @@ fn numbers_that_are_not_there_are_said_to_be_none() {
     assert!(lines[0]["file"].as_str().unwrap().ends_with("more.obj"));
     assert_eq!(lines[0]["places"][0]["id"], 3);
 }
+
+#[test]
+fn a_face_that_is_left_out_is_shown_as_it_is_written() {
+    let folder = Folder::new();
+    let text = "\
+v -1 -1 0
+v 1 -1 0
+v 1 1 0
+v 0 nan 0
+f 1 2 3
+f 1/4 2 9/ -1
+f 1 x 3
+f 1 2
+f 1 2 4
+f 1 2 2
+";
+    std::fs::write(folder.path("bad.obj"), text).unwrap();
+    let lines = folder.run(&format!("pick bad.obj {LOOK} --face 1 2 3 4 5 6"));
+    let lines: Vec<Value> = String::from_utf8(lines.stdout)
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let expected = [
+        ("1 2 3", vec![1, 2, 3], None),
+        (
+            "1/4 2 9/ -1",
+            vec![1, 2, 4],
+            Some("a face names vertex 9 of 4"),
+        ),
+        ("1 x 3", vec![1, 3], Some("a face names vertex x of 4")),
+        ("1 2", vec![1, 2], Some("less than three corners")),
+        (
+            "1 2 4",
+            vec![1, 2, 4],
+            Some("vertex 4 is not three finite numbers"),
+        ),
+        ("1 2 2", vec![1, 2, 2], Some("no area")),
+    ];
+    assert_eq!(lines.len(), expected.len());
+    for (line, (written, vertices, why)) in lines.iter().zip(expected) {
+        assert_eq!(line["written"], written);
+        let found = line["vertices"].as_array().unwrap();
+        let numbers = found
+            .iter()
+            .map(|vertex| vertex["vertex"].as_u64().unwrap());
+        assert!(numbers.eq(vertices), "{line}");
+        let said = line["left_out"].as_str();
+        assert_eq!(said.is_some(), why.is_some(), "{line}");
+        assert!(
+            said.unwrap_or_default().contains(why.unwrap_or_default()),
+            "{line}"
+        );
+        assert_eq!(line["places"].as_array().unwrap().is_empty(), why.is_some());
+    }
+}

@@ -1,6 +1,7 @@
 //! The program as a process: arguments in; results, one-line errors and exit codes out.
 #![cfg(feature = "window")]
 
+mod changed;
 mod desktop;
 mod doctor;
 #[path = "../common/exact/mod.rs"]

@@ -150,3 +150,80 @@ fn cubes_and_squares_have_corners_and_edges() {
     is(&lines[1]["distance"], 0.5, 1e-15);
     assert_eq!(lines[2]["snap"]["vertices"], Value::Null);
 }
+
+/// A ring as one polygon: its outline goes to the hole and back by one way, and names the vertices there twice.
+#[test]
+fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
+    const SIDES: u32 = 36;
+    let folder = Folder::new();
+    // Vertices 1 to 36 outside, 37 to 72 inside, run through the other way.
+    let around = |radius: f64, i: u32| {
+        let angle = std::f64::consts::TAU * (f64::from(i) + 0.3) / f64::from(SIDES);
+        [radius * angle.cos(), radius * angle.sin()]
+    };
+    let mut points: Vec<_> = (0..SIDES).map(|i| around(2.0, i)).collect();
+    points.extend((0..SIDES).map(|i| around(1.0, i)));
+    let text = points.iter().map(|[x, y]| format!("v {x} {y} 0\n"));
+    let outside = (1..=SIDES).chain([1]);
+    let inside = [SIDES + 1].into_iter().chain((SIDES + 1..=2 * SIDES).rev());
+    let corners: Vec<_> = outside.chain(inside).collect();
+    let face: Vec<_> = corners.iter().map(u32::to_string).collect();
+    let text = text.collect::<String>() + "f " + &face.join(" ") + "\n";
+    std::fs::write(folder.path("ring.obj"), text).unwrap();
+    // 100 pixels a unit. Of each edge a point a third of the way along, on it or a little inside of the ring.
+    let look = "--size 600x600 --eye 0,0,10 --target 0,0,0 --ortho 6";
+    let edges = (0..corners.len()).map(|i| [corners[i], corners[(i + 1) % corners.len()]]);
+    let at = edges.clone().map(|ends| {
+        let [a, b] = ends.map(|vertex| points[vertex as usize - 1]);
+        let [x, y] = [0, 1].map(|axis| a[axis] + (b[axis] - a[axis]) / 3.0);
+        let radius = x.hypot(y);
+        let moved = 1.0 + 0.005 * (1.5 - radius);
+        format!(
+            "{},{}",
+            300.0 + 100.0 * moved * x,
+            300.0 - 100.0 * moved * y
+        )
+    });
+    let at = at.collect::<Vec<_>>().join(" ");
+    let lines = folder.json(&format!("pick ring.obj {look} --snap 2 --at {at}"));
+    assert_eq!(lines.len(), corners.len());
+    for (line, mut ends) in lines.iter().zip(edges) {
+        let snap = &line["snap"];
+        assert_eq!(snap["to"], "edge", "{ends:?}");
+        let found = [0, 1].map(|i| snap["vertices"][i]["vertex"].as_u64().unwrap());
+        ends.sort_unstable();
+        let [a, b] = found;
+        assert_eq!([a.min(b), a.max(b)], ends.map(u64::from));
+    }
+    // The real one: at both places of vertices 32 and 31, and on the way between them.
+    let Some(shared) = std::env::var_os("SIGHTLINE_SHARED") else {
+        println!("real files: absent");
+        return;
+    };
+    let model = std::path::Path::new(&shared).join("models/concave_polygon.obj");
+    let look = "--size 600x600 --ortho 1.6 --eye=5,2.4,2.35 --look=-1,0,0 --snap 2";
+    let at = "44.664375,270.8525 44.66,274.85";
+    let lines = folder.json(&format!("pick {} {look} --at {at}", model.display()));
+    assert_eq!(lines[0]["snap"]["to"], "edge", "{}", lines[0]);
+}
+
+/// An outline that goes somewhere and straight back holds nothing there.
+#[test]
+fn a_spike_adds_nothing_to_the_area() {
+    let folder = Folder::new();
+    let vertices = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";
+    let look = "--size 200x200 --eye 1,1,10 --target 1,1,0 --ortho 4 --snap 0 --at 110,110";
+    for (face, expected) in [
+        ("1 2 3 4 4 3", 2.0),
+        ("1 1 2 3 3 4", 4.0),
+        ("2 3 4 1 4", 2.0),
+        ("4 3 4 1 2 3", 4.0),
+    ] {
+        std::fs::write(folder.path("spike.obj"), format!("{vertices}f {face}\n")).unwrap();
+        // It is warned that triangles without area are left out.
+        let output = folder.run(&format!("pick spike.obj {look}"));
+        let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
+        is(&line["snap"]["area"], expected, 1e-15);
+        is(&line["object_area"], expected, 1e-5);
+    }
+}

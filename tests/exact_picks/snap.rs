@@ -158,7 +158,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 4] {
             if !view.viewport.contains(px) {
                 continue;
             }
-            let found = Snap::at(&scene, &view, px, RADIUS_PX, &mut |_, _| None);
+            let found = Snap::at(&scene, &view, px, RADIUS_PX, &mut |_, _| Ok(None));
             let best = |share: &dyn Fn(&Side) -> Option<(f64, bool)>| {
                 let mut near: Vec<(f64, &Side, f64, bool)> = sides
                     .iter()

@@ -5,7 +5,7 @@
 //! near and far planes and the section leave of it. Its share of the edge is a quotient that is rounded once, so that the point
 //! lies on the stored edge exactly. Where there is none
 //! either, the pick. Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
-//! added do not count. Cubes and squares have corners and edges; spheres have none. Of two that are as near, to the last bit,
+//! added do not count, and where the file does not say any more which do, none of its edges does. Cubes and squares have corners and edges; spheres have none. Of two that are as near, to the last bit,
 //! that with the lesser depth is taken; then that on the first object, and on the first triangle.
 
 mod facets;
@@ -51,8 +51,9 @@ enum Snapped {
     Face,
 }
 
-/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, or it does not say.
-pub type Faces<'a> = dyn FnMut(usize, u32) -> Option<FaceInFile> + 'a;
+/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, else why it does
+/// not say.
+pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, String> + 'a;
 
 /// A point of a facet's side: so far along it.
 #[derive(Clone, Copy, Debug)]
@@ -146,8 +147,15 @@ impl Search<'_> {
             let Facet {
                 object, triangle, ..
             } = candidate.facet;
-            let face = triangle.and_then(|triangle| Some((triangle, faces(object, triangle)?)));
-            face.is_none_or(|(triangle, face)| side_of(&face, triangle, candidate.corner).is_some())
+            let Some(triangle) = triangle else {
+                return true;
+            };
+            match faces(object, triangle) {
+                Ok(None) => true,
+                Ok(Some(face)) => side_of(&face, triangle, candidate.corner).is_some(),
+                // Nobody can tell whether it was added.
+                Err(_) => false,
+            }
         })
     }
 
@@ -285,13 +293,20 @@ impl Search<'_> {
     }
 }
 
-/// The places in a polygon of the ends of a triangle's side, which is one of the polygon's; `None` of one that splitting it
-/// added.
+/// The places in a polygon of the ends of a triangle's side, where that is one of the polygon's; `None` of one that splitting it
+/// added. What tells is where corners lie, and not their places: a polygon may name a vertex more than once, as one with a
+/// hole does at both ends of the way to it, and a triangle have either.
 fn side_of(face: &FaceInFile, triangle: u32, corner: usize) -> Option<[usize; 2]> {
     let corners = face
         .corners
         .get(triangle.checked_sub(face.triangles.start)? as usize)?;
-    let [a, b] = [corner, corner + 1].map(|corner| corners[corner % 3] as usize);
+    let at = |place: usize| face.vertices[place].position;
+    let ends = [corner, corner + 1].map(|corner| at(corners[corner % 3] as usize));
     let count = face.vertices.len();
-    ((a + 1) % count == b || (b + 1) % count == a).then_some([a, b])
+    let mut sides = (0..count).map(|place| [place, (place + 1) % count]);
+    sides.find_map(|[a, b]| match [at(a), at(b)] {
+        side if side == ends => Some([a, b]),
+        [to, from] if [from, to] == ends => Some([b, a]),
+        _ => None,
+    })
 }

@@ -40,6 +40,8 @@ pub struct Snap {
     pub face: Option<usize>,
     /// The vertex, or the ends of the edge, or the corners of the face, as the file has them.
     pub vertices: Option<Vec<VertexInFile>>,
+    /// Why the file does not say, where it does not.
+    pub file_error: Option<String>,
     /// How long the edge is.
     pub length: Option<Measured>,
     /// The area of the face that it is on; of a vertex or an edge the first that has it.
@@ -60,6 +62,8 @@ pub struct SnapLine {
     pub distance: Option<Measured>,
     /// The area of the object; see [`object_area`].
     pub object_area: Option<Measured>,
+    /// Why edges were passed over, where nothing else is there.
+    pub file_error: Option<String>,
 }
 
 impl Snap {
@@ -94,7 +98,7 @@ impl Snap {
         let point = candidate.point(scene);
         let point_world = point.world();
         let triangle = facet.triangle;
-        let face = triangle.and_then(|triangle| faces(facet.object, triangle));
+        let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
             let corners = face
                 .corners
@@ -151,6 +155,7 @@ impl Snap {
             line: face.as_ref().map(|face| face.line),
             face: face.as_ref().map(|face| face.face),
             vertices: of_file,
+            file_error,
             length,
             area,
             exact,
@@ -161,9 +166,8 @@ impl Snap {
         let index = pick.id - 1;
         let object = &scene.objects()[index];
         let first = object.shape.first_triangle();
-        let face = pick
-            .triangle
-            .and_then(|triangle| faces(index, first + triangle));
+        let triangle = pick.triangle.map(|triangle| first + triangle);
+        let (face, file_error) = asked(faces, index, triangle);
         let area = match (&face, &object.shape, pick.triangle) {
             (Some(face), ..) => area_of(face, scene, index),
             (None, Shape::Mesh { mesh, .. }, Some(triangle)) => {
@@ -193,8 +197,22 @@ impl Snap {
             area,
             exact: ExactPoint::about(pick.point_world, rounding + moved),
             vertices: face.map(|face| face.vertices),
+            file_error,
             length: None,
         }
+    }
+}
+
+/// What a file says of a triangle of a mesh, or why it does not.
+fn asked(
+    faces: &mut Faces,
+    object: usize,
+    triangle: Option<u32>,
+) -> (Option<FaceInFile>, Option<String>) {
+    match triangle.map(|triangle| faces(object, triangle)) {
+        Some(Ok(face)) => (face, None),
+        Some(Err(error)) => (None, Some(error)),
+        None => (None, None),
     }
 }
 

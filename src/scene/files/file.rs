@@ -1,7 +1,7 @@
 //! Files that somebody names: opened only where they are files, and no larger than what they hold may be.
 
 use std::{
-    fs::{self, File},
+    fs::{self, File, Metadata},
     path::{Path, PathBuf},
 };
 
@@ -32,20 +32,27 @@ pub enum FileError {
     },
 }
 
+/// What the system says of a file.
+pub(super) fn about(path: &Path) -> Result<Metadata, FileError> {
+    let file = path.to_owned();
+    match fs::metadata(path) {
+        Err(source) => Err(FileError::Unreadable { file, source }),
+        // Not even opened: a pipe would wait for somebody to write into it.
+        Ok(about) if !about.is_file() => Err(FileError::NotAFile { file }),
+        Ok(about) => Ok(about),
+    }
+}
+
 /// The file and its size, which is at most `most` bytes.
 pub(super) fn open(path: &Path, most: u64) -> Result<(File, u64), FileError> {
     let file = || path.to_owned();
-    let unreadable = |source| FileError::Unreadable {
-        file: file(),
-        source,
-    };
-    let about = fs::metadata(path).map_err(unreadable)?;
-    // Not even opened: a pipe would wait for somebody to write into it.
-    if !about.is_file() {
-        return Err(FileError::NotAFile { file: file() });
-    }
-    if about.len() > most {
+    let bytes = about(path)?.len();
+    if bytes > most {
         return Err(FileError::TooLarge { file: file(), most });
     }
-    Ok((File::open(path).map_err(unreadable)?, about.len()))
+    let opened = File::open(path).map_err(|source| FileError::Unreadable {
+        file: file(),
+        source,
+    })?;
+    Ok((opened, bytes))
 }

@@ -46,11 +46,15 @@ impl<'a> FilesAgain<'a> {
         InFile::default()
     }
 
-    /// The face that a triangle of an object's mesh came from, where the file says.
-    pub fn face_of(&mut self, object: usize, triangle: u32) -> Option<FaceInFile> {
+    /// The face that a triangle of an object's mesh came from; `None` where that is from no file.
+    ///
+    /// # Errors
+    /// Why the file does not say, where it does not.
+    pub fn face_of(&mut self, object: usize, triangle: u32) -> Result<Option<FaceInFile>, String> {
         let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
-            return None;
+            return Ok(None);
         };
-        self.of(mesh)?.face_of(triangle).ok()
+        let face = self.of(mesh).map(|again| again.face_of(triangle));
+        face.transpose().map_err(|error| error.to_string())
     }
 }

@@ -131,7 +131,10 @@ impl App {
         let (scene, view) = (self.state.scene(), self.state.view());
         let (of, name, places) = match (found, to) {
             (Found::Face(Ok(face)), GoTo::Face(number)) => {
-                let name = format!("face {}, line {}", face.face, face.line);
+                let mut name = format!("face {}, line {}", face.face, face.line);
+                if let Some(why) = &face.left_out {
+                    name = format!("{name}, left out: {why}");
+                }
                 let places = Whereabouts::of_face(scene, view, &file.mesh, face.triangles);
                 (Numbered::Face(number), name, places)
             }

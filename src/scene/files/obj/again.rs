@@ -5,10 +5,12 @@
 //! counting. What is found must be what is stored, to the bit; else the file has changed.
 
 use super::{
-    AgainError, Contents, FaceInFile, InFile, VertexInFile,
+    AgainError, Contents, FaceInFile, InFile, MOST_BYTES, VertexInFile,
     contents::{Stamp, Start},
-    corners::{MOST_CORNERS, read_corners, without_comment},
+    corners::{MOST_CORNERS, Normal, read_corners, without_comment},
+    file,
     lines::{Lines, decode, is_utf16},
+    pieces::Counts,
     polygon::{Splitter, has_area},
     words::fields,
 };
@@ -55,6 +57,10 @@ struct Faces {
 
 struct FaceLine {
     line: usize,
+    written: String,
+    /// Why nothing of it is in the mesh, where nothing is.
+    left_out: Option<String>,
+    /// Of one that is left out those that are there.
     corners: Range<usize>,
     /// Of the mesh.
     triangles: Range<u32>,
@@ -154,6 +160,8 @@ impl<'a> Again<'a> {
         let found = FaceInFile {
             face: start.counts.faces + index + 1,
             line: face.line,
+            written: face.written.clone(),
+            left_out: face.left_out.clone(),
             vertices,
             triangles: face.triangles.clone(),
             corners: faces.triangles[triangles].to_vec(),
@@ -174,6 +182,8 @@ impl<'a> Again<'a> {
 
     /// The faces of a piece, and how many triangles each has in the mesh.
     fn faces(&mut self, piece: usize) -> Result<Arc<Faces>, AgainError> {
+        // Of a piece that is remembered, too.
+        self.check()?;
         if let Some(at) = self.pieces.iter().position(|(known, _)| *known == piece) {
             let found = self.pieces.remove(at);
             let faces = Arc::clone(&found.1);
@@ -207,17 +217,30 @@ impl<'a> Again<'a> {
                 b"v" => counts.vertices += 1,
                 b"vn" => counts.normals += 1,
                 b"f" => {
-                    let read = read_corners(without_comment(rest), counts, known, &mut corners);
-                    let is_face = read.is_ok() && (3..=MOST_CORNERS).contains(&corners.len());
-                    let numbers = corners
-                        .iter()
-                        .filter_map(|(vertex, _)| u32::try_from(*vertex).ok());
-                    let begin = faces.corners.len();
-                    if is_face {
-                        faces.corners.extend(numbers);
+                    let text = without_comment(rest);
+                    let read = read_corners(text, counts, known, &mut corners);
+                    let left_out = read.map_or_else(
+                        |bad| Some(bad.to_string()),
+                        |()| match corners.len() {
+                            0..3 => Some("it has less than three corners".to_owned()),
+                            3..=MOST_CORNERS => None,
+                            more => {
+                                Some(format!("it has {more} corners, the most is {MOST_CORNERS}"))
+                            }
+                        },
+                    );
+                    let words = fields(text).map(|word| String::from_utf8_lossy(&text[word]));
+                    let written = words.collect::<Vec<_>>().join(" ");
+                    if left_out.is_some() {
+                        corners = those_there(text, counts, known);
                     }
+                    let begin = faces.corners.len();
+                    let numbers = corners.iter().map(|(vertex, _)| u32::try_from(*vertex));
+                    faces.corners.extend(numbers.map_while(Result::ok));
                     faces.lines.push(FaceLine {
                         line,
+                        written,
+                        left_out,
                         corners: begin..faces.corners.len(),
                         triangles: 0..0,
                     });
@@ -278,12 +301,11 @@ impl<'a> Again<'a> {
             source,
         };
         if self.text.is_none() {
-            self.text = Some(Text::open(self.path).map_err(unreadable)?);
+            let (opened, _) = file::open(self.path, MOST_BYTES)?;
+            self.text = Some(Text::of(opened).map_err(unreadable)?);
         }
         // Of what was read so far, too: a piece of another file would be put beside it.
-        if self.contents.stamp != Stamp::of(self.path) {
-            return Err(self.changed());
-        }
+        self.check()?;
         let mut text = Vec::with_capacity(to - from);
         match &mut self.text {
             Some(Text::File(file, begin)) => {
@@ -306,6 +328,16 @@ impl<'a> Again<'a> {
         }
     }
 
+    /// Whether the file is still the one that was loaded. What was read of it stays in memory, so that it is asked each time.
+    fn check(&self) -> Result<(), AgainError> {
+        let now = Stamp::of(self.path)?;
+        if self.contents.stamp == Some(now) {
+            Ok(())
+        } else {
+            Err(self.changed())
+        }
+    }
+
     fn changed(&self) -> AgainError {
         AgainError::Changed {
             file: self.path.to_owned(),
@@ -323,8 +355,8 @@ impl<'a> Again<'a> {
 }
 
 impl Text {
-    fn open(path: &Path) -> io::Result<Self> {
-        let mut input = BufReader::new(File::open(path)?);
+    fn of(file: File) -> io::Result<Self> {
+        let mut input = BufReader::new(file);
         let start = input.fill_buf()?;
         if is_utf16(start) {
             let mut text = Vec::new();
@@ -340,6 +372,17 @@ impl Text {
     }
 }
 
+/// Of the corners of a face that is left out those that can be read, up to the most that a face has.
+fn those_there(text: &[u8], before: Counts, known: Option<usize>) -> Vec<(usize, Normal)> {
+    let (mut all, mut one) = (Vec::new(), Vec::new());
+    for word in fields(text).take(MOST_CORNERS) {
+        if read_corners(&text[word], before, known, &mut one).is_ok() {
+            all.append(&mut one);
+        }
+    }
+    all
+}
+
 impl Faces {
     /// Finds the triangles of each face. So many of the mesh come before them.
     fn split(&mut self, before: u32) {
@@ -347,18 +390,28 @@ impl Faces {
         for face in &mut self.lines {
             let vertices = &self.corners[face.corners.clone()];
             let position = |vertex: u32| self.vertices.get(&vertex).map(|vertex| vertex.position);
-            let is_somewhere = |vertex: &u32| {
+            let nowhere = |vertex: &&u32| {
                 let vertex = self.vertices.get(vertex);
-                vertex.is_some_and(|vertex| vertex.value.is_some())
+                vertex.is_none_or(|vertex| vertex.value.is_none())
             };
             let begin = self.triangles.len();
-            if !vertices.is_empty() && vertices.iter().all(is_somewhere) {
+            if face.left_out.is_some() {
+                // As it was read.
+            } else if let Some(vertex) = vertices.iter().find(nowhere) {
+                face.left_out = Some(format!("vertex {vertex} is not three finite numbers"));
+            } else {
                 let at = |vertex| position(vertex).unwrap_or_default();
-                let split = splitter.face(vertices, at).unwrap_or_default();
-                let with_area = split.iter().filter(|corners| {
+                let split = splitter.face(vertices, at);
+                face.left_out = (split.is_none())
+                    .then(|| "it has too many corners, of which too many are the same".to_owned());
+                let split = split.unwrap_or_default().iter();
+                let with_area = split.filter(|corners| {
                     has_area(corners.map(|corner| at(vertices[corner as usize])))
                 });
                 self.triangles.extend(with_area);
+                if begin == self.triangles.len() && face.left_out.is_none() {
+                    face.left_out = Some("it has no area".to_owned());
+                }
             }
             let [begin, end] = [begin, self.triangles.len()]
                 .map(|count| before + u32::try_from(count).unwrap_or(u32::MAX));

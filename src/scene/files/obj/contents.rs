@@ -1,8 +1,8 @@
 //! Where in a file its faces and vertices stand: what is kept of that, an entry for each piece that the file was read by. So
 //! what it writes of a face can be read again without all that comes before.
 
-use super::pieces::Counts;
-use std::{fs, path::Path, time::SystemTime};
+use super::{FileError, file, pieces::Counts};
+use std::{fs::Metadata, path::Path, time::SystemTime};
 
 /// What stands before each piece of a file. A piece is some 256 KiB long.
 #[derive(Clone, Debug, Default)]
@@ -26,17 +26,34 @@ pub(super) struct Start {
 pub(super) struct Stamp {
     bytes: u64,
     modified: Option<SystemTime>,
+    /// Another file may have the same name, size and time.
+    number: u64,
 }
 
 impl Stamp {
     /// Of a file as it is now.
-    pub fn of(path: &Path) -> Option<Self> {
-        let about = fs::metadata(path).ok()?;
-        Some(Self {
+    ///
+    /// # Errors
+    /// When it is none, or not there.
+    pub fn of(path: &Path) -> Result<Self, FileError> {
+        let about = file::about(path)?;
+        Ok(Self {
             bytes: about.len(),
             modified: about.modified().ok(),
+            number: number(&about),
         })
     }
+}
+
+/// The number that the system has for a file; 0 where it has none.
+#[cfg(unix)]
+fn number(about: &Metadata) -> u64 {
+    std::os::unix::fs::MetadataExt::ino(about)
+}
+
+#[cfg(not(unix))]
+fn number(_: &Metadata) -> u64 {
+    0
 }
 
 impl Contents {

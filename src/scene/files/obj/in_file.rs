@@ -4,7 +4,7 @@ use super::{
     vertices::narrow,
     words::{Number, fields},
 };
-use crate::scene::{Cancelled, VertexInFile};
+use crate::scene::{Cancelled, FileError, VertexInFile};
 use glam::DVec3;
 use std::{io, path::PathBuf};
 
@@ -22,6 +22,9 @@ pub enum AgainError {
         /// What the system says.
         source: io::Error,
     },
+    /// It is no file any more, or too large a one.
+    #[error(transparent)]
+    File(FileError),
     /// It is not what it was.
     #[error("{}: the file has changed since it was loaded", file.display())]
     Changed {
@@ -40,6 +43,15 @@ pub enum AgainError {
         /// How many there are.
         count: usize,
     },
+}
+
+impl From<FileError> for AgainError {
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Unreadable { file, source } => Self::Unreadable { file, source },
+            other => Self::File(other),
+        }
+    }
 }
 
 impl VertexInFile {

@@ -197,7 +197,7 @@ pub(super) fn load_with(
     progress: &Progress,
     detail: Detail,
 ) -> Result<ObjFile, ObjError> {
-    let stamp = Stamp::of(path);
+    let stamp = Stamp::of(path).ok();
     let mut file = read(path, progress, (PIECE, detail), || open(path))?;
     file.contents.stamp = stamp;
     Ok(file)

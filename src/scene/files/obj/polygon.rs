@@ -3,7 +3,7 @@
 use super::delaunay::delaunay;
 use earcut::{Earcut, deviation};
 use glam::DVec3;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashSet, VecDeque};
 
 /// How far the triangles' area may be from the polygon's, relative to it, where its outline does not cross itself:
 /// well above what rounding makes of a sum over the largest polygons, well below any triangle worth seeing.
@@ -47,9 +47,34 @@ impl Splitter {
         let mut polygon = std::mem::take(&mut self.polygon);
         polygon.clear();
         polygon.extend(vertices.iter().map(|&vertex| position(vertex)));
-        self.split(&polygon);
+        match without_spikes(&polygon) {
+            None => {
+                self.split(&polygon);
+            }
+            Some(places) => self.split_without_spikes(&polygon, &places),
+        }
         self.polygon = polygon;
         Some(&self.triangles)
+    }
+
+    /// The triangles of those of a polygon's corners that are left without its spikes, and for each of the others one without
+    /// area.
+    fn split_without_spikes(&mut self, polygon: &[DVec3], places: &[u32]) {
+        let left: Vec<_> = places
+            .iter()
+            .map(|&place| polygon[place as usize])
+            .collect();
+        if left.len() < 3 {
+            self.triangles.clear();
+        } else {
+            self.split(&left);
+        }
+        for triangle in &mut self.triangles {
+            *triangle = triangle.map(|corner| places[corner as usize]);
+        }
+        let count = polygon.len() - 2;
+        self.triangles
+            .resize(count.max(self.triangles.len()), [0; 3]);
     }
 
     /// The n - 2 triangles of a simple polygon, as indices into its corners, wound as it is.
@@ -94,6 +119,49 @@ impl Splitter {
         }
         &self.triangles
     }
+}
+
+/// The corners that are left of a polygon where its outline does not go somewhere and straight back, by their places: such a
+/// spike holds nothing. `None` where it has none.
+fn without_spikes(polygon: &[DVec3]) -> Option<Vec<u32>> {
+    let count = polygon.len();
+    let at = |place: usize| polygon[place % count];
+    // A spike's end, of one corner or of some that coincide, has the same place before and after it.
+    let may_have = (0..count).any(|i| at(i) == at(i + 2) || at(i) == at(i + 1));
+    if !may_have {
+        return None;
+    }
+    let mut left: VecDeque<u32> = VecDeque::with_capacity(count);
+    let is = |a: u32, b: u32| polygon[a as usize] == polygon[b as usize];
+    let mut has_spikes = false;
+    for place in (0..).take(count) {
+        if left.back().is_some_and(|&back| is(back, place)) {
+            continue;
+        }
+        if left.len() > 1 && is(left[left.len() - 2], place) {
+            left.pop_back();
+            has_spikes = true;
+            continue;
+        }
+        left.push_back(place);
+    }
+    // About the first corner.
+    while left.len() > 1 {
+        let last = left.len() - 1;
+        if is(left[0], left[last]) {
+            left.pop_back();
+        } else if last > 1 && is(left[0], left[last - 1]) {
+            left.truncate(last - 1);
+            has_spikes = true;
+        } else if last > 1 && is(left[1], left[last]) {
+            left.pop_front();
+            left.pop_back();
+            has_spikes = true;
+        } else {
+            break;
+        }
+    }
+    has_spikes.then(|| left.into())
 }
 
 fn is_repetitive(vertices: &[u32]) -> bool {

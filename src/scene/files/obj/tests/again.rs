@@ -4,7 +4,7 @@ use super::{
     super::{Again, AgainError, Stamp},
     any_file, read_in,
 };
-use crate::scene::Progress;
+use crate::scene::{FileError, Progress};
 use glam::DVec3;
 use std::{env, fs, path::Path};
 
@@ -38,7 +38,7 @@ fn assert_read_again(path: &Path, bytes: &[u8], piece: usize, step: usize) -> [u
     let Ok(mut file) = read_in(piece, path, bytes) else {
         return [0, 0];
     };
-    file.contents.stamp = Stamp::of(path);
+    file.contents.stamp = Stamp::of(path).ok();
     let (progress, mesh) = (Progress::default(), &*file.mesh);
     let mut again = Again::new(path, &file.contents, mesh, &progress);
     let lines = editor_lines(&String::from_utf8_lossy(bytes));
@@ -176,7 +176,7 @@ fn a_file_in_utf_16_is_read_again_too() {
     let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
     fs::write(&path, &bytes).expect("written");
     let mut file = read_in(5, &path, &bytes).expect("it loads");
-    file.contents.stamp = Stamp::of(&path);
+    file.contents.stamp = Stamp::of(&path).ok();
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     let face = again.face_of(0).expect("it is there");
@@ -197,7 +197,7 @@ fn a_changed_file_is_said_to_be_one() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     fs::write(&path, text).expect("written");
     let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
-    file.contents.stamp = Stamp::of(&path);
+    file.contents.stamp = Stamp::of(&path).ok();
     let progress = Progress::default();
     let face = || Again::new(&path, &file.contents, &file.mesh, &progress).face_of(0);
     assert_eq!(face().expect("unchanged").line, 4);
@@ -219,6 +219,45 @@ fn a_changed_file_is_said_to_be_one() {
     assert!(gone.contains("cannot be read again"), "{gone}");
 }
 
+/// What was read stays in memory, and is none of the file's any more once that has changed.
+#[test]
+fn a_change_after_the_first_answer_is_said_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [path, other] = ["some.obj", "other.obj"].map(|name| folder.path().join(name));
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    fs::write(&path, text).expect("written");
+    let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
+    file.contents.stamp = Stamp::of(&path).ok();
+    let progress = Progress::default();
+    let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
+    assert_eq!(again.face_of(0).expect("unchanged").line, 4);
+    // Another file of this name, as long and of the same time.
+    let modified = fs::metadata(&path).and_then(|about| about.modified());
+    fs::write(&other, text).expect("written");
+    let opened = fs::File::options().write(true).open(&other);
+    (opened.and_then(|opened| opened.set_modified(modified?))).expect("set");
+    #[cfg(unix)]
+    {
+        fs::rename(&other, &path).expect("renamed");
+        assert!(matches!(again.face_of(0), Err(AgainError::Changed { .. })));
+    }
+    fs::write(&path, format!("# more\n{text}")).expect("written");
+    assert!(matches!(again.face_of(0), Err(AgainError::Changed { .. })));
+    assert!(matches!(again.face(1), Err(AgainError::Changed { .. })));
+    assert!(matches!(again.vertex(2), Err(AgainError::Changed { .. })));
+    fs::remove_file(&path).expect("removed");
+    assert!(matches!(
+        again.in_file(0).file_error,
+        Some(error) if error.contains("cannot be read again")
+    ));
+    // Not opened: whoever opens a pipe waits for what is written into it.
+    fs::create_dir(&path).expect("a folder");
+    assert!(matches!(
+        again.face_of(0),
+        Err(AgainError::File(FileError::NotAFile { .. }))
+    ));
+}
+
 #[test]
 fn numbers_that_a_file_has_not_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -226,7 +265,7 @@ fn numbers_that_a_file_has_not_are_refused() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nf 1 1 2\nf 1 2 9\nv 1 nan 2\n";
     fs::write(&path, text).expect("written");
     let mut file = read_in(1 << 18, &path, text.as_bytes()).expect("it loads");
-    file.contents.stamp = Stamp::of(&path);
+    file.contents.stamp = Stamp::of(&path).ok();
     let progress = Progress::default();
     let mut again = Again::new(&path, &file.contents, &file.mesh, &progress);
     for number in [0, 5, usize::MAX] {
