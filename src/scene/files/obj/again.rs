@@ -9,7 +9,7 @@ use super::{
     contents::{Stamp, Start},
     corners::{MOST_CORNERS, Normal, read_corners, without_comment},
     file,
-    lines::{Lines, decode, is_utf16},
+    lines::{Lines, Text},
     pieces::Counts,
     polygon::{Splitter, has_area},
     words::fields,
@@ -17,8 +17,7 @@ use super::{
 use crate::{geometry::Mesh, scene::Progress};
 use std::{
     collections::HashMap,
-    fs::File,
-    io::{self, BufRead, BufReader, Read, Seek, SeekFrom},
+    io::{Read, Seek, SeekFrom},
     ops::Range,
     path::Path,
     sync::Arc,
@@ -35,14 +34,6 @@ pub struct Again<'a> {
     progress: &'a Progress,
     text: Option<Text>,
     pieces: Vec<(usize, Arc<Faces>)>,
-}
-
-/// The text of a file.
-enum Text {
-    /// In the file, from some byte on.
-    File(File, u64),
-    /// UTF-16, made UTF-8.
-    Decoded(Vec<u8>),
 }
 
 /// The faces of a piece.
@@ -351,24 +342,6 @@ impl<'a> Again<'a> {
             number,
             count,
         }
-    }
-}
-
-impl Text {
-    fn of(file: File) -> io::Result<Self> {
-        let mut input = BufReader::new(file);
-        let start = input.fill_buf()?;
-        if is_utf16(start) {
-            let mut text = Vec::new();
-            decode(input)?.read_to_end(&mut text)?;
-            return Ok(Self::Decoded(text));
-        }
-        let mark = if start.starts_with(&[0xef, 0xbb, 0xbf]) {
-            3
-        } else {
-            0
-        };
-        Ok(Self::File(input.into_inner(), mark))
     }
 }
 

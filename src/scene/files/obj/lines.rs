@@ -1,6 +1,9 @@
 //! A text's lines, whatever encoding and line ends it has, joined where a backslash continues them.
 
-use std::io::{self, BufRead, Cursor, Read};
+use std::{
+    fs::File,
+    io::{self, BufRead, BufReader, Cursor, Read},
+};
 
 /// The lines of a text.
 pub(super) struct Lines<'a> {
@@ -97,4 +100,31 @@ pub(super) fn decode<'a>(
 /// Whether a file that starts like this is UTF-16.
 pub(super) fn is_utf16(start: &[u8]) -> bool {
     start.starts_with(&[0xff, 0xfe]) || start.starts_with(&[0xfe, 0xff])
+}
+
+/// The text of a file, to be read here and there.
+pub(super) enum Text {
+    /// In the file, from some byte on.
+    File(File, u64),
+    /// UTF-16, made UTF-8.
+    Decoded(Vec<u8>),
+}
+
+impl Text {
+    /// Of a file that was just opened.
+    pub fn of(file: File) -> io::Result<Self> {
+        let mut input = BufReader::new(file);
+        let start = input.fill_buf()?;
+        if is_utf16(start) {
+            let mut text = Vec::new();
+            decode(input)?.read_to_end(&mut text)?;
+            return Ok(Self::Decoded(text));
+        }
+        let mark = if start.starts_with(&[0xef, 0xbb, 0xbf]) {
+            3
+        } else {
+            0
+        };
+        Ok(Self::File(input.into_inner(), mark))
+    }
 }
