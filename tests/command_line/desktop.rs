@@ -46,7 +46,7 @@ fn desktops_man_and_shells_take_what_is_installed() {
         .iter()
         .filter(|file| file.extension().is_some_and(|end| end == "1"))
         .collect();
-    assert_eq!(pages.len(), 7, "the program's and one a command");
+    assert_eq!(pages.len(), 8, "the program's and one a command");
     for page in pages {
         check(
             "man",

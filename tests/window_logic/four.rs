@@ -292,7 +292,8 @@ fn ndc_ends_at_the_section() {
             let (rounding, off) = (1e-4, 1e-2);
             assert!(after.iter().all(|at| side(at) > -rounding), "{object}");
             let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
-            assert!(on_plane >= 4, "{object}: {on_plane}");
+            // A square is cut in two places, a solid in more.
+            assert!(on_plane >= [4, 4, 2][object], "{object}: {on_plane}");
             let (kept, gone): (Vec<_>, Vec<_>) = before.iter().partition(|at| side(at) > -rounding);
             assert!(!gone.is_empty() && !kept.is_empty(), "{object}");
             let kept = kept.into_iter().filter(|at| side(at) > off);

@@ -92,7 +92,8 @@ impl Page<'_> {
             return;
         };
         let is_seen = matches!(state.sight_of_sought(), Some(Sight::Seen(_)));
-        let square = Rect::from_center_size(at, vec2(SOUGHT, SOUGHT));
+        // On whole pixels its sides are sharp.
+        let square = Rect::from_center_size(at.round(), vec2(SOUGHT, SOUGHT));
         let rim = [
             square.left_top(),
             square.right_top(),
@@ -101,13 +102,13 @@ impl Page<'_> {
             square.left_top(),
         ];
         for (colour, more) in [(Color32::from_black_alpha(200), 2.0), (self.colour, 0.0)] {
-            let stroke = Stroke::new(1.5 + more, colour);
+            let stroke = Stroke::new(2.0 + more, colour);
             if is_seen {
                 self.painter.circle_filled(at, 2.0 + 0.5 * more, colour);
                 self.painter.line(rim.to_vec(), stroke);
             } else {
                 self.painter
-                    .extend(Shape::dashed_line(&rim, stroke, 4.5, 4.5));
+                    .extend(Shape::dashed_line(&rim, stroke, 6.0, 6.0));
             }
         }
         let name = sought.of.name();

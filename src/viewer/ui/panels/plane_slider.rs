@@ -32,9 +32,15 @@ pub(super) fn show(
         .smart_aim(false)
         .show_value(false);
     let slider = ui.add(slider);
-    let (is_fine, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
+    let (has_shift, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
+    // Once it was fine a drag stays so until its end: else it would leap to the cursor.
+    let is_fine = ui.data_mut(|data| {
+        let is_fine: &mut bool = data.get_temp_mut_or_default(slider.id);
+        *is_fine = has_shift || (*is_fine && !slider.drag_started());
+        *is_fine
+    });
     let mut is_slid = slider.changed();
-    if slider.dragged() && is_fine {
+    if is_fine && (slider.dragged() || slider.drag_stopped()) {
         slid = (depth * (FINE * f64::from(by)).exp()).clamp(least, most);
         is_slid = by != 0.0;
     }
