@@ -12,8 +12,8 @@ use crate::{
     scene::{Loaded, Warning},
     viewer::{
         jobs::{
-            Chart, Checking, Loading, Projecting, Saving, TreeBuild, Typefaces, Upload, Uploaded,
-            Watching,
+            Chart, Checking, Keeping, Loading, Projecting, Saving, TreeBuild, Typefaces, Upload,
+            Uploaded, Watching,
         },
         model::{Action, Snapshot, Stage, State},
         options::Options,
@@ -116,6 +116,8 @@ pub(in crate::viewer) struct App {
     pub docks: Docks,
     /// What is remembered from one run to the next.
     pub memory: Memory,
+    /// What writes it down.
+    pub(super) keeping: Keeping,
     /// The files of what is shown, as somebody else may change them.
     pub(super) watching: Option<Watching>,
     /// The system's, for names that the panels' own do not have.
@@ -178,6 +180,7 @@ impl App {
             tour: options.tour.then(Tour::default),
             docks: memory.panels,
             memory,
+            keeping: Keeping::default(),
             watching: None,
             typefaces,
             numbers: Numbers::default(),

@@ -1,7 +1,6 @@
 //! When something is remembered, and when it is written down.
 
 use super::program::App;
-use crate::viewer::jobs::{keep, keep_beside};
 use std::path::PathBuf;
 
 /// Scenes that are offered to be opened again.
@@ -23,7 +22,7 @@ impl App {
         self.memory.recent.insert(0, paths);
         self.memory.recent.truncate(RECENT);
         if let Some((file, text)) = self.memory_text() {
-            keep_beside(&file, text);
+            self.keeping.keep_beside(file, text);
         }
     }
 
@@ -36,7 +35,7 @@ impl App {
     /// Writes all of it, before the window goes.
     pub(super) fn keep_memory(&mut self) {
         if let Some((file, text)) = self.memory_text() {
-            keep(&file, &text);
+            self.keeping.keep(&file, &text);
         }
     }
 

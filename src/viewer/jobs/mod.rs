@@ -19,7 +19,7 @@ mod watching;
 pub(super) use check::{Check, Checked, Checking};
 pub(super) use desktop::ask_darkness;
 pub(super) use dialogs::{Answer, open_dialog, save_dialog};
-pub(super) use keeping::{keep, keep_beside};
+pub(super) use keeping::Keeping;
 pub(super) use letting_go::let_go;
 pub(super) use loading::Loading;
 pub(super) use projecting::{InNdc, Projecting};
