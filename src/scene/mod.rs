@@ -153,6 +153,12 @@ impl Scene {
         self.sums().triangles
     }
 
+    /// Its objects and triangles together: by this those who would be slow with a large scene tell one.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.objects.len() + self.triangle_count()
+    }
+
     fn sums(&self) -> &Sums {
         let sum = || Sums::of(&self.objects, &self.bounds);
         self.sums.get_or_init(sum)

@@ -5,7 +5,7 @@
 use glam::{DAffine3, DVec2, DVec3};
 use sightline::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    geometry::{Mesh, MeshData, Placement, Sides},
     pick,
     scene::{Object, Scene, Shape},
     verify,
@@ -107,19 +107,8 @@ fn triangle(z: f32, turned: f32) -> [[f32; 3]; 3] {
 fn of_mesh(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> Scene {
     let positions: Vec<[f32; 3]> = triangles.flatten().collect();
     let count = u32::try_from(positions.len() / 3).expect("fits");
-    let data = MeshData {
-        positions,
-        triangles: (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
-        parts: vec![Part {
-            name: "faces".into(),
-            triangles: 0..count,
-        }],
-        colours: vec![ColourRun {
-            triangles: 0..count,
-            colour: None,
-        }],
-        ..MeshData::default()
-    };
+    let triangles = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+    let data = MeshData::of_triangles("faces", positions, triangles.collect());
     let mesh = Arc::new(Mesh::new(data).expect("a mesh"));
     let shape = Shape::Mesh { mesh, part: 0 };
     Scene::new(vec![Object::new("faces", shape, Placement::IDENTITY)])

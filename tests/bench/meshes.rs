@@ -1,7 +1,7 @@
 //! What is measured: meshes that need no file, and files.
 
 use sightline::{
-    geometry::{ColourRun, MeshData, Part},
+    geometry::MeshData,
     scene::{self, Progress, Shape},
 };
 use std::{f64::consts::TAU, path::PathBuf};
@@ -25,20 +25,8 @@ impl Sample {
 
     /// As the viewer holds it.
     pub fn data(&self) -> MeshData {
-        let all = 0..u32::try_from(self.triangles.len()).expect("fits");
-        MeshData {
-            positions: self.positions.clone(),
-            triangles: self.triangles.clone(),
-            parts: vec![Part {
-                name: self.name.clone(),
-                triangles: all.clone(),
-            }],
-            colours: vec![ColourRun {
-                triangles: all,
-                colour: None,
-            }],
-            ..MeshData::default()
-        }
+        let (positions, triangles) = (self.positions.clone(), self.triangles.clone());
+        MeshData::of_triangles(&self.name, positions, triangles)
     }
 }
 

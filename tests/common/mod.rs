@@ -4,7 +4,7 @@
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 use sightline::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Ray},
+    geometry::{Mesh, MeshData, Placement, Ray},
     scene::{Object, Scene, Shape},
 };
 use std::{collections::HashMap, path::PathBuf, sync::Arc};
@@ -165,22 +165,9 @@ pub fn placements() -> Vec<(&'static str, DAffine3)> {
 
 /// A mesh of one object and one colour.
 pub fn mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>, origin: DVec3) -> Arc<Mesh> {
-    let all = 0..u32::try_from(triangles.len()).expect("few triangles");
-    let parts = vec![Part {
-        name: "part".to_owned(),
-        triangles: all.clone(),
-    }];
-    let colours = vec![ColourRun {
-        triangles: all,
-        colour: None,
-    }];
     let data = MeshData {
         origin,
-        positions,
-        triangles,
-        parts,
-        colours,
-        ..MeshData::default()
+        ..MeshData::of_triangles("part", positions, triangles)
     };
     Arc::new(Mesh::new(data).expect("a mesh"))
 }

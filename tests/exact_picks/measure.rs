@@ -6,7 +6,7 @@ use super::sight::exactly;
 use crate::common::Random;
 use glam::{DAffine3, DMat3, DVec3};
 use sightline::{
-    geometry::{ColourRun, Mesh, MeshData, Part, PlacedPoint, Placement},
+    geometry::{Mesh, MeshData, PlacedPoint, Placement},
     pick::measure::{ExactPoint, Measured, mesh_area, polygon_area},
 };
 
@@ -126,17 +126,7 @@ fn areas_of_meshes_hold_for_what_was_written() {
         let triangles: Vec<[u32; 3]> = (0..10).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let mesh = Mesh::new(MeshData {
             origin,
-            positions,
-            triangles,
-            parts: vec![Part {
-                name: String::new(),
-                triangles: 0..10,
-            }],
-            colours: vec![ColourRun {
-                triangles: 0..10,
-                colour: None,
-            }],
-            ..MeshData::default()
+            ..MeshData::of_triangles("", positions, triangles)
         });
         let measured = mesh_area(&mesh.expect("a mesh"), &placement, 0..10);
         let mut twice = Dyadic::ZERO;

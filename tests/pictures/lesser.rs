@@ -66,6 +66,14 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
     (ids, colours)
 }
 
+/// Pictures that are the same to the bit, as many of them.
+#[track_caller]
+fn assert_same<T: Copy + PartialEq>(some: &[Image<T>], others: &[Image<T>]) {
+    assert_eq!(some.len(), others.len());
+    let mut pairs = some.iter().zip(others);
+    assert!(pairs.all(|(a, b)| a.pixels() == b.pixels()));
+}
+
 #[test]
 fn without_a_primitive_index_all_is_the_same() {
     let scene = shapes(DVec3::ZERO);
@@ -75,17 +83,8 @@ fn without_a_primitive_index_all_is_the_same() {
             gpus.each_ref().map(|gpu| all_of(gpu, &scene, &view));
         let triangles = ids[0].pixels().iter().filter(|id| id.triangle > 100);
         assert!(triangles.count() > 1000, "many triangles are named");
-        assert!(
-            ids.iter()
-                .zip(&by_corner)
-                .all(|(a, b)| a.pixels() == b.pixels())
-        );
-        assert!(
-            colours
-                .iter()
-                .zip(&coloured)
-                .all(|(a, b)| a.pixels() == b.pixels())
-        );
+        assert_same(&ids, &by_corner);
+        assert_same(&colours, &coloured);
     }
 }
 
@@ -102,12 +101,7 @@ fn where_triangles_have_no_numbers_objects_do() {
                 assert_eq!([id.object, 0], [object.object, object.triangle]);
             }
         }
-        assert!(
-            colours
-                .iter()
-                .zip(&coloured)
-                .all(|(a, b)| a.pixels() == b.pixels())
-        );
+        assert_same(&colours, &coloured);
     }
 }
 
@@ -189,17 +183,8 @@ fn meshes_larger_than_a_buffer_are_split() {
             let (split, coloured) = all_of(&small, &scene, &view);
             let last = ids[0].pixels().iter().map(|id| id.triangle).max();
             assert!(last > Some(2000), "{last:?}: beyond the first buffers");
-            assert!(
-                ids.iter()
-                    .zip(&split)
-                    .all(|(a, b)| a.pixels() == b.pixels())
-            );
-            assert!(
-                colours
-                    .iter()
-                    .zip(&coloured)
-                    .all(|(a, b)| a.pixels() == b.pixels())
-            );
+            assert_same(&ids, &split);
+            assert_same(&colours, &coloured);
         }
     }
 }

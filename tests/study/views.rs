@@ -5,7 +5,7 @@ use super::gallery::view_of;
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
 use sightline::{
     camera::{CameraChoice, View, Viewport},
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    geometry::{Mesh, MeshData, Placement, Sides},
     scene::{self, Object, Progress, Scene, Shape, gallery::GALLERY},
     study::{
         self, Effort, Row, SCENE, SceneRays,
@@ -30,19 +30,11 @@ fn two_sheets() -> Shape {
             [-1.0, 1.0, z],
         ]
     };
-    let mesh = Mesh::new(MeshData {
-        positions: [square(1.0), square(-1.0)].concat(),
-        triangles: vec![[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]],
-        parts: vec![Part {
-            name: "sheets".to_owned(),
-            triangles: 0..4,
-        }],
-        colours: vec![ColourRun {
-            triangles: 0..4,
-            colour: None,
-        }],
-        ..MeshData::default()
-    });
+    let mesh = Mesh::new(MeshData::of_triangles(
+        "sheets",
+        [square(1.0), square(-1.0)].concat(),
+        vec![[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]],
+    ));
     Shape::Mesh {
         mesh: Arc::new(mesh.expect("a mesh")),
         part: 0,

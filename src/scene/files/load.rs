@@ -97,24 +97,24 @@ pub fn load_with(
     let mut warnings = Vec::new();
     let mut camera = None;
     for path in paths {
-        if let Some(exhibit) = Exhibit::at(path)? {
+        let (described, file) = if let Some(exhibit) = Exhibit::at(path)? {
             let mut meshes = exhibit.meshes(progress, &mut warnings)?;
             let file = exhibit.file();
-            let scene =
+            let described =
                 description::parse(exhibit.text, &file, &mut meshes, progress, &mut warnings)?;
-            let own = objects.len()..objects.len() + scene.objects.len();
-            objects.extend(scene.objects);
-            camera = camera.or(scene.camera.map(|camera| (camera, own, file)));
+            (described, file)
         } else if is_scene_file(path) {
             let text = text(path)?;
-            let scene = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
-            let own = objects.len()..objects.len() + scene.objects.len();
-            objects.extend(scene.objects);
-            camera = camera.or(scene.camera.map(|camera| (camera, own, path.clone())));
+            let described = description::parse(&text, path, &mut meshes, progress, &mut warnings)?;
+            (described, path.clone())
         } else {
             let mesh = meshes.load(path, progress, &mut warnings)?;
             objects.extend(mesh_objects(&mesh));
-        }
+            continue;
+        };
+        let own = objects.len()..objects.len() + described.objects.len();
+        objects.extend(described.objects);
+        camera = camera.or(described.camera.map(|camera| (camera, own, file)));
     }
     let camera = camera.map(|(camera, own, file)| (of_all(camera, &own, objects.len()), file));
     let (camera, camera_file) = camera.unzip();

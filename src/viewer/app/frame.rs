@@ -122,7 +122,7 @@ impl App {
         self.take_typefaces();
         self.take_numbers();
         for scene in self.state.take_unused() {
-            let size = scene.objects().len() + scene.triangle_count();
+            let size = scene.size();
             let_go(scene, size);
         }
     }

@@ -23,10 +23,9 @@ pub(in crate::viewer) enum Making {
 impl Making {
     /// The objects and triangles that there are.
     pub fn size(&self) -> usize {
-        let size = |scene: &Scene| scene.objects().len() + scene.triangle_count();
         match self {
-            Self::Scene(scene) => size(scene),
-            Self::With(scene, other) | Self::Again(scene, other) => size(scene) + size(other),
+            Self::Scene(scene) => scene.size(),
+            Self::With(scene, other) | Self::Again(scene, other) => scene.size() + other.size(),
         }
     }
 

@@ -120,7 +120,7 @@ impl State {
     }
 
     fn is_projected_at_once(&self) -> bool {
-        self.scene.objects().len() + self.scene.triangle_count() < LITTLE
+        self.scene.size() < LITTLE
     }
 
     fn projected_of(&self) -> Source {

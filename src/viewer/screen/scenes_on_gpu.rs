@@ -9,7 +9,6 @@ use crate::{
         model::Subject,
     },
 };
-use std::mem;
 
 /// Those of the gallery, and what was open before it.
 const MOST_BEFORE: usize = 2;
@@ -24,7 +23,6 @@ pub(super) struct OnGpu {
 
 /// A scene on its way, as it was when it began.
 struct Coming {
-    key: SceneKey,
     revision: u64,
     visibility: u64,
     upload: Upload,
@@ -48,8 +46,7 @@ pub(super) struct ScenesOnGpu {
 
 impl ScenesOnGpu {
     /// Takes a scene that is to be shown next.
-    pub fn take_uploaded(&mut self, mut uploaded: Uploaded) {
-        self.meshes = mem::take(&mut uploaded.meshes);
+    pub fn take_uploaded(&mut self, uploaded: Uploaded) {
         self.ready = Some(uploaded);
     }
 
@@ -75,7 +72,7 @@ impl ScenesOnGpu {
             if let Some((_, error)) = self.unfit.as_ref().filter(|(of, _)| *of == revision) {
                 return Err(error.clone());
             }
-            let size = subject.scene.objects().len() + subject.scene.triangle_count();
+            let size = subject.scene.size();
             let scene = if let Some(buffers) = self.known(subject.scene) {
                 Ok(Some(on_gpu(buffers, subject)))
             } else if size < LITTLE {
@@ -106,7 +103,6 @@ impl ScenesOnGpu {
         let coming = self.coming.take().filter(is_it).unwrap_or_else(|| {
             let (making, meshes) = (Making::Scene(subject.scene.clone()), self.meshes.clone());
             Coming {
-                key: subject.scene.key(),
                 revision: subject.revision,
                 visibility: subject.visibility,
                 upload: Upload::start(gpu.clone(), making, meshes, || ()),
@@ -120,7 +116,7 @@ impl ScenesOnGpu {
             self.meshes = uploaded.meshes;
             OnGpu {
                 buffers: uploaded.buffers,
-                key: coming.key,
+                key: uploaded.key,
                 revision: coming.revision,
                 visibility: coming.visibility,
             }

@@ -4,7 +4,7 @@
 use super::{PickCase, PickWorld};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
-    geometry::{ColourRun, Mesh, MeshData, Part, Placement, Sides},
+    geometry::{Mesh, MeshData, Placement, Sides},
     render::{self, Gpu},
     scene::{Object, Scene, Shape},
     study::prelude::*,
@@ -103,20 +103,9 @@ fn ball(origin: DVec3) -> Arc<Mesh> {
     let positions = points
         .iter()
         .map(|p| (*p * random.within(0.97, 1.03)).as_vec3().to_array());
-    let all = 0..u32::try_from(faces.len()).unwrap_or(0);
     let mesh = Mesh::new(MeshData {
         origin,
-        positions: positions.collect(),
-        triangles: faces,
-        parts: vec![Part {
-            name: "Ball".to_owned(),
-            triangles: all.clone(),
-        }],
-        colours: vec![ColourRun {
-            triangles: all,
-            colour: None,
-        }],
-        ..MeshData::default()
+        ..MeshData::of_triangles("Ball", positions.collect(), faces)
     });
     Arc::new(mesh.expect("the ball's indices and ranges are right"))
 }
