@@ -5,10 +5,12 @@
 //! picks tells. A point is seen where the pick lies at the point. What the pick lies before is hidden by it. Else nothing that
 //! is shown passes through the point: its faces are culled, of a hidden object, or seen along their plane.
 
-use super::{NamedSurface, SceneHit, closest, order::surface};
+use super::{NamedSurface, SceneHit, closest, nearest::first_on, order::surface};
 use crate::{
     camera::View,
-    geometry::{Mesh, PlacedPoint, compare_to_point, is_point_within},
+    geometry::{
+        Mesh, PlacedPoint, ThroughPoint, WorldRay, compare_to_point, is_point_within,
+    },
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -31,10 +33,9 @@ pub enum Sight {
 #[must_use]
 pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
     let through = view.through(point);
-    let Some(ray) = through.ray().filter(is_point_within) else {
+    let Some(ray) = ray(view, &through) else {
         return Sight::NotShown;
     };
-    let ray = view.section.map_or(ray, |section| ray.cut_by(&section));
     let hit = closest(scene, ray, view.sides);
     let order = hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit)));
     match (hit, order) {
@@ -42,6 +43,21 @@ pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
         (Some(hit), Some(Ordering::Equal)) => Sight::Seen(hit),
         _ => Sight::NotShown,
     }
+}
+
+/// Whether the very object or triangle that was hit lies before a point, too.
+pub(super) fn hides(scene: &Scene, view: &View, by: &SceneHit, point: &PlacedPoint) -> bool {
+    let through = view.through(point);
+    ray(view, &through).is_some_and(|ray| {
+        let hit = first_on(scene, &ray, view.sides, by.object, by.hit.triangle);
+        hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit))) == Some(Ordering::Less)
+    })
+}
+
+/// The ray of the picture that passes through a point, where it may show it.
+fn ray<'a>(view: &View, through: &'a ThroughPoint) -> Option<WorldRay<'a>> {
+    let ray = through.ray().filter(is_point_within)?;
+    Some(view.section.map_or(ray, |section| ray.cut_by(&section)))
 }
 
 /// Where a vertex or a face of a file is in a picture, on one object; the field names are the JSON's.

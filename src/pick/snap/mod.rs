@@ -3,9 +3,12 @@
 //! Within a radius in pixels, the nearest *visible* vertex is taken ([`sight`] decides, exactly). Where there is none, the
 //! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or an end of what the
 //! near and far planes and the section leave of it. Its share of the edge is a quotient that is rounded once, so that the point
-//! lies on the stored edge exactly. Where there is none
-//! either, the pick. Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
-//! added do not count, and where the file does not say any more which do, none of its edges does. Cubes and squares have corners and edges; spheres have none. Of two that are as near, to the last bit,
+//! lies on the stored edge exactly. Where a surface hides that point, the next share along the edge, to either side, that
+//! this surface does not hide takes its place. Where no edge shows, the pick.
+//!
+//! Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
+//! added do not count, and where the file does not say any more which do, none of its edges does. Cubes and squares have
+//! corners and edges; spheres have none. Of two that are as near, to the last bit,
 //! that with the lesser depth is taken; then that on the first object, and on the first triangle.
 
 mod facets;
@@ -14,8 +17,9 @@ mod record;
 pub use record::{Snap, SnapLine, object_area};
 
 use super::{
+    SceneHit,
     edge::{Frame, Shown, determinant},
-    sight::{Sight, sight},
+    sight::{Sight, hides, sight},
 };
 use crate::{
     camera::View,
@@ -123,7 +127,7 @@ impl Search<'_> {
                 .then(|| self.candidate(facet, corner, 0.0))
                 .flatten()
         });
-        self.first(candidates.collect(), |_| true)
+        self.first(candidates.collect(), |_, _| Vec::new(), |_| true)
     }
 
     fn edge(&self, px: DVec2, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
@@ -143,7 +147,8 @@ impl Search<'_> {
             let share = is_near.then(|| self.nearest(facet, corner)).flatten()?;
             self.candidate(facet, corner, share)
         });
-        self.first(candidates.collect(), |candidate| {
+        let beside = |hidden: &Candidate, by: &SceneHit| self.beside(hidden, by);
+        self.first(candidates.collect(), beside, |candidate| {
             let Facet {
                 object, triangle, ..
             } = candidate.facet;
@@ -172,6 +177,12 @@ impl Search<'_> {
     /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or of an end of
     /// what near, far and the section leave of it.
     fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
+        let [share, ..] = self.nearest_and_ends(facet, corner)?;
+        Some(share)
+    }
+
+    /// That share, and the first and the last that are left.
+    fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let ends = [at(0.0), at(1.0)];
         let [a, b] = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
@@ -187,14 +198,36 @@ impl Search<'_> {
         let share = from.negated().ratio(&whole);
         let [first, last] = self.left(&ends, &[a, b])?;
         if (first..=last).contains(&share) {
-            return Some(share);
+            return Some([share, first, last]);
         }
         let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
-        Some(if away_px(first)? <= away_px(last)? {
-            first
-        } else {
-            last
-        })
+        let is_first = away_px(first)? <= away_px(last)?;
+        Some([if is_first { first } else { last }, first, last])
+    }
+
+    /// Where a side comes out from behind what hides a point of it: further from the position than that point is, so to both
+    /// sides of the nearest one. What hides an interval of a side, as all that is convex does, is passed whole.
+    fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
+        let Candidate {
+            facet,
+            corner,
+            share,
+            ..
+        } = hidden;
+        let Some([nearest, first, last]) = self.nearest_and_ends(facet, *corner) else {
+            return Vec::new();
+        };
+        let is_hidden = |share: f64| {
+            let point = facet.point(self.scene, *corner, share);
+            hides(self.scene, self.view, by, &point)
+        };
+        let ways = [(first, *share <= nearest), (last, *share >= nearest)];
+        let out = ways.into_iter().filter_map(|(end, is_further)| {
+            let comes_out = is_further && !is_hidden(end);
+            comes_out.then(|| first_without(*share, end, is_hidden))
+        });
+        out.filter_map(|share| self.candidate(facet, *corner, share))
+            .collect()
     }
 
     /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.
@@ -253,25 +286,35 @@ impl Search<'_> {
         (candidate.away_px <= self.radius_px).then_some(candidate)
     }
 
-    /// The nearest that is seen and counts.
+    /// The nearest that is seen and counts; `beside` has others for one that a surface hides, further away.
     fn first(
         &self,
         mut candidates: Vec<Candidate>,
+        beside: impl Fn(&Candidate, &SceneHit) -> Vec<Candidate>,
         mut counts: impl FnMut(&Candidate) -> bool,
     ) -> Option<Candidate> {
-        candidates.sort_by(|a, b| self.order(a, b));
+        // From the last to the first.
+        candidates.sort_by(|a, b| self.order(b, a));
         // A vertex belongs to several triangles.
         let mut known = HashMap::new();
-        let mut is_seen = |candidate: &Candidate| {
+        while let Some(candidate) = candidates.pop() {
             let point = candidate.point(self.scene);
             let at = point.object().to_array().map(f64::to_bits);
-            *known
+            let sight = *known
                 .entry((candidate.facet.object, at))
-                .or_insert_with(|| matches!(sight(self.scene, self.view, &point), Sight::Seen(_)))
-        };
-        candidates
-            .into_iter()
-            .find(|candidate| is_seen(candidate) && counts(candidate))
+                .or_insert_with(|| sight(self.scene, self.view, &point));
+            match sight {
+                Sight::Seen(_) if counts(&candidate) => return Some(candidate),
+                Sight::Hidden(by) => {
+                    for other in beside(&candidate, &by) {
+                        let place = candidates.partition_point(|c| self.order(c, &other).is_gt());
+                        candidates.insert(place, other);
+                    }
+                }
+                _ => {}
+            }
+        }
+        None
     }
 
     fn order(&self, a: &Candidate, b: &Candidate) -> Ordering {
@@ -291,6 +334,21 @@ impl Search<'_> {
             .then_with(|| a_shown.depth.minus(&b_shown.depth).sign())
             .then_with(|| name(a).cmp(&name(b)))
     }
+}
+
+/// The share next to those that are hidden, on the way from one of them to one that is not. Shares lie between 0 and 1.
+fn first_without(hidden: f64, shown: f64, is_hidden: impl Fn(f64) -> bool) -> f64 {
+    // Numbers of one sign have the order of their bits.
+    let [mut hidden, mut shown] = [hidden, shown].map(|share| share.abs().to_bits());
+    while hidden.abs_diff(shown) > 1 {
+        let middle = hidden.midpoint(shown);
+        *if is_hidden(f64::from_bits(middle)) {
+            &mut hidden
+        } else {
+            &mut shown
+        } = middle;
+    }
+    f64::from_bits(shown)
 }
 
 /// The places in a polygon of the ends of a triangle's side, where that is one of the polygon's; `None` of one that splitting it
