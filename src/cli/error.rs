@@ -183,7 +183,7 @@ impl From<clap::Error> for CliError {
         // No flag is a number, and only --at takes a list that might begin with a negative one.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
-            line += ": a position in the picture is not negative";
+            line += ": it is not below 0";
         }
         Self::Usage(format!("{line}; see --help"))
     }

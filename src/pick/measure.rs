@@ -1,7 +1,7 @@
 //! Lengths and areas with bounds on how far they are off.
 //!
 //! Points are taken as they are, with nothing rounded: a vertex as its file writes it, in decimals, a point of an edge as the
-//! stored ends and its share make it. Differences, squares and sums are exact; a root or a quotient is cut off after
+//! stored ends and its share, a quotient, make it. Differences, squares and sums are exact; a root or a quotient is cut off after
 //! `BITS` bits, and the end is rounded once. What is known only roughly brings its own bound, and the sum of all is the
 //! error that is said.
 
@@ -58,6 +58,26 @@ impl ExactPoint {
             denominator: Dyadic::new(1.0),
             error,
         }
+    }
+
+    /// A point on the way between two as they are stored: its share of it is a numerator over a denominator above 0.
+    pub(super) fn between(ends: [&PlacedPoint; 2], [part, whole]: &[Dyadic; 2]) -> Self {
+        let [from, to] = ends.map(dyadic::point_world);
+        Self {
+            numerators: from.times(whole).plus(&to.minus(&from).times(part)),
+            denominator: whole.clone(),
+            error: 0.0,
+        }
+    }
+
+    /// The same, off by no more than `error`.
+    pub(super) fn within(self, error: f64) -> Self {
+        Self { error, ..self }
+    }
+
+    /// Where it is, each coordinate rounded once.
+    pub(super) fn world(&self) -> DVec3 {
+        dyadic::divided(&self.numerators, &self.denominator)
     }
 
     /// A point of the world that is off by no more than `error`.

@@ -8,9 +8,7 @@
 use super::{NamedSurface, SceneHit, closest, nearest::first_on, order::surface};
 use crate::{
     camera::View,
-    geometry::{
-        Mesh, PlacedPoint, ThroughPoint, WorldRay, compare_to_point, is_point_within,
-    },
+    geometry::{Mesh, PlacedPoint, ThroughPoint, WorldRay, compare_to_point, is_point_within},
     scene::{Scene, Shape},
 };
 use glam::{DVec2, DVec3};
@@ -49,7 +47,7 @@ pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
 pub(super) fn hides(scene: &Scene, view: &View, by: &SceneHit, point: &PlacedPoint) -> bool {
     let through = view.through(point);
     ray(view, &through).is_some_and(|ray| {
-        let hit = first_on(scene, &ray, view.sides, by.object, by.hit.triangle);
+        let hit = first_on(scene, &ray, view.sides, by.object, by.triangle());
         hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit))) == Some(Ordering::Less)
     })
 }
@@ -85,8 +83,7 @@ pub struct Whereabouts {
 }
 
 impl Whereabouts {
-    /// Of a vertex, about the origin of its mesh, on each object that has it; one of those that stand in one place. None where
-    /// no face uses it.
+    /// Of a vertex, about the origin of its mesh, on each object that has a corner there. None where no face has.
     #[must_use]
     pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
         let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
@@ -98,19 +95,16 @@ impl Whereabouts {
                 parts.push((part, triangle));
             }
         }
-        let mut found: Vec<(Self, usize)> = Vec::new();
-        for (part, triangle) in parts {
-            for index in objects_of(scene, mesh, part) {
-                let placement = &scene.objects()[index].placement;
-                let is_there =
-                    |(_, other): &(Self, usize)| scene.objects()[*other].placement == *placement;
-                if !found.iter().any(is_there) {
-                    let point = PlacedPoint::vertex(placement, mesh.data().origin, vertex);
-                    found.push((Self::of(scene, view, index, triangle, &point), index));
-                }
-            }
-        }
-        found.into_iter().map(|(place, _)| place).collect()
+        let place = |index: usize, triangle| {
+            let placement = &scene.objects()[index].placement;
+            let point = PlacedPoint::vertex(placement, mesh.data().origin, vertex);
+            Self::of(scene, view, index, triangle, &point)
+        };
+        let of_part = |(part, triangle)| {
+            let objects = objects_of(scene, mesh, part);
+            objects.map(move |index| place(index, triangle))
+        };
+        parts.into_iter().flat_map(of_part).collect()
     }
 
     /// Of a face, by its triangles in the mesh, on each object that has it: of a point inside of the largest of them. None

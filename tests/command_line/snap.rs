@@ -227,3 +227,34 @@ fn a_spike_adds_nothing_to_the_area() {
         is(&line["object_area"], expected, 1e-5);
     }
 }
+
+/// The nearest points of two positions a thousandth of a pixel apart: in exact arithmetic, with nothing rounded between.
+#[test]
+fn distances_of_points_of_edges_are_within_their_bound() {
+    let folder = Folder::new();
+    let cube = "[[object]]\nshape = \"cube\"\nrotation = [10, 20, 30]\n";
+    std::fs::write(folder.path("cube.toml"), cube).unwrap();
+    let view = "--size 100x100 --eye 3,2,4 --target 0,0,0 --fov 30";
+    let lines = folder.json(&format!(
+        "pick cube.toml {view} --snap 3 --at 61.2,49.7 61.201,49.7"
+    ));
+    assert_eq!(lines[1]["snap"]["to"], "edge");
+    is(&lines[1]["distance"], 1.173904477583621e-5, 1e-20);
+}
+
+/// A position as far from two edges, to the last bit, is led to the first of them, however the foot's share is rounded.
+#[test]
+fn of_edges_as_near_the_first_is_taken() {
+    let folder = Folder::new();
+    let beside = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1.2 1 0\nv 0.4 1 0\nv 0 1 0\nv 1 2 0\nf 1 2 3 4 5 6\nf 6 4 7\n";
+    std::fs::write(folder.path("beside.obj"), beside).unwrap();
+    let view = "--size 200x200 --eye 1,0.5,5 --target 1,0.5,0 --ortho 4";
+    let at = "60,76 75,76 90,76 100,76";
+    let lines = folder.json(&format!("pick beside.obj {view} --snap 4 --at {at}"));
+    let told = lines.iter().map(|line| {
+        let snap = &line["snap"];
+        json!([snap["to"], snap["face"], snap["point_world"]])
+    });
+    let expected = [0.2, 0.5, 0.8, 1.0].map(|x| json!(["edge", 1, [x, 1.0, 0.0]]));
+    assert_eq!(told.collect::<Vec<_>>(), expected);
+}

@@ -93,16 +93,16 @@ fn labels_say_what_the_panel_says() {
             control(&window, &corner(x, y, z));
         }
     }
-    control(&window, "after P and / w: z is depth, near 1, far 0");
+    control(&window, "z is depth, near 1, far 0; after P and / w");
     control(
         &window,
-        "after V: left-handed; z is depth, away from the eye",
+        "z is depth, away from the eye; left-handed, after V",
     );
-    control(&window, "after M: right-handed; depth runs along F");
+    control(&window, "depth runs along F; right-handed, after M");
     control(&window, "front, before M");
     click_on(&mut window, "standard");
     control(&window, "near: z = 0");
-    control(&window, "after P and / w: z is depth, near 0, far 1");
+    control(&window, "z is depth, near 0, far 1; after P and / w");
 }
 
 #[test]
@@ -382,4 +382,61 @@ fn the_views_are_saved_alone_with_their_labels() {
             .count();
         assert_eq!(differ, 0, "picture {number}");
     }
+}
+
+#[test]
+fn the_same_pixel_of_a_view_again_is_the_surface_behind() {
+    let (mut window, _folder) = four();
+    let [_, world, ..] = rects(&window);
+    let point = |window: &Offscreen| {
+        let view = window.state().pane_view(Stage::World)?;
+        Some(view.project(DVec3::new(0.1, 0.1, 2.5))?.px)
+    };
+    let at = point(&window).expect("the front cube shows in world");
+    #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
+    let at = world.min + vec2(at.x as f32, at.y as f32);
+    click(&mut window, at);
+    let hits = |window: &Offscreen| {
+        window
+            .state()
+            .hits()
+            .map(|hits| (hits.at, hits.picks.len()))
+    };
+    let (first, count) = hits(&window).expect("a pick");
+    assert!(count > 2, "{count}");
+    window.wait_s(1.0);
+    click(&mut window, at);
+    assert_eq!(hits(&window), Some(((first + 1) % count, count)));
+    // The second one of a double click is not meant so.
+    window.wait_s(1.0);
+    click(&mut window, at);
+    let before = hits(&window);
+    click(&mut window, at);
+    assert_ne!(
+        hits(&window).map(|(at, _)| at),
+        before.map(|(at, _)| (at + 1) % count)
+    );
+}
+
+#[test]
+fn the_four_views_need_no_frozen_camera() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    assert!(window.state().frozen().is_some());
+    press_key(&mut window, Modifiers::NONE, Key::Num4);
+    assert!(window.state().frozen().is_none());
+    press_key(&mut window, Modifiers::NONE, Key::T);
+    let said: String = window.messages().collect();
+    assert!(said.contains("world shows the camera already"), "{said}");
+}
+
+/// Where there is room for one side alone, the key brings the matrices before.
+#[test]
+fn the_key_of_the_matrices_shows_them_in_a_small_window() {
+    let (mut window, _folder) = row(1.0);
+    window.resize(px([640, 400], 1.0));
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    control(&window, "P, row x");
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    assert!(!has_control(&window, "P, row x"));
 }

@@ -117,6 +117,19 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert!(window.state().measuring().points.is_empty());
     assert_eq!(values(&window), [8.0]);
     assert!(window.state().measuring().is_on);
+    // It is what was there before.
+    click_on(&mut window, "copy list");
+    let copied = window.copied().expect("text");
+    assert!(copied.ends_with("\tbefore the scene changed\n"), "{copied}");
+    click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
+    click_on(&mut window, "object area");
+    let outdated = window
+        .state()
+        .measuring()
+        .list
+        .iter()
+        .map(|entry| entry.outdated);
+    assert_eq!(outdated.collect::<Vec<_>>(), [true, false]);
 }
 
 /// All that is clicked in the panel, its list left out.

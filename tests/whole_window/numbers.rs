@@ -225,3 +225,30 @@ fn what_has_a_number_can_be_gone_to() {
         assert!(reads(&window, text), "{text}");
     }
 }
+
+/// What is said of what was gone to goes with its mark; a number that cannot be says why.
+#[test]
+fn what_is_said_below_go_to_is_so() {
+    let (mut window, _folder) = file_of(BEHIND);
+    go(&mut window, "go to vertex", "7");
+    assert!(reads(&window, "v 7: 0.1 4 0, line 10"));
+    go(&mut window, "go to face", "0");
+    assert!(reads(&window, "face 0: numbers run from 1"));
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    click(&mut window, MIDDLE);
+    assert!(!reads(&window, "v 7: 0.1 4 0"), "another pick");
+}
+
+#[test]
+fn of_what_is_not_shown_the_reason_is_said() {
+    let (mut window, _folder) = file_of(BEHIND);
+    go(&mut window, "go to vertex", "7");
+    assert!(reads(&window, "seen at"));
+    type_into(&mut window, "far", "5");
+    press_key(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(reads(&window, "beyond the far plane"));
+    click_on(&mut window, "fit far");
+    click_on(&mut window, "section across y");
+    click_on(&mut window, "flip the section");
+    assert!(reads(&window, "cut away by the section"));
+}

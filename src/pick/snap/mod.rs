@@ -2,8 +2,9 @@
 //!
 //! Within a radius in pixels, the nearest *visible* vertex is taken ([`sight`] decides, exactly). Where there is none, the
 //! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or an end of what the
-//! near and far planes and the section leave of it. Its share of the edge is a quotient that is rounded once, so that the point
-//! lies on the stored edge exactly. Where a surface hides that point, the next share along the edge, to either side, that
+//! near and far planes and the section leave of it. Whether it is seen is asked of
+//! the share of the edge as an `f64` has it, so of a point that lies on the stored edge exactly; told and measured is the
+//! nearest point itself. Where a surface hides that point, the next share along the edge, to either side, that
 //! this surface does not hide takes its place. Where no edge shows, the pick.
 //!
 //! Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
@@ -11,6 +12,7 @@
 //! corners and edges; spheres have none. Of two that are as near, to the last bit,
 //! that with the lesser depth is taken; then that on the first object, and on the first triangle.
 
+mod along;
 mod facets;
 mod record;
 
@@ -18,15 +20,13 @@ pub use record::{Snap, SnapLine, object_area};
 
 use super::{
     SceneHit,
-    edge::{Frame, Shown, determinant},
-    sight::{Sight, hides, sight},
+    edge::{Frame, Shown},
+    measure::ExactPoint,
+    sight::{Sight, sight},
 };
 use crate::{
     camera::View,
-    geometry::{
-        PlacedPoint,
-        dyadic::{self, Dyadic, DyadicVector},
-    },
+    geometry::{PlacedPoint, dyadic},
     scene::{FaceInFile, Scene},
 };
 use facets::{Facet, facets};
@@ -50,7 +50,8 @@ pub enum SnapTo {
 /// Where a position was led to.
 enum Snapped {
     Vertex(Candidate),
-    Edge(Candidate),
+    /// And the nearest point itself, with nothing rounded.
+    Edge(Candidate, ExactPoint),
     /// The pick, if any.
     Face,
 }
@@ -109,7 +110,8 @@ fn snapped(
             return Snapped::Vertex(vertex);
         }
         if let Some(edge) = search.edge(px, &facets, faces) {
-            return Snapped::Edge(edge);
+            let exact = search.exact(&edge);
+            return Snapped::Edge(edge, exact);
         }
     }
     Snapped::Face
@@ -174,102 +176,6 @@ impl Search<'_> {
         })
     }
 
-    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or of an end of
-    /// what near, far and the section leave of it.
-    fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
-        let [share, ..] = self.nearest_and_ends(facet, corner)?;
-        Some(share)
-    }
-
-    /// That share, and the first and the last that are left.
-    fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
-        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
-        let ends = [at(0.0), at(1.0)];
-        let [a, b] = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
-        // As in `edge`: the line through both ends, and how far along it they are.
-        let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
-        let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
-        let along = |p: &Shown<BigInt>| determinant([&p.u, &p.v], [&line_u, &line_v]);
-        let (from, to) = (along(&a), along(&b));
-        let whole = to.minus(&from);
-        if whole.sign().is_eq() {
-            return None;
-        }
-        let share = from.negated().ratio(&whole);
-        let [first, last] = self.left(&ends, &[a, b])?;
-        if (first..=last).contains(&share) {
-            return Some([share, first, last]);
-        }
-        let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
-        let is_first = away_px(first)? <= away_px(last)?;
-        Some([if is_first { first } else { last }, first, last])
-    }
-
-    /// Where a side comes out from behind what hides a point of it: further from the position than that point is, so to both
-    /// sides of the nearest one. What hides an interval of a side, as all that is convex does, is passed whole.
-    fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
-        let Candidate {
-            facet,
-            corner,
-            share,
-            ..
-        } = hidden;
-        let Some([nearest, first, last]) = self.nearest_and_ends(facet, *corner) else {
-            return Vec::new();
-        };
-        let is_hidden = |share: f64| {
-            let point = facet.point(self.scene, *corner, share);
-            hides(self.scene, self.view, by, &point)
-        };
-        let ways = [(first, *share <= nearest), (last, *share >= nearest)];
-        let out = ways.into_iter().filter_map(|(end, is_further)| {
-            let comes_out = is_further && !is_hidden(end);
-            comes_out.then(|| first_without(*share, end, is_hidden))
-        });
-        out.filter_map(|share| self.candidate(facet, *corner, share))
-            .collect()
-    }
-
-    /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.
-    fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
-        let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
-        let near = both(&|end| self.frame.behind_near(&shown[end]));
-        let far = both(&|end| self.frame.before_far(&shown[end]));
-        let section = [self.frame.kept(&ends[0]), self.frame.kept(&ends[1])];
-        let section = match section {
-            [Some(a), Some(b)] => Some([a, b]),
-            _ => None,
-        };
-        let mut left = [0.0_f64, 1.0];
-        // What lies on the far plane is not shown; on the others it is.
-        for ([a, b], with_zero) in [(near, true), (far, false)]
-            .into_iter()
-            .chain(section.map(|section| (section, true)))
-        {
-            let is_left = |side: &Dyadic| side.sign().is_gt() || (with_zero && side.is_zero());
-            let slope = b.minus(&a);
-            let is_left_at = |share: f64| is_left(&a.plus(&slope.times(&Dyadic::new(share))));
-            let mut cut = a.negated().ratio(&slope);
-            match (is_left(&a), is_left(&b)) {
-                (true, true) => {}
-                (false, false) => return None,
-                (true, false) => {
-                    while !is_left_at(cut) {
-                        cut = cut.next_down();
-                    }
-                    left[1] = left[1].min(cut);
-                }
-                (false, true) => {
-                    while !is_left_at(cut) {
-                        cut = cut.next_up();
-                    }
-                    left[0] = left[0].max(cut);
-                }
-            }
-        }
-        (left[0] <= left[1]).then_some(left)
-    }
-
     /// A point of a side, where it is within reach.
     fn candidate(&self, facet: &Facet, corner: usize, share: f64) -> Option<Candidate> {
         let mut candidate = Candidate {
@@ -322,7 +228,7 @@ impl Search<'_> {
         if (a.away_px - b.away_px).abs() > ALIKE * (a.away_px + b.away_px) {
             return a.away_px.total_cmp(&b.away_px);
         }
-        let [a_shown, b_shown] = [a, b].map(|candidate| candidate.shown(self.scene, &self.frame));
+        let [(a_shown, a_weight), (b_shown, b_weight)] = [a, b].map(|which| self.shown(which));
         let squared = |shown: &Shown<BigInt>| shown.u.squared().plus(&shown.v.squared());
         let [a_away, b_away] = [
             squared(&a_shown).times(&b_shown.w.squared()),
@@ -331,24 +237,13 @@ impl Search<'_> {
         a_away
             .minus(&b_away)
             .sign()
-            .then_with(|| a_shown.depth.minus(&b_shown.depth).sign())
+            .then_with(|| {
+                let [a, b] = [(&a_shown, &b_weight), (&b_shown, &a_weight)];
+                let [a, b] = [a, b].map(|(of, weight)| of.depth.times(weight));
+                a.minus(&b).sign()
+            })
             .then_with(|| name(a).cmp(&name(b)))
     }
-}
-
-/// The share next to those that are hidden, on the way from one of them to one that is not. Shares lie between 0 and 1.
-fn first_without(hidden: f64, shown: f64, is_hidden: impl Fn(f64) -> bool) -> f64 {
-    // Numbers of one sign have the order of their bits.
-    let [mut hidden, mut shown] = [hidden, shown].map(|share| share.abs().to_bits());
-    while hidden.abs_diff(shown) > 1 {
-        let middle = hidden.midpoint(shown);
-        *if is_hidden(f64::from_bits(middle)) {
-            &mut hidden
-        } else {
-            &mut shown
-        } = middle;
-    }
-    f64::from_bits(shown)
 }
 
 /// The places in a polygon of the ends of a triangle's side, where that is one of the polygon's; `None` of one that splitting it

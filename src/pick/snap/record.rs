@@ -77,8 +77,8 @@ impl Snap {
         faces: &mut Faces,
     ) -> Option<Self> {
         Some(match snapped(scene, view, (px, radius_px), faces) {
-            Snapped::Vertex(of) => Self::of_side(scene, view, SnapTo::Vertex, &of, faces),
-            Snapped::Edge(of) => Self::of_side(scene, view, SnapTo::Edge, &of, faces),
+            Snapped::Vertex(of) => Self::of_side(scene, view, &of, None, faces),
+            Snapped::Edge(of, exact) => Self::of_side(scene, view, &of, Some(exact), faces),
             Snapped::Face => {
                 let pick = super::super::pick(scene, view, px)?;
                 Self::of_pick(scene, px, &pick, faces)
@@ -89,14 +89,20 @@ impl Snap {
     fn of_side(
         scene: &Scene,
         view: &View,
-        to: SnapTo,
         candidate: &Candidate,
+        of_edge: Option<ExactPoint>,
         faces: &mut Faces,
     ) -> Self {
         let Candidate { facet, corner, .. } = *candidate;
         let object = &scene.objects()[facet.object];
-        let point = candidate.point(scene);
-        let point_world = point.world();
+        let (to, exact) = match of_edge {
+            Some(exact) => (SnapTo::Edge, exact),
+            None => (
+                SnapTo::Vertex,
+                ExactPoint::stored(&candidate.point(scene), 0.0),
+            ),
+        };
+        let point_world = exact.world();
         let triangle = facet.triangle;
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
@@ -128,9 +134,9 @@ impl Snap {
                     let by = end.distance(&stored(share));
                     by.value + by.error
                 };
-                ExactPoint::stored(&point, moved(a, 0.0).max(moved(b, 1.0)))
+                exact.within(moved(a, 0.0).max(moved(b, 1.0)))
             }
-            _ => ExactPoint::stored(&point, 0.0),
+            _ => exact,
         };
         let length = (to == SnapTo::Edge).then(|| match ends.as_deref() {
             Some([a, b]) => a.distance(b),

@@ -25,6 +25,10 @@ impl App {
     /// Does what the user asks for.
     pub fn run_command(&mut self, command: Command) {
         match command {
+            Command::Act(Action::ToggleFreeze) if self.state.views() != Views::Picture => {
+                let key = "press 4 for the picture, then T";
+                self.complain(format!("world shows the camera already: {key}"));
+            }
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
             Command::OpenDialog => {
@@ -99,7 +103,9 @@ impl App {
             }
             Command::ToggleHelp => self.floating.help ^= true,
             Command::ToggleFour => self.toggle_views(),
-            Command::TogglePipeline => self.floating.pipeline ^= true,
+            Command::TogglePipeline => {
+                self.floating.pipeline = self.docks.toggle_matrices(self.floating.pipeline);
+            }
             Command::ShowsDepthSteps => {}
             Command::Tour(to) => self.go_on_tour(to),
             Command::NextLook => {

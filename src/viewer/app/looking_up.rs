@@ -1,7 +1,7 @@
 //! What the files of meshes say: of the pick, and of faces and vertices that somebody goes to.
 
 use super::{
-    numbers::{Triangle, file_of},
+    numbers::{Said, Triangle, file_of},
     program::App,
     wake::Wake,
 };
@@ -102,7 +102,7 @@ impl App {
                 let reading = ReadingAgain::start(file.clone(), question, move || wake(Wake::Look));
                 self.numbers.going = Some((to, file, self.state.scene_revision(), reading));
             }
-            Err(reason) => self.numbers.said = Some(reason.to_owned()),
+            Err(reason) => self.tell(reason.to_owned()),
         }
     }
 
@@ -110,20 +110,24 @@ impl App {
         let objects = self.state.scene().objects();
         let Some(object) = id.checked_sub(1).filter(|index| *index < objects.len()) else {
             let count = objects.len();
-            self.numbers.said = Some(format!(
+            return self.tell(format!(
                 "there is no object {id}: they run from 1 to {count}"
             ));
-            return;
         };
         let hidden = if objects[object].visible {
             ""
         } else {
             "; it is hidden"
         };
-        self.numbers.said = Some(format!("object {id}: {}{hidden}", objects[object].name));
+        let text = format!("object {id}: {}{hidden}", objects[object].name);
         self.act(Action::Select(Some(object)));
         self.act(Action::FrameSelection);
         self.reveal_selection = true;
+        self.tell(text);
+    }
+
+    fn tell(&mut self, text: String) {
+        self.numbers.said = Some(Said::of(&self.state, text));
     }
 
     /// Shows and marks what was asked for; the panel says how it is seen.
@@ -153,12 +157,13 @@ impl App {
                 (Numbered::Vertex(number), name, places)
             }
             (Found::Face(Err(error)) | Found::Vertex(Err(error)), _) => {
-                self.numbers.said = Some(error);
-                return;
+                return self.tell(error);
             }
             _ => return,
         };
-        self.numbers.said = Some(match (places.first(), of) {
+        let is_shown = |place: &&Whereabouts| scene.objects()[place.id - 1].visible;
+        let place = places.iter().find(is_shown).or(places.first());
+        let text = match (place, of) {
             (Some(place), _) => {
                 let sought = Sought {
                     of,
@@ -172,7 +177,8 @@ impl App {
             }
             (None, Numbered::Vertex(_)) => format!("{name}: no face uses it"),
             (None, Numbered::Face(_)) => format!("{name}: nothing of it is shown"),
-        });
+        };
+        self.tell(text);
     }
 }
 

@@ -27,10 +27,39 @@ pub(in crate::viewer) struct Numbers {
     /// Each with the question to its file, where it has one.
     pub(super) unprinted: VecDeque<(PickLine, Option<ReadingAgain>)>,
     /// What came of the last way to somewhere.
-    pub said: Option<String>,
+    pub(super) said: Option<Said>,
+}
+
+/// What is said of what was gone to, while it is so.
+pub(in crate::viewer) struct Said {
+    text: String,
+    scene: u64,
+    selected: Option<usize>,
+    is_marked: bool,
+}
+
+impl Said {
+    /// Of the scene, the selection and the mark as they are.
+    pub(super) fn of(state: &State, text: String) -> Self {
+        Self {
+            text,
+            scene: state.scene_revision(),
+            selected: state.selection().map(|selection| selection.object),
+            is_marked: state.sought().is_some(),
+        }
+    }
 }
 
 impl Numbers {
+    /// What came of the last way to somewhere, until something else is selected or marked, or the scene is another.
+    pub fn said(&self, state: &State) -> Option<&str> {
+        let said = self.said.as_ref()?;
+        let now = Said::of(state, String::new());
+        let is_so =
+            (now.scene, now.selected, now.is_marked) == (said.scene, said.selected, said.is_marked);
+        is_so.then_some(&said.text)
+    }
+
     /// Whether a file is to answer yet.
     pub fn is_busy(&self) -> bool {
         let is_asked = self.of_pick.is_some() || self.going.is_some();

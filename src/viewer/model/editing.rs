@@ -25,6 +25,7 @@ impl State {
         let chosen = self.chosen();
         let edits = self.edit(|edits| &mut edits.matrices);
         self.scene.place(object, placement);
+        self.outdate_measures();
         self.rearranged();
         let step = Step::Placed {
             object,

@@ -49,6 +49,13 @@ impl State {
         self.measuring.object_area = None;
     }
 
+    /// The scene is another: what was measured was so before.
+    pub(super) fn outdate_measures(&mut self) {
+        for entry in &mut self.measuring.list {
+            entry.outdated = true;
+        }
+    }
+
     /// Has another list; returns the one before.
     pub(super) fn exchange_measures(&mut self, list: Vec<Entry>) -> Vec<Entry> {
         mem::replace(&mut self.measuring.list, list)

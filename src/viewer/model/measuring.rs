@@ -50,6 +50,20 @@ pub struct Entry {
     /// In world units, and how far it may be off.
     #[serde(flatten)]
     pub measured: Measured,
+    /// The scene is another since: a file was read again, or something was moved.
+    pub outdated: bool,
+}
+
+impl Entry {
+    /// What is to be said beside it.
+    #[must_use]
+    pub fn remark(&self) -> &'static str {
+        if self.outdated {
+            "before the scene changed"
+        } else {
+            ""
+        }
+    }
 }
 
 /// What was measured, and what can be.
@@ -86,7 +100,12 @@ impl Measuring {
             What::ObjectArea => (last.object.clone(), self.object_area?),
         };
         let what = what.name();
-        Some(Entry { what, of, measured })
+        Some(Entry {
+            what,
+            of,
+            measured,
+            outdated: false,
+        })
     }
 
     /// Why a measure cannot be taken: what is to be done first.
@@ -107,9 +126,14 @@ impl Measuring {
     /// The list as text, a line each.
     #[must_use]
     pub fn text(&self) -> String {
-        let line = |Entry { what, of, measured }: &Entry| {
-            let Measured { value, error } = measured;
-            format!("{what}\t{value}\t\u{b1} {error:.1e}\t{of}\n")
+        let line = |entry: &Entry| {
+            let Entry { what, of, .. } = entry;
+            let Measured { value, error } = entry.measured;
+            let text = format!(
+                "{what}\t{value}\t\u{b1} {error:.1e}\t{of}\t{}",
+                entry.remark()
+            );
+            format!("{}\n", text.trim_end())
         };
         self.list.iter().map(line).collect()
     }

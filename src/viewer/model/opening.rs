@@ -193,6 +193,7 @@ impl State {
         });
         self.unused.push(mem::replace(&mut self.scene, made.scene));
         self.scene_revision += 1;
+        self.outdate_measures();
         self.visibility_revision += 1;
         (self.cursor, self.lit) = (None, None);
         (self.hits, self.sought) = (None, None);

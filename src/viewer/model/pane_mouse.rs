@@ -98,6 +98,18 @@ impl State {
         }
     }
 
+    /// Whether a click is on the same pixel of the same view as the one before, and not the second of a double click.
+    fn clicks_again(&mut self, stage: Stage, px: DVec2, time_s: f64) -> bool {
+        let at = self
+            .pane_view(stage)
+            .map(|view| (stage, pixel_centre(px), view));
+        let Some(panes) = &mut self.panes else {
+            return false;
+        };
+        let same = at.is_some() && std::mem::replace(&mut panes.clicked_at, at) == at;
+        same && (panes.clicked_s).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S)
+    }
+
     /// Before a click: keeps what it will take away, unless it is the second one of a double click.
     fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
         let kept = is_on_nothing.then(|| Cleared {
@@ -137,8 +149,10 @@ impl State {
         match action {
             Action::Click(px, time_s) => {
                 let point = self.pane_point(stage, px);
+                let again = self.clicks_again(stage, px, time_s);
                 self.keep_cleared(time_s, point.is_none());
                 match point {
+                    Some(_) if again && self.pick_ray().is_some() => return self.step(true),
                     Some((object, point)) => return self.pick_point(object, point),
                     None => self.select(None),
                 }

@@ -42,9 +42,25 @@ impl State {
                 Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
                 None => "beside the picture".to_owned(),
             },
-            Sight::NotShown => {
-                "not shown: before near, beyond far, cut away, culled, hidden or edge-on".to_owned()
-            }
+            Sight::NotShown => self.why_not_shown()?.to_owned(),
+        })
+    }
+
+    fn why_not_shown(&self) -> Option<&'static str> {
+        let Sought { object, point, .. } = self.sought()?;
+        let (point_world, lens) = (point.world(), self.view.camera.lens());
+        let depth = self.view.camera.to_view(point_world).z;
+        let section = self.view.section;
+        Some(if !self.scene.objects()[object].visible {
+            "its object is hidden"
+        } else if depth < lens.near {
+            "before the near plane"
+        } else if depth >= lens.far {
+            "beyond the far plane"
+        } else if section.is_some_and(|section| section.side(point_world) < 0.0) {
+            "cut away by the section"
+        } else {
+            "not shown: its faces are culled or seen edge-on"
         })
     }
 

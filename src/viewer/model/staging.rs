@@ -10,13 +10,15 @@ use super::{
 };
 use crate::{
     camera::{UpAxis, View},
-    geometry::{Aabb, Placement},
+    geometry::{Aabb, Placement, Section},
     scene::{Object, Scene},
 };
 use glam::{DAffine3, DMat3, DVec3};
 
 /// Objects and triangles that are projected within a pass; more of them beside the window.
 const LITTLE: usize = 20_000;
+/// Further from its middle than anything is in NDC.
+const BEYOND_NDC: f64 = 1e30;
 
 impl State {
     /// What the window shows of the scene.
@@ -53,6 +55,8 @@ impl State {
             }
             return;
         }
+        // World shows the camera as it is.
+        self.frozen = None;
         self.cursor = None;
         let large = match views {
             Views::One(stage) => Some(stage),
@@ -71,6 +75,7 @@ impl State {
             alone: Staged::default(),
             ndc: Staged::default(),
             clicked_s: None,
+            clicked_at: None,
             point: None,
         }));
         self.refresh_panes();
@@ -210,7 +215,12 @@ impl State {
         // Alone an object is whole, and in NDC the cut is made beforehand.
         let section = match stage {
             Stage::World | Stage::View => self.view.section,
-            Stage::Object | Stage::Ndc => None,
+            Stage::Object => None,
+            // One that keeps everything: insides have the colour of insides.
+            Stage::Ndc => self
+                .view
+                .section
+                .and(Section::new(DVec3::X, BEYOND_NDC).ok()),
         };
         Some(View { section, ..view })
     }

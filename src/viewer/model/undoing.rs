@@ -81,6 +81,7 @@ impl State {
                     chosen: self.chosen(),
                 };
                 self.scene.place(object, placement);
+                self.outdate_measures();
                 self.rearranged();
                 self.choose(chosen);
                 inverse

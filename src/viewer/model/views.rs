@@ -2,7 +2,7 @@
 
 use super::{observer::Observer, stages::Stage};
 use crate::{camera::View, geometry::Aabb, scene::Scene};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::mem;
 
 /// What the window shows of the scene.
@@ -37,6 +37,8 @@ pub(super) struct Panes {
     pub ndc: Staged,
     /// When one of them was clicked last.
     pub clicked_s: Option<f64>,
+    /// Where, and how its view stood.
+    pub clicked_at: Option<(Stage, DVec2, View)>,
     /// A point that was picked where the scene's camera does not see it: of which object, in its space.
     pub point: Option<(usize, DVec3)>,
 }

@@ -1,7 +1,7 @@
 //! A frozen camera as lines: what "casting a ray" looks like from outside.
 
 use crate::{
-    camera::{View, Viewport},
+    camera::{Projection, View, Viewport},
     geometry::Placement,
     look, pick,
     render::Line,
@@ -72,8 +72,12 @@ fn frustum(view: &View) -> Vec<Line> {
         })
         .collect();
     // From where the rays start to the near plane, where there is room between the two.
+    let camera = &view.camera;
     lines.extend(corners[..4].iter().map(|&corner| Line {
-        from: view.camera.eye(),
+        from: match camera.lens().projection {
+            Projection::Perspective { .. } => camera.eye(),
+            Projection::Orthographic { .. } => corner - camera.lens().near * camera.forward(),
+        },
         to: corner,
         colour: look::CAMERA_PIXELS,
     }));

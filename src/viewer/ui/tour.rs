@@ -1,9 +1,13 @@
 //! The tour through cameras and raycasting: what to do, why, and how the window notices that it is done.
 
+mod seen;
+
+pub(in crate::viewer) use seen::Seen;
+
 use super::command::{Command, TourMove};
 use crate::{
     camera::{DepthMapping, Projection},
-    scene::{Object, Shape},
+    scene::Shape,
     viewer::{
         jobs::Checking,
         model::{Action, Compared, Overlay, Stage, State, Views},
@@ -23,23 +27,14 @@ pub(in crate::viewer) struct Step {
     pub why: &'static str,
     /// What the present lens makes of a point, where that is what the step is about.
     example: Option<Example>,
+    /// It is done in the camera's picture.
+    is_in_picture: bool,
     is_done: fn(&Seen) -> bool,
 }
 
 /// A point in view space whose way to NDC the card tells.
 #[derive(Clone, Copy)]
 struct Example([f64; 3]);
-
-/// What the window sees of a user.
-pub(in crate::viewer) struct Seen<'a> {
-    /// What was just done; `None` where something else came about, as the end of a load.
-    pub command: Option<&'a Command>,
-    /// What that led to.
-    pub state: &'a State,
-    /// Whether the matrices show.
-    pub matrices: bool,
-    pub checking: &'a Checking,
-}
 
 /// Where in the tour somebody is.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,7 +49,15 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool)
         task,
         why,
         example: None,
+        is_in_picture: false,
         is_done,
+    }
+}
+
+const fn in_picture(step: Step) -> Step {
+    Step {
+        is_in_picture: true,
+        ..step
     }
 }
 
@@ -68,16 +71,16 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Axes and the view matrix",
         steps: &[
-            step(
+            in_picture(step(
                 "Drag over the picture with the left button: the camera orbits about what is under the cursor.",
                 "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
-                turns,
-            ),
-            step(
+                |seen| seen.turns(),
+            )),
+            in_picture(step(
                 "Press P for the matrices, drag again and watch V.",
                 "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
-                |seen| seen.matrices && turns(seen),
-            ),
+                |seen| seen.matrices && seen.turns(),
+            )),
         ],
     },
     Chapter {
@@ -140,11 +143,11 @@ const CHAPTERS: [Chapter; 8] = [
                 "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. It is not made a unit long, so that t stays depth.",
                 |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
             ),
-            step(
+            in_picture(step(
                 "Press T and drag: this camera stays behind, as lines.",
                 "There are its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T takes it away again.",
-                |seen| seen.state.frozen().is_some() && turns(seen),
-            ),
+                |seen| seen.state.frozen().is_some() && seen.turns(),
+            )),
         ],
     },
     Chapter {
@@ -214,7 +217,7 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Near, far and the depth buffer",
         steps: &[
             step(
-                "Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
+                "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
                 "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near, so at the tower they are far apart, and two surfaces within one step look like one.",
                 |seen| {
                     let lens = seen.state.controls();
@@ -330,8 +333,16 @@ impl Tour {
 }
 
 impl Step {
-    /// What the present lens makes of the step's point, in words.
-    pub fn example(&self, state: &State) -> Option<String> {
+    /// What is to be known here and now, beside what the step says: what the present lens makes of its point, or that the
+    /// four views are in the way.
+    pub fn now(&self, state: &State) -> Option<String> {
+        let is_in_the_way = self.is_in_picture && state.views() != Views::Picture;
+        let elsewhere = is_in_the_way
+            .then(|| "Here a drag turns one view alone: press 4 for the picture first.".to_owned());
+        elsewhere.or_else(|| self.example(state))
+    }
+
+    fn example(&self, state: &State) -> Option<String> {
         let Example(point) = self.example?;
         let view = state.view();
         let lens = view.camera.lens();
@@ -346,51 +357,5 @@ impl Step {
             "Now: ({a}, {b}, {c}) comes to ({x:.4}, {y:.4}, {z:.4}), in a picture {:.4} times as wide as high{height}.",
             view.viewport.aspect()
         ))
-    }
-}
-
-/// The scene's camera, and not one of the four views.
-fn turns(seen: &Seen) -> bool {
-    let in_picture = seen.state.views() == Views::Picture;
-    seen.acts(|action| match action {
-        Action::Turn(_) => in_picture,
-        Action::Steer(_) => true,
-        _ => false,
-    })
-}
-
-impl Seen<'_> {
-    fn acts(&self, is_it: impl Fn(&Action) -> bool) -> bool {
-        matches!(self.command, Some(Command::Act(action)) if is_it(action))
-    }
-
-    fn clicks(&self) -> bool {
-        self.acts(|action| matches!(action, Action::Click(..)))
-    }
-
-    fn clicks_on(&self, is_it: impl Fn(&Shape) -> bool) -> bool {
-        self.clicks() && self.picked().is_some_and(|object| is_it(&object.shape))
-    }
-
-    /// The object that a click has selected.
-    fn picked(&self) -> Option<&Object> {
-        let selection = self.state.selection()?;
-        let object = self.state.scene().objects().get(selection.object)?;
-        selection.pick.as_ref().map(|_| object)
-    }
-
-    /// Whether the near plane has left nothing of an object.
-    fn near_is_past(&self, name: &str) -> bool {
-        let (scene, view) = (self.state.scene(), self.state.view());
-        let objects = scene.objects();
-        let Some(object) = objects.iter().position(|object| object.name == name) else {
-            return false;
-        };
-        let corners = scene.bounds_of(object).corners();
-        let furthest = (corners.iter())
-            .map(|&corner| view.camera.to_view(corner).z)
-            .fold(f64::NEG_INFINITY, f64::max);
-        let near = self.state.controls().near;
-        near.is_some_and(|near| near > furthest) && view.may_see(&scene.visible_bounds())
     }
 }

@@ -65,7 +65,7 @@ impl Section {
     }
 }
 
-/// The least width in points for three numbers in a row beside their name.
+/// The least width in points for three numbers in a row beside their name, and a bar that scrolls.
 pub(super) const FIELDS: f32 = 272.0;
 /// The least for four.
 const MATRIX: f32 = 316.0;
@@ -161,6 +161,17 @@ impl Docks {
         } else {
             self.open(side);
         }
+    }
+
+    /// Shows the matrices wherever their panel stands, or takes them away where they show; returns whether they are wanted.
+    pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
+        let Place { side, folded } = self[Section::Pipeline];
+        let show = are_wanted && !folded && self.showing[side as usize];
+        if !show {
+            self[Section::Pipeline].folded = false;
+            self.open(side);
+        }
+        !show
     }
 
     /// Those of `sections` that stand at a side.

@@ -92,6 +92,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
 
 /// Fields for a number of what is to be shown, and what came of the last.
 pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &mut Vec<Command>) {
+    let mut wrong = None;
     ui.horizontal(|ui| {
         ui.weak("go to").hint("type a number and press Enter");
         let fields: [Way; 3] = [
@@ -107,15 +108,22 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
                 GoTo::Vertex,
             ),
         ];
+        let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
+        let margins = 3.0 * ui.spacing().button_padding.x;
+        let width = (room / 3.0 - margins).max(40.0);
         for (name, hint, to) in fields {
             let id = Id::unique(("go to", name));
             let mut text: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
             let number = text.trim().parse::<usize>().ok().filter(|number| *number > 0);
+            let is_wrong = number.is_none() && !text.trim().is_empty();
+            if is_wrong {
+                wrong = Some(format!("{name} {}: numbers run from 1", text.trim()));
+            }
             let mut field = TextEdit::singleline(&mut text)
                 .id(id)
                 .hint_text(name)
-                .desired_width(52.0);
-            if number.is_none() && !text_is_empty(ui, id) {
+                .desired_width(width);
+            if is_wrong {
                 field = field.text_color(ui.visuals().error_fg_color);
             }
             let response = ui.add(field);
@@ -130,6 +138,10 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
             }
         }
     });
+    if let Some(wrong) = wrong {
+        ui.colored_label(ui.visuals().error_fg_color, wrong)
+            .hint("what is typed there is no number of anything");
+    }
     if let Some(said) = said {
         let text = match state.says_of_sought() {
             Some(seen) => format!("{said}: {seen}"),
@@ -138,9 +150,4 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
         let label = ui.add(Label::new(text).wrap());
         label.hint("where that is, and what hides it");
     }
-}
-
-fn text_is_empty(ui: &Ui, id: Id) -> bool {
-    ui.data(|data| data.get_temp::<String>(id))
-        .is_none_or(|text| text.trim().is_empty())
 }

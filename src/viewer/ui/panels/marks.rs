@@ -211,6 +211,10 @@ impl Page<'_> {
             self.painter
                 .layout_no_wrap(text.to_owned(), FontId::proportional(15.0), colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        // Within the picture, where it has room for it.
+        let bounds = self.painter.clip_rect().shrink(4.0);
+        let over = (rect.right() - bounds.right()).max(0.0);
+        let rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));
         self.painter.rect_filled(
             rect.expand2(vec2(4.0, 1.0)),
             3.0,

@@ -1,12 +1,12 @@
 //! Points that clicks are led to, and the list of measures.
 
 use super::{
-    field::{short, value_text},
+    field::value_text,
     names::{Hint, named},
 };
 use crate::{
     json,
-    pick::snap::Snap,
+    pick::{measure::Measured, snap::Snap},
     viewer::{
         model::{Action, Entry, MeasureAction, Measuring, State, What},
         ui::command::Command,
@@ -110,10 +110,12 @@ fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
         .hint("a vertex as the file writes it; another point in the world, with all digits");
 }
 
-fn text(Entry { what, of, measured }: &Entry) -> String {
+fn text(entry: &Entry) -> String {
+    let Entry { what, of, .. } = entry;
+    let Measured { value, error } = entry.measured;
+    let remark = if entry.outdated { "; " } else { "" };
     format!(
-        "{what} {} \u{b1} {:.0e}, {of}",
-        short(measured.value),
-        measured.error
+        "{what} {value} \u{b1} {error:.1e}, {of}{remark}{}",
+        entry.remark()
     )
 }

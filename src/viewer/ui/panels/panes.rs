@@ -169,20 +169,20 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
             )
         }
         Stage::World => (
-            "after M: right-handed; depth runs along F".into(),
+            "depth runs along F; right-handed, after M".into(),
             "all objects and the camera that the panel drives: depth is measured from its eye along its axis F",
         ),
         Stage::View => (
-            "after V: left-handed; z is depth, away from the eye".into(),
+            "z is depth, away from the eye; left-handed, after V".into(),
             "the eye is the origin, x its right, y its up, z its forward. Drawn as it stands, nothing mirrored: in a left-handed space x, y and z are the thumb, forefinger and middle finger of the left hand",
         ),
         Stage::Ndc => match lens.depth {
             DepthMapping::Reversed => (
-                "after P and / w: z is depth, near 1, far 0".into(),
+                "z is depth, near 1, far 0; after P and / w".into(),
                 "what the camera sees fills the box. With reversed depth z runs towards the eye, and the space is right-handed. Nothing is mirrored",
             ),
             DepthMapping::Standard => (
-                "after P and / w: z is depth, near 0, far 1".into(),
+                "z is depth, near 0, far 1; after P and / w".into(),
                 "what the camera sees fills the box. With standard depth z runs away from the eye, and the space is left-handed. Nothing is mirrored",
             ),
         },

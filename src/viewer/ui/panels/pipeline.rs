@@ -36,9 +36,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (scene, view) = (state.scene(), state.view());
     let followed = state.followed();
     let selected = state.selection().map(|selection| selection.object);
-    let object = followed.map(|followed| followed.object).or(selected);
-    let object = object
-        .or(state.pane_object())
+    let of_point = followed.map(|followed| &scene.objects()[followed.object]);
+    // The object view's, or M would be of what no view shows.
+    let object = (state.pane_object())
+        .or(followed.map(|followed| followed.object))
+        .or(selected)
         .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
     for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
@@ -59,31 +61,32 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.weak(text).hint(hint);
     }
     ui.separator();
-    let (title, values) = match (object, followed, state.cursor()) {
+    let (title, values) = match (of_point, followed, state.cursor()) {
         (Some(object), Some(followed), _) => {
             let title = if followed.is_picked {
                 "The pick"
             } else {
                 "Under the cursor"
             };
+            let title = format!("{title}: {}", object.name);
             match Steps::follow(view, object, followed.point_object) {
                 Some(steps) => (title, self::followed(&steps)),
                 None => (
-                    "The picked point lies behind the eye now",
+                    "The picked point lies behind the eye now".into(),
                     Values::default(),
                 ),
             }
         }
-        (_, _, Some(cursor)) => ("Under the cursor", background(view, cursor.px)),
+        (_, _, Some(cursor)) => ("Under the cursor".into(), background(view, cursor.px)),
         _ => (
-            "Point at a surface, or click it: its point is followed",
+            "Point at a surface, or click it: its point is followed".into(),
             Values::default(),
         ),
     };
     ui.horizontal(|ui| {
         let (_, dot) = ui.allocate_space(vec2(8.0, 8.0));
         ui.painter().circle_filled(dot.center(), 4.0, color32(look::SELECTION));
-        ui.strong(title)
+        ui.add(Label::new(RichText::new(title).strong()).truncate())
             .hint("a point on its way through the matrices, step by step, and back as a ray; it is the dot of this colour in the views");
     });
     table(ui, &values);
@@ -144,9 +147,10 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let slider = ui.add_enabled(!controls.orthographic, slider);
         named(&slider, "P's fov");
         gesture.note(&slider);
-        if slider.hint(hint).changed() {
+        if slider.changed() {
             next.fov_deg = fov_deg;
         }
+        plane_slider::hint_at_rest(slider, hint);
         for (name, depth, which) in [
             ("near", lens.near, &mut next.near),
             ("far", lens.far, &mut next.far),

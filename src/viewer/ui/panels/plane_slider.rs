@@ -7,6 +7,15 @@ use egui::{Response, Slider, Ui};
 /// With Shift, a point of the cursor's way changes a plane by this share of it.
 const FINE: f64 = 0.005;
 
+/// What a slider does, but not while it is slid: the text would lie over the numbers that change.
+pub(super) fn hint_at_rest(slider: Response, hint: impl AsRef<str>) -> Response {
+    if slider.dragged() {
+        slider
+    } else {
+        slider.hint(hint)
+    }
+}
+
 /// How large what is visible is: planes are slid over ten decades about that.
 pub(super) fn size(state: &State) -> f64 {
     let bounds = state.scene().visible_bounds();
@@ -45,8 +54,7 @@ pub(super) fn show(
         is_slid = by != 0.0;
     }
     named(&slider, name);
-    let slider = slider.hint(format!(
-        "{hint}. With Shift it slides finely, by half a percent a point"
-    ));
+    let hint = format!("{hint}. With Shift it slides finely, by half a percent a point");
+    let slider = hint_at_rest(slider, hint);
     (slider, is_slid.then_some(slid))
 }

@@ -51,8 +51,8 @@ pub(super) fn strip(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<C
 /// How high a step's text is, in points.
 fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
     let font = TextStyle::Body.resolve(ui.style());
-    let example = step.example(state).unwrap_or_default();
-    let paragraphs = [step.task, step.why, &example].into_iter();
+    let now = step.now(state).unwrap_or_default();
+    let paragraphs = [step.task, step.why, &now].into_iter();
     let heights = paragraphs.filter(|text| !text.is_empty()).map(|text| {
         let painter = ui.painter();
         let galley = painter.layout(text.to_owned(), font.clone(), Color32::WHITE, width);
@@ -64,9 +64,9 @@ fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
 fn text(ui: &mut Ui, step: &Step, state: &State) {
     ui.label(RichText::new(step.task).strong())
         .hint("what to do now: the window notices");
-    if let Some(example) = step.example(state) {
-        ui.label(RichText::new(example).strong().italics())
-            .hint("the same point through the matrix that is in use now");
+    if let Some(now) = step.now(state) {
+        ui.label(RichText::new(now).strong().italics())
+            .hint("as it is in this window now");
     }
     ui.label(step.why).hint("why");
 }

@@ -1,0 +1,176 @@
+//! Along a side: where the picture shows it nearest to the position, what planes leave of it, and where it comes out from
+//! behind a surface.
+
+use super::{Candidate, Facet, Search};
+use crate::{
+    geometry::dyadic::{self, Dyadic, DyadicVector},
+    pick::{
+        SceneHit,
+        edge::{Shown, determinant},
+        measure::ExactPoint,
+        sight::hides,
+    },
+};
+use num_bigint::BigInt;
+
+impl Search<'_> {
+    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or of an end of
+    /// what near, far and the section leave of it.
+    pub(super) fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
+        let [share, ..] = self.nearest_and_ends(facet, corner)?;
+        Some(share)
+    }
+
+    /// The share of the perpendicular's foot, which may lie beyond the ends: a part of a whole. `None` of a side that shows as
+    /// a point.
+    fn foot(&self, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
+        let [a, b] = shown;
+        // As in `edge`: the line through both ends, and how far along it they are.
+        let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
+        let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
+        let along = |p: &Shown<BigInt>| determinant([&p.u, &p.v], [&line_u, &line_v]);
+        let (from, to) = (along(a), along(b));
+        let whole = to.minus(&from);
+        (!whole.is_zero()).then(|| [from.negated(), whole])
+    }
+
+    /// Both ends of a side in the world, and as the picture shows them.
+    fn ends(&self, facet: &Facet, corner: usize) -> ([DyadicVector; 2], [Shown<BigInt>; 2]) {
+        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
+        let ends = [at(0.0), at(1.0)];
+        let shown = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
+        (ends, shown)
+    }
+
+    /// The share of a point of an edge, where that is the foot's own.
+    fn is_foot(&self, point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
+        let [part, whole] = self.foot(shown)?;
+        (point.share != 0.0 && part.ratio(&whole) == point.share).then(|| {
+            let sign = Dyadic::new(if whole.is_negative() { -1.0 } else { 1.0 });
+            [part.times(&sign), whole.times(&sign)]
+        })
+    }
+
+    /// The point of an edge that a position is led to.
+    pub(super) fn exact(&self, edge: &Candidate) -> ExactPoint {
+        let at = |share: f64| edge.facet.point(self.scene, edge.corner, share);
+        match self.is_foot(edge, &self.ends(&edge.facet, edge.corner).1) {
+            Some(share) => ExactPoint::between([&at(0.0), &at(1.0)], &share),
+            // An end of what is left, or of what is hidden.
+            None => ExactPoint::stored(&edge.point(self.scene), 0.0),
+        }
+    }
+
+    /// As the picture shows it, times a weight above 0.
+    pub(super) fn shown(&self, candidate: &Candidate) -> (Shown<BigInt>, Dyadic) {
+        let (_, ends) = self.ends(&candidate.facet, candidate.corner);
+        let Some([part, whole]) = self.is_foot(candidate, &ends) else {
+            return (candidate.shown(self.scene, &self.frame), Dyadic::new(1.0));
+        };
+        let rest = whole.minus(&part);
+        let [a, b] = &ends;
+        let both = |a: &Dyadic, b: &Dyadic| a.times(&rest).plus(&b.times(&part));
+        let shown = Shown {
+            u: both(&a.u, &b.u),
+            v: both(&a.v, &b.v),
+            w: both(&a.w, &b.w),
+            depth: both(&a.depth, &b.depth),
+        };
+        (shown, whole)
+    }
+
+    /// That share, and the first and the last that are left.
+    fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
+        let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
+        let (ends, shown) = self.ends(facet, corner);
+        let [part, whole] = self.foot(&shown)?;
+        let share = part.ratio(&whole);
+        let [first, last] = self.left(&ends, &shown)?;
+        if (first..=last).contains(&share) {
+            return Some([share, first, last]);
+        }
+        let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
+        let is_first = away_px(first)? <= away_px(last)?;
+        Some([if is_first { first } else { last }, first, last])
+    }
+
+    /// Where a side comes out from behind what hides a point of it: further from the position than that point is, so to both
+    /// sides of the nearest one. What hides an interval of a side, as all that is convex does, is passed whole.
+    pub(super) fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
+        let Candidate {
+            facet,
+            corner,
+            share,
+            ..
+        } = hidden;
+        let Some([nearest, first, last]) = self.nearest_and_ends(facet, *corner) else {
+            return Vec::new();
+        };
+        let is_hidden = |share: f64| {
+            let point = facet.point(self.scene, *corner, share);
+            hides(self.scene, self.view, by, &point)
+        };
+        let ways = [(first, *share <= nearest), (last, *share >= nearest)];
+        let out = ways.into_iter().filter_map(|(end, is_further)| {
+            let comes_out = is_further && !is_hidden(end);
+            comes_out.then(|| first_without(*share, end, is_hidden))
+        });
+        out.filter_map(|share| self.candidate(facet, *corner, share))
+            .collect()
+    }
+
+    /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.
+    fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
+        let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
+        let near = both(&|end| self.frame.behind_near(&shown[end]));
+        let far = both(&|end| self.frame.before_far(&shown[end]));
+        let section = [self.frame.kept(&ends[0]), self.frame.kept(&ends[1])];
+        let section = match section {
+            [Some(a), Some(b)] => Some([a, b]),
+            _ => None,
+        };
+        let mut left = [0.0_f64, 1.0];
+        // What lies on the far plane is not shown; on the others it is.
+        for ([a, b], with_zero) in [(near, true), (far, false)]
+            .into_iter()
+            .chain(section.map(|section| (section, true)))
+        {
+            let is_left = |side: &Dyadic| side.sign().is_gt() || (with_zero && side.is_zero());
+            let slope = b.minus(&a);
+            let is_left_at = |share: f64| is_left(&a.plus(&slope.times(&Dyadic::new(share))));
+            let mut cut = a.negated().ratio(&slope);
+            match (is_left(&a), is_left(&b)) {
+                (true, true) => {}
+                (false, false) => return None,
+                (true, false) => {
+                    while !is_left_at(cut) {
+                        cut = cut.next_down();
+                    }
+                    left[1] = left[1].min(cut);
+                }
+                (false, true) => {
+                    while !is_left_at(cut) {
+                        cut = cut.next_up();
+                    }
+                    left[0] = left[0].max(cut);
+                }
+            }
+        }
+        (left[0] <= left[1]).then_some(left)
+    }
+}
+
+/// The share next to those that are hidden, on the way from one of them to one that is not. Shares lie between 0 and 1.
+fn first_without(hidden: f64, shown: f64, is_hidden: impl Fn(f64) -> bool) -> f64 {
+    // Numbers of one sign have the order of their bits.
+    let [mut hidden, mut shown] = [hidden, shown].map(|share| share.abs().to_bits());
+    while hidden.abs_diff(shown) > 1 {
+        let middle = hidden.midpoint(shown);
+        *if is_hidden(f64::from_bits(middle)) {
+            &mut hidden
+        } else {
+            &mut shown
+        } = middle;
+    }
+    f64::from_bits(shown)
+}

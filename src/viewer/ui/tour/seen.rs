@@ -1,0 +1,67 @@
+//! What the window sees of a user, for the tour to notice that a step is done.
+
+use crate::{
+    scene::{Object, Shape},
+    viewer::{
+        jobs::Checking,
+        model::{Action, State, Views},
+        ui::command::Command,
+    },
+};
+
+/// What the window sees of a user.
+pub(in crate::viewer) struct Seen<'a> {
+    /// What was just done; `None` where something else came about, as the end of a load.
+    pub command: Option<&'a Command>,
+    /// What that led to.
+    pub state: &'a State,
+    /// Whether the matrices show.
+    pub matrices: bool,
+    pub checking: &'a Checking,
+}
+
+impl Seen<'_> {
+    /// The scene's camera, and not one of the four views.
+    pub(super) fn turns(&self) -> bool {
+        let in_picture = self.state.views() == Views::Picture;
+        self.acts(|action| match action {
+            Action::Turn(_) => in_picture,
+            Action::Steer(_) => true,
+            _ => false,
+        })
+    }
+
+    pub(super) fn acts(&self, is_it: impl Fn(&Action) -> bool) -> bool {
+        matches!(self.command, Some(Command::Act(action)) if is_it(action))
+    }
+
+    pub(super) fn clicks(&self) -> bool {
+        self.acts(|action| matches!(action, Action::Click(..)))
+    }
+
+    pub(super) fn clicks_on(&self, is_it: impl Fn(&Shape) -> bool) -> bool {
+        self.clicks() && self.picked().is_some_and(|object| is_it(&object.shape))
+    }
+
+    /// The object that a click has selected.
+    pub(super) fn picked(&self) -> Option<&Object> {
+        let selection = self.state.selection()?;
+        let object = self.state.scene().objects().get(selection.object)?;
+        selection.pick.as_ref().map(|_| object)
+    }
+
+    /// Whether the near plane has left nothing of an object.
+    pub(super) fn near_is_past(&self, name: &str) -> bool {
+        let (scene, view) = (self.state.scene(), self.state.view());
+        let objects = scene.objects();
+        let Some(object) = objects.iter().position(|object| object.name == name) else {
+            return false;
+        };
+        let corners = scene.bounds_of(object).corners();
+        let furthest = (corners.iter())
+            .map(|&corner| view.camera.to_view(corner).z)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let near = self.state.controls().near;
+        near.is_some_and(|near| near > furthest) && view.may_see(&scene.visible_bounds())
+    }
+}
