@@ -25,7 +25,7 @@ const SLACK_PX: f64 = 1e-6;
 /// An end that a plane makes of a side is looked for so far within what it leaves, in shares: `f64` cannot say where it is.
 const INWARDS: f64 = 1e-11;
 /// Places along a side where the oracle looks whether it is seen.
-const SAMPLES: u16 = 12;
+const SAMPLES: u16 = 4;
 /// Rounding of a point in the world, relative to where it is.
 const HAIR: f64 = 1e-9;
 
