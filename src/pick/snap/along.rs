@@ -112,11 +112,34 @@ impl Search<'_> {
         };
         let ways = [(first, *share <= nearest), (last, *share >= nearest)];
         let out = ways.into_iter().filter_map(|(end, is_further)| {
+            let end = self.reach(facet, *corner, [*share, end]);
             let comes_out = is_further && !is_hidden(end);
             comes_out.then(|| first_without(*share, end, is_hidden))
         });
         out.filter_map(|share| self.candidate(facet, *corner, share))
             .collect()
+    }
+
+    /// Where a side leaves the radius on its way from a share to another, or a little beyond: as near as `f64` tells, by halves.
+    fn reach(&self, facet: &Facet, corner: usize, [mut within, mut beyond]: [f64; 2]) -> f64 {
+        let [from, to] = facet.side(corner).map(|end| facet.origin + end);
+        let placement = &self.scene.objects()[facet.object].placement;
+        let is_beyond = |share: f64| {
+            let world = placement.point_to_world(from.lerp(to, share));
+            let shown = self.view.project(world);
+            shown.is_some_and(|at| at.px.distance(self.px) > self.radius_px + 1.0)
+        };
+        if is_beyond(beyond) {
+            for _ in 0..32 {
+                let middle = within.midpoint(beyond);
+                *if is_beyond(middle) {
+                    &mut beyond
+                } else {
+                    &mut within
+                } = middle;
+            }
+        }
+        beyond
     }
 
     /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.

@@ -88,6 +88,7 @@ struct Search<'a> {
     scene: &'a Scene,
     view: &'a View,
     frame: Frame<BigInt>,
+    px: DVec2,
     radius_px: f64,
 }
 
@@ -103,6 +104,7 @@ fn snapped(
             scene,
             view,
             frame,
+            px,
             radius_px,
         };
         let facets: Vec<_> = facets(scene, view, px, radius_px);
@@ -205,9 +207,10 @@ impl Search<'_> {
         let mut known = HashMap::new();
         while let Some(candidate) = candidates.pop() {
             let point = candidate.point(self.scene);
+            // Rounded, points that differ are one; with their share they are not.
             let at = point.object().to_array().map(f64::to_bits);
             let sight = *known
-                .entry((candidate.facet.object, at))
+                .entry((candidate.facet.object, at, candidate.share.to_bits()))
                 .or_insert_with(|| sight(self.scene, self.view, &point));
             match sight {
                 Sight::Seen(_) if counts(&candidate) => return Some(candidate),
