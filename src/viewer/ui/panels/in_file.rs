@@ -17,6 +17,9 @@ use egui::{CollapsingHeader, Id, Label, TextEdit, Ui};
 /// The most corners of a polygon that are listed.
 const MOST_CORNERS: usize = 12;
 
+/// What a field has beside its text, in points.
+const FRAME: f32 = 8.0;
+
 /// A field: its name, what is typed there, and where that leads.
 type Way = (&'static str, &'static str, fn(usize) -> GoTo);
 
@@ -109,8 +112,7 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
             ),
         ];
         let room = ui.available_width() - 2.0 * ui.spacing().item_spacing.x;
-        let margins = 3.0 * ui.spacing().button_padding.x;
-        let width = (room / 3.0 - margins).max(40.0);
+        let width = (room / 3.0 - FRAME).floor().max(40.0);
         for (name, hint, to) in fields {
             let id = Id::unique(("go to", name));
             let mut text: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
