@@ -1,5 +1,6 @@
 //! Who shows the program: a window, or pictures of one.
 
+mod clipboard;
 mod controls;
 mod mark;
 mod offscreen;

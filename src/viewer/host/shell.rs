@@ -1,6 +1,6 @@
 //! The operating system's window, egui's side of it and the surface that it shows.
 
-use super::mark::marked;
+use super::{clipboard::Clipboard, mark::marked};
 use crate::viewer::{
     app::WindowPlace,
     options::{Options, ViewerError},
@@ -17,6 +17,7 @@ use winit::{
 pub(super) struct Shell {
     pub window: Arc<Window>,
     pub egui: egui_winit::State,
+    clipboard: Option<Clipboard>,
     pub surface: Surface,
 }
 
@@ -40,7 +41,7 @@ impl Shell {
         let surface = Surface::new(Arc::clone(&window), event_loop.owned_display_handle())?;
         #[expect(clippy::cast_possible_truncation, reason = "egui's type")]
         let scale = window.scale_factor() as f32;
-        let egui = egui_winit::State::new(
+        let mut egui = egui_winit::State::new(
             context,
             egui::ViewportId::ROOT,
             &*window,
@@ -48,11 +49,30 @@ impl Shell {
             window.theme(),
             None,
         );
+        let clipboard = Clipboard::new(&window, &mut egui);
         Ok(Self {
             window,
             egui,
+            clipboard,
             surface,
         })
+    }
+
+    /// What has happened since egui was told last.
+    pub fn input(&mut self) -> egui::RawInput {
+        let mut input = self.egui.take_egui_input(&self.window);
+        if let Some(clipboard) = &mut self.clipboard {
+            clipboard.paste(&mut input.events);
+        }
+        input
+    }
+
+    /// Does what egui asks of the system.
+    pub fn obey(&mut self, mut asked: egui::PlatformOutput) {
+        if let Some(clipboard) = &mut self.clipboard {
+            clipboard.copy(&mut asked.commands);
+        }
+        self.egui.handle_platform_output(&self.window, asked);
     }
 
     /// Where the window stands, to be remembered; as it was `before` while it fills its screen.

@@ -76,19 +76,15 @@ impl Program {
     /// Shows egui what has happened since the last pass, without drawing.
     fn pass(&mut self, event_loop: &ActiveEventLoop) {
         let Some(shell) = &mut self.shell else { return };
-        let input = shell.egui.take_egui_input(&shell.window);
-        let platform = self.app.pass(input);
-        shell.egui.handle_platform_output(&shell.window, platform);
+        let asked = self.app.pass(shell.input());
+        shell.obey(asked);
         self.leave_if_done(event_loop);
     }
 
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
         let Some(shell) = &mut self.shell else { return };
-        let input = shell.egui.take_egui_input(&shell.window);
-        let frame = self.app.frame(input, &mut shell.surface);
-        shell
-            .egui
-            .handle_platform_output(&shell.window, frame.platform);
+        let frame = self.app.frame(shell.input(), &mut shell.surface);
+        shell.obey(frame.platform);
         shell.window.set_title(&self.app.title());
         shell.fill_screen(self.app.extent == Extent::Screen);
         self.leave_if_done(event_loop);

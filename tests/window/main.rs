@@ -2,6 +2,8 @@
 //! for the same view.
 #![cfg(feature = "window")]
 
+mod clipboard;
+
 use std::{
     io::{BufRead, BufReader, Read},
     path::{Path, PathBuf},
