@@ -3,8 +3,8 @@
 use sightline::{
     camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{
-        Bvh, Mesh, MeshData, MeshError, Placement, PlacementError, Ray, Section, SectionError,
-        Sides,
+        Aabb, Bvh, Mesh, MeshData, MeshError, Placement, PlacementError, Ray, Section,
+        SectionError, Sides, TriangleTest, VertexRay, exact_volume, guarded_volume, signed_volume,
     },
     glam::{DVec2, DVec3},
     image::{Id, Image},
@@ -135,4 +135,84 @@ fn triangles_of_ones_own_are_checked() {
     assert_eq!(of([0.0; 3], 2), None);
     assert_eq!(of([0.0; 3], 3), Some(MeshError::NoSuchVertex(0)));
     assert_eq!(of([f32::NAN; 3], 2), Some(MeshError::NotFinite(0)));
+}
+
+/// A triangle across the z axis, and a ray that meets it by its origin, direction and interval.
+const TRIANGLE: [[f64; 3]; 3] = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+const RAY: [f64; 8] = [0.0, 0.0, 3.0, 0.0, 0.0, -1.0, 0.0, 9.0];
+
+fn t_of(test: TriangleTest, ray: [f64; 8], corners: [[f64; 3]; 3]) -> Option<f64> {
+    let [x, y, z, dx, dy, dz, t_min, t_max] = ray;
+    let ray = VertexRay::exact(Ray {
+        origin: DVec3::new(x, y, z),
+        direction: DVec3::new(dx, dy, dz),
+        t_min,
+        t_max,
+    });
+    test(&ray, corners.map(DVec3::from)).map(|hit| hit.t)
+}
+
+/// One number at a time is not finite: a miss, and no panic. Only the interval may be without end.
+#[test]
+fn what_is_not_finite_is_missed() {
+    for test in [guarded_volume, exact_volume] {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for i in 0..8 {
+                let mut ray = RAY;
+                ray[i] = bad;
+                let is_open = (i == 6 && bad < 0.0) || (i == 7 && bad > 0.0);
+                let expected = is_open.then_some(3.0);
+                assert_eq!(t_of(test, ray, TRIANGLE), expected, "{bad} as {i}");
+            }
+            for i in 0..9 {
+                let mut corners = TRIANGLE;
+                corners.as_flattened_mut()[i] = bad;
+                assert_eq!(t_of(test, RAY, corners), None, "{bad} as corner {i}");
+            }
+        }
+    }
+}
+
+/// Also by the method without a guard, which nothing near a border needs.
+#[test]
+fn every_triangle_test_tells_a_hit_from_a_miss() {
+    for test in [guarded_volume, exact_volume, signed_volume] {
+        for turn in 0..3 {
+            let mut corners = TRIANGLE;
+            corners.rotate_left(turn);
+            for (x, y, expected) in [
+                (0.0, 0.0, Some(3.0)),
+                (0.25, -0.5, Some(3.0)),
+                (3.0, 0.0, None),
+                (-3.0, 0.0, None),
+                (0.0, 3.0, None),
+                (0.0, -3.0, None),
+            ] {
+                let mut ray = RAY;
+                (ray[0], ray[1]) = (x, y);
+                assert_eq!(t_of(test, ray, corners), expected, "{x} {y}");
+                // The other way round next.
+                corners.swap(0, 1);
+            }
+        }
+    }
+}
+
+#[test]
+fn boxes_say_how_large_they_are() {
+    let about = |half: DVec3| Aabb::around([DVec3::ONE - half, DVec3::ONE + half]);
+    let size = |half: DVec3| (about(half).radius(), about(half).decimal_places());
+    assert_eq!(about(DVec3::X).center(), DVec3::ONE);
+    // A millionth of the radius, rounded up to a power of ten: 3, 300, 0.03 and 1.
+    assert_eq!(size(DVec3::new(1.0, 2.0, 2.0)), (3.0, 6));
+    assert_eq!(size(DVec3::new(100.0, 200.0, 200.0)), (300.0, 4));
+    assert_eq!(about(DVec3::splat(0.03125)).decimal_places(), 8);
+    assert_eq!(size(DVec3::X), (1.0, 6));
+    assert_eq!(size(DVec3::ZERO), (0.0, 6));
+    assert_eq!(Aabb::EMPTY.decimal_places(), 6);
+    // Squares of such lengths would overflow; and one without end has no end.
+    let large = DVec3::new(1e300, 2e300, 2e300);
+    assert!((Aabb::around([-large, large]).radius() / 3e300 - 1.0).abs() < 1e-15);
+    let open = Aabb::around([DVec3::ZERO, DVec3::splat(f64::INFINITY)]);
+    assert_eq!(open.radius(), f64::INFINITY);
 }

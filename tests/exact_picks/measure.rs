@@ -151,3 +151,16 @@ fn areas_of_meshes_hold_for_what_was_written() {
     // Not so wide that it says nothing: single precision of coordinates 10 wide.
     assert!(widest < 1e-5, "{widest}");
 }
+
+/// Pairs of `f64` do not hold the squares of such lengths: integers do.
+#[test]
+fn the_area_of_the_smallest_mesh_is_as_sure() {
+    let corners = vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let mesh = Mesh::new(MeshData::of_triangles("", corners, vec![[0, 1, 2]]));
+    let scale = 2_f64.powi(-300);
+    let placement = Placement::new(DAffine3::from_scale(DVec3::splat(scale)));
+    let measured = mesh_area(&mesh.expect("a mesh"), &placement.expect("regular"), 0..1);
+    let off = (measured.value / scale / scale - 6.0).abs();
+    assert!(off <= 6.0 * ONCE, "{measured:?}");
+    assert!(measured.error <= 1e-5 * measured.value, "{measured:?}");
+}

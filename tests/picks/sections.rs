@@ -275,3 +275,22 @@ fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
         assert!(error.contains("one line"), "{points}: {error}");
     }
 }
+
+/// Cut in half across the line of sight, a ball has its outline on the border of what is kept, which is kept.
+#[test]
+fn an_outline_in_the_sections_plane_counts() {
+    let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
+    let scene = Scene::new(vec![ball]);
+    let lens = orthographic(2.0, 0.01, 10.0);
+    let whole = view([0.0, 0.0, 5.0], [0.0; 3], lens, [64, 64]);
+    for kept in [DVec3::Z, DVec3::NEG_Z] {
+        let section = Section::through(DVec3::ZERO, kept).expect("a section");
+        let view = View {
+            section: Some(section),
+            ..whole
+        };
+        let pick = pick::pick(&scene, &view, DVec2::new(40.0, 32.0)).expect("half a ball");
+        // Its radius is 16 pixels.
+        assert_eq!(pick.edge_px, Some(8.0), "{kept}");
+    }
+}

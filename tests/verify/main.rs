@@ -30,6 +30,7 @@ mod images;
 mod lattice;
 mod models;
 mod one_place;
+mod report;
 #[path = "../common/scenes.rs"]
 mod scenes;
 mod sections;
