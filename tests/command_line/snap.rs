@@ -239,7 +239,7 @@ fn distances_of_points_of_edges_are_within_their_bound() {
         "pick cube.toml {view} --snap 3 --at 61.2,49.7 61.201,49.7"
     ));
     assert_eq!(lines[1]["snap"]["to"], "edge");
-    is(&lines[1]["distance"], 1.173904477583621e-5, 1e-20);
+    is(&lines[1]["distance"], 1.173_904_477_583_621e-5, 1e-20);
 }
 
 /// A position as far from two edges, to the last bit, is led to the first of them, however the foot's share is rounded.

@@ -118,6 +118,9 @@ fn exact_says_when_f64_cannot_decide() {
     // Nor because of what is hidden.
     two.set_visible(1, false);
     assert_eq!(exact(&two, front), [false]);
+    let mut solid = Scene::new(vec![object(Shape::Square), object(Shape::Cube)]);
+    solid.set_visible(1, false);
+    assert_eq!(exact(&solid, front), [false]);
     // The same triangle twice in one mesh: which is nearer takes exact arithmetic.
     let corners = vec![[-8.0, -8.0, 0.0], [8.0, -8.0, 0.1], [0.0, 8.0, 0.3_f32]];
     let twice = mesh(corners, vec![[0, 1, 2], [1, 2, 0]], DVec3::ZERO);

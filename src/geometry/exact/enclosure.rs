@@ -271,4 +271,16 @@ mod tests {
         println!("worst error {worst:.2} of its bound; {decided} values, {quotients} quotients");
         assert!((0.05..=1.0).contains(&worst) && decided > 60_000 && quotients > 30_000);
     }
+
+    #[test]
+    fn quotients_that_may_round_either_way_are_in_doubt() {
+        let quotient = |error| {
+            let integer = Enclosure::about(1.5, error * f64::EPSILON);
+            let exponent = 0;
+            rounded_quotient(&Number { integer, exponent }, &Number::new(1.0))
+        };
+        assert_eq!(quotient(0.2).ok(), Some(1.5));
+        // The last place of 1.5 is an epsilon, and half of it decides; signs are sure by twice the error.
+        assert!(quotient(0.3).is_err());
+    }
 }

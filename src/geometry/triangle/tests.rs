@@ -125,3 +125,35 @@ fn volumes_round_by_less_than_their_bound() {
         "{worst:?}"
     );
 }
+
+/// Of triangles of many sizes and rays that start ever nearer to their planes and run ever more along them.
+#[test]
+fn parameters_lie_within_their_bounds() {
+    let mut random = Random(7);
+    let (mut worst, mut hits) = (0.0_f64, 0);
+    for i in 0..30_000 {
+        let size = 2_f64.powi(i % 61 - 30);
+        let corners = [(); 3].map(|()| (size * random.point()).as_vec3().as_dvec3());
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).normalize_or(DVec3::Z);
+        let direction = (b - a) / size + 2_f64.powi(-(i / 61 % 20)) * normal;
+        let away = size * 2_f64.powi(-(i / 7 % 37));
+        let ray = VertexRay::exact(Ray {
+            origin: 0.5 * a + 0.25 * b + 0.25 * c - away * direction,
+            direction,
+            t_min: f64::MIN,
+            t_max: f64::MAX,
+        });
+        let Ok(Some(hit)) = settle(&ray, corners) else {
+            continue;
+        };
+        hits += 1;
+        let exact = exact_volume(&ray, corners).expect("it is not in doubt");
+        let off = (hit.t - exact.t).abs() - exact.t_error;
+        assert!(off <= hit.t_error, "{off:e}: {hit:?} {ray:?} {corners:?}");
+        assert!(hit.t_error <= HALF_OF_THE_DIGITS * hit.t.abs(), "{hit:?}");
+        worst = worst.max(off / hit.t_error);
+    }
+    println!("{hits} hits, the worst {worst:.2} of its bound");
+    assert!(hits > 10_000 && worst > 0.02);
+}

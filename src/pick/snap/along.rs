@@ -23,7 +23,7 @@ impl Search<'_> {
 
     /// The share of the perpendicular's foot, which may lie beyond the ends: a part of a whole. `None` of a side that shows as
     /// a point.
-    fn foot(&self, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
+    fn foot(shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [a, b] = shown;
         // As in `edge`: the line through both ends, and how far along it they are.
         let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
@@ -43,9 +43,10 @@ impl Search<'_> {
     }
 
     /// The share of a point of an edge, where that is the foot's own.
-    fn is_foot(&self, point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
-        let [part, whole] = self.foot(shown)?;
-        (point.share != 0.0 && part.ratio(&whole) == point.share).then(|| {
+    fn is_foot(point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
+        let [part, whole] = Self::foot(shown)?;
+        let share = point.share.to_bits();
+        (share != 0 && part.ratio(&whole).to_bits() == share).then(|| {
             let sign = Dyadic::new(if whole.is_negative() { -1.0 } else { 1.0 });
             [part.times(&sign), whole.times(&sign)]
         })
@@ -54,7 +55,7 @@ impl Search<'_> {
     /// The point of an edge that a position is led to.
     pub(super) fn exact(&self, edge: &Candidate) -> ExactPoint {
         let at = |share: f64| edge.facet.point(self.scene, edge.corner, share);
-        match self.is_foot(edge, &self.ends(&edge.facet, edge.corner).1) {
+        match Self::is_foot(edge, &self.ends(&edge.facet, edge.corner).1) {
             Some(share) => ExactPoint::between([&at(0.0), &at(1.0)], &share),
             // An end of what is left, or of what is hidden.
             None => ExactPoint::stored(&edge.point(self.scene), 0.0),
@@ -64,7 +65,7 @@ impl Search<'_> {
     /// As the picture shows it, times a weight above 0.
     pub(super) fn shown(&self, candidate: &Candidate) -> (Shown<BigInt>, Dyadic) {
         let (_, ends) = self.ends(&candidate.facet, candidate.corner);
-        let Some([part, whole]) = self.is_foot(candidate, &ends) else {
+        let Some([part, whole]) = Self::is_foot(candidate, &ends) else {
             return (candidate.shown(self.scene, &self.frame), Dyadic::new(1.0));
         };
         let rest = whole.minus(&part);
@@ -83,7 +84,7 @@ impl Search<'_> {
     fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let (ends, shown) = self.ends(facet, corner);
-        let [part, whole] = self.foot(&shown)?;
+        let [part, whole] = Self::foot(&shown)?;
         let share = part.ratio(&whole);
         let [first, last] = self.left(&ends, &shown)?;
         if (first..=last).contains(&share) {

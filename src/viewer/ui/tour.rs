@@ -3,6 +3,7 @@
 mod seen;
 
 pub(in crate::viewer) use seen::Seen;
+use seen::turns;
 
 use super::command::{Command, TourMove};
 use crate::{
@@ -54,13 +55,6 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool)
     }
 }
 
-const fn in_picture(step: Step) -> Step {
-    Step {
-        is_in_picture: true,
-        ..step
-    }
-}
-
 /// The object that the steps speak of most.
 const EGG: &str = "Egg";
 /// The one that stands behind them.
@@ -71,16 +65,22 @@ const CHAPTERS: [Chapter; 8] = [
     Chapter {
         title: "Axes and the view matrix",
         steps: &[
-            in_picture(step(
-                "Drag over the picture with the left button: the camera orbits about what is under the cursor.",
-                "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
-                |seen| seen.turns(),
-            )),
-            in_picture(step(
-                "Press P for the matrices, drag again and watch V.",
-                "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
-                |seen| seen.matrices && seen.turns(),
-            )),
+            Step {
+                is_in_picture: true,
+                ..step(
+                    "Drag over the picture with the left button: the camera orbits about what is under the cursor.",
+                    "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
+                    turns,
+                )
+            },
+            Step {
+                is_in_picture: true,
+                ..step(
+                    "Press P for the matrices, drag again and watch V.",
+                    "The rows of V are R, U and F, and its last column moves the eye to the origin. In view space x is right, y up and z forward, which makes it left-handed.",
+                    |seen| seen.matrices && turns(seen),
+                )
+            },
         ],
     },
     Chapter {
@@ -143,11 +143,14 @@ const CHAPTERS: [Chapter; 8] = [
                 "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. It is not made a unit long, so that t stays depth.",
                 |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
             ),
-            in_picture(step(
-                "Press T and drag: this camera stays behind, as lines.",
-                "There are its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T takes it away again.",
-                |seen| seen.state.frozen().is_some() && seen.turns(),
-            )),
+            Step {
+                is_in_picture: true,
+                ..step(
+                    "Press T and drag: this camera stays behind, as lines.",
+                    "There are its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T takes it away again.",
+                    |seen| seen.state.frozen().is_some() && turns(seen),
+                )
+            },
         ],
     },
     Chapter {

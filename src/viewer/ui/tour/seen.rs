@@ -20,17 +20,17 @@ pub(in crate::viewer) struct Seen<'a> {
     pub checking: &'a Checking,
 }
 
-impl Seen<'_> {
-    /// The scene's camera, and not one of the four views.
-    pub(super) fn turns(&self) -> bool {
-        let in_picture = self.state.views() == Views::Picture;
-        self.acts(|action| match action {
-            Action::Turn(_) => in_picture,
-            Action::Steer(_) => true,
-            _ => false,
-        })
-    }
+/// Whether the scene's camera turns, and not one of the four views.
+pub(super) fn turns(seen: &Seen) -> bool {
+    let in_picture = seen.state.views() == Views::Picture;
+    seen.acts(|action| match action {
+        Action::Turn(_) => in_picture,
+        Action::Steer(_) => true,
+        _ => false,
+    })
+}
 
+impl Seen<'_> {
     pub(super) fn acts(&self, is_it: impl Fn(&Action) -> bool) -> bool {
         matches!(self.command, Some(Command::Act(action)) if is_it(action))
     }
