@@ -1,7 +1,7 @@
 //! Names in any script: a typeface of the system is taken when a name first needs it.
 
 use super::{program::App, wake::Wake};
-use crate::viewer::jobs::Typeface;
+use crate::viewer::{jobs::Typeface, ui::Letters};
 use egui::{
     FontData, FontFamily,
     epaint::text::{FontInsert, FontPriority, InsertFontFamily},
@@ -24,6 +24,8 @@ impl App {
             let families = families.map(last).to_vec();
             self.context
                 .add_font(FontInsert::new(&name, data, families));
+            // egui draws all letters anew.
+            self.letters = Letters::default();
             self.context.request_repaint();
         }
     }
