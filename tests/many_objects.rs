@@ -286,8 +286,12 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
             let by = DAffine3::from_translation(random.point(9.0));
             let model = by * scene.objects()[object].placement.model();
             scene.place(object, Placement::new(model).expect("invertible"));
-        } else {
+        } else if scene.objects()[object].visible == (i % 8 == 0) {
             scene.set_visible(object, i % 8 == 0);
+        } else {
+            let hidden = scene.hidden_count();
+            scene.toggle(&[object]);
+            assert_eq!(hidden.abs_diff(scene.hidden_count()), 1);
         }
         changed.push(Change {
             object,

@@ -31,6 +31,8 @@ use wgpu::BufferUsages;
 
 /// Where more objects than these change at once, rows are composed anew.
 const MANY: usize = 64;
+/// So many changed objects are taken over in a millisecond or two.
+const SHARE: usize = 1 << 14;
 
 /// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
 pub struct SceneBuffers {
@@ -98,22 +100,32 @@ impl SceneBuffers {
     /// # Errors
     /// When it does not fit; the buffers are then as before.
     pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        if let Some(changed) = scene.changed_since(self.changes) {
-            self.take(gpu, scene, changed);
-            return Ok(());
-        }
-        let solids = [self.cube.clone(), self.square.clone()];
-        *self = Self::build(gpu, scene, &mut self.meshes, solids)?;
+        while !self.update_some(gpu, scene)? {}
         Ok(())
     }
 
-    /// Takes over what single objects are now.
-    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change]) {
-        let seen = self.seen.get_mut();
+    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
+    /// pictures show some of the scene as it was.
+    ///
+    /// # Errors
+    /// As [`SceneBuffers::update`].
+    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
+        let Some(changed) = scene.changed_since(self.changes) else {
+            let solids = [self.cube.clone(), self.square.clone()];
+            *self = Self::build(gpu, scene, &mut self.meshes, solids)?;
+            return Ok(true);
+        };
         let are_many = changed.len() > MANY;
         if are_many {
-            seen.forget();
+            self.seen.get_mut().forget();
         }
+        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
+        Ok(self.changes == scene.changes())
+    }
+
+    /// Takes over what single objects are now.
+    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
+        let seen = self.seen.get_mut();
         let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
         for change in changed {
             let (object, visible) = (change.object, u32::from(change.visible));
@@ -144,7 +156,7 @@ impl SceneBuffers {
             let states = bytemuck::cast_slice(&self.states[first..=last]);
             gpu.queue.write_buffer(&self.objects, at as u64, states);
         }
-        self.changes = scene.changes();
+        self.changes += changed.len() as u64;
     }
 
     fn build(

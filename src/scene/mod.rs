@@ -173,6 +173,27 @@ impl Scene {
         self.changed(object, false);
     }
 
+    /// Shows those of these objects that are hidden, and hides the others.
+    ///
+    /// # Panics
+    /// When there is no object of an index.
+    pub fn toggle(&mut self, objects: &[usize]) {
+        let all = Arc::make_mut(&mut self.objects);
+        for &object in objects {
+            let visible = &mut all[object].visible;
+            *visible = !*visible;
+            let change = Change {
+                object,
+                moved: false,
+                visible: *visible,
+            };
+            self.changes.push(change, all.len());
+        }
+        if let Some(sums) = self.sums.get_mut() {
+            sums.see(all, &self.bounds);
+        }
+    }
+
     /// Puts an object somewhere else.
     ///
     /// # Panics

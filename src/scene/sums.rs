@@ -27,12 +27,21 @@ impl Sums {
         };
         for (object, bounds) in objects.iter().zip(bounds) {
             sums.bounds = sums.bounds.union(*bounds);
-            if object.visible {
-                sums.visible_bounds = sums.visible_bounds.union(*bounds);
-            }
-            sums.hidden += usize::from(!object.visible);
             sums.triangles += object.shape.triangles().map_or(0, |range| range.len());
         }
+        sums.see(objects, bounds);
         sums
+    }
+
+    /// Other objects of these are visible.
+    pub fn see(&mut self, objects: &[Object], bounds: &[Aabb]) {
+        (self.visible_bounds, self.hidden) = (Aabb::EMPTY, 0);
+        for (object, bounds) in objects.iter().zip(bounds) {
+            if object.visible {
+                self.visible_bounds = self.visible_bounds.union(*bounds);
+            } else {
+                self.hidden += 1;
+            }
+        }
     }
 }

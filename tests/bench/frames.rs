@@ -8,7 +8,7 @@
 
 mod terrain;
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use rustix::time::{ClockId, clock_gettime};
 use sightline::{
     camera::Viewport,
@@ -111,6 +111,9 @@ fn scene(file: Option<PathBuf>) {
     };
     let drawn = bench.window.draw();
     drawn.unwrap_or_else(|error| panic!("{error}"));
+    // As a window does in its first seconds. And nobody's aid asks it what its panels say.
+    bench.window.draw_letters();
+    bench.window.tell_controls(false);
     if let Some(file) = file {
         bench.window.begin_to_drop(file);
     }
@@ -163,7 +166,7 @@ fn scene(file: Option<PathBuf>) {
     bench.press(Key::P);
     for stage in ["object", "world", "view", "NDC", "four", "picture"] {
         let mut costs = Costs::default();
-        let at = named(&bench.window, &format!("show {stage}"));
+        let at = named(&mut bench.window, &format!("show {stage}")).center();
         (bench.window).send([Event::PointerMoved(at), button(at, true)]);
         costs.of(&mut bench.window, button(at, false));
         bench.report(stage, costs);
@@ -194,18 +197,15 @@ impl Bench {
 
     /// Drags at a letter of the selected object's matrix.
     fn place(&mut self) {
-        let header = named(&self.window, "Model matrix");
+        let header = named(&mut self.window, "Model matrix").center();
         self.window.send([
             Event::PointerMoved(header),
             button(header, true),
             button(header, false),
         ]);
         // The letter stands before its field.
-        let mut controls = self.window.controls().iter();
-        let field = controls
-            .find(|control| control.name == "position x")
-            .expect("the matrix");
-        let letter = field.rect.left_center() - vec2(6.0, 0.0);
+        let field = named(&mut self.window, "position x");
+        let letter = field.left_center() - vec2(6.0, 0.0);
         (self.window).send([Event::PointerMoved(letter), button(letter, true)]);
         self.moves("matrix", |i| letter + vec2(f32::from(i + 4), 0.0));
         self.window.send([button(letter, false)]);
@@ -250,16 +250,13 @@ fn button(pos: Pos2, pressed: bool) -> Event {
     }
 }
 
-/// The middle of a control.
-fn named(window: &Offscreen, name: &str) -> Pos2 {
-    let control = window
-        .controls()
-        .iter()
-        .find(|control| control.name == name);
-    let Some(control) = control else {
-        panic!("no {name}");
-    };
-    control.rect.center()
+/// Where a control is.
+fn named(window: &mut Offscreen, name: &str) -> Rect {
+    window.tell_controls(true);
+    window.tell_controls(false);
+    let mut controls = window.controls().iter();
+    let control = controls.find(|control| control.name == name);
+    control.unwrap_or_else(|| panic!("no {name}")).rect
 }
 
 /// What passes took, in milliseconds.

@@ -232,3 +232,28 @@ fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
     }
     assert!(changed > 30, "{changed}");
 }
+
+#[test]
+fn many_changes_are_taken_over_in_shares() {
+    let (gpu, mut random) = (gpu(), Random::new(7));
+    let cube = |_| object("one", Shape::Cube, model(&mut random), None);
+    let mut scene = Scene::new((0..40_000).map(cube).collect());
+    let view = view(
+        [22.0, 3.0, 6.0],
+        [4.0, 0.0, 0.0],
+        perspective(60.0, 0.5, 60.0),
+        [160, 100],
+    );
+    let mut buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    scene.toggle(&(1..40_000).collect::<Vec<_>>());
+    let mut shares = 1;
+    while !buffers.update_some(&gpu, &scene).expect("fits") {
+        shares += 1;
+    }
+    assert!(shares > 1);
+    let fresh = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    assert_eq!(
+        differing(&ids(&gpu, &buffers, &view), &ids(&gpu, &fresh, &view)),
+        0
+    );
+}

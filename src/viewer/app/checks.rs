@@ -72,8 +72,7 @@ impl App {
     }
 }
 
-/// The pixels in which a comparison found differences as a texture, made within the pass that first shows them: only there
-/// egui knows how large a texture may be.
+/// The pixels in which a comparison found differences, as a texture.
 pub(super) fn painted(
     context: &Context,
     state: &State,
@@ -86,7 +85,11 @@ pub(super) fn painted(
     let found = check.found.as_ref()?;
     let marks = marks.get_or_insert_with(|| {
         let image = picture_of(state.view(), found);
-        context.load_texture("differences", image, TextureOptions::NEAREST)
+        // Not by `load_texture`, which takes no more than egui's letters may.
+        let textures = context.tex_manager();
+        let id =
+            (textures.write()).alloc("differences".into(), image.into(), TextureOptions::NEAREST);
+        TextureHandle::new(textures, id)
     });
     Some(marks.id())
 }

@@ -20,6 +20,9 @@ use std::{
     time::{Duration, Instant},
 };
 
+/// While nobody does anything, some letters are drawn beforehand as often as this.
+const LETTERS_EVERY: Duration = Duration::from_millis(16);
+
 /// What came of a frame.
 pub(in crate::viewer) struct Frame {
     /// Clipboard, cursor and the like, for the system.
@@ -87,6 +90,12 @@ impl App {
             };
             (self.context).request_repaint_after(Duration::from_secs_f64(wait_s));
         }
+        if self.host == Host::Window
+            && self.rest.is_settled
+            && self.letters.draw_some(&self.context)
+        {
+            (self.context).request_repaint_after(LETTERS_EVERY);
+        }
         match &drawn {
             Ok(true) if self.host == Host::Window => self.statistics.frame = start.elapsed(),
             Ok(_) => {}
@@ -128,9 +137,8 @@ impl App {
     }
 
     /// Shows the panels to what has happened since the last pass and does what that asks for.
-    fn run_pass(&mut self, mut input: egui::RawInput) -> Pass {
+    fn run_pass(&mut self, input: egui::RawInput) -> Pass {
         self.forget_said(input.time.unwrap_or_default());
-        input.max_texture_side = self.max_texture_side;
         let dropped = input.dropped_files.iter();
         let dropped: Vec<_> = dropped.map(|file| file.path().to_path_buf()).collect();
         let mut commands = Vec::new();
@@ -232,7 +240,6 @@ impl App {
         let Some(canvas) = screen.canvas() else {
             return Ok(false);
         };
-        self.max_texture_side = Some(canvas.max_texture_side());
         if self.host == Host::Window {
             let gpu = &canvas.gpu;
             gpu.adapter_name().clone_into(&mut self.statistics.adapter);

@@ -19,7 +19,8 @@ use crate::{
         options::Options,
         screen::{Progress, Textures},
         ui::{
-            self, Docks, Drag, Filter, Floating, Intent, Kind, Notice, Notices, Statistics, Tour,
+            self, Docks, Drag, Filter, Floating, Intent, Kind, Letters, Notice, Notices,
+            Statistics, Tour,
         },
     },
 };
@@ -122,6 +123,8 @@ pub(in crate::viewer) struct App {
     pub(super) watching: Option<Watching>,
     /// The system's, for names that the panels' own do not have.
     pub(super) typefaces: Typefaces,
+    /// What panels that are not open yet are written in.
+    pub letters: Letters,
     /// Questions to the files of meshes.
     pub(super) numbers: Numbers,
     pub filter: Filter,
@@ -136,8 +139,6 @@ pub(in crate::viewer) struct App {
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
-    /// The largest side of a texture that the device has.
-    pub max_texture_side: Option<usize>,
     /// What is to go on the clipboard.
     pub copied: Option<String>,
     /// A click, and through which view, that waits for trees.
@@ -183,6 +184,7 @@ impl App {
             keeping: Keeping::default(),
             watching: None,
             typefaces,
+            letters: Letters::default(),
             numbers: Numbers::default(),
             filter: Filter::default(),
             checking: Checking::Off,
@@ -194,7 +196,6 @@ impl App {
             announced: 0,
             host,
             statistics: Statistics::default(),
-            max_texture_side: None,
             copied: None,
             waiting: None,
             extent: Extent::Window,

@@ -146,6 +146,16 @@ impl Offscreen {
         self.settle();
     }
 
+    /// Has panels told to the system's aids, as at first, or no more: then [`Offscreen::controls`] stay as they were.
+    pub fn tell_controls(&mut self, tells: bool) {
+        if tells {
+            self.app.context.enable_accesskit();
+            self.settle();
+        } else {
+            self.app.context.disable_accesskit();
+        }
+    }
+
     /// What stands in the window's title.
     #[must_use]
     pub fn title(&self) -> String {
@@ -240,6 +250,11 @@ impl Offscreen {
     /// When there is no graphics adapter, or it fails.
     pub fn frame(&mut self, event: egui::Event) -> Result<bool, GpuError> {
         self.draw_after(vec![event])
+    }
+
+    /// Draws all letters beforehand, as a window does a few at a time while nobody does anything.
+    pub fn draw_letters(&mut self) {
+        while self.app.letters.draw_some(&self.app.context) {}
     }
 
     /// What the adapter calls itself, once something was drawn.

@@ -80,6 +80,12 @@ impl Typefaces {
         }
     }
 
+    /// Whether anything was missing so far.
+    #[cfg(test)]
+    pub fn has_searched(&self) -> bool {
+        !self.known.is_empty()
+    }
+
     /// Whether a search is under way.
     pub fn is_busy(&self) -> bool {
         self.search.is_some()

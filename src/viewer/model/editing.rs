@@ -69,10 +69,7 @@ impl State {
 
     /// Shows what was hidden of these, and hides what was shown.
     pub(super) fn toggle(&mut self, objects: &[usize]) {
-        for &index in objects {
-            let visible = self.scene.objects()[index].visible;
-            self.scene.set_visible(index, !visible);
-        }
+        self.scene.toggle(objects);
         self.rearranged();
     }
 

@@ -88,11 +88,6 @@ impl Canvas {
         }
     }
 
-    /// The largest side that a texture may have, in pixels.
-    pub fn max_texture_side(&self) -> usize {
-        self.gpu.device.limits().max_texture_dimension_2d as usize
-    }
-
     /// The ids on screen, when they are those of `wanted`.
     pub fn read_ids(&self, wanted: &OnScreen) -> Result<Option<Image<Id>>, GpuError> {
         self.scene.read_ids(&self.gpu, wanted)

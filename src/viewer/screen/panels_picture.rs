@@ -7,7 +7,10 @@ use super::{
     tiles::Tiles,
 };
 use crate::render::{Gpu, shader_module};
-use egui::{ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta, epaint::Primitive};
+use egui::{
+    ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
+    epaint::{ImageDelta, Primitive},
+};
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
 use std::mem;
 use wgpu::{
@@ -86,8 +89,10 @@ impl PanelsPicture {
             self.renderer.free_texture(&id);
         }
         for (id, deltas) in mem::take(&mut textures.set) {
-            // Whatever shows it may look different.
-            self.kept = None;
+            // A part brings new letters, which nothing shows yet. Of a whole texture all may look different.
+            if deltas.iter().any(ImageDelta::is_whole) {
+                self.kept = None;
+            }
             for delta in deltas {
                 self.renderer
                     .update_texture(&gpu.device, &gpu.queue, id, &delta);

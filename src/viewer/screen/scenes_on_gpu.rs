@@ -61,7 +61,7 @@ impl ScenesOnGpu {
     }
 
     /// Sees to a picture's scene, as it is now. Returns how many objects and triangles were taken there for that; `None`
-    /// while it is on its way.
+    /// while it, or what changed in it, is on its way.
     ///
     /// # Errors
     /// When it does not fit.
@@ -90,7 +90,9 @@ impl ScenesOnGpu {
             give_up(self.before.split_off(MOST_BEFORE.min(self.before.len())));
         }
         if let Some(scene) = self.now.as_mut().filter(|now| now.visibility != visibility) {
-            scene.buffers.update(gpu, subject.scene)?;
+            if !scene.buffers.update_some(gpu, subject.scene)? {
+                return Ok(None);
+            }
             scene.visibility = visibility;
             scene.key = subject.scene.key();
         }

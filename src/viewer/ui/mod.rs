@@ -3,6 +3,7 @@
 mod command;
 mod focus;
 mod keys;
+mod letters;
 mod mouse;
 mod notice;
 mod panels;
@@ -10,6 +11,7 @@ mod theme;
 mod tour;
 
 pub(super) use command::{Command, GoTo, Intent, Reply, TourMove};
+pub(super) use letters::Letters;
 pub(super) use mouse::Drag;
 pub(super) use notice::{Kind, Notice, Notices};
 pub(super) use panels::{Docks, Filter, Floating, Shown, Statistics, Underway, show};

@@ -219,7 +219,7 @@ fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut 
         };
         button(
             ui,
-            if is_large { "\u{2750}" } else { "\u{26f6}" },
+            if is_large { "\u{229e}" } else { "\u{26f6}" },
             does,
             hint,
             Action::Views(state.views_with_other_size(stage)),
