@@ -249,3 +249,29 @@ fn small_windows_cut_nothing_off_at_their_sides() {
         }
     }
 }
+
+/// A panel that scrolls up and down does not scroll aside: the bar for that would lie over its last row.
+#[test]
+fn nothing_is_wider_than_its_panel() {
+    let (mut window, _folder) = row(1.0);
+    press_key(&mut window, Modifiers::NONE, Key::P);
+    click(&mut window, MIDDLE);
+    window.wait_s(1.0);
+    let right = 1280.0 - 8.0;
+    let controls = window.controls().iter();
+    let wide: Vec<_> = controls
+        .filter(|control| control.rect.left() > 1010.0 && control.rect.right() > right)
+        .map(|control| (&control.name, control.rect))
+        .collect();
+    assert!(
+        has_control(&window, "Depth buffer") && wide.is_empty(),
+        "{wide:?}"
+    );
+    // Bars have no names, and only the one that scrolls up and down is there.
+    let controls = window.controls().iter();
+    let bars = controls.filter(|control| control.name.is_empty() && control.rect.left() > 1010.0);
+    let lying = bars
+        .filter(|bar| bar.rect.width() > bar.rect.height())
+        .count();
+    assert_eq!(lying, 0);
+}

@@ -21,7 +21,9 @@ use std::ops::RangeInclusive;
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
     let (mut next, mut gesture) = (controls, Gesture::default());
-    Grid::new("lens").num_columns(3).show(ui, |ui| {
+    // A column is else as wide as a button, and wider than the panel in the end.
+    let grid = Grid::new("lens").num_columns(3).min_col_width(0.0);
+    grid.show(ui, |ui| {
         projection(ui, &mut next);
         fov(ui, state, &mut next, &mut gesture);
         planes(ui, state, &mut next, &mut gesture);

@@ -65,7 +65,7 @@ impl Section {
     }
 }
 
-/// The least width in points for three numbers in a row beside their name, and a bar that scrolls.
+/// The least width in points for three numbers in a row beside their name.
 pub(super) const FIELDS: f32 = 272.0;
 /// The least for four.
 const MATRIX: f32 = 316.0;

@@ -60,16 +60,10 @@ fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Com
             (true, true) => LEAST_LIST,
         };
         let height = (ui.available_height() - below).max(60.0);
-        // The bar that scrolls up and down stands beside them.
-        let bar = ui.spacing().scroll.allocated_width();
         // Headings alone are as wide as there is room.
         let is_any_open = above.iter().any(|section| !shown.docks[*section].folded);
-        let least = if is_any_open {
-            FIELDS - 16.0 - bar
-        } else {
-            0.0
-        };
-        let width = (ui.available_width() - bar).max(least);
+        let least = if is_any_open { FIELDS - 16.0 } else { 0.0 };
+        let width = ui.available_width().max(least);
         ScrollArea::both()
             .id_salt("above")
             .auto_shrink([false, has_list])
