@@ -64,7 +64,7 @@ impl Viewport {
 
     /// An NDC position in pixels.
     #[must_use]
-    pub fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
+    pub(crate) fn ndc_to_px(self, ndc: DVec2) -> DVec2 {
         DVec2::new(
             0.5 * (ndc.x + 1.0) * f64::from(self.width),
             0.5 * (1.0 - ndc.y) * f64::from(self.height),
@@ -170,7 +170,7 @@ impl View {
     /// The position in pixels of what lies `aside` of the line of sight, to the right and upwards, where w of clip space is
     /// `w`; see [`Lens::w`](super::Lens::w).
     #[must_use]
-    pub fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
+    pub(crate) fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
         let ndc = self.camera.ndc_of(self.viewport, aside, w);
         self.viewport.ndc_to_px(ndc)
     }
@@ -198,7 +198,7 @@ impl View {
     /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the six
     /// planes of the frustum.
     #[must_use]
-    pub fn may_see(&self, bounds_world: &Aabb) -> bool {
+    pub(crate) fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
         let half = self.half_extent();
         let excess = bounds_world.corners().map(|corner| {

@@ -95,8 +95,8 @@ impl Aabb {
         })
     }
 
-    /// Whether `ray` may hit something in the box, whose corners are `f32`: never false for a box that holds a point
-    /// of the ray's line within its interval, ends included. `inverse` is `1 / direction`.
+    /// Whether `ray` may hit something in the box, whose corners are `f32`, no later than at `end`: never false for a box
+    /// that holds a point of the ray's line from the start of its interval to there, ends included. `inverse` is `1 / direction`.
     ///
     /// With `U` half of `f64::EPSILON`: the way to a slab's plane has the right sign and errs by `2 U` of itself at
     /// most, whatever the distance (`VertexRay::to`), `inverse` by `U` and their product by `U`; together `4 U`.
@@ -106,12 +106,6 @@ impl Aabb {
     ///
     /// A ray that is itself inexact is near the given one by its origin's error and, as far as the box, by its direction's
     /// times the way there; the box grows by twice that.
-    #[must_use]
-    pub fn may_hit(&self, ray: &VertexRay, inverse: DVec3) -> bool {
-        self.may_hit_before(ray, inverse, ray.ray.t_max)
-    }
-
-    /// [`Aabb::may_hit`] no later than at `end`.
     pub(crate) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {

@@ -259,7 +259,7 @@ fn row_sums(matrix: DMat3) -> DVec3 {
 /// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that what is turned by them
 /// stays along the axes.
 #[must_use]
-pub fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
+pub(crate) fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
     let whole = quarter_turns.round();
     let (sin, cos) = ((quarter_turns - whole) * FRAC_PI_2).sin_cos();
     match whole.rem_euclid(4.0) {

@@ -201,7 +201,7 @@ fn is_moderate(factor: f64) -> bool {
 impl PixelGrid {
     /// The same picture in view space: seen from the origin along z, with x to the right and y upwards.
     #[must_use]
-    pub fn in_view_space(&self) -> Self {
+    pub(crate) fn in_view_space(&self) -> Self {
         Self {
             eye: DVec3::ZERO,
             right: DVec3::X,

@@ -74,8 +74,9 @@ pub(crate) use beam::Beam;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
-pub(crate) use picture::each_ray;
-pub use picture::{RAYCAST_BYTES, each_pixel, ids, ids_by, raycast};
+
+pub(crate) use picture::{RAYCAST_BYTES, each_ray};
+pub use picture::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 pub use sight::{Sight, Whereabouts, sight};

@@ -15,7 +15,7 @@ use glam::DVec2;
 const TILE: u32 = 16;
 
 /// Memory that [`raycast`] takes for a pixel, in bytes: while its pictures are told apart there are both.
-pub const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>() + size_of::<Rgb>();
+pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>() + size_of::<Rgb>();
 
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
 /// build the scene's trees first.
@@ -51,7 +51,7 @@ pub fn ids_by(
 
 /// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
 #[must_use]
-pub fn each_pixel<T: Clone + Default + Send>(
+pub(crate) fn each_pixel<T: Clone + Default + Send>(
     view: &View,
     cast: impl Fn(DVec2) -> T + Sync,
 ) -> Vec<T> {

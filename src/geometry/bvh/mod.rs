@@ -104,7 +104,7 @@ impl Bvh {
     /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
     /// that the ray misses.
     #[inline]
-    pub fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
+    pub(crate) fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
         self.instructions.run(Walk::<_, false> {
             tree: self,
             from: self.root(),

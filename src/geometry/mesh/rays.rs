@@ -31,11 +31,11 @@ impl Mesh {
     }
 
     /// [`Mesh::build_tree`], given up soon after `stop` is set.
-    pub fn build_tree_unless(&self, stop: &AtomicBool) {
+    pub(crate) fn build_tree_unless(&self, stop: &AtomicBool) {
         self.build_tree_by(Simd::fastest(), stop);
     }
 
-    /// [`Mesh::build_tree_unless`], to be walked by chosen instructions; there is no tree where the processor lacks them.
+    /// `build_tree_unless`, to be walked by chosen instructions; there is no tree where the processor lacks them.
     pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
         let MeshData {
             positions,
@@ -71,7 +71,7 @@ impl Mesh {
 
     /// Whether rays are as fast as they will be: there is a tree, or no need of one.
     #[must_use]
-    pub fn is_ready(&self) -> bool {
+    pub(crate) fn is_ready(&self) -> bool {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
 
