@@ -111,3 +111,33 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     let fresh = open(vec![path], 1.0).picture().expect("a picture");
     assert_eq!(dropped.pixels(), fresh.pixels());
 }
+
+/// World is of the very scene of the picture, and drawn by what drew that: until it is whole, nothing stands there.
+#[test]
+fn the_picture_is_not_shown_as_the_world() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = open(vec![ground(folder.path(), 450)], 1.0);
+    window.picture().expect("a picture");
+    let key = Event::Key {
+        key: Key::Num4,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    window.frame(key).expect("a frame");
+    window.frame(Event::PointerGone).expect("a frame");
+    let world = control(&window, "stage world").rect;
+    assert!(!window.shows_scene(), "it takes longer");
+    let picture = window.drawn().expect("a picture");
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within the window"
+    )]
+    let [x, y] = [world.center().x as u32, world.bottom() as u32 - 40];
+    let block = (0..30).flat_map(|down| (0..30).map(move |right| (x + right, y + down)));
+    let mut colours: Vec<_> = block.map(|(x, y)| picture.at(x, y)).collect();
+    colours.dedup();
+    assert_eq!(colours.len(), 1, "{colours:?}");
+}

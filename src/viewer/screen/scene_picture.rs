@@ -342,9 +342,12 @@ impl ScenePicture {
         }
     }
 
-    /// What is to be seen of the picture; `None` where there is none.
+    /// What is to be seen of the picture; `None` where there is none. The camera's picture is none of the stage that shows the
+    /// same scene, nor the reverse.
     pub fn look(&self, subject: &Subject) -> Option<Look> {
-        let (scene, shown) = (self.scenes.now.as_ref()?, self.shown.as_ref()?);
+        let is_alike = |shown: &&Picture| shown.of.is_of_stage() == subject.lesson.is_some();
+        let shown = self.shown.as_ref().filter(is_alike)?;
+        let scene = self.scenes.now.as_ref()?;
         // Objects of one scene are none of another's.
         let is_of_scene = |of: &u64| *of == scene.revision;
         let hover = Some(subject.revision).filter(is_of_scene);

@@ -53,6 +53,11 @@ impl Drawn {
         }
     }
 
+    /// Whether it is of one of the four views.
+    pub fn is_of_stage(&self) -> bool {
+        self.lesson.is_some()
+    }
+
     /// Without what is drawn over colours and ids.
     pub fn unmarked(self) -> Self {
         Self {
