@@ -110,9 +110,10 @@ The lines of --face and --vertex, after those of --at:
   left_out         of a face: why nothing of it is shown, or null; its vertices
                    are those that are there
   places           where it is on each object with a corner there: object, id;
-                   triangle, the first with that corner; point_world and px, of the vertex or
-                   of a point inside of the face; in_picture; seen; hidden_by,
-                   what lies nearest to the eye before it, or null
+                   triangle, the first with that corner; point_world and px, of
+                   the vertex or of a point inside of the face; in_picture;
+                   seen; hidden_by, what lies nearest to the eye before it, or
+                   null
   A point is seen where the ray of the picture through that very point picks a
   surface at it: exactly, though its position need be no f64.";
 

@@ -180,10 +180,10 @@ impl From<clap::Error> for CliError {
         for tip in parts.filter(|part| part.contains("similar")) {
             line = format!("{line}; {}", tip.trim_start_matches("tip: "));
         }
-        // No flag is a number, and only --at takes a list that might begin with a negative one.
+        // No flag is a number, and what takes several, as --at and --face, takes none below 0.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
-            line += ": it is not below 0";
+            line += ": a position or a number is not negative";
         }
         Self::Usage(format!("{line}; see --help"))
     }
