@@ -74,7 +74,6 @@ pub(crate) use beam::Beam;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
-
 pub(crate) use picture::{RAYCAST_BYTES, each_ray};
 pub use picture::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};

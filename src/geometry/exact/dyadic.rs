@@ -5,6 +5,7 @@ pub(crate) use super::{
     enclosure::Enclosure,
     integer::{Decided, Ring},
     number::{Number, Vector},
+    world::divided,
 };
 use super::{
     super::{
@@ -12,7 +13,6 @@ use super::{
         ray::Line,
     },
     integer::Integer,
-    root::Root,
     world::{self, LocalLine},
 };
 use glam::{DVec2, DVec3};
@@ -42,12 +42,6 @@ pub(crate) fn placed(placement: &Placement, point: &DyadicVector, weight: &Dyadi
 /// Where a placement puts a point of a shape.
 pub(crate) fn point_world(point: &PlacedPoint) -> DyadicVector {
     world::placed(point)
-}
-
-/// A point over a number that is not 0, each coordinate rounded once.
-pub(crate) fn divided(point: &DyadicVector, by: &Dyadic) -> DVec3 {
-    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
-    DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
 }
 
 /// A world-space point and a direction in the object space of a placement, both times the third: the determinant of its

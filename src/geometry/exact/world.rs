@@ -179,8 +179,12 @@ pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
 
 /// Where a point is in the world, each coordinate rounded once.
 pub(super) fn rounded_point(point: &PlacedPoint) -> DVec3 {
-    let exact = placed::<BigInt>(point);
-    let nearest = |axis| Root::quotient(exact.component(axis), Number::new(1.0));
+    divided(&placed(point), &Number::new(1.0))
+}
+
+/// A point over a number that is not 0, each coordinate rounded once.
+pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
+    let nearest = |axis| Root::quotient(point.component(axis), by.clone());
     DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
 }
 
