@@ -6,7 +6,7 @@ mod common;
 use common::Random;
 use glam::{DAffine3, DMat3, DVec3};
 use sightline::{
-    geometry::{Placement, Ray, Sides},
+    geometry::{Aabb, Placement, Ray, Sides},
     pick::{self, SceneHit},
     scene::{Change, Object, Scene, Shape},
 };
@@ -273,14 +273,31 @@ fn what_was_moved_is_found_where_it_is() {
     assert_eq!((hit.object, hit.hit.t), (0, 0.5));
 }
 
+/// Boxes and counts are those of each object asked anew.
+fn holds_its_sums(scene: &Scene) {
+    let (mut all, mut visible, mut hidden) = (Aabb::EMPTY, Aabb::EMPTY, 0);
+    for object in scene.objects() {
+        let bounds = object.bounds_world();
+        all = all.union(bounds);
+        if object.visible {
+            visible = visible.union(bounds);
+        } else {
+            hidden += 1;
+        }
+    }
+    assert_eq!(scene.bounds(), all);
+    assert_eq!(scene.visible_bounds(), visible);
+    assert_eq!(scene.hidden_count(), hidden);
+}
+
 /// What is kept of a scene follows its objects: boxes, counts, the tree that rays go by, the log of what was changed.
 #[test]
 fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     let mut random = Random::new(3);
-    let mut scene = scattered(300, DVec3::ZERO, 8.0, 2.0);
+    let mut scene = scattered(1300, DVec3::ZERO, 8.0, 2.0);
     let (begun, mut changed) = (scene.changes(), Vec::new());
     for i in 0..200 {
-        let object = (i * 37) % 300;
+        let object = (i * 37) % 1300;
         let moved = i % 4 != 0;
         if moved {
             let by = DAffine3::from_translation(random.point(9.0));
@@ -301,12 +318,22 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
         assert_eq!(scene.changed_since(begun), Some(&changed[..]));
     }
     let fresh = Scene::new(scene.objects().to_vec());
-    assert_eq!(scene.bounds(), fresh.bounds());
-    assert_eq!(scene.visible_bounds(), fresh.visible_bounds());
-    let hidden = scene.objects().iter().filter(|object| !object.visible);
-    assert_eq!(scene.hidden_count(), hidden.count());
+    holds_its_sums(&scene);
     assert!(scene.hidden_count() > 10);
-    assert_eq!(scene.triangle_count(), 75);
+    assert_eq!(scene.triangle_count(), 325);
+    // All of them, and runs of them: hidden, shown and in part.
+    let mut turned = scene.clone();
+    for range in [0..1300, 0..600, 500..1024, 600..1300, 0..1300] {
+        turned.toggle(&range.collect::<Vec<_>>());
+        holds_its_sums(&turned);
+    }
+    let shown: Vec<usize> = (0..1300).filter(|i| turned.objects()[*i].visible).collect();
+    turned.toggle(&shown);
+    holds_its_sums(&turned);
+    assert!(turned.visible_bounds().is_empty());
+    turned.toggle(&(0..1300).collect::<Vec<_>>());
+    holds_its_sums(&turned);
+    assert_eq!(turned.visible_bounds(), turned.bounds());
     let mut hits = 0;
     for ray in rays(&scene, 3000, 20.0) {
         let found = pick::closest(&scene, ray, Sides::Both);
@@ -315,8 +342,8 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     }
     assert!(hits > 1000, "{hits}");
     // Who has not heard of the last few hundred has to look at everything.
-    for i in 0..500 {
-        scene.set_visible(i % 300, true);
+    for i in 0..2700 {
+        scene.set_visible(i % 1300, true);
     }
     assert_eq!(scene.changed_since(begun), None);
     let now = scene.changes();

@@ -29,7 +29,7 @@ use changes::Changes;
 use std::{
     collections::HashSet,
     ops::{ControlFlow, Range},
-    sync::{Arc, OnceLock, Weak, atomic::AtomicBool},
+    sync::{Arc, Weak, atomic::AtomicBool},
 };
 use sums::Sums;
 use tree::SceneTree;
@@ -70,8 +70,7 @@ pub struct Scene {
     batches: Arc<Vec<Range<usize>>>,
     meshes: Arc<Vec<Arc<Mesh>>>,
     tree: Arc<SceneTree>,
-    /// Until an object is changed.
-    sums: OnceLock<Sums>,
+    sums: Arc<Sums>,
     changes: Changes,
 }
 
@@ -82,17 +81,17 @@ impl Scene {
         let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
         let batches = batches(&objects);
         let meshes = meshes(&objects);
+        let sums = Sums::of(&objects, &bounds);
         let mut scene = Self {
             objects: Arc::new(objects),
             bounds: Arc::new(bounds),
             batches: Arc::new(batches),
             meshes: Arc::new(meshes),
             tree: Arc::default(),
-            sums: OnceLock::new(),
+            sums: Arc::new(sums),
             changes: Changes::default(),
         };
         scene.tree = Arc::new(SceneTree::new(&scene));
-        scene.sums();
         scene
     }
 
@@ -132,36 +131,31 @@ impl Scene {
     /// The world-space box about all objects, hidden ones too; empty when there are none.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        self.sums().bounds
+        self.sums.all().bounds
     }
 
     /// The world-space box about all that is visible; empty when nothing is.
     #[must_use]
     pub fn visible_bounds(&self) -> Aabb {
-        self.sums().visible_bounds
+        self.sums.all().visible_bounds
     }
 
     /// How many objects are hidden.
     #[must_use]
     pub fn hidden_count(&self) -> usize {
-        self.sums().hidden
+        self.sums.all().hidden
     }
 
     /// Triangles of all meshes, hidden ones too.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
-        self.sums().triangles
+        self.sums.all().triangles
     }
 
     /// Its objects and triangles together: by this those who would be slow with a large scene tell one.
     #[must_use]
     pub fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
-    }
-
-    fn sums(&self) -> &Sums {
-        let sum = || Sums::of(&self.objects, &self.bounds);
-        self.sums.get_or_init(sum)
     }
 
     /// Shows or hides an object.
@@ -179,18 +173,14 @@ impl Scene {
     /// When there is no object of an index.
     pub fn toggle(&mut self, objects: &[usize]) {
         let all = Arc::make_mut(&mut self.objects);
+        Arc::make_mut(&mut self.sums).toggle(objects, all, &self.bounds);
         for &object in objects {
-            let visible = &mut all[object].visible;
-            *visible = !*visible;
             let change = Change {
                 object,
                 moved: false,
-                visible: *visible,
+                visible: all[object].visible,
             };
             self.changes.push(change, all.len());
-        }
-        if let Some(sums) = self.sums.get_mut() {
-            sums.see(all, &self.bounds);
         }
     }
 
@@ -228,7 +218,7 @@ impl Scene {
     }
 
     fn changed(&mut self, object: usize, moved: bool) {
-        self.sums.take();
+        Arc::make_mut(&mut self.sums).renew(object, &self.objects, &self.bounds);
         let change = Change {
             object,
             moved,

@@ -1,47 +1,132 @@
-//! What all objects of a scene come to together: summed once, and anew only when an object was changed.
+//! What all objects of a scene come to together. Sums over runs of objects are kept, so that a change takes one run's time.
 
 use super::Object;
 use crate::geometry::Aabb;
+use std::ops::Range;
 
-/// Boxes and counts over all objects.
+/// Objects of a run.
+const RUN: usize = 512;
+
+/// Boxes and counts over objects.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sums {
-    /// The world-space box about all objects.
+pub(super) struct Sum {
+    /// The world-space box about all of them.
     pub bounds: Aabb,
     /// The world-space box about those that are visible.
     pub visible_bounds: Aabb,
     /// How many are hidden.
     pub hidden: usize,
-    /// Triangles of all meshes.
+    /// Triangles of their meshes.
     pub triangles: usize,
+}
+
+impl Sum {
+    const NOTHING: Self = Self {
+        bounds: Aabb::EMPTY,
+        visible_bounds: Aabb::EMPTY,
+        hidden: 0,
+        triangles: 0,
+    };
+
+    fn and(self, other: &Self) -> Self {
+        Self {
+            bounds: self.bounds.union(other.bounds),
+            visible_bounds: self.visible_bounds.union(other.visible_bounds),
+            hidden: self.hidden + other.hidden,
+            triangles: self.triangles + other.triangles,
+        }
+    }
+
+    fn of(object: &Object, bounds: &Aabb) -> Self {
+        let visible_bounds = if object.visible { *bounds } else { Aabb::EMPTY };
+        Self {
+            bounds: *bounds,
+            visible_bounds,
+            hidden: usize::from(!object.visible),
+            triangles: object.shape.triangles().map_or(0, |range| range.len()),
+        }
+    }
+}
+
+/// Sums of a scene.
+#[derive(Clone, Debug)]
+pub(super) struct Sums {
+    runs: Vec<Sum>,
+    all: Sum,
+}
+
+impl Default for Sums {
+    fn default() -> Self {
+        Self::of(&[], &[])
+    }
 }
 
 impl Sums {
     /// Of objects and the boxes about them.
     pub fn of(objects: &[Object], bounds: &[Aabb]) -> Self {
         let mut sums = Self {
-            bounds: Aabb::EMPTY,
-            visible_bounds: Aabb::EMPTY,
-            hidden: 0,
-            triangles: 0,
+            runs: vec![Sum::NOTHING; objects.len().div_ceil(RUN)],
+            all: Sum::NOTHING,
         };
-        for (object, bounds) in objects.iter().zip(bounds) {
-            sums.bounds = sums.bounds.union(*bounds);
-            sums.triangles += object.shape.triangles().map_or(0, |range| range.len());
+        for run in 0..sums.runs.len() {
+            sums.sum(run, objects, bounds);
         }
-        sums.see(objects, bounds);
+        sums.add_up();
         sums
     }
 
-    /// Other objects of these are visible.
-    pub fn see(&mut self, objects: &[Object], bounds: &[Aabb]) {
-        (self.visible_bounds, self.hidden) = (Aabb::EMPTY, 0);
-        for (object, bounds) in objects.iter().zip(bounds) {
-            if object.visible {
-                self.visible_bounds = self.visible_bounds.union(*bounds);
+    /// Over all objects.
+    pub fn all(&self) -> &Sum {
+        &self.all
+    }
+
+    /// An object was moved, shown or hidden.
+    pub fn renew(&mut self, object: usize, objects: &[Object], bounds: &[Aabb]) {
+        self.sum(object / RUN, objects, bounds);
+        self.add_up();
+    }
+
+    /// Shows those of these objects that are hidden, and hides the others.
+    pub fn toggle(&mut self, changed: &[usize], objects: &mut [Object], bounds: &[Aabb]) {
+        let mut is_changed = vec![false; self.runs.len()];
+        for &object in changed {
+            let run = object / RUN;
+            let visible = &mut objects[object].visible;
+            *visible = !*visible;
+            if *visible {
+                self.runs[run].hidden -= 1;
             } else {
-                self.hidden += 1;
+                self.runs[run].hidden += 1;
+            }
+            is_changed[run] = true;
+        }
+        for run in (0..self.runs.len()).filter(|run| is_changed[*run]) {
+            let sum = &mut self.runs[run];
+            // Of most runs all objects are shown or all are hidden, and none need be asked.
+            if sum.hidden == 0 {
+                sum.visible_bounds = sum.bounds;
+            } else if sum.hidden == members(run, objects.len()).len() {
+                sum.visible_bounds = Aabb::EMPTY;
+            } else {
+                self.sum(run, objects, bounds);
             }
         }
+        self.add_up();
     }
+
+    fn sum(&mut self, run: usize, objects: &[Object], bounds: &[Aabb]) {
+        let members = members(run, objects.len());
+        let each = objects[members.clone()].iter().zip(&bounds[members]);
+        let each = each.map(|(object, bounds)| Sum::of(object, bounds));
+        self.runs[run] = each.fold(Sum::NOTHING, |sum, each| sum.and(&each));
+    }
+
+    fn add_up(&mut self) {
+        self.all = self.runs.iter().fold(Sum::NOTHING, Sum::and);
+    }
+}
+
+/// The objects of a run, of `count` in all.
+fn members(run: usize, count: usize) -> Range<usize> {
+    run * RUN..((run + 1) * RUN).min(count)
 }

@@ -36,9 +36,9 @@ impl State {
         Section::through(middle, normal).ok()
     }
 
-    /// Along the picked face, which it keeps with what lies behind.
+    /// The picked face, where it is flat.
     #[must_use]
-    pub fn section_along_pick(&self) -> Option<Section> {
+    pub fn picked_face(&self) -> Option<SectionChoice> {
         let Selection { object, pick } = self.selection.as_ref()?;
         let pick: &Pick = pick.as_ref()?.hit.as_ref()?;
         let face = match &self.scene.objects().get(*object)?.shape {
@@ -51,11 +51,16 @@ impl State {
             }
             Shape::Mesh { .. } => Some(pick.triangle?),
         };
-        let id = object + 1;
-        self.scene
-            .section(SectionChoice::Face { id, face })
-            .ok()
-            .flatten()
+        Some(SectionChoice::Face {
+            id: object + 1,
+            face,
+        })
+    }
+
+    /// Along the picked face, which it keeps with what lies behind. Looks at all triangles of a mesh.
+    #[must_use]
+    pub fn section_along_pick(&self) -> Option<Section> {
+        self.scene.section(self.picked_face()?).ok().flatten()
     }
 
     /// Cuts by a section, or by none.

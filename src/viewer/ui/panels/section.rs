@@ -35,24 +35,29 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if on.hint(hint).changed() {
         commands.push(Command::Act(Action::ToggleSection));
     }
-    let mut button = |ui: &mut Ui, word: &str, name: &str, hint: &str, to: Option<Action>| {
-        let button = ui.add_enabled(to.is_some(), egui::Button::new(word).small());
-        named(&button, name);
-        if button.hint(hint).clicked()
-            && let Some(action) = to
-        {
-            commands.extend([action, Action::Release].map(Command::Act));
-        }
-    };
+    // A section is looked for when its button is clicked: along a mesh's face that takes all its triangles.
+    let mut button =
+        |word: &str, name: &str, hint: &str, is_on: bool, to: &dyn Fn() -> Option<Action>| {
+            let button = ui.add_enabled(is_on, egui::Button::new(word).small());
+            named(&button, name);
+            if button.hint(hint).clicked()
+                && let Some(action) = to()
+            {
+                commands.extend([action, Action::Release].map(Command::Act));
+            }
+        };
     let lay = |section: Option<Section>| section.map(|section| Action::Section(Some(section)));
+    let has_bounds = !state.scene().visible_bounds().is_empty();
     for (axis, word) in DVec3::AXES.into_iter().zip(AXES) {
         let hint = format!("across the world's {word} axis, through the middle of what is visible");
         let name = format!("section across {word}");
-        button(ui, word, &name, &hint, lay(state.section_across(axis)));
+        let to = || lay(state.section_across(axis));
+        button(word, &name, &hint, has_bounds, &to);
     }
     let hint = "along the picked face, which stays with what lies behind it";
-    let along = lay(state.section_along_pick());
-    button(ui, "face", "section along the face", hint, along);
+    let to = || lay(state.section_along_pick());
+    let has_face = state.picked_face().is_some();
+    button("face", "section along the face", hint, has_face, &to);
     let wanted = state.points_wanted();
     let word = match wanted {
         None => "3 points".to_owned(),
@@ -62,11 +67,11 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let hint = "through the next three picks: the side stays from which they are counter-clockwise; again gives up";
     let name = "section by three points";
     let next = Action::SectionByPoints(wanted.is_none());
-    button(ui, &word, name, hint, Some(next));
+    button(&word, name, hint, true, &|| Some(next));
     if let Some(section) = section {
         let hint = "keep the other side";
-        let to = lay(Some(section.flipped()));
-        button(ui, "flip", "flip the section", hint, to);
+        let to = || lay(Some(section.flipped()));
+        button("flip", "flip the section", hint, true, &to);
     }
 }
 
