@@ -1,22 +1,21 @@
 // Triangles: meshes, cubes and squares. Entry points that number them are in files of their own.
 
+// Of each instance. Attributes, since rasterisers in software load each number of a storage buffer by itself.
 struct Batch {
-    pivot: vec3<f32>,
-    object_of_part_0: u32,
-    linear: mat3x3<f32>,
-    translation: vec3<f32>,
-    first_triangle: u32,
-    normal: mat3x3<f32>,
-    flags: u32,
-    view_depth: f32,
-    padding_0: u32,
-    padding_1: u32,
+    @location(4) pivot_and_view_depth: vec4<f32>,
+    @location(5) linear_x: vec3<f32>,
+    @location(6) linear_y: vec3<f32>,
+    @location(7) linear_z: vec3<f32>,
+    @location(8) translation: vec3<f32>,
+    @location(9) normal_x: vec3<f32>,
+    @location(10) normal_y: vec3<f32>,
+    @location(11) normal_z: vec3<f32>,
+    // Object of part 0, first triangle, flags.
+    @location(12) numbers: vec3<u32>,
 }
 
 const NUMBERS_TRIANGLES = 1u;
 const MIRRORS = 2u;
-
-@group(0) @binding(2) var<storage, read> batches: array<Batch>;
 
 struct Vertex {
     @location(0) position: vec3<f32>,
@@ -35,22 +34,22 @@ struct Corner {
 }
 
 // A corner of the draw's triangle of this number, or of 0 where only fragments know it.
-fn corner(in: Vertex, instance: u32, triangle: u32) -> Corner {
-    let batch = &batches[instance];
-    let object = in.part + (*batch).object_of_part_0;
+fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
+    let object = in.part + batch.numbers.x;
     let state = objects[object];
     var out: Corner;
     // Subtracting the pivot first is exact near it: that is where the digits go.
-    let from_pivot = (*batch).linear * (in.position - (*batch).pivot);
-    out.clip = project(from_pivot + (*batch).translation, from_pivot.z + (*batch).view_depth);
+    let linear = mat3x3<f32>(batch.linear_x, batch.linear_y, batch.linear_z);
+    let from_pivot = linear * (in.position - batch.pivot_and_view_depth.xyz);
+    out.clip = project(from_pivot + batch.translation, from_pivot.z + batch.pivot_and_view_depth.w);
     if state.visible == 0u {
         // All corners at one point outside the picture: no triangle is left.
         out.clip = vec4<f32>(2.0, 2.0, 2.0, 1.0);
     }
-    out.normal_view = (*batch).normal * in.normal;
+    out.normal_view = mat3x3<f32>(batch.normal_x, batch.normal_y, batch.normal_z) * in.normal;
     out.albedo = select(in.colour.rgb, state.colour, state.has_colour == 1u);
-    let triangle_base = triangle + (*batch).first_triangle - state.first_triangle + 1u;
-    out.own = vec3<u32>(object, triangle_base, (*batch).flags);
+    let triangle_base = triangle + batch.numbers.y - state.first_triangle + 1u;
+    out.own = vec3<u32>(object, triangle_base, batch.numbers.z);
     return out;
 }
 

@@ -1,8 +1,8 @@
 // Triangles numbered by their corners, of which each has three to itself, for adapters without a primitive index.
 
 @vertex
-fn vertex(in: Vertex, @builtin(instance_index) instance: u32, @builtin(vertex_index) index: u32) -> Corner {
-    return corner(in, instance, index / 3u);
+fn vertex(in: Vertex, batch: Batch, @builtin(vertex_index) index: u32) -> Corner {
+    return corner(in, batch, index / 3u);
 }
 
 @fragment

@@ -1,8 +1,8 @@
 // Triangles numbered by the index that the adapter gives each primitive.
 
 @vertex
-fn vertex(in: Vertex, @builtin(instance_index) instance: u32) -> Corner {
-    return corner(in, instance, 0u);
+fn vertex(in: Vertex, batch: Batch) -> Corner {
+    return corner(in, batch, 0u);
 }
 
 @fragment

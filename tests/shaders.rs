@@ -86,19 +86,6 @@ fn structs_have_one_layout_on_both_sides() {
     );
     same_layout!(
         "mesh by primitive",
-        Batch {
-            pivot,
-            object_of_part_0,
-            linear,
-            translation,
-            first_triangle,
-            normal,
-            flags,
-            view_depth
-        }
-    );
-    same_layout!(
-        "mesh by primitive",
         ObjectState {
             colour,
             has_colour,
@@ -159,4 +146,36 @@ fn flags_have_one_value_on_both_sides() {
     };
     assert_eq!(value("NUMBERS_TRIANGLES"), layout::Batch::NUMBERS_TRIANGLES);
     assert_eq!(value("MIRRORS"), layout::Batch::MIRRORS);
+}
+
+/// What a mesh's instances carry: the shader's attributes in their order fill the struct.
+#[test]
+fn attributes_of_an_instance_are_the_fields_of_its_row() {
+    let module = module("mesh by primitive");
+    let mut layouter = naga::proc::Layouter::default();
+    layouter.update(module.to_ctx()).expect("types with sizes");
+    let batch = module.types.iter().find_map(|(_, ty)| match &ty.inner {
+        naga::TypeInner::Struct { members, .. } if ty.name.as_deref() == Some("Batch") => {
+            Some(members)
+        }
+        _ => None,
+    });
+    let (mut at, mut found) = (0, Vec::new());
+    for member in batch.expect("a struct of attributes") {
+        found.push((member.name.as_deref().expect("a name"), at));
+        at += layouter[member.ty].size as usize;
+    }
+    assert_eq!(at, size_of::<layout::Batch>());
+    for (name, offset) in [
+        ("pivot_and_view_depth", offset_of!(layout::Batch, pivot)),
+        ("linear_x", offset_of!(layout::Batch, linear)),
+        ("translation", offset_of!(layout::Batch, translation)),
+        ("normal_x", offset_of!(layout::Batch, normal)),
+        ("numbers", offset_of!(layout::Batch, object_of_part_0)),
+    ] {
+        assert!(
+            found.contains(&(name, offset)),
+            "{name} at {offset}: {found:?}"
+        );
+    }
 }

@@ -4,7 +4,7 @@ use super::{
     layout,
     mesh_buffers::MeshBuffers,
     sphere::sphere,
-    transform::{VertexToView, columns, normal_to_view},
+    transform::{VertexToView, normal_to_view},
     view_space::ViewSpace,
 };
 use crate::geometry::{Aabb, Placement};
@@ -143,14 +143,13 @@ impl TriangleBatch {
         let mirrors = u32::from(placement.mirrors()) * layout::Batch::MIRRORS;
         layout::Batch {
             pivot: to_view.pivot.to_array(),
-            object_of_part_0: self.object_of_part_0,
-            linear: columns(to_view.linear),
-            translation: to_view.translation.to_array(),
-            first_triangle: self.first_triangle,
-            normal: columns(normal_to_view(space.view(), placement).as_mat3()),
-            flags: numbers | mirrors,
             view_depth: to_view.view_depth,
-            padding: [0; 2],
+            linear: to_view.linear.to_cols_array_2d(),
+            translation: to_view.translation.to_array(),
+            normal: (normal_to_view(space.view(), placement).as_mat3()).to_cols_array_2d(),
+            object_of_part_0: self.object_of_part_0,
+            first_triangle: self.first_triangle,
+            flags: numbers | mirrors,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::{
     gpu::{Gpu, GpuError},
     lines::{self, Line},
     outline,
-    pipelines::{Drawn, Pass},
+    pipelines::{BATCHES, Drawn, Pass},
     raster::begin,
     scene_buffers::SceneBuffers,
     seen::Tables,
@@ -180,7 +180,7 @@ impl Renderer {
         let is_first = begins && drawing.band == 0;
         let is_last = step.ends && drawing.band + 1 == drawing.bands;
         self.write_frame(gpu, &view);
-        let bindings = self.bind(gpu, scene);
+        let scene_bindings = self.bind(gpu, scene);
         let tables = scene.tables();
         begin_at(tables, draws, &step.surfaces, |slice, _| {
             slice.triangles.start
@@ -194,7 +194,8 @@ impl Renderer {
                 Pass::Mask => outline::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
             };
-            render_pass.set_bind_group(0, &bindings.triangles, &[]);
+            render_pass.set_bind_group(0, &scene_bindings, &[]);
+            render_pass.set_vertex_buffer(BATCHES, tables.triangles.slice(..));
             if is_first && has_colours {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
@@ -204,11 +205,11 @@ impl Renderer {
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
             for slice in &step.surfaces {
-                self.draw_slice(gpu, &mut render_pass, pass, &view, &bindings, draws, slice);
+                self.draw_slice(gpu, &mut render_pass, pass, &view, draws, slice);
             }
             for slice in &step.edges {
                 let draw = &parts.edged[slice.draw];
-                self.draw_edges(gpu, &mut render_pass, pass, &view, &bindings, draw, slice);
+                self.draw_edges(gpu, &mut render_pass, pass, &view, draw, slice);
             }
             if !line_ends.is_empty() {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Lines, &view));

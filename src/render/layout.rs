@@ -47,28 +47,26 @@ pub struct Frame {
     pub section_slack: f32,
 }
 
-/// One model matrix under this frame's view, for the triangles of a batch.
+/// One model matrix under this frame's view, for the triangles of a batch: attributes of an instance.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Batch {
     /// Vertex-space point near what the camera sees of the batch; subtracted first, which is exact about it.
     pub pivot: [f32; 3],
-    /// Index of the object that the mesh's part 0 is, or would be; wraps below 0.
-    pub object_of_part_0: u32,
-    /// Columns of the linear part from vertex to view space, each with padding.
-    pub linear: [[f32; 4]; 3],
-    /// View-space position of the pivot, its z as measured depth; in view units.
-    pub translation: [f32; 3],
-    /// The mesh's triangle that the draw begins with.
-    pub first_triangle: u32,
-    /// Columns from object to view normals, of any scale, each with padding.
-    pub normal: [[f32; 4]; 3],
-    /// [`Batch::NUMBERS_TRIANGLES`] and [`Batch::MIRRORS`].
-    pub flags: u32,
     /// View depth of the pivot, in view units.
     pub view_depth: f32,
-    /// Nothing.
-    pub padding: [u32; 2],
+    /// Columns of the linear part from vertex to view space.
+    pub linear: [[f32; 3]; 3],
+    /// View-space position of the pivot, its z as measured depth; in view units.
+    pub translation: [f32; 3],
+    /// Columns from object to view normals, of any scale.
+    pub normal: [[f32; 3]; 3],
+    /// Index of the object that the mesh's part 0 is, or would be; wraps below 0.
+    pub object_of_part_0: u32,
+    /// The mesh's triangle that the draw begins with.
+    pub first_triangle: u32,
+    /// [`Batch::NUMBERS_TRIANGLES`] and [`Batch::MIRRORS`].
+    pub flags: u32,
 }
 
 impl Batch {

@@ -4,7 +4,7 @@
 use super::{
     abilities::Numbers,
     gpu::Gpu,
-    layout::{LineVertex, Vertex},
+    layout::{Batch, LineVertex, Vertex},
     shaders::shader_module,
     targets::{COLOUR, DEPTH, IDS, MARKS},
 };
@@ -53,7 +53,7 @@ type Key = (Pass, Drawn, DepthMapping, bool);
 /// All pipelines that draw the scene.
 #[derive(Debug)]
 pub(super) struct Pipelines {
-    /// Frame, objects, and batches or spheres.
+    /// Frame, objects and spheres.
     pub bind_group_layout: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
     mesh: wgpu::ShaderModule,
@@ -74,6 +74,31 @@ const VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     ],
 };
 
+/// The slot of what instances of triangles carry.
+pub(super) const BATCHES: u32 = 1;
+
+const BATCH: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Batch>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &[
+        // With the view depth.
+        attribute(4, VertexFormat::Float32x4, offset_of!(Batch, pivot)),
+        column(5, offset_of!(Batch, linear), 0),
+        column(6, offset_of!(Batch, linear), 1),
+        column(7, offset_of!(Batch, linear), 2),
+        attribute(8, VertexFormat::Float32x3, offset_of!(Batch, translation)),
+        column(9, offset_of!(Batch, normal), 0),
+        column(10, offset_of!(Batch, normal), 1),
+        column(11, offset_of!(Batch, normal), 2),
+        // With first triangle and flags.
+        attribute(
+            12,
+            VertexFormat::Uint32x3,
+            offset_of!(Batch, object_of_part_0),
+        ),
+    ],
+};
+
 const LINE_VERTEX: wgpu::VertexBufferLayout = wgpu::VertexBufferLayout {
     array_stride: size_of::<LineVertex>() as u64,
     step_mode: wgpu::VertexStepMode::Vertex,
@@ -89,6 +114,15 @@ const fn attribute(shader_location: u32, format: VertexFormat, offset: usize) ->
         offset: offset as u64,
         shader_location,
     }
+}
+
+/// A column of a matrix.
+const fn column(shader_location: u32, matrix: usize, column: usize) -> VertexAttribute {
+    attribute(
+        shader_location,
+        VertexFormat::Float32x3,
+        matrix + column * size_of::<[f32; 3]>(),
+    )
 }
 
 impl Pipelines {
@@ -182,7 +216,7 @@ impl Pipelines {
             Drawn::Background => (&self.overlay, "cover", "background_colour"),
         };
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
-            Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX)],
+            Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX), Some(BATCH)],
             Drawn::Lines => &[Some(LINE_VERTEX)],
             Drawn::Spheres | Drawn::Background => &[],
         };

@@ -19,12 +19,6 @@ use crate::{
     geometry::Sides,
 };
 
-/// The bind groups of a frame: same frame and objects, but a table of batches or of spheres.
-pub(super) struct Bindings {
-    pub triangles: wgpu::BindGroup,
-    pub spheres: wgpu::BindGroup,
-}
-
 /// Whose edges are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wireframe {
@@ -75,22 +69,17 @@ impl Renderer {
             .write_buffer(&self.frame, 0, bytemuck::bytes_of(&frame));
     }
 
-    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> Bindings {
-        let bind = |table: &wgpu::Buffer| {
-            let entries = [&self.frame, &scene.objects, table];
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("scene"),
-                layout: &self.pipelines.bind_group_layout,
-                entries: &[0, 1, 2].map(|i: u32| wgpu::BindGroupEntry {
-                    binding: i,
-                    resource: entries[i as usize].as_entire_binding(),
-                }),
-            })
-        };
-        Bindings {
-            triangles: bind(&scene.tables().triangles),
-            spheres: bind(&scene.tables().spheres),
-        }
+    /// Frame, objects and spheres.
+    pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> wgpu::BindGroup {
+        let entries = [&self.frame, &scene.objects, &scene.tables().spheres];
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene"),
+            layout: &self.pipelines.bind_group_layout,
+            entries: &[0, 1, 2].map(|i: u32| wgpu::BindGroupEntry {
+                binding: i,
+                resource: entries[i as usize].as_entire_binding(),
+            }),
+        })
     }
 
     /// Draws the edges of some triangles of some instances where their faces are seen.
@@ -101,13 +90,11 @@ impl Renderer {
         pass: &mut wgpu::RenderPass<'_>,
         writes: Pass,
         view: &View,
-        bindings: &Bindings,
         draw: &Draw,
         slice: &Slice,
     ) {
         if let DrawnShape::Triangles { buffers, .. } = &draw.shape {
             pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Edges, view));
-            pass.set_bind_group(0, &bindings.triangles, &[]);
             buffers.draw(pass, &slice.triangles, slice.instances.clone());
         }
     }
@@ -120,7 +107,6 @@ impl Renderer {
         pass: &mut wgpu::RenderPass<'_>,
         writes: Pass,
         view: &View,
-        bindings: &Bindings,
         draws: &[Draw],
         slice: &Slice,
     ) {
@@ -131,12 +117,10 @@ impl Renderer {
                 let culled_mirrored = (view.sides == Sides::Front).then_some(draw.mirrors);
                 let drawn = Drawn::Triangles { culled_mirrored };
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, drawn, view));
-                pass.set_bind_group(0, &bindings.triangles, &[]);
                 buffers.draw(pass, &slice.triangles, instances);
             }
             DrawnShape::Spheres => {
                 pass.set_pipeline(&self.pipelines.get(gpu, writes, Drawn::Spheres, view));
-                pass.set_bind_group(0, &bindings.spheres, &[]);
                 pass.draw(0..4, instances);
             }
         }

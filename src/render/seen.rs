@@ -46,15 +46,21 @@ impl Tables {
         fn table<T: Pod + Zeroable>(
             gpu: &Gpu,
             what: &'static str,
+            usage: BufferUsages,
             rows: u32,
         ) -> Result<wgpu::Buffer, GpuError> {
             let empty = vec![T::zeroed(); rows as usize + 1];
-            gpu.buffer(what, BufferUsages::STORAGE, &empty)
+            gpu.buffer(what, usage, &empty)
         }
         Ok(Self {
             gpu: gpu.clone(),
-            triangles: table::<layout::Batch>(gpu, "model matrices", triangles)?,
-            spheres: table::<layout::Sphere>(gpu, "spheres", spheres)?,
+            triangles: table::<layout::Batch>(
+                gpu,
+                "model matrices",
+                BufferUsages::VERTEX,
+                triangles,
+            )?,
+            spheres: table::<layout::Sphere>(gpu, "spheres", BufferUsages::STORAGE, spheres)?,
             alone: [triangles, spheres],
         })
     }

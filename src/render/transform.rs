@@ -327,11 +327,6 @@ pub fn normal_to_view(view: &View, placement: &Placement) -> DMat3 {
     normal * size.recip()
 }
 
-/// Columns with WGSL's padding.
-pub(super) fn columns(matrix: Mat3) -> [[f32; 4]; 3] {
-    matrix.to_cols_array_2d().map(|[x, y, z]| [x, y, z, 0.0])
-}
-
 /// Rounds once, at the border to the GPU.
 #[expect(clippy::cast_possible_truncation, reason = "that is its purpose")]
 pub(super) fn narrow(value: f64) -> f32 {
