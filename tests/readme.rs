@@ -120,6 +120,33 @@ fn every_command_and_camera_flag_is_named() {
     }
 }
 
+/// A test file is `tests/NAME.rs` or `tests/NAME/main.rs`.
+#[test]
+fn every_test_file_is_in_the_table_of_promises() {
+    let text = readme();
+    let mut count = 0;
+    for entry in fs::read_dir(here("tests")).expect("tests") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_some_and(|end| end == "rs") || path.join("main.rs").exists() {
+            let name = path.file_stem().expect("a name").display().to_string();
+            assert!(text.contains(&format!("`tests/{name}`")), "{name}");
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count}");
+    for (name, _) in text
+        .match_indices("`tests/")
+        .map(|(at, _)| text[at + 7..].split_once('`').expect("an end"))
+    {
+        let name = name.split(['/', '.']).next().unwrap_or(name);
+        let there = [
+            here("tests").join(name),
+            here("tests").join(format!("{name}.rs")),
+        ];
+        assert!(there.iter().any(|path| path.exists()), "{name}");
+    }
+}
+
 /// The two commands of the chapter on verify, and the counts that its table gives for them.
 #[test]
 fn the_pictures_of_verify_are_of_what_it_finds() {

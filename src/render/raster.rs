@@ -83,7 +83,6 @@ impl Renderer {
     }
 
     /// Draws the edges of some triangles of some instances where their faces are seen.
-    #[expect(clippy::too_many_arguments, reason = "one draw call")]
     pub(super) fn draw_edges(
         &mut self,
         gpu: &Gpu,
@@ -100,7 +99,6 @@ impl Renderer {
     }
 
     /// Draws some triangles, or spheres, of some instances of a draw.
-    #[expect(clippy::too_many_arguments, reason = "one draw call")]
     pub(super) fn draw_slice(
         &mut self,
         gpu: &Gpu,

@@ -83,6 +83,7 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
 
 /// What the methods of a break's step do in its family, seen as a view of the scene sees it, and on that view's own rays,
 /// which are the family [`SCENE`]. In per cent, degrees and parts of a depth nothing depends on the view.
+#[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     // One column of a window's pixels is seen.
     const RAYS: usize = 6000;

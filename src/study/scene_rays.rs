@@ -27,6 +27,7 @@ pub struct SceneRays {
 
 impl SceneRays {
     /// So many random pixels of a scene's view, and what a graphics adapter draws of it where there is one.
+    #[must_use]
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
         let ids = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
         let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));

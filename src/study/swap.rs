@@ -109,6 +109,7 @@ impl Swap {
     }
 
     /// The pick at a pixel position with this method in it.
+    #[must_use]
     pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
         (self.step.pick)(self.method, &Click::new(scene, view, px))
     }

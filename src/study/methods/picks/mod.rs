@@ -66,6 +66,7 @@ impl Flat {
 
 impl PickWorld {
     /// Copies the scene and builds trees over one of the copies.
+    #[must_use]
     pub fn new(scene: &Scene, view: View, ids: Option<Image<Id>>) -> Self {
         let with_trees = copy(scene);
         with_trees.build_trees();
@@ -230,6 +231,7 @@ const GPU_ID: &str = "the GPU's ids, one pixel read back";
 
 impl PickCase {
     /// A click on the centre of a pixel.
+    #[must_use]
     pub fn new(world: &Arc<PickWorld>, px: DVec2) -> Self {
         Self {
             world: Arc::clone(world),
