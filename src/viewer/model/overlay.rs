@@ -1,11 +1,11 @@
-//! What is shown over the scene when asked for.
+//! What is shown over the scene on request.
 
 /// Something shown over the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The triangle under the pick, with its corners and barycentrics.
     Triangle,
-    /// The way from the pick before to this one.
+    /// The distance between the last two picks.
     Distance,
     /// The edges of triangles.
     Wireframe,
@@ -67,7 +67,7 @@ impl Overlay {
 pub struct Overlays {
     /// A bit for each.
     shown: u32,
-    /// Boxes of the trees over meshes, so many steps below the root.
+    /// Boxes of the meshes' trees, so many levels below the root.
     pub tree_level: Option<u32>,
 }
 
@@ -88,14 +88,14 @@ impl Overlays {
         self.shown & (1 << overlay as u32) != 0
     }
 
-    /// The same, but for one.
+    /// The same with one of them switched.
     #[must_use]
     pub fn toggled(mut self, overlay: Overlay) -> Self {
         self.shown ^= 1 << overlay as u32;
         self
     }
 
-    /// The same at another level of trees.
+    /// The same with the tree level after, or before.
     pub(super) fn next_tree_level(self, deeper: bool) -> Self {
         let tree_level = match (self.tree_level, deeper) {
             (None, true) => Some(0),

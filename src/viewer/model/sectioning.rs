@@ -1,4 +1,4 @@
-//! The section in the window: where it can be laid, and what turns it on again. The view holds it.
+//! The section in the window: where it can be laid, and how it is turned on again. The view holds it.
 
 use super::state::{Selection, State};
 use crate::{
@@ -16,13 +16,13 @@ impl State {
         self.showing.is_none()
     }
 
-    /// How many more picks a section by three points waits for; `None` where nothing does.
+    /// How many more picks a section by three points waits for; `None` where none is waiting.
     #[must_use]
     pub fn points_wanted(&self) -> Option<usize> {
         Some(3 - self.section_memory.points.as_ref()?.len())
     }
 
-    /// Across an axis of the world, through the middle of what is visible; what lies towards the eye is cut away.
+    /// A section across an axis of the world, through the middle of what is visible, that cuts away the eye's side.
     #[must_use]
     pub fn section_across(&self, axis: DVec3) -> Option<Section> {
         let bounds = self.scene.visible_bounds();
@@ -31,12 +31,12 @@ impl State {
         }
         let middle = bounds.center();
         let is_before = (self.view.camera.eye() - middle).dot(axis) > 0.0;
-        // Added to 0, -0 is 0.
+        // Adding 0 turns -0 into 0.
         let normal = if is_before { -axis } else { axis } + DVec3::ZERO;
         Section::through(middle, normal).ok()
     }
 
-    /// Along the picked face, which it keeps with what lies behind.
+    /// A section along the picked face. It keeps the face and what lies behind it.
     #[must_use]
     pub fn section_along_pick(&self) -> Option<Section> {
         let Selection { object, pick } = self.selection.as_ref()?;
@@ -70,7 +70,7 @@ impl State {
         self.section_memory.points = None;
     }
 
-    /// Turns it off, or on again: where it was, or else across the axis that runs most towards the eye.
+    /// Turns the section off, or on again: where it was, or else across the axis closest to the direction of view.
     pub(super) fn toggle_section(&mut self) {
         let on = || {
             let forward = self.view.camera.forward().abs();
@@ -86,13 +86,13 @@ impl State {
         self.set_section(next);
     }
 
-    /// Waits for three picks, or no longer.
+    /// Starts or stops waiting for three picks.
     pub(super) fn await_points(&mut self, awaits: bool) {
         let awaits = awaits && self.takes_sections();
         self.section_memory.points = awaits.then(Vec::new);
     }
 
-    /// Takes a pick for a section by three points, where one is waited for. Points on one line begin anew.
+    /// Takes a pick for a section by three points, if one is waiting. Three points on one line start it over.
     pub(super) fn take_point(&mut self, point_world: DVec3) {
         let Some(points) = &mut self.section_memory.points else {
             return;

@@ -1,9 +1,9 @@
-//! Steps back and steps forth: what was done and can be undone, what was undone and can be done again.
+//! The history: steps that can be undone, and steps that can be redone.
 
 /// Steps beyond these are forgotten, the oldest first.
 const MOST: usize = 256;
 
-/// What goes on while a gesture lasts: all of it is one step.
+/// A slide or a drag: all its changes are one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Gesture {
     /// The lens is slid.
@@ -14,7 +14,7 @@ pub(super) enum Gesture {
     Place(usize),
 }
 
-/// A step `S` takes one change back; done, it leaves one that makes the change again.
+/// A step `S` takes one change back, and taking it leaves a step that makes the change again.
 pub(super) struct Timeline<S> {
     past: Vec<S>,
     future: Vec<S>,
@@ -52,7 +52,7 @@ impl<S> Timeline<S> {
         }
     }
 
-    /// Adds the step that takes back a gesture, unless it goes on.
+    /// Adds the step that takes back a gesture, at its first change only.
     pub fn push_gesture(&mut self, gesture: Gesture, step: S, stays: impl Fn(&S) -> bool) {
         if self.gesture != Some(gesture) {
             self.push(step, stays);
@@ -60,7 +60,7 @@ impl<S> Timeline<S> {
         }
     }
 
-    /// What comes next is a step of its own.
+    /// The next change is a step of its own.
     pub fn end_gesture(&mut self) {
         self.gesture = None;
     }
@@ -75,7 +75,7 @@ impl<S> Timeline<S> {
         }
     }
 
-    /// Gives what a step left that went back or forth.
+    /// Keeps the opposite of a step that was taken, back or forth.
     pub fn give(&mut self, step: S, back: bool) {
         if back {
             self.future.push(step);

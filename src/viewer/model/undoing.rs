@@ -7,7 +7,7 @@ use super::{
 use std::mem;
 
 impl Step {
-    /// Whether it leads back to what was open before the gallery: never forgotten.
+    /// Whether it leads back to what was open before the gallery. Such a step is never forgotten.
     fn leads_out(&self) -> bool {
         matches!(self, Self::Open(state) if state.showing.is_none())
     }
@@ -19,12 +19,12 @@ impl State {
         self.timeline.push(step, Step::leads_out);
     }
 
-    /// Keeps the step that takes back a gesture, unless it goes on.
+    /// Keeps the step that takes back a gesture, at its first change only.
     pub(super) fn record_gesture(&mut self, gesture: Gesture, step: Step) {
         self.timeline.push_gesture(gesture, step, Step::leads_out);
     }
 
-    /// Keeps where the view stood, unless it still does.
+    /// Keeps where the view stood, if it has moved.
     pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &Stand) {
         if *was == self.stand() {
             return;
@@ -36,7 +36,7 @@ impl State {
         }
     }
 
-    /// The scene as its files have it begins a history of its own; what was left for the gallery is kept.
+    /// The scene was read again: forgets its own steps, and keeps those back out of the gallery.
     pub(super) fn forget_own_steps(&mut self) {
         self.timeline
             .forget_after(|step| matches!(step, Step::Open(_)));
@@ -52,7 +52,7 @@ impl State {
         true
     }
 
-    /// Back to what was open before the gallery; nothing where nothing was.
+    /// Back to what was open before the gallery; does nothing if nothing was.
     pub(super) fn leave_gallery(&mut self) {
         if self.showing.is_some() && self.timeline.past().iter().any(Step::leads_out) {
             while self.showing.is_some() && self.step_in_time(true) {}
@@ -131,7 +131,7 @@ impl State {
         (self.selection, self.hits) = (selection, hits);
     }
 
-    /// Shows another state; what the user set about the window stays, and so does the history. Returns this one.
+    /// Shows another state; the window's settings and the history stay. Returns the state before.
     pub(super) fn exchange(&mut self, mut other: Box<State>) -> Box<State> {
         other.timeline = mem::take(&mut self.timeline);
         other.unused = mem::take(&mut self.unused);
@@ -148,7 +148,7 @@ impl State {
         other
     }
 
-    /// An edit that is not in the file: its number.
+    /// Numbers an edit that is not in the file; returns the numbers before it.
     pub(super) fn edit(&mut self, which: impl FnOnce(&mut Edits) -> &mut u64) -> Edits {
         let before = self.edits;
         let mark = self.timeline.mark();

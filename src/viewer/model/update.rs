@@ -8,8 +8,8 @@ use crate::{
 };
 
 impl State {
-    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing. What can be undone leaves
-    /// a step that takes it back.
+    /// Does what the user asks for. An action that picks returns its pick; one that is impossible changes nothing; one that
+    /// can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
         if !action.may_be_of_a_gesture() {
             self.timeline.end_gesture();
@@ -84,7 +84,7 @@ impl State {
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
-                // The lens has no up.
+                // The reset is for the pose alone: the lens stays.
                 let controls = self.controls;
                 self.reset_view();
                 self.set_lens(controls);

@@ -1,4 +1,4 @@
-//! The window's camera: what mouse, panel and clipboard make of it, and what cannot be.
+//! The window's camera: how mouse, panel and clipboard change it, and which changes are impossible.
 
 use super::{
     action::{Action, LensControls},
@@ -20,15 +20,15 @@ const TURN_PER_PX: f64 = 0.008;
 /// Why an action does nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CannotBe {
-    /// It makes no camera.
+    /// It makes no valid camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// It makes no model matrix.
+    /// It makes no valid model matrix.
     #[error(transparent)]
     Placement(#[from] PlacementError),
 }
 
-/// A world-space box and all of a camera's frustum, with its eye.
+/// A world-space box, grown to hold a camera's frustum and its eye.
 pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
     let frustum = view.frustum_corners().into_iter();
     frustum
@@ -37,7 +37,7 @@ pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
 }
 
 impl Stand {
-    /// The camera, all of it, as a scene file keeps it.
+    /// The whole camera, as a scene file keeps it.
     pub fn camera_choice(&self) -> CameraChoice {
         let camera = &self.camera;
         let ortho = match camera.lens().projection {
@@ -61,16 +61,16 @@ impl Stand {
 }
 
 impl State {
-    /// The camera, all of it, as a scene file keeps it.
+    /// The whole camera, as a scene file keeps it.
     #[must_use]
     pub fn camera_choice(&self) -> CameraChoice {
         self.stand().camera_choice()
     }
 
-    /// What a typed value would do: nothing when it can be, the reason when it cannot.
+    /// Checks an action with a typed value, without doing it.
     ///
     /// # Errors
-    /// When the action makes no camera, or no model matrix.
+    /// When the action makes no valid camera or model matrix.
     pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
         match action {
             Action::Lens(controls) => {
@@ -112,7 +112,7 @@ impl State {
         camera.with_lens(lens)
     }
 
-    /// A camera from elsewhere, to the bit; nothing when it is none.
+    /// Takes over a camera, to the bit; does nothing when it is invalid.
     pub(super) fn set_camera(&mut self, choice: CameraChoice) {
         let bounds = self.scene.visible_bounds();
         let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
@@ -120,7 +120,7 @@ impl State {
         };
         self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
         self.controls = LensControls {
-            // An orthographic one says nothing of it.
+            // An orthographic camera has none.
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
@@ -147,7 +147,7 @@ impl State {
         match (was_orthographic, controls.orthographic) {
             (false, true) => self.ortho = OrthoHeight::of_perspective(controls.fov_deg),
             (true, false) => {
-                // To where perspective shows the target as large as it was.
+                // Moves to where perspective shows the target as large as it was.
                 let as_perspective = OrthoHeight::of_perspective(controls.fov_deg);
                 let nearer = as_perspective.at(1.0) / self.ortho.at(1.0);
                 self.orbit.zoom(self.orbit.target(), nearer);
@@ -190,14 +190,14 @@ impl State {
         self.moved();
     }
 
-    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
+    /// The world point that zoom and pan keep at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
         let ray = self.view.ray(px);
         if let Some(hit) = self.quick_hit(&ray) {
             return ray.at(hit.hit.t);
         }
         let depth = self.view.camera.to_view(self.pivot_world).z;
-        // A pivot behind the eye, or on it, is no depth to work at.
+        // A pivot at or behind the eye has no depth to use.
         let depth = if depth > 1e-3 * self.orbit.distance() {
             depth
         } else {
@@ -206,7 +206,7 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
-    /// Planes that were set by hand follow the scene again where they would leave nothing of a box in view.
+    /// Near and far that were set by hand follow the scene again where they would leave nothing of a box in view.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
         if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {
@@ -277,7 +277,7 @@ impl State {
         self.fit();
     }
 
-    /// Back to the view that the scene opened with, projection and planes and all.
+    /// Back to the view that the scene opened with, including projection and planes.
     pub(super) fn reset_view(&mut self) {
         self.stand_as_opened();
         self.fit();
