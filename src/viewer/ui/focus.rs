@@ -1,14 +1,14 @@
-//! Where keys go. A text that is edited takes them all; what is merely reached by Tab takes those that work it; all others
-//! are shortcuts.
+//! Where keys go. A text that is being edited takes all of them; another focused control takes those that operate it; the
+//! rest are shortcuts.
 
 use egui::{Context, Id};
 
-/// What had the focus when the keys of a pass were pressed: egui takes it away before anybody sees the key that did.
+/// What had the focus when the keys of a pass were pressed: egui drops it before we see the key that made it do so.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Focus {
-    /// A text was edited.
+    /// A text was being edited.
     pub types: bool,
-    /// Something was reached, a text or a button.
+    /// Any control had the focus.
     pub any: bool,
 }
 
@@ -32,7 +32,7 @@ impl Focus {
         ctx.data_mut(|data| data.insert_temp(Self::id(), self));
     }
 
-    /// Had by either.
+    /// What either of the two has.
     pub fn or(self, other: Self) -> Self {
         Self {
             types: self.types || other.types,

@@ -1,4 +1,4 @@
-//! Keys to commands, as one table that the help is made from.
+//! Keys to commands, in one table that the help is made from.
 
 use super::{command::Command, focus::Focus, panels::give_up_refused};
 use crate::viewer::model::{Action, Overlay};
@@ -11,7 +11,7 @@ pub(in crate::viewer) struct Binding {
     pub keys: &'static str,
     /// What it does, for the help.
     pub does: &'static str,
-    /// Any of these.
+    /// Any of these triggers it.
     pub shortcuts: &'static [(Modifiers, Key)],
     /// What it asks for.
     pub command: Command,
@@ -21,7 +21,7 @@ const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
 const CTRL: Modifiers = Modifiers::COMMAND;
 
-/// Every key, in the order of the help. With Shift comes before without: a pattern without it takes both.
+/// Every key, in the order of the help. A shortcut with Shift stands before the one without, which would match both.
 pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     Binding {
         keys: "F",
@@ -358,8 +358,8 @@ const fn look(to_eye: DVec3) -> Command {
     Command::Act(Action::LookFrom(to_eye))
 }
 
-/// What the keys that were pressed ask for. While a text is edited, nothing; while a question waits for an answer, only Esc
-/// does. Enter, Esc and the arrows are first of all for what was reached by Tab, and Esc then for red texts.
+/// The commands of the keys that were pressed: none while a text is edited, only Esc's while a question waits for an answer.
+/// A focused control has Enter, Esc and the arrows to itself. Without one, Esc gives up red texts first.
 pub(in crate::viewer) fn pressed(ctx: &egui::Context, is_asked: bool) -> Vec<Command> {
     let now = Focus::now(ctx);
     let focus = Focus::before(ctx).or(now);
