@@ -157,7 +157,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Ctrl+Z, Ctrl+Shift+Z, Ctrl+Y",
-        does: "undo; redo, by either",
+        does: "undo; the others redo",
         shortcuts: &[(CTRL, Key::Z)],
         command: Command::Act(Action::Undo),
     },
@@ -223,7 +223,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "T",
-        does: "freeze the camera: it stays as lines, seen from elsewhere",
+        does: "freeze the camera: it stays as lines while you look around",
         shortcuts: &[(NONE, Key::T)],
         command: Command::Act(Action::ToggleFreeze),
     },
@@ -265,7 +265,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "M, Shift+M",
-        does: "in it: pick by the next method, the one before",
+        does: "in the gallery: pick by the next method, the one before",
         shortcuts: &[(NONE, Key::M)],
         command: Command::Act(Action::NextMethod { forward: true }),
     },
@@ -289,7 +289,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "F11",
-        does: "fill the screen; back",
+        does: "full screen, and back",
         shortcuts: &[(NONE, Key::F11)],
         command: Command::ToggleFullScreen,
     },
@@ -307,7 +307,7 @@ pub(in crate::viewer) const BINDINGS: &[Binding] = &[
     },
     Binding {
         keys: "Esc",
-        does: "wait for no picks, stop, close, select nothing, leave gallery",
+        does: "stop waiting or loading, close, select nothing, leave gallery",
         shortcuts: &[(NONE, Key::Escape)],
         command: Command::Escape,
     },
@@ -339,14 +339,14 @@ pub(in crate::viewer) const MOUSE: &[(&str, &str)] = &[
     ("right, middle, Shift+left drag", "pan"),
     ("wheel, pinch", "zoom at the cursor"),
     ("click", "pick; the same pixel again: the surface behind"),
-    ("right click", "what can be done with what is there"),
+    ("right click", "a menu for what is under the cursor"),
     (
         "double click",
         "set pivot and centre; on nothing: frame all",
     ),
     (
         "click on the cross of axes",
-        "look along one, from the end that is clicked",
+        "look along an axis, from the end that is clicked",
     ),
     (
         "drag the section's arrow",

@@ -84,7 +84,7 @@ pub(in crate::viewer) struct Place {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Wing {
     pub open: bool,
-    /// As wide as somebody wants it, in points.
+    /// As wide as the user wants it, in points.
     pub width: f32,
 }
 
@@ -163,7 +163,7 @@ impl Docks {
         }
     }
 
-    /// Shows the matrices wherever their panel stands, or takes them away where they show; returns whether they are wanted.
+    /// Shows the matrices, wherever their panel stands, or wants them gone where they show. Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let Place { side, folded } = self[Section::Pipeline];
         let show = are_wanted && !folded && self.showing[side as usize];
@@ -180,8 +180,8 @@ impl Docks {
         here.filter(|section| self[*section].side == side).collect()
     }
 
-    /// How wide each side is, in points, where both together may be as wide as `room`; `None` for one that is folded or
-    /// has no panel. Both show where each has room for all of its panels, else the one that was opened last.
+    /// How wide each side is in points, both together at most `room`; `None` for one that is folded or has no panel. Both
+    /// show if there is room for the panels of both, else the one that was opened last.
     pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
             let widths = self.at(side, sections).into_iter();
@@ -189,7 +189,7 @@ impl Docks {
             open.map(Section::least_width).fold(NARROWEST, f32::max)
         });
         let shows = |side: Side| self[side].open && !self.at(side, sections).is_empty();
-        // A width that is no number, as a file may have it, is the least.
+        // NaN, which a file may hold, becomes the least.
         let wanted = |side: Side| self[side].width.max(least[side as usize]);
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);
         match [shows(Side::Left), shows(Side::Right)] {
@@ -207,15 +207,15 @@ impl Docks {
         }
     }
 
-    /// The edge of a side was dragged: it is `width` points wide now, or folded, where that is hardly anything.
+    /// The edge of a side was dragged: the side is `width` points wide now, or folded where that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
         self[side].width = width.max(NARROWEST);
         self[side].open = width >= 0.5 * NARROWEST;
     }
 }
 
-/// How wide panels may be together, in points, where the picture is to have half of a window: `left` is what other panels
-/// leave of it above and below.
+/// How wide both sides may be together, in points, so that the picture keeps half of the window. `left` is what the panels
+/// above and below leave of the window.
 pub(super) fn room(window: egui::Vec2, left: egui::Vec2) -> f32 {
     if left.y <= 0.0 {
         return 0.0;

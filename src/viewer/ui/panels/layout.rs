@@ -1,5 +1,5 @@
-//! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves but how
-//! they stand.
+//! Which panel goes where. Panels show the state and return what the user asks for; all that they change themselves is their
+//! own layout.
 
 use super::{
     axis_cross, banner, corners, differences,
@@ -19,9 +19,9 @@ use crate::viewer::{
 };
 use egui::{CentralPanel, Panel, Rect, Ui};
 
-/// What a pass over the panels comes to.
+/// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
-    /// The scene's rectangle, where there is room for it.
+    /// The picture's rectangle, where there is room for it.
     pub place: Option<SceneRect>,
     /// Which stages show in it, and where.
     pub panes: Vec<(Stage, SceneRect)>,
@@ -58,7 +58,7 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
         if !shown.state.stages().is_empty() {
-            // The picture that it stands for keeps its size.
+            // The camera's picture, of which the views are, keeps the size of them all.
             commands.push(Command::Act(Action::Resize(place.viewport)));
             let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
             corners::messages(ui, rect, shown, &mut commands);
@@ -108,7 +108,7 @@ fn offer_tour(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
     }
 }
 
-/// The panels that there are: in the gallery its scene's in place of the list.
+/// The panels that show: in the gallery its own in place of objects and measures.
 fn sections(shown: &Shown) -> Vec<Section> {
     if shown.is_bare {
         return Vec::new();

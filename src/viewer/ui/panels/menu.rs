@@ -59,7 +59,7 @@ pub(super) fn of_object(
         ui.separator();
         if let Some(px) = px {
             let time_s = ui.input(|input| input.time);
-            let hint = "what a click there does: the surface in front of the others";
+            let hint = "as a click there does: picks the nearest surface";
             let pick = [Action::Select(None), Action::Click(px, time_s)];
             entry(
                 ui,
@@ -80,7 +80,7 @@ pub(super) fn of_object(
                 commands,
             );
         }
-        // What these do is done with the selection, which stays with its point where it is this object's.
+        // These act on the selection. So the object is selected, unless it is: then its picked point stays.
         let is_selected = (state.selection()).is_some_and(|selection| selection.object == index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
         for (name, key, hint, action) in [
@@ -93,7 +93,7 @@ pub(super) fn of_object(
             (
                 "Hide it",
                 "Shift+H",
-                "what is hidden is not drawn and not picked",
+                "what is hidden is neither drawn nor picked",
                 Action::HideSelection,
             ),
             (
@@ -119,7 +119,7 @@ pub(super) fn of_object(
                 .selection()
                 .is_some_and(|selection| selection.pick.is_some())
         {
-            let hint = "the record of its picked point, all of it";
+            let hint = "the full record of its picked point, as JSON";
             entry(
                 ui,
                 "Copy the pick",
@@ -129,7 +129,7 @@ pub(super) fn of_object(
                 commands,
             );
         }
-        let hint = "as the list has it";
+        let hint = "as it stands in the list";
         let copy = [Command::Copy(object.name.clone())];
         entry(ui, "Copy its name", "", hint, &copy, commands);
     });
@@ -169,7 +169,7 @@ fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
             &[Command::CopyCommandLine],
             commands,
         );
-        let hint = "as a scene file writes it; Ctrl+V takes it over";
+        let hint = "as a scene file writes it; Ctrl+V pastes it";
         entry(
             ui,
             "Copy the camera",

@@ -51,7 +51,7 @@ const PARTS: [(Part, &str, &str); 3] = [
     (
         Part::Scale,
         "scale",
-        "along the object's own axes; negative mirrors, zero cannot be",
+        "along the object's own axes; negative mirrors, zero is impossible",
     ),
 ];
 
@@ -60,12 +60,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec
         let model = state.scene().objects()[object].placement.model();
         edit(ui, state, object, model, commands);
     });
-    let hint = "where the selected object stands: typed, or dragged at the letters";
+    let hint = "where the selected object stands: type numbers, or drag their letters";
     header.header_response.hint(hint);
 }
 
 fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
-    // A matrix that shears is no product of these parts; it can still be moved.
+    // A matrix that shears is not a product of these parts; the object can still be moved.
     let trs = Trs::of(model);
     let parts = trs.unwrap_or(Trs {
         translation: model.translation,
@@ -130,9 +130,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     });
     if trs.is_none() {
         ui.weak("It shears: rotation and scale alone do not make it.")
-            .hint(
-                "right angles become others: no position, rotation and scale are the same matrix",
-            );
+            .hint("right angles do not stay right, which no position, rotation and scale can do");
     }
     let determinant = model.matrix3.determinant();
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
@@ -142,15 +140,15 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         short(determinant.abs())
     );
     ui.weak(text)
-        .hint("its size is how many times as large volumes become, its sign whether the object is mirrored");
+        .hint("its size says how many times as large volumes become, its sign whether the object is mirrored");
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
-            .hint("the scene is another than its file has");
+            .hint("the scene differs from its files");
     }
     gesture.push(asked, commands);
 }
 
-/// A letter to drag at.
+/// A letter that can be dragged.
 fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
     let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
     let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);

@@ -17,7 +17,7 @@ use egui::{
 #[derive(Default)]
 pub(in crate::viewer) struct Filter {
     text: String,
-    /// Of which scene and text the rows are.
+    /// The scene and the text that the rows are for.
     of: Option<(u64, String)>,
     /// Indices of the objects whose name holds the text, whatever its case; `None` for all of them.
     rows: Option<Vec<usize>>,
@@ -48,7 +48,7 @@ impl Filter {
         }
     }
 
-    /// The object whose row is below another's, or above it; the first, or the last, where that one has no row.
+    /// The object in the row below another's, or above it; the first, or the last, where that one has no row.
     pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
         self.apply(state);
         let count = self
@@ -79,7 +79,7 @@ pub(super) fn show(
         .desired_width(f32::INFINITY);
     let search = ui.add(search);
     named(&search, "search");
-    search.hint("only objects whose name holds this are listed");
+    search.hint("list only objects whose name contains this");
     filter.apply(state);
     ui.separator();
     let objects = state.scene().objects();
@@ -95,7 +95,7 @@ pub(super) fn show(
     }
     let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
     if count == 0 && !objects.is_empty() {
-        let text = format!("No name holds \u{201c}{}\u{201d}.", filter.text);
+        let text = format!("No name contains \u{201c}{}\u{201d}.", filter.text);
         ui.weak(text).hint("clear the search to see all objects");
     }
     area.show_rows(ui, height, count, |ui, rows| {
@@ -105,7 +105,7 @@ pub(super) fn show(
     });
 }
 
-/// How many there are, and what is done with the selected one.
+/// How many there are, and buttons that hide and show.
 fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let scene = state.scene();
     let objects = count(scene.objects().len(), "object");
@@ -164,7 +164,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
         if tick.changed() {
             commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
-        tick.hint("visible; hidden is not picked").rect
+        tick.hint("visible; hidden objects are not picked").rect
     });
     let rest = rect.with_min_x(tick.inner.right());
     let name = ui.interact(rest, ui.scope_id().with(("row", index)), Sense::click());
@@ -208,7 +208,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     }
 }
 
-/// A name with its middle left out where it is too wide: it is mostly the ends that tell names apart.
+/// A name with its middle left out where it is too wide: names differ mostly at their ends.
 fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
     let width = |text: String| {
         let galley = ui

@@ -15,7 +15,7 @@ use crate::{
 use egui::{Grid, Slider, Ui};
 use glam::DVec3;
 
-/// Nothing where there can be none.
+/// Nothing in the gallery, which takes no sections.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if !state.takes_sections() {
         return;
@@ -31,7 +31,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let section = state.view().section;
     let mut is_on = section.is_some();
     let on = ui.checkbox(&mut is_on, "section");
-    let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and one looks into solids (Z)";
+    let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and you look into solids (Z)";
     if on.hint(hint).changed() {
         commands.push(Command::Act(Action::ToggleSection));
     }
@@ -50,7 +50,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let name = format!("section across {word}");
         button(ui, word, &name, &hint, lay(state.section_across(axis)));
     }
-    let hint = "along the picked face, which stays with what lies behind it";
+    let hint = "along the picked face: the face and what lies behind it stay";
     let along = lay(state.section_along_pick());
     button(ui, "face", "section along the face", hint, along);
     let wanted = state.points_wanted();
@@ -59,7 +59,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         Some(1) => "1 more pick".to_owned(),
         Some(more) => format!("{more} more picks"),
     };
-    let hint = "through the next three picks: the side stays from which they are counter-clockwise; again gives up";
+    let hint = "through the next three picks: the side from which they run counter-clockwise stays; click again to cancel";
     let name = "section by three points";
     let next = Action::SectionByPoints(wanted.is_none());
     button(ui, &word, name, hint, Some(next));
@@ -71,9 +71,8 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 }
 
 const NORMAL: &str =
-    "n of the section: it points to what is kept, the points p with n . p + c at least 0";
-const OFFSET: &str =
-    "c of the section: kept is what has n . p + c at least 0; an arrow in the picture drags it";
+    "the section's normal: it points to what is kept, the points p with n . p + c at least 0";
+const OFFSET: &str = "the section's offset: points p with n . p + c at least 0 are kept; an arrow in the picture drags it";
 
 fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Command>) {
     let (normal, offset) = (section.normal(), section.offset());

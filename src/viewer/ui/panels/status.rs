@@ -42,7 +42,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         let lens = state.view().camera.lens();
         let projection = projection_name(state.view());
         ui.weak(format!("{projection}, {} depth", lens.depth))
-            .hint("how the view is flattened, and how the depth buffer counts; the Camera panel changes both");
+            .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
         if let Some(object) = state.hover() {
             ui.separator();
             ui.label(&state.scene().objects()[object].name)

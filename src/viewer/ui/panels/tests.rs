@@ -63,7 +63,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
             };
             commands.extend(show(ui, &mut shown, &mut None).commands);
         });
-        // egui minds when nobody takes its textures.
+        // egui complains where its textures are not taken.
         output.textures_delta.clear();
         output.shapes
     };

@@ -21,7 +21,7 @@ pub(super) struct Tool {
     pub name: &'static str,
     /// What it does, and its key.
     pub hint: String,
-    /// Whether what it shows and hides shows; `None` for what is merely done.
+    /// Whether what it switches is on; `None` where it switches nothing.
     pub is_on: Option<bool>,
     pub enabled: bool,
     pub does: Does,
@@ -57,7 +57,7 @@ fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: D
     }
 }
 
-/// What is done at a click.
+/// A button that asks for a command.
 fn ask(icon: &'static str, name: &'static str, hint: impl Into<String>, command: Command) -> Tool {
     tool(icon, name, hint, Does::Ask(command))
 }
@@ -66,7 +66,7 @@ fn act(icon: &'static str, name: &'static str, hint: &str, action: Action) -> To
     ask(icon, name, hint, Command::Act(action))
 }
 
-/// All of them.
+/// All tools, by group.
 pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
     let state = shown.state;
     vec![
@@ -213,7 +213,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
             ask(
                 "\u{2714}",
                 "Compare",
-                "each pixel as drawn with what a click there picks (V)",
+                "compare each pixel as drawn with what a click there picks (V)",
                 Command::ToggleCheck,
             ),
             !matches!(shown.checking, Checking::Off),
@@ -221,7 +221,7 @@ fn learning(shown: &Shown) -> Vec<Tool> {
         tool(
             "\u{1f5bc}",
             "Gallery",
-            "scenes on which known methods break (E the next, Shift+E the one before)",
+            "scenes on which known methods break (E: the next, Shift+E: the one before)",
             Does::Open(Menu::Gallery),
         ),
         ask(
@@ -306,7 +306,7 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let level = state.overlays().tree_level;
         let shown = level.map_or("off".to_owned(), |level| level.to_string());
-        let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
+        let hint = "boxes of the trees that picks walk through, of meshes that are worth one; level 0 is the box around a mesh";
         ui.label(format!("tree level: {shown}")).hint(hint);
         for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
             let button = ui.small_button(name).hint(hint);
@@ -318,7 +318,7 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// A box that shows an overlay.
+/// A checkbox that shows an overlay.
 pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
     let [name, key, hint] = which.about();
     let mut shows = state.overlays().shows(which);
