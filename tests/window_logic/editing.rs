@@ -1,4 +1,4 @@
-//! Model matrices that are edited: picks follow, what cannot be is refused, and what is saved is what is shown.
+//! Editing model matrices: picks follow, invalid matrices are refused, and what is saved is what is shown.
 
 use super::*;
 use crate::inspect::{STILL, picked};
@@ -67,7 +67,7 @@ fn a_moved_object_s_pick_follows() {
     assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
 }
 
-/// Its pick is of its own surface, whatever lies before it.
+/// Its pick is on its own surface, whatever is in front of it.
 #[test]
 fn an_object_behind_another_keeps_its_own_pick() {
     let mut state = front_view();
@@ -137,7 +137,7 @@ fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     let model = loaded.scene.objects()[0].placement.model();
     assert_eq!(model, trs.to_model(), "to the bit");
-    // What words say to the bit is said in words.
+    // Where position, rotation and scale give a matrix to the bit, they are written instead of it.
     let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
     assert!(!plain.contains("matrix"), "{plain}");
     state.reload(row());
@@ -187,7 +187,7 @@ fn a_matrix_in_parts_is_the_matrix() {
             assert_eq!(parts.translation, given.translation);
         }
     }
-    // In the order that the documentation says, by another library's word for it.
+    // In the documented order, checked against glam's quaternions.
     let given = Trs {
         rotation_deg: DVec3::new(10.0, 20.0, 30.0),
         ..STILL
@@ -199,7 +199,7 @@ fn a_matrix_in_parts_is_the_matrix() {
     assert!((given.to_model().matrix3 - turned).abs_diff_eq(DMat3::ZERO, 1e-15));
     let parts = Trs::of(given.to_model()).expect("no shear");
     assert!(parts.rotation_deg.distance(given.rotation_deg) < 1e-12);
-    // Shear is none of them.
+    // A shear has no such parts.
     let mut leaning = DAffine3::IDENTITY;
     leaning.matrix3.x_axis.y = 1e-6;
     assert_eq!(Trs::of(leaning), None);

@@ -182,7 +182,7 @@ fn surfaces_closer_than_a_depth_step_are_known() {
         far: Some(1e5),
         ..CameraChoice::default()
     };
-    // A wall at 100 with a poster a millimetre before it.
+    // A wall at 100 with a poster a millimetre in front of it.
     let wall = |z| Trs {
         translation: DVec3::new(0.0, 0.0, z),
         scale: DVec3::splat(50.0),
@@ -207,7 +207,7 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     let pick = picked(&state).expect("the poster");
     assert_eq!(pick.object, "poster");
     let steps = state.depth_steps().expect("a pick");
-    // It stays the clicked picture's, wherever the camera goes.
+    // They are the clicked picture's, wherever the camera goes.
     state.apply(Action::Zoom(MIDDLE, 0.001));
     assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
@@ -231,7 +231,8 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     assert_eq!(steps.in_use, DepthMapping::Reversed);
 }
 
-/// Through every lens: what lies a step further is stored as another number, what lies well within one as none but two.
+/// Through every lens: depths a step apart are stored as different numbers, depths well within a step as the same number or
+/// as neighbours.
 #[test]
 fn a_depth_step_is_what_the_buffer_tells_apart() {
     let projections = [

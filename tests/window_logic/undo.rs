@@ -142,7 +142,7 @@ fn a_history_is_walked_there_and_back() {
     for _ in 0..done {
         state.apply(Action::Redo);
     }
-    // What is selected is no step of its own: it is as it was when a step was taken back.
+    // Selecting is not a step of its own: undo restores the selection of the step.
     let last = pictures.last().expect("one");
     assert_eq!(
         (&seen(&state).models, &seen(&state).visible),
@@ -218,7 +218,7 @@ fn what_changes_nothing_is_no_step() {
     }
 }
 
-/// The camera's own way by mouse is no step, and a step of the scene leaves it alone.
+/// Moving the camera by mouse is not a step, and undoing a change of the scene leaves the camera alone.
 #[test]
 fn undoing_a_move_leaves_the_view() {
     let mut state = front_view();
@@ -265,7 +265,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(seen(&state), before);
     assert!(state.edited() && state.showing().is_none());
     assert_ne!(state.scene_revision(), revision, "it is drawn anew");
-    // It has its history still, and the gallery is a step forth.
+    // It still has its history, and redo leads into the gallery.
     for _ in 0..6 {
         state.apply(Action::Redo);
     }
@@ -277,7 +277,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(state.next_step(true), None);
 }
 
-/// However long one stays in the gallery.
+/// However long the user stays in the gallery.
 #[test]
 fn the_way_out_of_the_gallery_is_never_forgotten() {
     let mut state = front_view();
