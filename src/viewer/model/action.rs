@@ -194,14 +194,6 @@ pub struct LensControls {
 }
 
 impl LensControls {
-    /// Orthographic in place of perspective, or back.
-    pub(super) fn other_projection(self) -> Self {
-        Self {
-            orthographic: !self.orthographic,
-            ..self
-        }
-    }
-
     /// The lens of a camera choice, with defaults for what it leaves open.
     #[must_use]
     pub fn of(choice: &CameraChoice) -> Self {

@@ -33,7 +33,7 @@ impl State {
             edits,
             chosen,
         };
-        self.record_gesture(Gesture::Place(object), step);
+        self.record(Some(Gesture::Place(object)), step);
     }
 
     /// Hides the selected object and deselects it.
@@ -60,11 +60,12 @@ impl State {
         }
         let edits = self.edit(|edits| &mut edits.visibility);
         self.toggle(&objects);
-        self.record(Step::Shown {
+        let step = Step::Shown {
             objects,
             edits,
             chosen,
-        });
+        };
+        self.record(None, step);
     }
 
     /// Shows what was hidden of these, and hides what was shown.
@@ -104,7 +105,7 @@ impl State {
         };
         self.scene_revision += 1;
         self.rearranged();
-        self.record(step);
+        self.record(None, step);
         self.refresh_panes();
     }
 

@@ -1,11 +1,10 @@
 //! Changes to the list of measures.
 
 use super::{
-    measuring::{Entry, MeasureAction, Measuring},
+    measuring::{MeasureAction, Measuring},
     state::{State, Step},
 };
 use crate::pick::{measure::Measured, snap::Snap};
-use std::mem;
 
 impl State {
     /// The points that clicks snapped to, and what was measured.
@@ -30,7 +29,7 @@ impl State {
             MeasureAction::Clear => self.measuring.list.clear(),
         }
         if self.measuring.list != list {
-            self.record(Step::Measured(list));
+            self.record(None, Step::Measured(list));
         }
     }
 
@@ -54,10 +53,5 @@ impl State {
         for entry in &mut self.measuring.list {
             entry.outdated = true;
         }
-    }
-
-    /// Replaces the list; returns the old one.
-    pub(super) fn exchange_measures(&mut self, list: Vec<Entry>) -> Vec<Entry> {
-        mem::replace(&mut self.measuring.list, list)
     }
 }

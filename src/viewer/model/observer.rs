@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec2, DVec3};
 /// Radians: narrow enough for boxes to look like boxes.
 const FOV_Y: f64 = 0.6;
 /// Radians of orbit for a pixel of drag.
-const TURN_PER_PX: f64 = 0.008;
+pub(super) const TURN_PER_PX: f64 = 0.008;
 /// The share of a view that framed points fill: labels need the rest.
 const FILLED: f64 = 0.8;
 /// Framing approaches that share in so many steps.

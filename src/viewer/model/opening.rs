@@ -105,7 +105,7 @@ impl State {
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
         let before = self.exchange(next);
         if goes_back {
-            self.record(Step::Open(before));
+            self.record(None, Step::Open(before));
         } else {
             let mut before = before;
             let fresh = self.timeline.fresh();
@@ -115,7 +115,7 @@ impl State {
             self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
         }
         self.document = self.timeline.mark();
-        self.opened_at = Some(self.stand());
+        self.opened_at = Some(self.viewpoint());
         self.refresh_panes();
         Ok(())
     }
@@ -123,12 +123,12 @@ impl State {
     /// Gives the picture this size. While view and scene are as they were opened, the opening view is made anew for it: all
     /// of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
-        let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
+        let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
         let is_another = self.view.viewport != viewport;
         self.view.viewport = viewport;
         if is_as_opened && is_another {
-            self.stand_as_opened();
-            self.opened_at = Some(self.stand());
+            self.view_as_opened();
+            self.opened_at = Some(self.viewpoint());
         }
         if is_another {
             self.frame_untouched();
@@ -136,7 +136,7 @@ impl State {
     }
 
     /// Moves the view to where the scene would open in a picture of this size, with what is visible now.
-    pub(super) fn stand_as_opened(&mut self) {
+    pub(super) fn view_as_opened(&mut self) {
         let bounds = self.scene.visible_bounds();
         // The choices made a valid camera before; other bounds or another viewport cannot change that.
         if let Ok(camera) = self.opened_with.resolve(&bounds, self.view.viewport) {
@@ -186,11 +186,8 @@ impl State {
         }
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene));
-        let selected = self.selection.take();
-        self.selection = selected.and_then(|selected| {
-            let object = made.became(selected.object)?;
-            Some(Selection { object, pick: None })
-        });
+        let selected = self.selected().and_then(|object| made.became(object));
+        self.selection = selected.map(|object| Selection { object, pick: None });
         self.unused.push(mem::replace(&mut self.scene, made.scene));
         self.scene_revision += 1;
         self.outdate_measures();
@@ -260,7 +257,7 @@ impl State {
     }
 }
 
-/// A scene as it was when somebody asked to save it.
+/// A scene as it was when the user asked to save it.
 pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,

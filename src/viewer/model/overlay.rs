@@ -74,10 +74,9 @@ pub struct Overlays {
 impl Default for Overlays {
     fn default() -> Self {
         Self {
-            shown: 0,
+            shown: 1 << Overlay::Triangle as u32,
             tree_level: None,
         }
-        .toggled(Overlay::Triangle)
     }
 }
 
@@ -108,10 +107,8 @@ impl Overlays {
 
     /// Whether one of them is drawn with the scene.
     pub(in crate::viewer) fn in_scene(self) -> bool {
-        let mut shown = Overlay::ALL
-            .into_iter()
-            .filter(|&overlay| self.shows(overlay));
-        shown.any(Overlay::is_in_scene) || self.tree_level.is_some()
+        let mut all = Overlay::ALL.into_iter();
+        all.any(|overlay| self.shows(overlay) && overlay.is_in_scene()) || self.tree_level.is_some()
     }
 }
 

@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 
 /// A point is picked by the ray of its pixel's centre where that hits within so many pixel widths of the point's depth, else
 /// by a ray through the point itself.
-const AS_DEEP_PX: f64 = 8.0;
+const SAME_DEPTH_PX: f64 = 8.0;
 
 /// The point that is shown at every stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +31,8 @@ impl State {
     /// The point that is followed: the pick's, or else the cursor's.
     #[must_use]
     pub fn followed(&self) -> Option<Followed> {
-        let of_pick = || {
-            let selection = self.selection.as_ref()?;
-            let hit = selection.pick.as_ref()?.hit.as_ref()?;
-            Some((selection.object, hit.point_object))
-        };
-        let unseen = || self.panes.as_ref()?.point;
-        let picked = of_pick().or_else(unseen);
+        let of_pick = self.picked().map(|hit| (hit.id - 1, hit.point_object));
+        let picked = of_pick.or_else(|| self.panes.as_ref()?.point);
         let (object, point_object) = picked.or_else(|| self.cursor?.hit)?;
         Some(Followed {
             object,
@@ -68,7 +63,7 @@ impl State {
             let px_wide =
                 view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
             for (px, most) in [
-                (pixel_centre(seen.px), AS_DEEP_PX * px_wide),
+                (pixel_centre(seen.px), SAME_DEPTH_PX * px_wide),
                 (seen.px, f64::INFINITY),
             ] {
                 let hits = RayHits::cast(&self.scene, view, px, 0);

@@ -1,10 +1,9 @@
 //! The section in the window: where it can be laid, and how it is turned on again. The view holds it.
 
-use super::state::{Selection, State};
+use super::state::State;
 use crate::{
     camera::SectionChoice,
     geometry::{Cuboid, Section},
-    pick::Pick,
     scene::Shape,
 };
 use glam::DVec3;
@@ -39,9 +38,8 @@ impl State {
     /// A section along the picked face. It keeps the face and what lies behind it.
     #[must_use]
     pub fn section_along_pick(&self) -> Option<Section> {
-        let Selection { object, pick } = self.selection.as_ref()?;
-        let pick: &Pick = pick.as_ref()?.hit.as_ref()?;
-        let face = match &self.scene.objects().get(*object)?.shape {
+        let pick = self.picked()?;
+        let face = match &self.scene.objects().get(pick.id - 1)?.shape {
             Shape::Sphere => return None,
             Shape::Square => None,
             Shape::Cube => {
@@ -51,11 +49,8 @@ impl State {
             }
             Shape::Mesh { .. } => Some(pick.triangle?),
         };
-        let id = object + 1;
-        self.scene
-            .section(SectionChoice::Face { id, face })
-            .ok()
-            .flatten()
+        let choice = SectionChoice::Face { id: pick.id, face };
+        self.scene.section(choice).ok().flatten()
     }
 
     /// Cuts by a section, or by none.
@@ -104,9 +99,9 @@ impl State {
         let rounded = Section::may_be_on_one_line(points);
         match Section::through_points(points) {
             Ok(section) if !rounded => {
-                let was = self.stand();
+                let was = self.viewpoint();
                 self.set_section(Some(section));
-                self.record_stand(None, &was);
+                self.record_viewpoint(None, &was);
             }
             _ => self.section_memory.points = Some(Vec::new()),
         }

@@ -8,7 +8,7 @@ use crate::{
 };
 
 /// Testing so many triangles without a tree takes half a millisecond.
-const TRIED: usize = 30_000;
+const MOST_WITHOUT_TREE: usize = 30_000;
 
 impl State {
     /// What the next picture shows.
@@ -45,7 +45,7 @@ impl State {
         let meshes = self.scene.meshes().iter();
         let tried = meshes.filter(|mesh| !mesh.is_ready());
         let tried: usize = tried.map(|mesh| mesh.data().triangles.len()).sum();
-        tried <= TRIED
+        tried <= MOST_WITHOUT_TREE
     }
 
     /// The nearest hit, for what follows the mouse; `None` while rays are slow.

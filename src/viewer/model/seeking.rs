@@ -78,8 +78,7 @@ impl State {
         let line = self
             .pick_of(&sought, point_world)
             .and_then(|hits| self.take_hits(hits));
-        let selected = self.selection.as_ref().map(|selection| selection.object);
-        if selected != Some(object) {
+        if self.selected() != Some(object) {
             self.select(Some(object));
         }
         if let Some(panes) = &mut self.panes {

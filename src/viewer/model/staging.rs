@@ -87,7 +87,7 @@ impl State {
         };
         let count = self.scene.objects().len();
         let is_there = |object: &usize| *object < count;
-        let selected = self.selection.as_ref().map(|selection| selection.object);
+        let selected = self.selected();
         let before = panes.object;
         panes.object = selected
             .or(before.filter(|_| panes.of == Some(self.document)))
@@ -96,7 +96,7 @@ impl State {
         panes.point = panes.point.filter(|(of, _)| selected == Some(*of));
         if let Some(object) = panes.object {
             // Its colour and shape change only with the scene; its placement is not shown.
-            let of = Source::Alone([self.scene_revision, 0], object);
+            let of = Source::Alone(self.scene_revision, object);
             if panes.alone.of != Some(of) {
                 let alone = Object {
                     placement: Placement::IDENTITY,
@@ -250,28 +250,19 @@ impl State {
         points[..8].copy_from_slice(&self.view.frustum_corners());
         points[8] = camera.eye();
         let points = points.map(|point| to_drawn.transform_point3(point));
-        match stage {
-            Stage::Object => Observer::new(
-                self.up_axis,
-                DVec3::new(1.0, 0.8, 1.6),
-                &corners_of(object),
-                viewport,
-            ),
+        let up = self.up_axis;
+        let (up_axis, from, points) = match stage {
+            Stage::Object => (up, DVec3::new(1.0, 0.8, 1.6), corners_of(object)),
             Stage::World => {
-                let frame = self.up_axis.frame();
+                let frame = up.frame();
                 // Beside the camera, above and behind: all of its frustum shows.
                 let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
-                let from = frame.transpose() * side;
-                Observer::new(self.up_axis, from, &points, viewport)
+                (up, frame.transpose() * side, points)
             }
-            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &points, viewport),
-            Stage::Ndc => Observer::new(
-                UpAxis::Y,
-                DVec3::new(0.8, 0.6, 1.5),
-                &corners_of(&NDC_DRAWN),
-                viewport,
-            ),
-        }
+            Stage::View => (UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), points),
+            Stage::Ndc => (UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), corners_of(&NDC_DRAWN)),
+        };
+        Observer::new(up_axis, from, &points, viewport)
     }
 
     /// The camera's picture has another shape: views that the user has not moved show all of its frustum again.

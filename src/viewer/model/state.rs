@@ -17,7 +17,7 @@ use super::{
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
     geometry::{Placement, Section},
-    pick::PickLine,
+    pick::{Pick, PickLine},
     scene::{MeshFile, Scene},
     study::swap::Swap,
 };
@@ -56,7 +56,7 @@ pub struct Frozen {
 
 /// Where the view stands, as undo restores it: near and far are then fitted to the scene again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stand {
+pub(super) struct Viewpoint {
     pub opened_with: CameraChoice,
     pub orbit: Orbit,
     pub up_axis: UpAxis,
@@ -115,8 +115,8 @@ pub(super) enum Step {
         edits: Edits,
         chosen: Chosen,
     },
-    /// The view stood there.
-    Stood(Stand),
+    /// The view was there.
+    Viewpoint(Viewpoint),
     /// This was measured.
     Measured(Vec<Entry>),
     /// Another scene was open, with all of its state.
@@ -144,7 +144,7 @@ pub struct State {
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
     /// Where the view stood when the scene was opened, or framed anew for a picture of another size.
-    pub(super) opened_at: Option<Stand>,
+    pub(super) opened_at: Option<Viewpoint>,
     /// What was shown before, until this scene is known to be drawn.
     pub(super) replaced: Option<Box<State>>,
     pub(super) orbit: Orbit,
@@ -240,6 +240,18 @@ impl State {
         self.selection.as_ref()
     }
 
+    /// The index of the selected object.
+    #[must_use]
+    pub fn selected(&self) -> Option<usize> {
+        Some(self.selection.as_ref()?.object)
+    }
+
+    /// The hit that is picked, of the selected object.
+    #[must_use]
+    pub fn picked(&self) -> Option<&Pick> {
+        self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
+    }
+
     /// Whether the scene differs from its files by more than what is hidden: by a model matrix, or by an object that is from
     /// none of them.
     #[must_use]
@@ -270,7 +282,7 @@ impl State {
             Step::Placed { .. } => "model matrix",
             Step::Shown { .. } => "hide and show",
             Step::Composed { .. } => "objects added",
-            Step::Stood(_) => "view",
+            Step::Viewpoint(_) => "view",
             Step::Measured(_) => "measures",
             Step::Open(_) => "gallery",
         })
@@ -336,8 +348,8 @@ impl State {
     }
 
     /// Where the view stands.
-    pub(super) fn stand(&self) -> Stand {
-        Stand {
+    pub(super) fn viewpoint(&self) -> Viewpoint {
+        Viewpoint {
             opened_with: self.opened_with,
             orbit: self.orbit,
             up_axis: self.up_axis,

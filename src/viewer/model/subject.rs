@@ -55,7 +55,7 @@ impl State {
             revision: self.scene_revision,
             visibility: self.visibility_revision,
             view: self.view,
-            selection: self.selection.as_ref().map(|selection| selection.object),
+            selection: self.selected(),
             hover: self.hover(),
             overlays: self.overlays,
             grid: self.grid.then_some(self.up_axis),

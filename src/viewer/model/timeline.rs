@@ -40,23 +40,19 @@ impl<S> Timeline<S> {
         self.marks
     }
 
-    /// Adds the step that takes back what was just done. Steps for which `stays` holds are never forgotten.
-    pub fn push(&mut self, step: S, stays: impl Fn(&S) -> bool) {
+    /// Adds the step that takes back what was just done; of a gesture, only that of its first change. Steps for which `stays`
+    /// holds are never forgotten.
+    pub fn push(&mut self, gesture: Option<Gesture>, step: S, stays: impl Fn(&S) -> bool) {
+        if gesture.is_some() && self.gesture == gesture {
+            return;
+        }
         self.past.push(step);
         self.future.clear();
-        self.gesture = None;
+        self.gesture = gesture;
         if self.past.len() > MOST
             && let Some(oldest) = self.past.iter().position(|step| !stays(step))
         {
             self.past.remove(oldest);
-        }
-    }
-
-    /// Adds the step that takes back a gesture, at its first change only.
-    pub fn push_gesture(&mut self, gesture: Gesture, step: S, stays: impl Fn(&S) -> bool) {
-        if self.gesture != Some(gesture) {
-            self.push(step, stays);
-            self.gesture = Some(gesture);
         }
     }
 

@@ -1,7 +1,7 @@
 //! What can be undone: each change leaves a step that takes it back.
 
 use super::{
-    state::{Chosen, Edits, Stand, State, Step},
+    state::{Chosen, Edits, State, Step, Viewpoint},
     timeline::Gesture,
 };
 use std::mem;
@@ -14,25 +14,15 @@ impl Step {
 }
 
 impl State {
-    /// Keeps the step that takes back what was just done.
-    pub(super) fn record(&mut self, step: Step) {
-        self.timeline.push(step, Step::leads_out);
-    }
-
-    /// Keeps the step that takes back a gesture, at its first change only.
-    pub(super) fn record_gesture(&mut self, gesture: Gesture, step: Step) {
-        self.timeline.push_gesture(gesture, step, Step::leads_out);
+    /// Keeps the step that takes back what was just done; of a gesture, only that of its first change.
+    pub(super) fn record(&mut self, gesture: Option<Gesture>, step: Step) {
+        self.timeline.push(gesture, step, Step::leads_out);
     }
 
     /// Keeps where the view stood, if it has moved.
-    pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &Stand) {
-        if *was == self.stand() {
-            return;
-        }
-        let step = Step::Stood(*was);
-        match gesture {
-            Some(gesture) => self.record_gesture(gesture, step),
-            None => self.record(step),
+    pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
+        if *was != self.viewpoint() {
+            self.record(gesture, Step::Viewpoint(*was));
         }
     }
 
@@ -54,7 +44,7 @@ impl State {
 
     /// Back to what was open before the gallery; does nothing if nothing was.
     pub(super) fn leave_gallery(&mut self) {
-        if self.showing.is_some() && self.timeline.past().iter().any(Step::leads_out) {
+        if self.showing.is_some() && self.has_outside() {
             while self.showing.is_some() && self.step_in_time(true) {}
         }
     }
@@ -117,12 +107,12 @@ impl State {
                 self.choose(chosen);
                 inverse
             }
-            Step::Stood(stand) => {
-                let inverse = Step::Stood(self.stand());
-                self.stand_at(&stand);
+            Step::Viewpoint(viewpoint) => {
+                let inverse = Step::Viewpoint(self.viewpoint());
+                self.restore_viewpoint(&viewpoint);
                 inverse
             }
-            Step::Measured(list) => Step::Measured(self.exchange_measures(list)),
+            Step::Measured(list) => Step::Measured(mem::replace(&mut self.measuring.list, list)),
             Step::Open(state) => Step::Open(self.exchange(state)),
         }
     }

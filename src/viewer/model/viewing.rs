@@ -2,8 +2,9 @@
 
 use super::{
     action::{Action, LensControls},
+    observer::TURN_PER_PX,
     ortho_height::OrthoHeight,
-    state::{Frozen, Stand, State},
+    state::{Frozen, State, Viewpoint},
 };
 use crate::{
     camera::{
@@ -14,12 +15,9 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Radians of orbit for a pixel of drag.
-const TURN_PER_PX: f64 = 0.008;
-
 /// Why an action does nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum CannotBe {
+pub enum InvalidAction {
     /// It makes no valid camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
@@ -36,10 +34,11 @@ pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
         .fold(bounds, Aabb::including)
 }
 
-impl Stand {
+impl State {
     /// The whole camera, as a scene file keeps it.
+    #[must_use]
     pub fn camera_choice(&self) -> CameraChoice {
-        let camera = &self.camera;
+        let camera = &self.view.camera;
         let ortho = match camera.lens().projection {
             Projection::Orthographic { height } => Some(height),
             Projection::Perspective { .. } => None,
@@ -55,23 +54,15 @@ impl Stand {
             far: self.controls.far,
             depth: Some(self.controls.depth),
             up_axis: Some(self.up_axis),
-            section: self.section.map(SectionChoice::Plane),
+            section: self.view.section.map(SectionChoice::Plane),
         }
-    }
-}
-
-impl State {
-    /// The whole camera, as a scene file keeps it.
-    #[must_use]
-    pub fn camera_choice(&self) -> CameraChoice {
-        self.stand().camera_choice()
     }
 
     /// Checks an action with a typed value, without doing it.
     ///
     /// # Errors
     /// When the action makes no valid camera or model matrix.
-    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
+    pub fn check(&self, action: &Action) -> Result<(), InvalidAction> {
         match action {
             Action::Lens(controls) => {
                 self.camera_with(controls)?;
@@ -178,24 +169,29 @@ impl State {
     }
 
     pub(super) fn recentre(&mut self, px: DVec2) {
-        let ray = self.view.ray(px);
         if !self.rays_are_quick() {
             return;
         }
-        let Some(hit) = self.quick_hit(&ray) else {
+        let Some(point_world) = self.surface_at(px) else {
             return self.frame(self.shown_bounds());
         };
-        self.pivot_world = ray.at(hit.hit.t);
-        self.orbit.center_on(self.pivot_world);
+        self.pivot_world = point_world;
+        self.orbit.center_on(point_world);
         self.moved();
+    }
+
+    /// The world point on the nearest surface at a position; `None` while rays are slow.
+    pub(super) fn surface_at(&self, px: DVec2) -> Option<DVec3> {
+        let ray = self.view.ray(px);
+        Some(ray.at(self.quick_hit(&ray)?.hit.t))
     }
 
     /// The world point that zoom and pan keep at a position: on the surface there, else as deep as the pivot.
     pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
-        let ray = self.view.ray(px);
-        if let Some(hit) = self.quick_hit(&ray) {
-            return ray.at(hit.hit.t);
+        if let Some(point_world) = self.surface_at(px) {
+            return point_world;
         }
+        let ray = self.view.ray(px);
         let depth = self.view.camera.to_view(self.pivot_world).z;
         // A pivot at or behind the eye has no depth to use.
         let depth = if depth > 1e-3 * self.orbit.distance() {
@@ -226,15 +222,15 @@ impl State {
     }
 
     /// Goes back to where the view stood.
-    pub(super) fn stand_at(&mut self, stand: &Stand) {
-        self.opened_with = stand.opened_with;
-        self.orbit = stand.orbit;
-        self.up_axis = stand.up_axis;
-        self.controls = stand.controls;
-        self.ortho = stand.ortho;
-        self.pivot_world = stand.pivot_world;
-        self.view.camera = stand.camera;
-        self.view.section = stand.section;
+    pub(super) fn restore_viewpoint(&mut self, to: &Viewpoint) {
+        self.opened_with = to.opened_with;
+        self.orbit = to.orbit;
+        self.up_axis = to.up_axis;
+        self.controls = to.controls;
+        self.ortho = to.ortho;
+        self.pivot_world = to.pivot_world;
+        self.view.camera = to.camera;
+        self.view.section = to.section;
         self.fit();
     }
 
@@ -279,7 +275,7 @@ impl State {
 
     /// Back to the view that the scene opened with, including projection and planes.
     pub(super) fn reset_view(&mut self) {
-        self.stand_as_opened();
+        self.view_as_opened();
         self.fit();
     }
 }

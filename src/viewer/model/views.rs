@@ -60,7 +60,7 @@ pub(super) struct Staged {
 )]
 pub(in crate::viewer) enum Source {
     /// An object of a scene, of which only colour and shape count.
-    Alone([u64; 2], usize),
+    Alone(u64, usize),
     /// A scene through a view.
     Through([u64; 2], View),
 }
