@@ -80,7 +80,7 @@ pub(in crate::viewer) enum Command {
     Quit,
 }
 
-/// What can be gone to by its number, from 1.
+/// Where to go, by a number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum GoTo {
     /// An object of the scene.

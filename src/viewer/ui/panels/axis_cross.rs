@@ -106,7 +106,7 @@ fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
     let response = ui.interact(of_end.intersect(rect), id, Sense::CLICK);
     let name = format!("look from {}", end.name);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-    let text = format!("look at the scene from {} along this axis", end.name);
+    let text = format!("look along this axis, from its {} end", end.name);
     response.on_hover_text(text)
 }
 

@@ -94,9 +94,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             orthographic: false,
             ..state.controls()
         };
-        state
-            .check(&Action::Lens(lens))
-            .map_err(|error| error.to_string())
+        state.check(&Action::Lens(lens))
     };
     ui.add_enabled_ui(!next.orthographic, |ui| {
         ui.horizontal_top(|ui| {
@@ -153,9 +151,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         let typed = |number| {
             let mut lens = state.controls();
             *which(&mut lens) = Some(number);
-            state
-                .check(&Action::Lens(lens))
-                .map_err(|error| error.to_string())
+            state.check(&Action::Lens(lens))
         };
         ui.horizontal_top(|ui| {
             let named = format!("{name}, slid");
@@ -226,11 +222,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     next[row][axis] = number;
                     Action::Pose(next)
                 };
-                let check = |number| {
-                    state
-                        .check(&with(number))
-                        .map_err(|error| error.to_string())
-                };
+                let check = |number| state.check(&with(number));
                 let field = Field {
                     name: &format!("{name} {}", AXES[axis]),
                     hint,

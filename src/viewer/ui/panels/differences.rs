@@ -75,7 +75,7 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         };
         let [differ, all] = [report.outline_differ, report.outline];
         ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"))
-            .hint("how many differ of the pixels next to another object's: at outlines a rasteriser rounds");
+            .hint("how many differ, of all pixels next to another object's: outlines are where a rasteriser rounds");
         if let Some(advice) = advice(report.verdict()) {
             ui.label(advice).hint("what can be trusted here");
         }

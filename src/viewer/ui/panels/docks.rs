@@ -134,30 +134,17 @@ impl IndexMut<Section> for Docks {
     }
 }
 
-impl Index<Side> for Docks {
-    type Output = Wing;
-    fn index(&self, side: Side) -> &Wing {
-        &self.wings[side as usize]
-    }
-}
-
-impl IndexMut<Side> for Docks {
-    fn index_mut(&mut self, side: Side) -> &mut Wing {
-        &mut self.wings[side as usize]
-    }
-}
-
 impl Docks {
     /// Opens a side, before the other where there is no room for both.
     pub fn open(&mut self, side: Side) {
-        self[side].open = true;
+        self.wings[side as usize].open = true;
         self.first = side;
     }
 
     /// Folds a side that shows, opens one that does not.
     pub fn toggle(&mut self, side: Side) {
         if self.showing[side as usize] {
-            self[side].open = false;
+            self.wings[side as usize].open = false;
         } else {
             self.open(side);
         }
@@ -188,9 +175,10 @@ impl Docks {
             let open = widths.filter(|section| !self[*section].folded);
             open.map(Section::least_width).fold(NARROWEST, f32::max)
         });
-        let shows = |side: Side| self[side].open && !self.at(side, sections).is_empty();
+        let wing = |side: Side| self.wings[side as usize];
+        let shows = |side: Side| wing(side).open && !self.at(side, sections).is_empty();
         // NaN, which a file may hold, becomes the least.
-        let wanted = |side: Side| self[side].width.max(least[side as usize]);
+        let wanted = |side: Side| wing(side).width.max(least[side as usize]);
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);
         match [shows(Side::Left), shows(Side::Right)] {
             [false, false] => [None, None],
@@ -209,8 +197,10 @@ impl Docks {
 
     /// The edge of a side was dragged: the side is `width` points wide now, or folded where that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
-        self[side].width = width.max(NARROWEST);
-        self[side].open = width >= 0.5 * NARROWEST;
+        self.wings[side as usize] = Wing {
+            width: width.max(NARROWEST),
+            open: width >= 0.5 * NARROWEST,
+        };
     }
 }
 

@@ -183,9 +183,7 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
                 .hint("what is there: Sightline's own pick");
             ui.end_row();
             let rows: [(&str, &str, Column); 4] = [
-                ("object", "what was hit", |state, found| {
-                    object(state, found)
-                }),
+                ("object", "what was hit", object),
                 ("triangle", "which of its triangles", |_, found| {
                     let at = found.hit.hit.on_triangle;
                     at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())

@@ -61,7 +61,11 @@ pub(super) struct Field<'a> {
 impl Field<'_> {
     /// Shows the field. Returns the typed number once Enter or leaving the field confirms it and `check` accepts it, or the
     /// number that the arrow keys step to. Esc gives up. Invalid text is red, with the reason and with what stays in force.
-    pub fn show(&self, ui: &mut Ui, check: impl Fn(f64) -> Result<(), String>) -> Option<f64> {
+    pub fn show<E: ToString>(
+        &self,
+        ui: &mut Ui,
+        check: impl Fn(f64) -> Result<(), E>,
+    ) -> Option<f64> {
         let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
         let shown = short(value);
         let pass = ui.ctx().cumulative_pass_nr();
@@ -70,7 +74,8 @@ impl Field<'_> {
         let mut text = (typed.as_ref()).map_or_else(|| shown.clone(), |typed| typed.text.clone());
         let parse = |text: &str| {
             let number = parse(text, value, &shown)?;
-            check(number).map(|()| number)
+            check(number).map_err(|error| error.to_string())?;
+            Ok::<_, String>(number)
         };
         if let Some(stepped) = self.stepped(ui, id, parse(&text).ok())
             && check(stepped).is_ok()

@@ -32,8 +32,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
             let bindings = keys::BINDINGS
                 .iter()
                 .map(|binding| (binding.keys, binding.does));
-            let all = keys::MOUSE.iter().copied().chain(bindings);
-            let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
+            let rows: Vec<_> = keys::MOUSE.iter().copied().chain(bindings).collect();
             if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
                 commands.push(Command::ToggleHelp);
                 commands.push(Command::Tour(TourMove::Begin));

@@ -21,7 +21,7 @@ const MOST_CORNERS: usize = 12;
 const FRAME: f32 = 8.0;
 
 /// A field: its name, what is typed there, and where that leads.
-type Way = (&'static str, &'static str, fn(usize) -> GoTo);
+type GoToField = (&'static str, &'static str, fn(usize) -> GoTo);
 
 /// The face that the pick is on, as its file writes it.
 pub(super) fn show(ui: &mut Ui, hit: &Pick) {
@@ -99,7 +99,7 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
     let mut wrong = None;
     ui.horizontal(|ui| {
         ui.weak("go to").hint("type a number and press Enter");
-        let fields: [Way; 3] = [
+        let fields: [GoToField; 3] = [
             ("object", "an object by its number in the list", GoTo::Object),
             (
                 "face",

@@ -33,15 +33,8 @@ impl Page<'_> {
             Stage::Object => return,
             Stage::World | Stage::View => view.frustum_corners(),
             Stage::Ndc => {
-                let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-                let face = |z| {
-                    [
-                        at(-1.0, 1.0, z),
-                        at(1.0, 1.0, z),
-                        at(1.0, -1.0, z),
-                        at(-1.0, -1.0, z),
-                    ]
-                };
+                let around = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+                let face = |z| around.map(|(x, y)| DVec3::new(x, y, z));
                 let [near, far] = [NDC_DRAWN.max.z, NDC_DRAWN.min.z].map(face);
                 std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] })
             }

@@ -30,9 +30,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         view: state.view(),
         colour: color32(look::HIT),
     };
-    let pick = state
-        .selection()
-        .and_then(|selection| selection.pick.as_ref()?.hit.as_ref());
+    let pick = state.picked();
     let is_in = state.pick_view() != Some(PickView::LeftOut);
     if let Some(pick) = pick.filter(|_| is_in && state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
@@ -56,8 +54,7 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn at(&self, point_world: DVec3) -> Option<Pos2> {
-        let [at, _] = self.view.project_segment(point_world, point_world)?;
-        Some(self.place.to_position(at))
+        self.segment(point_world, point_world).map(|[at, _]| at)
     }
 
     fn segment(&self, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {

@@ -40,10 +40,10 @@ pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String)
 fn does(matrix: Matrix, row: usize) -> &'static str {
     match (matrix, row) {
         (Matrix::Projection, 0) => {
-            "clip x: times 1 over half the picture's width at depth 1. It is -w and w on the left and right planes"
+            "clip x: view x over half the picture's width at depth 1. It is -w and w on the left and right planes"
         }
         (Matrix::Projection, 1) => {
-            "clip y: times 1 over half the picture's height at depth 1. It is -w and w on the bottom and top planes"
+            "clip y: view y over half the picture's height at depth 1. It is -w and w on the bottom and top planes"
         }
         (Matrix::Projection, 2) => {
             "clip z: made from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
@@ -72,6 +72,10 @@ fn does(matrix: Matrix, row: usize) -> &'static str {
         (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
     }
 }
+
+/// What the determinant of a model matrix says.
+pub(super) const VOLUMES: &str =
+    "its size says how many times as large volumes become, its sign whether the object is mirrored";
 
 /// What a determinant says about volumes and handedness.
 pub(super) fn determinant(
@@ -107,7 +111,7 @@ pub(super) fn determinant(
                     "det {value}: volumes times {}{hand}",
                     value.trim_start_matches('-')
                 ),
-                "its size says how many times as large volumes become, its sign whether the object is mirrored",
+                VOLUMES,
             )
         }
     }

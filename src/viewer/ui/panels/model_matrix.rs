@@ -3,6 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
+    matrix_rows::VOLUMES,
     names::Hint,
 };
 use crate::{
@@ -108,10 +109,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                     if moved != 0.0 {
                         asked = Some(with(part, axis, value + moved));
                     }
-                    let check = |number| {
-                        let action = with(part, axis, number);
-                        state.check(&action).map_err(|error| error.to_string())
-                    };
+                    let check = |number| state.check(&with(part, axis, number));
                     let field = Field {
                         name: &format!("{name} {letter}"),
                         hint,
@@ -139,8 +137,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         short(determinant),
         short(determinant.abs())
     );
-    ui.weak(text)
-        .hint("its size says how many times as large volumes become, its sign whether the object is mirrored");
+    ui.weak(text).hint(VOLUMES);
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
             .hint("the scene differs from its files");

@@ -85,8 +85,7 @@ pub(super) fn show(
     let objects = state.scene().objects();
     let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
-    let selected = state.selection().map(|selection| selection.object);
-    let revealed = selected.filter(|_| reveal_selection);
+    let revealed = state.selected().filter(|_| reveal_selection);
     if let Some(row) = revealed.and_then(|object| filter.row(object)) {
         #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
         let row = row as f32;
@@ -108,11 +107,12 @@ pub(super) fn show(
 /// How many there are, and buttons that hide and show.
 fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let scene = state.scene();
-    let objects = count(scene.objects().len(), "object");
-    ui.weak(format!("{objects}, {} triangles", scene.triangle_count()))
+    let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
+    let plural = if objects == 1 { "" } else { "s" };
+    ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
         .hint("of all objects, hidden ones too; spheres have no triangles");
     ui.horizontal_wrapped(|ui| {
-        let selected = state.selection().is_some();
+        let selected = state.selected().is_some();
         for (enabled, name, hint, action) in [
             (
                 selected,
@@ -144,7 +144,7 @@ fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 /// A row of the list: all of it selects the object, and lights it while the cursor rests there.
 fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let object = &state.scene().objects()[index];
-    let is_selected = (state.selection()).is_some_and(|selection| selection.object == index);
+    let is_selected = state.selected() == Some(index);
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     let is_lit = ui.rect_contains_pointer(rect);
@@ -228,8 +228,4 @@ fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
         text = head.iter().chain(&['\u{2026}']).chain(tail).collect();
     }
     text
-}
-
-fn count(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }

@@ -84,7 +84,7 @@ impl Page<'_> {
                 self.dot(at, 3.0, colour);
                 if !self.is_small() {
                     let DVec2 { x, y } = steps.px.floor();
-                    self.name(at, format!("pixel {x}, {y}"), colour, "the pixel that shows the point, from the top left corner, drawn where its ray crosses the near plane");
+                    self.name(at, format!("pixel {x}, {y}"), colour, "the pixel that shows the point, counted from the top left corner; drawn where its ray crosses the near plane");
                 }
             }
         }

@@ -56,8 +56,12 @@ impl Page<'_> {
     }
 
     fn position(&self, at: DVec3) -> Option<Pos2> {
-        let [px, _] = self.seen.project_segment(at, at)?;
-        Some(self.place.to_position(px))
+        self.segment(at, at).map(|[at, _]| at)
+    }
+
+    fn segment(&self, from: DVec3, to: DVec3) -> Option<[Pos2; 2]> {
+        let ends = self.seen.project_segment(from, to)?;
+        Some(ends.map(|end| self.place.to_position(end)))
     }
 
     fn painter(&self) -> Painter {
@@ -66,10 +70,9 @@ impl Page<'_> {
 
     /// A line with a dark rim, so that it shows on any picture.
     pub fn line(&self, from: DVec3, to: DVec3, width: f32, colour: Color32) {
-        let Some(ends) = self.seen.project_segment(from, to) else {
+        let Some(ends) = self.segment(from, to) else {
             return;
         };
-        let ends = ends.map(|end| self.place.to_position(end));
         for (more, colour) in [(2.0, Color32::from_black_alpha(140)), (0.0, colour)] {
             (self.painter()).line_segment(ends, Stroke::new(width + more, colour));
         }
@@ -78,10 +81,9 @@ impl Page<'_> {
     /// The same with a head at its end.
     pub fn arrow(&self, from: DVec3, to: DVec3, colour: Color32) {
         self.line(from, to, 2.0, colour);
-        let Some(ends) = self.seen.project_segment(from, to) else {
+        let Some([from, to]) = self.segment(from, to) else {
             return;
         };
-        let [from, to] = ends.map(|end| self.place.to_position(end));
         let along = (to - from).normalized();
         if along != Vec2::ZERO {
             let back = to - 8.0 * along;

@@ -58,10 +58,9 @@ pub(super) fn show(
         let mut asked = Vec::new();
         hovers |= pane(ui, stage, rect, place, state, drag, &mut asked);
         // The actions between these two are for this view.
-        let acts = |action| Command::Act(action);
-        commands.push(acts(Action::Enter(Some(stage))));
+        commands.push(Command::Act(Action::Enter(Some(stage))));
         commands.extend(asked);
-        commands.push(acts(Action::Enter(None)));
+        commands.push(Command::Act(Action::Enter(None)));
     }
     if !hovers {
         commands.push(Command::Act(Action::Hover(None)));

@@ -49,7 +49,7 @@ pub(super) fn show(
     // First, so that it stays in place while edits change the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());
-    let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
+    let Some(hit) = state.picked() else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
             rows(

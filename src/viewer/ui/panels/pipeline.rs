@@ -35,12 +35,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     sliders(ui, state, commands);
     let (scene, view) = (state.scene(), state.view());
     let followed = state.followed();
-    let selected = state.selection().map(|selection| selection.object);
     let of_point = followed.map(|followed| &scene.objects()[followed.object]);
     // The object view's, so that M is of what that view shows.
     let object = (state.pane_object())
         .or(followed.map(|followed| followed.object))
-        .or(selected)
+        .or(state.selected())
         .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
     for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {

@@ -79,10 +79,7 @@ fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Com
     let bounds = state.scene().visible_bounds();
     let along = bounds.corners().map(|corner| -normal.dot(corner));
     let [least, most] = [f64::min, f64::max].map(|end| along.into_iter().fold(along[0], end));
-    let check = |normal: DVec3, offset: f64| {
-        let section = Section::new(normal, offset).map(|_| ());
-        section.map_err(|error| error.to_string())
-    };
+    let check = |normal: DVec3, offset: f64| Section::new(normal, offset).map(|_| ());
     let (mut next, mut gesture) = (None, Gesture::default());
     Grid::new("section").num_columns(4).show(ui, |ui| {
         ui.label("n").hint(NORMAL);

@@ -77,8 +77,7 @@ impl Arrow {
     /// `None` where the picture does not show it, or shows it end-on.
     fn new(place: SceneRect, view: &View, section: &Section, bounds: &Aabb) -> Option<Self> {
         let unit = section.normal().normalize_or_zero();
-        let middle = bounds.center();
-        let foot = middle - unit * (section.side(middle) / section.normal().length());
+        let foot = foot(section, bounds);
         let length = LENGTH * bounds.radius();
         let [from, to] = view.project_segment(foot, foot + length * unit)?;
         let [foot, head] = [from, to].map(|px| place.to_position(px));
@@ -120,11 +119,16 @@ impl Arrow {
     }
 }
 
+/// The point of the plane that is nearest to the middle of a box.
+fn foot(section: &Section, bounds: &Aabb) -> DVec3 {
+    let (normal, middle) = (section.normal(), bounds.center());
+    middle - normal.normalize_or_zero() * (section.side(middle) / normal.length())
+}
+
 /// Where the plane cuts the box around what is visible.
 fn draw_rim(painter: &Painter, place: SceneRect, view: &View, section: &Section, bounds: &Aabb) {
     let normal = section.normal().normalize_or_zero();
-    let middle = bounds.center();
-    let foot = middle - normal * (section.side(middle) / section.normal().length());
+    let foot = foot(section, bounds);
     let right = normal.any_orthonormal_vector();
     let up = normal.cross(right);
     let far = 2.0 * bounds.radius();

@@ -46,6 +46,16 @@ pub(super) enum Menu {
     Gallery,
 }
 
+impl Tool {
+    /// The same as a switch that is on or off.
+    fn switched(self, on: bool) -> Self {
+        Self {
+            is_on: Some(on),
+            ..self
+        }
+    }
+}
+
 fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: Does) -> Tool {
     Tool {
         icon,
@@ -76,13 +86,6 @@ pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
         showing(state),
         learning(shown),
     ]
-}
-
-fn toggle(tool: Tool, on: bool) -> Tool {
-    Tool {
-        is_on: Some(on),
-        ..tool
-    }
 }
 
 fn files() -> Vec<Tool> {
@@ -167,18 +170,16 @@ fn showing(state: &State) -> Vec<Tool> {
         Action::ToggleFreeze,
     );
     vec![
-        toggle(
-            act(
-                "\u{25a6}",
-                "Grid",
-                "with axes: x red, y green, z blue (G)",
-                Action::ToggleGrid,
-            ),
-            state.grid(),
-        ),
+        act(
+            "\u{25a6}",
+            "Grid",
+            "with axes: x red, y green, z blue (G)",
+            Action::ToggleGrid,
+        )
+        .switched(state.grid()),
         Tool {
             enabled: state.stages().is_empty(),
-            ..toggle(freeze, state.frozen().is_some())
+            ..freeze.switched(state.frozen().is_some())
         },
         tool(
             "\u{25f0}",
@@ -191,33 +192,27 @@ fn showing(state: &State) -> Vec<Tool> {
 
 fn learning(shown: &Shown) -> Vec<Tool> {
     vec![
-        toggle(
-            ask(
-                "\u{229e}",
-                "Four views",
-                "object, world, view and NDC side by side, all live (4)",
-                Command::ToggleFour,
-            ),
-            !shown.state.stages().is_empty(),
-        ),
-        toggle(
-            ask(
-                "\u{25a4}",
-                "Pipeline",
-                "the matrices P, V and M, and the pick on its way through them (P)",
-                Command::TogglePipeline,
-            ),
-            shown.floating.pipeline,
-        ),
-        toggle(
-            ask(
-                "\u{2714}",
-                "Compare",
-                "compare each pixel as drawn with what a click there picks (V)",
-                Command::ToggleCheck,
-            ),
-            !matches!(shown.checking, Checking::Off),
-        ),
+        ask(
+            "\u{229e}",
+            "Four views",
+            "object, world, view and NDC side by side, all live (4)",
+            Command::ToggleFour,
+        )
+        .switched(!shown.state.stages().is_empty()),
+        ask(
+            "\u{25a4}",
+            "Pipeline",
+            "the matrices P, V and M, and the pick on its way through them (P)",
+            Command::TogglePipeline,
+        )
+        .switched(shown.floating.pipeline),
+        ask(
+            "\u{2714}",
+            "Compare",
+            "compare each pixel as drawn with what a click there picks (V)",
+            Command::ToggleCheck,
+        )
+        .switched(!matches!(shown.checking, Checking::Off)),
         tool(
             "\u{1f5bc}",
             "Gallery",
@@ -230,15 +225,13 @@ fn learning(shown: &Shown) -> Vec<Tool> {
             format!("dark or light panels; now: {}", shown.look.about()),
             Command::NextLook,
         ),
-        toggle(
-            ask(
-                "\u{2753}",
-                "Help",
-                "keys and mouse (H)",
-                Command::ToggleHelp,
-            ),
-            shown.floating.help,
-        ),
+        ask(
+            "\u{2753}",
+            "Help",
+            "keys and mouse (H)",
+            Command::ToggleHelp,
+        )
+        .switched(shown.floating.help),
     ]
 }
 

@@ -45,9 +45,8 @@ impl Seen<'_> {
 
     /// The object that a click has selected.
     pub(super) fn picked(&self) -> Option<&Object> {
-        let selection = self.state.selection()?;
-        let object = self.state.scene().objects().get(selection.object)?;
-        selection.pick.as_ref().map(|_| object)
+        let pick = self.state.picked()?;
+        self.state.scene().objects().get(pick.id - 1)
     }
 
     /// Whether near is set beyond all of an object, and not beyond all of the scene.
