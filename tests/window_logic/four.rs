@@ -1,7 +1,6 @@
 //! The four views: each shows its stage, the mouse moves each alone, and a point is the same point in all.
 
 use super::*;
-use crate::inspect::picked;
 use sightline::viewer::model::projected;
 
 const STAGES: [Stage; 4] = [Stage::Object, Stage::World, Stage::View, Stage::Ndc];
@@ -66,7 +65,7 @@ fn a_point_clicked_in_any_view_is_the_point_that_the_picture_gives() {
                 let at = px_in(&state, stage, expected.id - 1, expected.point_world);
                 within(&mut state, stage, Action::Click(at.expect("in front"), 0.0));
                 // Other objects may be in front of it there.
-                same[i] += u32::from(picked(&state) == Some(&expected));
+                same[i] += u32::from(state.picked() == Some(&expected));
             }
         }
         assert!(same.iter().all(|same| *same > 40), "{camera:?}: {same:?}");
@@ -91,7 +90,7 @@ fn a_point_that_the_camera_does_not_see_is_followed_all_the_same() {
     let px = px_in(&state, Stage::World, ball, centre).expect("in front");
     within(&mut state, Stage::World, Action::Click(px, 0.0));
     assert_eq!(selected(&state), Some("Ball"));
-    assert_eq!(picked(&state), None, "no pixel shows it");
+    assert_eq!(state.picked(), None, "no pixel shows it");
     let followed = state.followed().expect("a point");
     assert!(followed.is_picked && followed.object == ball);
     assert!(

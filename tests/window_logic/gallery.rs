@@ -2,17 +2,14 @@
 
 use super::*;
 use sightline::{
-    scene::gallery::{Exhibit, GALLERY},
+    scene::gallery::GALLERY,
     study::gallery::{BREAKS, Break},
     viewer::model::{Compared, Fault, Showing},
 };
-use std::{collections::HashMap, path::Path};
+use std::collections::HashMap;
 
 fn opened(name: &str) -> State {
-    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
-        .expect("a scene of the gallery")
-        .expect("not a file")
-        .path();
+    let path = format!("gallery:{name}").into();
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     // An odd width, as the window makes it: one column of pixels looks straight along a face.
     let viewport = Viewport::new(801, 600).expect("a viewport");

@@ -4,10 +4,8 @@ use super::*;
 use crate::inspect::STILL;
 use sightline::{
     geometry::Trs,
-    scene::gallery::Exhibit,
     viewer::model::{RayHits, Selection},
 };
-use std::path::Path;
 
 /// All that a user sees of scene and view.
 #[derive(Clone, Debug, PartialEq)]
@@ -232,11 +230,7 @@ fn undoing_a_move_leaves_the_view() {
 }
 
 fn exhibit(name: &str) -> (Loaded, Vec<std::path::PathBuf>) {
-    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
-        .expect("a scene of the gallery")
-        .expect("not a file")
-        .path();
-    let paths = vec![path];
+    let paths = vec![format!("gallery:{name}").into()];
     (
         scene::load(&paths, &Progress::default()).expect("it loads"),
         paths,
