@@ -1,15 +1,15 @@
 //! The window: the only place that names winit or egui.
 //!
-//! Six rooms. Each names only those above it, and no file names itself by a detour (`tests/imports`).
+//! Six folders. Each imports only those above it, and no imports go round in a circle (`tests/imports`).
 //!
-//! | room | holds |
+//! | folder | holds |
 //! |---|---|
 //! | [`model`] | what is shown and how it answers: data and state, no window |
 //! | `jobs` | what takes long: loading, trees, comparison, chart, dialogs, typefaces, watching files; a thread and a receiver each |
 //! | `screen` | what is drawn: the canvas, lines about the scene, the window's surface, screenshots |
 //! | `ui` | keys, mouse, panels, theme: they show the state and return commands |
 //! | `app` | the program: what commands do, and the one driver of a frame |
-//! | `host` | who shows it: a window, or pictures of one |
+//! | `host` | where it is shown: in a window, or in pictures of one |
 //!
 //! ```text
 //! winit event -> host::window    -> app::frame -> ui (panels, keys, mouse) -> Command -> app -> Action -> model::State
@@ -17,7 +17,7 @@
 //! State -> screen::Canvas (scene, lines, panels) -> a window's surface, or a picture
 //! ```
 //!
-//! Nothing is drawn unless something happened.
+//! A frame is drawn only after something has happened.
 
 mod app;
 mod host;

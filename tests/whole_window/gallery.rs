@@ -205,5 +205,5 @@ fn esc_goes_back_step_by_step_and_out() {
     let mut window = open(vec![PathBuf::from("gallery:needles")], 1.0);
     escape(&mut window);
     assert!(window.state().showing().is_some());
-    control(&window, "Gallery, leave the gallery: to the demo.");
+    control(&window, "Gallery, leave the gallery: opens the demo.");
 }

@@ -167,7 +167,7 @@ fn the_panel_stays_as_it_is_laid_out() {
     click_near(&mut window, [2.0, 1.0, 0.0], [-4.0, 3.0]);
     assert_eq!(places(&window), first);
     said(&window, "distance", "click a second point");
-    said(&window, "edge length", "led to no edge");
+    said(&window, "edge length", "did not snap to an edge");
     assert!(is_enabled(&window, "face area") && is_enabled(&window, "object area"));
     click_near(&mut window, [-2.0, -1.0, 0.0], [3.0, -4.0]);
     assert_eq!(places(&window), first);

@@ -308,7 +308,7 @@ fn the_card_works_out_the_lectures_points() {
     let x = -0.5 / aspect;
     says(
         &window,
-        &format!("Now: (-1, 1.5, 2) comes to ({x:.4}, 0.7500, 0.5556)"),
+        &format!("Now: (-1, 1.5, 2) maps to ({x:.4}, 0.7500, 0.5556)"),
     );
     click_on(&mut window, "next");
     press_key(&mut window, NONE, Key::Num5);
@@ -318,7 +318,7 @@ fn the_card_works_out_the_lectures_points() {
     let (x, y) = (-2.0 / (0.5 * height * aspect), 5.0 / (0.5 * height));
     says(
         &window,
-        &format!("Now: (-2, 5, 0.5) comes to ({x:.4}, {y:.4}, -0.0556)"),
+        &format!("Now: (-2, 5, 0.5) maps to ({x:.4}, {y:.4}, -0.0556)"),
     );
 }
 

@@ -7,7 +7,7 @@ use sightline::{
     viewer::model::{PickView, RayHits},
 };
 
-/// Whatever happens, a pick is what its own view finds now; and what is copied is nothing else.
+/// Whatever happens, a pick is what its own view finds now, and so is what copies repeat.
 #[test]
 fn a_pick_is_always_what_its_own_view_finds() {
     let lens = |change: fn(&mut LensControls)| {
@@ -50,7 +50,7 @@ fn a_pick_is_always_what_its_own_view_finds() {
     for action in actions {
         state.apply(action);
         let pick = state.selection().and_then(|it| it.pick.clone());
-        // A click on nothing counts, too, but is no pick.
+        // A click on nothing counts too, but picks nothing.
         let ray = state.pick_ray().filter(|ray| !ray.picks.is_empty());
         assert_eq!(ray.map(RayHits::line), pick, "{action:?}");
         let Some(ray) = ray else { continue };

@@ -1,7 +1,7 @@
-//! Model matrices that are edited: picks follow, what cannot be is refused, and what is saved is what is shown.
+//! Editing model matrices: picks follow, invalid matrices are refused, and what is saved is what is shown.
 
 use super::*;
-use crate::inspect::{STILL, picked};
+use crate::inspect::STILL;
 use glam::{DMat3, DQuat};
 use sightline::geometry::Trs;
 
@@ -13,14 +13,14 @@ fn place(state: &mut State, object: usize, trs: Trs) {
 fn a_moved_object_s_pick_follows() {
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));
-    let before = picked(&state).expect("a cube").clone();
+    let before = state.picked().expect("a cube").clone();
     let revision = state.visibility_revision();
     let aside = Trs {
         translation: DVec3::new(0.2, 0.0, 2.0),
         ..STILL
     };
     place(&mut state, 0, aside);
-    let after = picked(&state).expect("still under the pixel");
+    let after = state.picked().expect("still under the pixel");
     assert!((after.point_object.x - (before.point_object.x - 0.2)).abs() < 1e-12);
     assert!(after.point_world.distance(before.point_world) < 1e-12);
     assert_ne!(state.visibility_revision(), revision, "it is drawn anew");
@@ -38,7 +38,7 @@ fn a_moved_object_s_pick_follows() {
             ..STILL
         },
     );
-    let grown = picked(&state).expect("twice as large");
+    let grown = state.picked().expect("twice as large");
     assert!((grown.distance - 7.0).abs() < 1e-4, "{}", grown.distance);
     place(
         &mut state,
@@ -48,7 +48,7 @@ fn a_moved_object_s_pick_follows() {
             ..STILL
         },
     );
-    let turned = picked(&state).expect("its edge").distance;
+    let turned = state.picked().expect("its edge").distance;
     // Half a pixel beside the edge.
     assert!((turned - (8.0 - 0.5_f64.sqrt())).abs() < 1e-2, "{turned}");
 
@@ -61,13 +61,13 @@ fn a_moved_object_s_pick_follows() {
             ..STILL
         },
     );
-    assert_eq!((selected(&state), picked(&state)), (Some("front"), None));
+    assert_eq!((selected(&state), state.picked()), (Some("front"), None));
     place(&mut state, 0, STILL);
-    assert_eq!(picked(&state), Some(&before));
+    assert_eq!(state.picked(), Some(&before));
     assert_eq!(state.hits().map(|hits| hits.picks.len()), Some(5));
 }
 
-/// Its pick is of its own surface, whatever lies before it.
+/// Its pick is on its own surface, whatever is in front of it.
 #[test]
 fn an_object_behind_another_keeps_its_own_pick() {
     let mut state = front_view();
@@ -82,7 +82,7 @@ fn an_object_behind_another_keeps_its_own_pick() {
             ..STILL
         },
     );
-    let pick = picked(&state).expect("its back, still");
+    let pick = state.picked().expect("its back, still");
     assert_eq!((pick.object.as_str(), pick.front), ("middle", false));
     assert_eq!(state.hits().map(|hits| hits.at), Some(3));
 }
@@ -91,7 +91,7 @@ fn an_object_behind_another_keeps_its_own_pick() {
 fn a_singular_matrix_is_refused_with_the_reason() {
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));
-    let (before, revision) = (picked(&state).cloned(), state.visibility_revision());
+    let (before, revision) = (state.picked().cloned(), state.visibility_revision());
     let flat = Action::Place(
         0,
         Trs {
@@ -113,7 +113,7 @@ fn a_singular_matrix_is_refused_with_the_reason() {
     state.check(&endless).expect_err("not finite");
     for action in [flat, endless] {
         state.apply(action);
-        assert_eq!(picked(&state).cloned(), before);
+        assert_eq!(state.picked().cloned(), before);
         assert_eq!(
             (state.visibility_revision(), state.edited()),
             (revision, false)
@@ -137,7 +137,7 @@ fn an_edited_scene_saves_as_it_is_and_reads_again_as_it_was() {
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
     let model = loaded.scene.objects()[0].placement.model();
     assert_eq!(model, trs.to_model(), "to the bit");
-    // What words say to the bit is said in words.
+    // Where position, rotation and scale give a matrix to the bit, they are written instead of it.
     let plain = description::to_toml(&row().scene, &state.camera_choice(), &[]).expect("saved");
     assert!(!plain.contains("matrix"), "{plain}");
     state.reload(row());
@@ -187,7 +187,7 @@ fn a_matrix_in_parts_is_the_matrix() {
             assert_eq!(parts.translation, given.translation);
         }
     }
-    // In the order that the documentation says, by another library's word for it.
+    // In the documented order, checked against glam's quaternions.
     let given = Trs {
         rotation_deg: DVec3::new(10.0, 20.0, 30.0),
         ..STILL
@@ -199,7 +199,7 @@ fn a_matrix_in_parts_is_the_matrix() {
     assert!((given.to_model().matrix3 - turned).abs_diff_eq(DMat3::ZERO, 1e-15));
     let parts = Trs::of(given.to_model()).expect("no shear");
     assert!(parts.rotation_deg.distance(given.rotation_deg) < 1e-12);
-    // Shear is none of them.
+    // A shear has no such parts.
     let mut leaning = DAffine3::IDENTITY;
     leaning.matrix3.x_axis.y = 1e-6;
     assert_eq!(Trs::of(leaning), None);

@@ -1,7 +1,6 @@
-//! The four views: what each shows, that the mouse moves each alone, and that a point is the same point in all.
+//! The four views: each shows its stage, the mouse moves each alone, and a point is the same point in all.
 
 use super::*;
-use crate::inspect::picked;
 use sightline::viewer::model::projected;
 
 const STAGES: [Stage; 4] = [Stage::Object, Stage::World, Stage::View, Stage::Ndc];
@@ -49,7 +48,7 @@ fn a_point_clicked_in_any_view_is_the_point_that_the_picture_gives() {
     };
     for camera in [CameraChoice::default(), ortho, standard] {
         let mut state = four(camera);
-        // A pixel of a view is smaller than one of the picture.
+        // So large that a pixel of a view is smaller than one of the picture.
         let large = Viewport::new(16_000, 12_000).expect("a viewport");
         for stage in STAGES {
             within(&mut state, stage, Action::Resize(large));
@@ -65,8 +64,8 @@ fn a_point_clicked_in_any_view_is_the_point_that_the_picture_gives() {
             for (i, stage) in STAGES.into_iter().enumerate() {
                 let at = px_in(&state, stage, expected.id - 1, expected.point_world);
                 within(&mut state, stage, Action::Click(at.expect("in front"), 0.0));
-                // Others may lie before it there.
-                same[i] += u32::from(picked(&state) == Some(&expected));
+                // Other objects may be in front of it there.
+                same[i] += u32::from(state.picked() == Some(&expected));
             }
         }
         assert!(same.iter().all(|same| *same > 40), "{camera:?}: {same:?}");
@@ -91,7 +90,7 @@ fn a_point_that_the_camera_does_not_see_is_followed_all_the_same() {
     let px = px_in(&state, Stage::World, ball, centre).expect("in front");
     within(&mut state, Stage::World, Action::Click(px, 0.0));
     assert_eq!(selected(&state), Some("Ball"));
-    assert_eq!(picked(&state), None, "no pixel shows it");
+    assert_eq!(state.picked(), None, "no pixel shows it");
     let followed = state.followed().expect("a point");
     assert!(followed.is_picked && followed.object == ball);
     assert!(
@@ -210,14 +209,14 @@ fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
     let apart = (bounds.min - expected.min).length() + (bounds.max - expected.max).length();
     assert!(apart < 1e-6, "{bounds:?}, not {expected:?}");
     assert!(!made.objects()[2].visible, "what is hidden stays hidden");
-    // Whatever depth is stored, it is drawn in one place.
+    // It is drawn in the same place, whichever depth is stored.
     let reversed = LensControls {
         depth: DepthMapping::Reversed,
         ..state.controls()
     };
     state.apply(Action::Lens(reversed));
     assert_eq!(projected(state.scene(), state.view()).bounds_of(0), bounds);
-    // Fronts stay fronts, of what M mirrors too.
+    // Fronts stay fronts, even where M mirrors.
     let mirrored = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     state.apply(Action::Place(1, mirrored));
     let made = projected(state.scene(), state.view());
@@ -255,7 +254,7 @@ fn ndc_is_what_the_camera_projects_and_is_cut_at_its_near_plane() {
     );
 }
 
-/// Of each object NDC has what the section leaves, up to the plane and no further.
+/// NDC has what the section leaves of each object, up to the plane and no further.
 #[test]
 fn ndc_ends_at_the_section() {
     let mut state = front_view();
@@ -288,7 +287,7 @@ fn ndc_ends_at_the_section() {
         };
         for object in 0..3 {
             let (before, after) = (positions(&whole, object), positions(&cut, object));
-            // Of f32, and far from it.
+            // The most that f32 rounds, and a distance far beyond that.
             let (rounding, off) = (1e-4, 1e-2);
             assert!(after.iter().all(|at| side(at) > -rounding), "{object}");
             let on_plane = after.iter().filter(|at| side(at).abs() < rounding).count();
@@ -342,7 +341,7 @@ fn views_follow_edits_undo_and_another_scene() {
                 .contains(seen.project(corner).expect("in front").px)
         );
     }
-    // The camera that is frozen in them is their own.
+    // They show the camera themselves: it cannot be frozen.
     state.apply(Action::ToggleFreeze);
     assert_eq!(state.frozen(), None);
 }

@@ -1,20 +1,17 @@
-//! The gallery: picks by methods that break, beside Sightline's own.
+//! The gallery: picks by methods that break, compared with Sightline's own.
 
 use super::*;
 use sightline::{
-    scene::gallery::{Exhibit, GALLERY},
+    scene::gallery::GALLERY,
     study::gallery::{BREAKS, Break},
     viewer::model::{Compared, Fault, Showing},
 };
-use std::{collections::HashMap, path::Path};
+use std::collections::HashMap;
 
 fn opened(name: &str) -> State {
-    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
-        .expect("a scene of the gallery")
-        .expect("not a file")
-        .path();
+    let path = format!("gallery:{name}").into();
     let loaded = scene::load(&[path], &Progress::default()).expect("it loads");
-    // An odd width, as the window sees to: one column of pixels looks straight along a face.
+    // An odd width, as the window makes it: one column of pixels looks straight along a face.
     let viewport = Viewport::new(801, 600).expect("a viewport");
     State::new(loaded, CameraChoice::default(), viewport, Sides::Both).expect("a camera")
 }
@@ -64,7 +61,7 @@ fn each_break_is_seen_in_the_window() {
             .expect("a pick");
         assert_eq!(line.hit, own(&state, px + DVec2::X));
     }
-    // One method on each scene fails on a part of the picture that nobody misses: so many of 1640 pixels.
+    // On each scene one method fails so widely that everybody sees it: at so many of 1640 pixels.
     assert_eq!(most.len(), GALLERY.len());
     assert!(most.values().all(|wrong| *wrong >= 30), "{most:?}");
 }

@@ -4,7 +4,6 @@ use super::*;
 use sightline::{
     camera::Lens,
     geometry::{ColourRun, Mesh, MeshData, Part, Trs},
-    pick::Pick,
     viewer::model::triangle,
 };
 use std::sync::Arc;
@@ -14,10 +13,6 @@ pub const STILL: Trs = Trs {
     rotation_deg: DVec3::ZERO,
     scale: DVec3::ONE,
 };
-
-pub fn picked(state: &State) -> Option<&Pick> {
-    state.selection()?.pick.as_ref()?.hit.as_ref()
-}
 
 #[test]
 fn every_surface_on_the_ray_is_listed_and_stepped_through() {
@@ -34,23 +29,23 @@ fn every_surface_on_the_ray_is_listed_and_stepped_through() {
     for at in [1, 2, 3, 4, 0] {
         let line = state.apply(Action::Step { forward: true });
         assert_eq!(line.expect("a pick").hit.as_ref(), Some(&hits.picks[at]));
-        assert_eq!(picked(&state), Some(&hits.picks[at]));
+        assert_eq!(state.picked(), Some(&hits.picks[at]));
         assert_eq!(state.hits().map(|hits| hits.at), Some(at));
     }
     for at in [4, 3] {
         state.apply(Action::Step { forward: false });
-        assert_eq!(picked(&state), Some(&hits.picks[at]));
+        assert_eq!(state.picked(), Some(&hits.picks[at]));
     }
     assert!(state.apply(Action::StepTo(2)).is_some());
     assert_eq!(
-        (selected(&state), picked(&state)),
+        (selected(&state), state.picked()),
         (Some("middle"), Some(&hits.picks[2]))
     );
     assert_eq!(state.apply(Action::StepTo(5)), None);
-    assert_eq!(picked(&state), Some(&hits.picks[2]), "there is no sixth");
+    assert_eq!(state.picked(), Some(&hits.picks[2]), "there is no sixth");
     // A click goes on from there.
     state.apply(Action::Click(MIDDLE, 10.0));
-    assert_eq!(picked(&state), Some(&hits.picks[3]));
+    assert_eq!(state.picked(), Some(&hits.picks[3]));
     // What is hidden is on no ray.
     state.apply(Action::HideSelection);
     let left: Vec<_> = state
@@ -151,7 +146,7 @@ fn the_triangle_s_corners_weigh_up_to_the_point() {
         CameraChoice::default(),
     );
     state.apply(Action::Click(MIDDLE, 0.0));
-    let pick = picked(&state).expect("framed");
+    let pick = state.picked().expect("framed");
     assert_eq!(pick.triangle, Some(0));
     let corners = triangle(state.scene(), pick).expect("a mesh");
     let weights = pick.barycentric.expect("a mesh");
@@ -169,7 +164,7 @@ fn the_triangle_s_corners_weigh_up_to_the_point() {
     assert!(corners[0].distance(expected) < 1e-12);
     let mut state = front_view();
     state.apply(Action::Click(MIDDLE, 0.0));
-    let pick = picked(&state).expect("a cube");
+    let pick = state.picked().expect("a cube");
     assert_eq!(triangle(state.scene(), pick), None, "a cube has none");
 }
 
@@ -182,7 +177,7 @@ fn surfaces_closer_than_a_depth_step_are_known() {
         far: Some(1e5),
         ..CameraChoice::default()
     };
-    // A wall at 100 with a poster a millimetre before it.
+    // A wall at 100 with a poster a millimetre in front of it.
     let wall = |z| Trs {
         translation: DVec3::new(0.0, 0.0, z),
         scale: DVec3::splat(50.0),
@@ -204,10 +199,10 @@ fn surfaces_closer_than_a_depth_step_are_known() {
         camera,
     );
     state.apply(Action::Click(MIDDLE, 0.0));
-    let pick = picked(&state).expect("the poster");
+    let pick = state.picked().expect("the poster");
     assert_eq!(pick.object, "poster");
     let steps = state.depth_steps().expect("a pick");
-    // It stays the clicked picture's, wherever the camera goes.
+    // They are the clicked picture's, wherever the camera goes.
     state.apply(Action::Zoom(MIDDLE, 0.001));
     assert_eq!(state.depth_steps(), Some(steps));
     let [(reversed, fine), (standard, coarse)] = steps.steps;
@@ -231,7 +226,8 @@ fn surfaces_closer_than_a_depth_step_are_known() {
     assert_eq!(steps.in_use, DepthMapping::Reversed);
 }
 
-/// Through every lens: what lies a step further is stored as another number, what lies well within one as none but two.
+/// Through every lens: depths a step apart are stored as different numbers, depths well within a step as the same number or
+/// as neighbours.
 #[test]
 fn a_depth_step_is_what_the_buffer_tells_apart() {
     let projections = [

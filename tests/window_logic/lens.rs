@@ -15,7 +15,7 @@ fn near_and_far_follow_the_scene_until_they_are_set() {
     assert_eq!(
         selected(&state),
         Some("middle"),
-        "the cube lies before the near plane"
+        "the cube is in front of the near plane"
     );
     state.apply(Action::Zoom(MIDDLE, 1.0));
     assert!(

@@ -186,7 +186,7 @@ fn the_cursor_knows_the_point_that_a_pick_there_reports() {
     );
 }
 
-/// A mesh of many triangles without a tree: each of them would have to be tried.
+/// A mesh of many triangles without a tree: a ray would have to test each of them.
 #[test]
 fn what_follows_the_mouse_waits_for_no_tree() {
     let side = 150_u16;

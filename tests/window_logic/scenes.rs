@@ -1,4 +1,4 @@
-//! One scene after another.
+//! Opening, reading again and saving scenes.
 
 use super::*;
 

@@ -4,10 +4,8 @@ use super::*;
 use crate::inspect::STILL;
 use sightline::{
     geometry::Trs,
-    scene::gallery::Exhibit,
     viewer::model::{RayHits, Selection},
 };
-use std::path::Path;
 
 /// All that a user sees of scene and view.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,7 +140,7 @@ fn a_history_is_walked_there_and_back() {
     for _ in 0..done {
         state.apply(Action::Redo);
     }
-    // What is selected is no step of its own: it is as it was when a step was taken back.
+    // Selecting is not a step of its own: undo restores the selection of the step.
     let last = pictures.last().expect("one");
     assert_eq!(
         (&seen(&state).models, &seen(&state).visible),
@@ -218,7 +216,7 @@ fn what_changes_nothing_is_no_step() {
     }
 }
 
-/// The camera's own way by mouse is no step, and a step of the scene leaves it alone.
+/// Moving the camera by mouse is not a step, and undoing a change of the scene leaves the camera alone.
 #[test]
 fn undoing_a_move_leaves_the_view() {
     let mut state = front_view();
@@ -232,11 +230,7 @@ fn undoing_a_move_leaves_the_view() {
 }
 
 fn exhibit(name: &str) -> (Loaded, Vec<std::path::PathBuf>) {
-    let path = Exhibit::at(Path::new(&format!("gallery:{name}")))
-        .expect("a scene of the gallery")
-        .expect("not a file")
-        .path();
-    let paths = vec![path];
+    let paths = vec![format!("gallery:{name}").into()];
     (
         scene::load(&paths, &Progress::default()).expect("it loads"),
         paths,
@@ -265,7 +259,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(seen(&state), before);
     assert!(state.edited() && state.showing().is_none());
     assert_ne!(state.scene_revision(), revision, "it is drawn anew");
-    // It has its history still, and the gallery is a step forth.
+    // It still has its history, and redo leads into the gallery.
     for _ in 0..6 {
         state.apply(Action::Redo);
     }
@@ -277,7 +271,7 @@ fn leaving_the_gallery_brings_back_scene_edits_view_and_selection() {
     assert_eq!(state.next_step(true), None);
 }
 
-/// However long one stays in the gallery.
+/// However long the user stays in the gallery.
 #[test]
 fn the_way_out_of_the_gallery_is_never_forgotten() {
     let mut state = front_view();

@@ -22,21 +22,21 @@ pub enum Action {
     Turn(DVec2),
     /// The cursor moved by this while turning the scene's camera, wherever it is: also in one of the four views.
     Steer(DVec2),
-    /// A shift begins: what lies under the cursor will follow it.
+    /// A pan begins: the point under the cursor will stay under it.
     BeginPan(DVec2),
-    /// The cursor moved by this while shifting.
+    /// The cursor moved by this while panning.
     Pan(DVec2),
     /// Zoom at a position, by a factor above 1 to come nearer.
     Zoom(DVec2, f64),
-    /// A click, and when in seconds.
+    /// A click, and its time in seconds.
     Click(DVec2, f64),
-    /// A double click: what lies there becomes pivot and centre; on nothing, frame all. One of the four views becomes
-    /// large, or all four are there again.
+    /// A double click: the point there becomes pivot and centre; on nothing, frame all. In one of the four views: enlarge
+    /// that view, or show all four again.
     Recentre(DVec2),
-    /// The cursor rests there, or left.
+    /// The cursor is there; `None` once it has left.
     Hover(Option<DVec2>),
-    /// The cursor rests on the row of this object, by index, in a list of them. Asked for in each pass that it does: the
-    /// next puts the light out.
+    /// The cursor rests on the list's row of this object, by index. Sent in each pass while it does: every pass begins by
+    /// clearing the highlight.
     Light(Option<usize>),
     /// Show all that is visible.
     FrameAll,
@@ -60,22 +60,22 @@ pub enum Action {
     Section(Option<Section>),
     /// Turn the section off, or on again.
     ToggleSection,
-    /// Lay a section through the next three picks, or no longer.
+    /// Lay a section through the next three picks, or stop waiting for them.
     SectionByPoints(bool),
-    /// Pick this surface of those on the last click's ray, from the front.
+    /// Pick this surface on the last click's ray, counted from the front.
     StepTo(usize),
     /// Pick the next surface on the last click's ray, or the one before.
     Step {
         /// The next, further away.
         forward: bool,
     },
-    /// Show what a file has a number for and mark it; pick it there, whatever lies before it.
+    /// Show, mark and pick the face or vertex with this number in its file, even where something hides it.
     GoTo(Sought),
     /// Take that mark away.
     Unmark,
-    /// Give an object this model matrix; nothing when it has no inverse.
+    /// Give an object this model matrix; does nothing when the matrix has no inverse.
     Place(usize, DAffine3),
-    /// Take over a camera, all that it says of it.
+    /// Take over a camera, with all that the choice sets.
     Camera(CameraChoice),
     /// Select an object, or nothing.
     Select(Option<usize>),
@@ -89,20 +89,20 @@ pub enum Action {
     ShowAll,
     /// Show or hide the grid with its axes.
     ToggleGrid,
-    /// Show something over the scene, or no more.
+    /// Show or hide an overlay.
     Toggle(Overlay),
-    /// Show the boxes of trees a level deeper, or less deep; none beyond the first and the last level.
+    /// Show the boxes of trees one level deeper, or less deep; beyond the first and the last level, none.
     TreeLevel {
         /// Away from the root.
         deeper: bool,
     },
     /// Show what the camera sees, the four views, or one of them large.
     Views(Views),
-    /// The mouse is in this one of the four views, until it leaves: what it does now it does there.
+    /// The mouse actions that follow are in this one of the four views; `None` ends that.
     Enter(Option<Stage>),
-    /// The cursor rests on a row of a matrix. Asked for in each pass that it does: the next puts the light out.
+    /// The cursor rests on a row of a matrix. Sent in each pass while it does, as [`Self::Light`] is.
     LightRow(Row),
-    /// In the gallery: pick by this method, or by this program's own.
+    /// In the gallery: pick by this method; `None` is Sightline's own.
     PickBy(Option<Swap>),
     /// In the gallery: pick by the next method, or the one before.
     NextMethod {
@@ -111,20 +111,20 @@ pub enum Action {
     },
     /// Do something to the list of measures.
     Measure(MeasureAction),
-    /// Take back the last change of scene or view.
+    /// Undo the last change of scene or view.
     Undo,
-    /// Make again what was taken back last.
+    /// Redo what was undone last.
     Redo,
-    /// The gesture is over: of what is slid or dragged, what comes next is undone by itself.
+    /// A slide or drag is over: the next one is an undo step of its own.
     Release,
-    /// Back to what was open before the gallery, as it was; nothing where nothing was.
+    /// Back to what was open before the gallery, as it was; does nothing if nothing was.
     LeaveGallery,
-    /// Leave the present camera standing in the world, as lines, or take it away; nothing in the four views.
+    /// Leave the present camera standing in the world, as lines, or take it away. Does nothing in the four views.
     ToggleFreeze,
 }
 
 impl Action {
-    /// Whether the view leaps: a step back leads to where it stood.
+    /// Whether the view jumps, so that undo leads back to where it stood.
     pub(super) fn jumps(&self) -> bool {
         matches!(
             self,
@@ -144,7 +144,7 @@ impl Action {
         )
     }
 
-    /// Whether a slider or a drag may go on with it, or beside it.
+    /// Whether a slide or drag may go on across it. Any other action ends the gesture.
     pub(super) fn may_be_of_a_gesture(&self) -> bool {
         matches!(
             self,
@@ -159,7 +159,7 @@ impl Action {
         )
     }
 
-    /// Whether within one of the four views it is about that view alone.
+    /// Whether, in one of the four views, it affects that view alone.
     pub(super) fn is_of_a_pane(&self) -> bool {
         matches!(
             self,
@@ -194,15 +194,7 @@ pub struct LensControls {
 }
 
 impl LensControls {
-    /// Orthographic in place of perspective, or back.
-    pub(super) fn other_projection(self) -> Self {
-        Self {
-            orthographic: !self.orthographic,
-            ..self
-        }
-    }
-
-    /// What somebody says of a camera's lens.
+    /// The lens of a camera choice, with defaults for what it leaves open.
     #[must_use]
     pub fn of(choice: &CameraChoice) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! The view and the pick as a command line that gives both again, to the bit.
+//! The view and the pick as a command line that reproduces both, to the bit.
 
 use super::{hits::RayHits, state::State};
 use crate::{
@@ -8,8 +8,8 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::fmt::Write;
 
-/// `sightline pick` in the view that a click was in: it answers what the click did. For a surface behind the first it
-/// lists them all.
+/// `sightline pick` in the view of a click: it answers as the click did. Where a surface behind the first is picked, it
+/// lists all of them.
 pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     let command = pick_at(state, &ray.view, ray.px);
     if ray.at == 0 {
@@ -19,7 +19,7 @@ pub(in crate::viewer) fn pick_command(state: &State, ray: &RayHits) -> String {
     }
 }
 
-/// `sightline pick` that repeats the pick, or without one picks in the middle of the world as the window shows it.
+/// `sightline pick` that repeats the pick; without a pick, one in the middle of the camera's picture.
 pub(in crate::viewer) fn view_command(state: &State) -> String {
     let view = state.view();
     state.pick_ray().map_or_else(
@@ -91,7 +91,7 @@ fn line(state: &State, view: &View, command: &str) -> String {
     line
 }
 
-/// Degrees that make these very radians, which degrees once made: rounding there and back may end beside them.
+/// The degrees that convert to exactly these radians. `to_degrees` may round to a neighbour of them.
 fn degrees(radians: f64) -> f64 {
     let near = radians.to_degrees();
     let beside = [near, near.next_up(), near.next_down()];
@@ -103,7 +103,7 @@ fn triple(v: DVec3) -> String {
     format!("{},{},{}", v.x, v.y, v.z)
 }
 
-/// As a POSIX shell takes it back.
+/// Quoted for a POSIX shell.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) {

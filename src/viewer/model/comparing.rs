@@ -8,7 +8,7 @@ use crate::study::swap::Swap;
 use glam::DVec2;
 
 impl State {
-    /// Lets another method pick, or this program's own, and picks by it where the last click was.
+    /// Sets the method that picks, `None` for Sightline's own, and repeats the last click by it.
     pub(super) fn pick_by(&mut self, method: Option<Swap>) {
         let Some(showing) = &mut self.showing else {
             return;
@@ -25,11 +25,11 @@ impl State {
             Some(px) => drop(self.click(px, 0.0)),
             None => {}
         }
-        // The next click there is the first.
+        // The next click there picks the nearest surface again.
         self.clicked_s = None;
     }
 
-    /// A click by the method that is set: what it says is selected, right or wrong, but is no pick of this program's.
+    /// A click by the method that is set: the object it names is selected, right or wrong, but not as a pick of Sightline.
     pub(super) fn compare(&mut self, px: DVec2) {
         let Some(method) = self.method() else { return };
         let compared = Compared::at(&self.scene, &self.view, &method, px);

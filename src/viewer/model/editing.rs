@@ -1,4 +1,4 @@
-//! Objects that are moved, hidden, shown and added.
+//! Moving, hiding, showing and adding objects.
 
 use super::{
     made::Made,
@@ -33,10 +33,10 @@ impl State {
             edits,
             chosen,
         };
-        self.record_gesture(Gesture::Place(object), step);
+        self.record(Some(Gesture::Place(object)), step);
     }
 
-    /// Hides the selected object, which is selected no more.
+    /// Hides the selected object and deselects it.
     pub(super) fn hide_selection(&mut self) {
         let chosen = self.chosen();
         if let Some(selection) = self.selection.take() {
@@ -44,7 +44,7 @@ impl State {
         }
     }
 
-    /// Hides and shows objects: as `wanted` says, and where it says nothing not at all.
+    /// Shows or hides each object as `wanted` says; `None` leaves it as it is.
     pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool>) {
         let chosen = self.chosen();
         self.show_with(chosen, wanted);
@@ -60,11 +60,12 @@ impl State {
         }
         let edits = self.edit(|edits| &mut edits.visibility);
         self.toggle(&objects);
-        self.record(Step::Shown {
+        let step = Step::Shown {
             objects,
             edits,
             chosen,
-        });
+        };
+        self.record(None, step);
     }
 
     /// Shows what was hidden of these, and hides what was shown.
@@ -86,7 +87,7 @@ impl State {
         source.meshes.extend(loaded.meshes);
         source.materials.extend(loaded.materials);
         if source.paths.is_empty() {
-            // No command opens the demo with something beside it.
+            // No command line opens the demo with files added, so this counts as `edited`.
             edits = Edits {
                 objects: edits.objects,
                 ..self.edit(|edits| &mut edits.matrices)
@@ -104,11 +105,11 @@ impl State {
         };
         self.scene_revision += 1;
         self.rearranged();
-        self.record(step);
+        self.record(None, step);
         self.refresh_panes();
     }
 
-    /// Objects came, went or moved: what is known of the picture follows.
+    /// Objects came, went or moved: updates planes and pick, and drops what was known about the old picture.
     pub(super) fn rearranged(&mut self) {
         self.visibility_revision += 1;
         self.cursor = None;

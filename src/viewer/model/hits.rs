@@ -10,8 +10,8 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Every surface on the ray of a click, and which of them is picked. It belongs to the view that the click was in,
-/// however the view on screen changes, and follows the scene: it is what `px` of `view` finds there now.
+/// Every surface on the ray of a click, and which of them is picked. It keeps the view of the click, whatever is on screen
+/// by now, but follows the scene: the surfaces are those that a click at `px` of `view` would find now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayHits {
     /// The view that the click was in.
@@ -20,9 +20,9 @@ pub struct RayHits {
     pub px: DVec2,
     /// The surfaces, from front to back.
     pub picks: Vec<Pick>,
-    /// What drawing cannot tell from the first surface.
+    /// The surfaces that drawing cannot tell from the first.
     pub in_one_place: Option<InOnePlace>,
-    /// Which one is picked; of no meaning when there are none.
+    /// Which one is picked; meaningless when there are none.
     pub at: usize,
 }
 
@@ -31,7 +31,7 @@ pub struct RayHits {
 pub enum PickView {
     /// It was made in this view.
     Own,
-    /// It was made in an earlier one; this one may show something else at its pixel, or before its point.
+    /// It was made in an earlier one; this one may show something else at its pixel, or in front of its point.
     Earlier,
     /// It was made in an earlier one, and this one's near, far, culling or section leave its point out.
     LeftOut,
@@ -46,19 +46,19 @@ pub struct Landmark {
     pub point_world: DVec3,
 }
 
-/// What a depth buffer tells apart at a surface.
+/// How fine the depth buffer is at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthSteps {
-    /// Its least step there under each mapping, in world units along F.
+    /// Its smallest step there under each mapping, in world units along F.
     pub steps: [(DepthMapping, f64); 2],
     /// The mapping in use.
     pub in_use: DepthMapping,
-    /// To the next surface on the ray, along F.
+    /// The way to the next surface on the ray, along F.
     pub next_surface: Option<f64>,
 }
 
 impl RayHits {
-    /// Casts the ray through the centre of a pixel and picks surface `at`, counted round where there are fewer.
+    /// Casts the ray through the centre of a pixel and picks surface `at`, which wraps round where there are fewer.
     #[must_use]
     pub fn cast(scene: &Scene, view: View, px: DVec2, at: usize) -> Self {
         let picks = pick::pick_all(scene, &view, px);

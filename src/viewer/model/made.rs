@@ -1,14 +1,14 @@
-//! Scenes that are made of the one that is shown and of what was loaded: beside the window, where that takes long.
+//! Scenes made from the one on show and from loaded files: on another thread, where that takes long.
 
 use crate::scene::{Object, Scene, SceneKey};
 use std::collections::HashMap;
 
-/// A scene that is made of another.
+/// A scene that is made from another.
 pub(in crate::viewer) struct Made {
     of: SceneKey,
     /// The scene itself.
     pub scene: Scene,
-    /// What each of its objects was in the other; empty where none was anything.
+    /// For each of its objects the index in the other scene; [`Made::with`] leaves it empty.
     was: Vec<Option<usize>>,
 }
 
@@ -23,8 +23,8 @@ impl Made {
         }
     }
 
-    /// What the files of a scene hold now. What was hidden stays so: an object is the one before that has its name, at the
-    /// same place in the order, else the first.
+    /// What the files of a scene hold now. Hidden objects stay hidden, matched by name: an object stands for the old one at
+    /// the same index if that has its name, else for the first old one that has it.
     pub fn again(scene: &Scene, mut now: Scene) -> Self {
         let old = scene.objects();
         let by_name: HashMap<&str, usize> = (old.iter().enumerate().rev())
@@ -51,12 +51,12 @@ impl Made {
         }
     }
 
-    /// Whether it is of this scene, as it is now.
+    /// Whether it was made from this scene, as it is now.
     pub fn is_of(&self, scene: &Scene) -> bool {
         self.of.is_of(scene)
     }
 
-    /// What an object of the other scene is in this one.
+    /// The index here of an object of the other scene.
     pub fn became(&self, object: usize) -> Option<usize> {
         self.was.iter().position(|was| *was == Some(object))
     }

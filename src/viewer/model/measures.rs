@@ -1,14 +1,13 @@
-//! What is done to the list of measures.
+//! Changes to the list of measures.
 
 use super::{
-    measuring::{Entry, MeasureAction, Measuring},
+    measuring::{MeasureAction, Measuring},
     state::{State, Step},
 };
 use crate::pick::{measure::Measured, snap::Snap};
-use std::mem;
 
 impl State {
-    /// Where clicks were led to, and what was measured.
+    /// The points that clicks snapped to, and what was measured.
     #[must_use]
     pub fn measuring(&self) -> &Measuring {
         &self.measuring
@@ -30,11 +29,11 @@ impl State {
             MeasureAction::Clear => self.measuring.list.clear(),
         }
         if self.measuring.list != list {
-            self.record(Step::Measured(list));
+            self.record(None, Step::Measured(list));
         }
     }
 
-    /// A click was led there.
+    /// Takes the point that a click snapped to.
     pub(in crate::viewer) fn take_snap(&mut self, snap: Snap, object_area: Option<Measured>) {
         let points = &mut self.measuring.points;
         points.push(snap);
@@ -43,21 +42,16 @@ impl State {
         self.measuring.object_area = object_area;
     }
 
-    /// The scene is another: its points are not where they were.
+    /// The scene changed: its points may have moved.
     pub(super) fn forget_points(&mut self) {
         self.measuring.points.clear();
         self.measuring.object_area = None;
     }
 
-    /// The scene is another: what was measured was so before.
+    /// The scene changed: marks every measure as taken before that.
     pub(super) fn outdate_measures(&mut self) {
         for entry in &mut self.measuring.list {
             entry.outdated = true;
         }
-    }
-
-    /// Has another list; returns the one before.
-    pub(super) fn exchange_measures(&mut self, list: Vec<Entry>) -> Vec<Entry> {
-        mem::replace(&mut self.measuring.list, list)
     }
 }

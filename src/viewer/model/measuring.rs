@@ -1,4 +1,4 @@
-//! Points that clicks are led to, and the list of what was measured between them.
+//! The points that clicks snap to, and the list of measures.
 
 use crate::pick::{
     measure::Measured,
@@ -50,12 +50,12 @@ pub struct Entry {
     /// In world units, and how far it may be off.
     #[serde(flatten)]
     pub measured: Measured,
-    /// The scene is another since: a file was read again, or something was moved.
+    /// The scene has changed since: a file was read again, or something was moved.
     pub outdated: bool,
 }
 
 impl Entry {
-    /// What is to be said beside it.
+    /// What the list adds to it.
     #[must_use]
     pub fn remark(&self) -> &'static str {
         if self.outdated {
@@ -69,7 +69,7 @@ impl Entry {
 /// What was measured, and what can be.
 #[derive(Clone, Debug, Default)]
 pub struct Measuring {
-    /// Whether clicks are led to vertices and edges.
+    /// Whether clicks snap to vertices and edges.
     pub is_on: bool,
     /// The last two points, the older one first.
     pub points: Vec<Snap>,
@@ -80,10 +80,10 @@ pub struct Measuring {
 }
 
 impl Measuring {
-    /// How near, in pixels, a vertex or an edge is to be.
+    /// Clicks snap to a vertex or an edge within so many pixels.
     pub const RADIUS_PX: f64 = 8.0;
 
-    /// A measure that can be taken of the last points.
+    /// The measure of the last points; `None` where they do not give it.
     #[must_use]
     pub fn entry(&self, what: What) -> Option<Entry> {
         let last = self.points.last()?;
@@ -108,17 +108,17 @@ impl Measuring {
         })
     }
 
-    /// Why a measure cannot be taken: what is to be done first.
+    /// Why a measure cannot be taken, or what to do first.
     #[must_use]
     pub fn lacks(&self, what: What) -> &'static str {
         match what {
-            _ if !self.is_on => "tick snap clicks first: then click what is to be measured",
+            _ if !self.is_on => "tick snap clicks first, then click what is to be measured",
             What::Distance if self.points.is_empty() => "click two points",
             What::Distance => "click a second point",
             _ if self.points.is_empty() => "click what is to be measured",
-            What::Length => "the last click was led to no edge: click one",
+            What::Length => "the last click did not snap to an edge: click one",
             What::FaceArea | What::ObjectArea => {
-                "the file of the last click's face leaves some of it out"
+                "the file leaves out part of the face that was clicked last"
             }
         }
     }
@@ -165,12 +165,12 @@ impl Snap {
 /// Something that is done to the list. All but the first can be undone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasureAction {
-    /// Lead clicks to vertices and edges, or no more.
+    /// Snap clicks to vertices and edges, or stop that.
     Toggle,
-    /// Add a measure to the list; nothing where there is none.
+    /// Add a measure to the list; does nothing where it cannot be taken.
     Add(What),
-    /// Take a line away, by its place.
+    /// Remove a line, by its index.
     Remove(usize),
-    /// Take all lines away.
+    /// Remove all lines.
     Clear,
 }

@@ -48,6 +48,6 @@ pub use sought::{Numbered, Sought};
 pub use stages::{Stage, projected};
 pub use state::{Cursor, DOUBLE_CLICK_S, Frozen, Selection, Source, State};
 pub(super) use subject::{Lesson, Subject};
-pub use viewing::CannotBe;
+pub use viewing::InvalidAction;
 pub(super) use views::Source as ProjectedOf;
 pub use views::{NDC_DRAWN, Views};

@@ -1,4 +1,4 @@
-//! Somebody who looks at a stage from outside, and turns, shifts and zooms that view alone.
+//! The observer of one of the four views: looks at a stage from outside, and turns, pans and zooms in that view alone.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Orbit, Projection, UpAxis, View, Viewport, fit_near_far},
@@ -9,15 +9,15 @@ use glam::{DAffine3, DVec2, DVec3};
 /// Radians: narrow enough for boxes to look like boxes.
 const FOV_Y: f64 = 0.6;
 /// Radians of orbit for a pixel of drag.
-const TURN_PER_PX: f64 = 0.008;
-/// How much of a view what is framed fills: beside it stand names.
+pub(super) const TURN_PER_PX: f64 = 0.008;
+/// The share of a view that framed points fill: labels need the rest.
 const FILLED: f64 = 0.8;
-/// Framing comes nearer to that by each of these steps.
+/// Framing approaches that share in so many steps.
 const STEPS: u32 = 5;
 /// Points that are framed.
 pub(super) type Points = [DVec3; 17];
 
-/// Where somebody stands. All of it is in the space that the stage is drawn in, right-handed.
+/// An observer, in the right-handed space that its stage is drawn in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Observer {
     orbit: Orbit,
@@ -26,12 +26,12 @@ pub(super) struct Observer {
     /// What dragging turns about.
     pivot: DVec3,
     pan_depth: f64,
-    /// What is framed, as long as nobody has moved: a view of another size frames it again.
+    /// What is framed, until the user moves the view: a resize frames it again.
     framed: Option<Points>,
 }
 
 impl Observer {
-    /// Looks at points from a direction in the up axis's frame: right, up, towards the viewer.
+    /// Looks at points from a direction, given in the up axis's frame: right, up, towards the viewer.
     pub fn new(up_axis: UpAxis, from: DVec3, points: &Points, viewport: Viewport) -> Self {
         let mut orbit = Orbit::framing(&Aabb::around(*points), up_axis, FOV_Y, viewport.aspect());
         orbit.look_from(up_axis, from);
@@ -47,7 +47,7 @@ impl Observer {
         observer
     }
 
-    /// Shows all of these points from where it is, as large as there is room.
+    /// Shows all of these points from the present direction, as large as they fit.
     pub fn frame(&mut self, points: &Points) {
         let bounds = Aabb::around(*points);
         (self.orbit).frame_bounds(&bounds, FOV_Y, self.viewport.aspect());
@@ -69,7 +69,7 @@ impl Observer {
         self.framed = Some(*points);
     }
 
-    /// The view has another size.
+    /// Gives the view this size.
     pub fn resize(&mut self, viewport: Viewport) {
         if viewport != self.viewport {
             self.viewport = viewport;
@@ -79,7 +79,7 @@ impl Observer {
         }
     }
 
-    /// Whether nobody has moved it since it was framed.
+    /// Whether it has not moved since it was framed.
     pub fn is_untouched(&self) -> bool {
         self.framed.is_some()
     }
@@ -91,7 +91,7 @@ impl Observer {
         self.framed = None;
     }
 
-    /// What somebody points at becomes the pivot.
+    /// Begins a turn about `at`, or about the last pivot.
     pub fn begin_turn(&mut self, at: Option<DVec3>) {
         self.pivot = at.unwrap_or(self.pivot);
     }
@@ -102,7 +102,7 @@ impl Observer {
         self.framed = None;
     }
 
-    /// What somebody points at will follow the cursor.
+    /// Begins a pan in which `at` follows the cursor.
     pub fn begin_pan(&mut self, at: Option<DVec3>) {
         if let (Some(at), Some(camera)) = (at, self.camera()) {
             self.pan_depth = camera.to_view(at).z;
@@ -114,7 +114,7 @@ impl Observer {
         self.framed = None;
     }
 
-    /// Comes nearer to what somebody points at, or else to what lies there as deep as the target.
+    /// Zooms towards `at`, or else towards the point at `px` that is as deep as the target.
     pub fn zoom(&mut self, px: DVec2, at: Option<DVec3>, factor: f64) {
         let Some(camera) = self.camera() else { return };
         let ray = camera.ray(self.viewport, px);
@@ -127,8 +127,8 @@ impl Observer {
         self.orbit.camera(LENS).ok()
     }
 
-    /// The view of a scene that stands in a space of its own, which `to_scene`, a rotation and a shift, leads to. Planes go
-    /// about `bounds` in that. `None` where the eye is too far away to tell it from its target.
+    /// The view in the space of the scene that is drawn, where `to_scene`, a rotation and a translation, leads. Near and far
+    /// are fitted to `bounds` there. `None` where the eye is too far away to tell it from its target.
     pub fn view(&self, to_scene: &DAffine3, bounds: &Aabb, sides: Sides) -> Option<View> {
         let camera = self.camera()?;
         let [eye, target] = [camera.eye(), camera.target()].map(|at| to_scene.transform_point3(at));
@@ -145,7 +145,7 @@ impl Observer {
     }
 }
 
-/// Every observer's; the planes are fitted.
+/// Every observer's lens; near and far are replaced by fitted ones.
 const LENS: Lens = Lens {
     projection: Projection::Perspective { fov_y: FOV_Y },
     near: 1.0,

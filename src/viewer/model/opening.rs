@@ -1,4 +1,4 @@
-//! One scene after another.
+//! Opening, reading again and saving scenes.
 
 use super::{
     action::LensControls,
@@ -19,11 +19,11 @@ use crate::{
 use std::{mem, path::PathBuf};
 
 impl State {
-    /// Shows a scene in a rectangle of this size. The camera is `choice`, then the scene's own, then framing. A section that
-    /// cannot be is none.
+    /// Shows a scene in a rectangle of this size. What `choice` leaves open of the camera is the scene's own, or else frames
+    /// the scene. An invalid section is left out.
     ///
     /// # Errors
-    /// When the choices make no camera.
+    /// When the choices make no valid camera.
     pub fn new(
         loaded: Loaded,
         choice: CameraChoice,
@@ -87,11 +87,11 @@ impl State {
         })
     }
 
-    /// Shows another scene, of these files; what the user set about the window stays. A scene of the gallery leaves a step
-    /// back to what was open; any other begins a history of its own.
+    /// Shows another scene, loaded from these files; the window's settings stay. A scene of the gallery can be undone, back
+    /// to what was open; any other begins a new history.
     ///
     /// # Errors
-    /// When the scene's own camera is none; then everything stays as it was.
+    /// When the scene's own camera is invalid; then everything stays as it was.
     pub fn open(&mut self, loaded: Loaded, paths: Vec<PathBuf>) -> Result<(), CameraError> {
         let inherited = CameraChoice {
             up_axis: Some(self.up_axis),
@@ -105,7 +105,7 @@ impl State {
         let goes_back = next.showing.is_some() && !self.scene.objects().is_empty();
         let before = self.exchange(next);
         if goes_back {
-            self.record(Step::Open(before));
+            self.record(None, Step::Open(before));
         } else {
             let mut before = before;
             let fresh = self.timeline.fresh();
@@ -115,30 +115,30 @@ impl State {
             self.replaced = Some(drawn).filter(|drawn| !drawn.scene.objects().is_empty());
         }
         self.document = self.timeline.mark();
-        self.opened_at = Some(self.stand());
+        self.opened_at = Some(self.viewpoint());
         self.refresh_panes();
         Ok(())
     }
 
-    /// The picture has another size. A scene that nobody has moved or edited yet is opened anew for it: it is whole in
-    /// view, whatever size the window turns out to have.
+    /// Gives the picture this size. While view and scene are as they were opened, the opening view is made anew for it: all
+    /// of the scene is in view, whatever size the window turns out to have.
     pub(super) fn resize(&mut self, viewport: Viewport) {
-        let is_as_opened = self.opened_at == Some(self.stand()) && self.edits == self.filed;
+        let is_as_opened = self.opened_at == Some(self.viewpoint()) && self.edits == self.filed;
         let is_another = self.view.viewport != viewport;
         self.view.viewport = viewport;
         if is_as_opened && is_another {
-            self.stand_as_opened();
-            self.opened_at = Some(self.stand());
+            self.view_as_opened();
+            self.opened_at = Some(self.viewpoint());
         }
         if is_another {
             self.frame_untouched();
         }
     }
 
-    /// Stands where the scene would open in a picture of this size, with what is visible now.
-    pub(super) fn stand_as_opened(&mut self) {
+    /// Moves the view to where the scene would open in a picture of this size, with what is visible now.
+    pub(super) fn view_as_opened(&mut self) {
         let bounds = self.scene.visible_bounds();
-        // The choices made a camera before; other bounds or another viewport cannot make them none.
+        // The choices made a valid camera before; other bounds or another viewport cannot change that.
         if let Ok(camera) = self.opened_with.resolve(&bounds, self.view.viewport) {
             self.controls = LensControls::of(&self.opened_with);
             self.orbit = Orbit::of_camera(&camera, self.up_axis);
@@ -148,18 +148,18 @@ impl State {
         }
     }
 
-    /// The scene is drawn: there is no way back to the one before it but by opening that.
+    /// The scene is drawn: gives up the one before it.
     pub(in crate::viewer) fn accepted(&mut self) {
         let before = self.replaced.take();
         self.unused.extend(before.map(|before| before.scene));
     }
 
-    /// The scenes that were given up since somebody asked.
+    /// The scenes that were given up since the last call.
     pub(in crate::viewer) fn take_unused(&mut self) -> Vec<Scene> {
         mem::take(&mut self.unused)
     }
 
-    /// The scene cannot be drawn: back to what was shown before. Returns whether there was something.
+    /// The scene cannot be drawn: goes back to what was shown before. Returns whether there was something.
     pub(in crate::viewer) fn refused(&mut self) -> bool {
         if let Some(mut before) = self.replaced.take() {
             let timeline = mem::take(&mut before.timeline);
@@ -179,18 +179,15 @@ impl State {
         self.reload_as(loaded, None);
     }
 
-    /// The same; the scene that comes of it may have been made before.
+    /// The same; `made` is the resulting scene, where another thread has made it.
     pub(in crate::viewer) fn reload_as(&mut self, loaded: Loaded, made: Option<Made>) {
         if self.showing().map(|showing| showing.exhibit) != loaded.exhibit {
             self.showing = loaded.exhibit.map(Showing::new);
         }
         let made = made.filter(|made| made.is_of(&self.scene));
         let made = made.unwrap_or_else(|| Made::again(&self.scene, loaded.scene));
-        let selected = self.selection.take();
-        self.selection = selected.and_then(|selected| {
-            let object = made.became(selected.object)?;
-            Some(Selection { object, pick: None })
-        });
+        let selected = self.selected().and_then(|object| made.became(object));
+        self.selection = selected.map(|object| Selection { object, pick: None });
         self.unused.push(mem::replace(&mut self.scene, made.scene));
         self.scene_revision += 1;
         self.outdate_measures();
@@ -221,14 +218,14 @@ impl State {
         }
     }
 
-    /// Whether this is what is shown where no file is named.
+    /// Whether this is the demo, which opens where no file is named.
     #[must_use]
     pub fn is_demo(&self) -> bool {
         let of_no_file = self.source.paths.is_empty() && self.showing.is_none();
         of_no_file && !self.scene.objects().is_empty()
     }
 
-    /// The file that the scene is saved to unless the user names another: the scene file that it is from.
+    /// The file that is proposed for saving: the scene file that the scene is from, or else `scene.toml`.
     #[must_use]
     pub fn file_to_save(&self) -> PathBuf {
         match self.source.paths.as_slice() {
@@ -237,7 +234,7 @@ impl State {
         }
     }
 
-    /// Files hold what a snapshot had: its scene is theirs from now on, whether it is shown or was left for the gallery.
+    /// A snapshot was saved: its scene, on show or left for the gallery, belongs to these files from now on.
     pub(in crate::viewer) fn saved(&mut self, snapshot: &Snapshot, source: Source) {
         let steps = self.timeline.all_mut();
         let left = steps.filter_map(|step| match step {
@@ -260,7 +257,7 @@ impl State {
     }
 }
 
-/// A scene as it was when somebody asked to save it.
+/// A scene as it was when the user asked to save it.
 pub(in crate::viewer) struct Snapshot {
     pub scene: Scene,
     pub camera: CameraChoice,

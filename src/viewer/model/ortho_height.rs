@@ -2,8 +2,8 @@
 
 use crate::camera::{CameraChoice, Orbit};
 
-/// How high the orthographic picture is: so much at one distance of the orbit, at others in proportion. At that very
-/// distance it is that very height.
+/// How high the orthographic picture is: `height` world units where the orbit's distance is `distance`, exactly, and in
+/// proportion at others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OrthoHeight {
     height: f64,
@@ -19,7 +19,7 @@ impl OrthoHeight {
         }
     }
 
-    /// As high as chosen, or else as perspective has it.
+    /// As high as chosen, or else as in perspective.
     pub fn chosen(choice: &CameraChoice, orbit: &Orbit) -> Self {
         let as_chosen = |height| Self {
             height,
@@ -31,7 +31,7 @@ impl OrthoHeight {
             .map_or_else(|| Self::of_perspective(fov_deg), as_chosen)
     }
 
-    /// At a distance of the orbit.
+    /// The height at a distance of the orbit.
     pub fn at(self, distance: f64) -> f64 {
         self.height * (distance / self.distance)
     }

@@ -1,11 +1,11 @@
-//! What is shown over the scene when asked for.
+//! What is shown over the scene on request.
 
 /// Something shown over the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
     /// The triangle under the pick, with its corners and barycentrics.
     Triangle,
-    /// The way from the pick before to this one.
+    /// The distance between the last two picks.
     Distance,
     /// The edges of triangles.
     Wireframe,
@@ -67,17 +67,16 @@ impl Overlay {
 pub struct Overlays {
     /// A bit for each.
     shown: u32,
-    /// Boxes of the trees over meshes, so many steps below the root.
+    /// Boxes of the meshes' trees, so many levels below the root.
     pub tree_level: Option<u32>,
 }
 
 impl Default for Overlays {
     fn default() -> Self {
         Self {
-            shown: 0,
+            shown: 1 << Overlay::Triangle as u32,
             tree_level: None,
         }
-        .toggled(Overlay::Triangle)
     }
 }
 
@@ -88,14 +87,14 @@ impl Overlays {
         self.shown & (1 << overlay as u32) != 0
     }
 
-    /// The same, but for one.
+    /// The same with one of them switched.
     #[must_use]
     pub fn toggled(mut self, overlay: Overlay) -> Self {
         self.shown ^= 1 << overlay as u32;
         self
     }
 
-    /// The same at another level of trees.
+    /// The same with the tree level after, or before.
     pub(super) fn next_tree_level(self, deeper: bool) -> Self {
         let tree_level = match (self.tree_level, deeper) {
             (None, true) => Some(0),
@@ -108,10 +107,8 @@ impl Overlays {
 
     /// Whether one of them is drawn with the scene.
     pub(in crate::viewer) fn in_scene(self) -> bool {
-        let mut shown = Overlay::ALL
-            .into_iter()
-            .filter(|&overlay| self.shows(overlay));
-        shown.any(Overlay::is_in_scene) || self.tree_level.is_some()
+        let mut all = Overlay::ALL.into_iter();
+        all.any(|overlay| self.shows(overlay) && overlay.is_in_scene()) || self.tree_level.is_some()
     }
 }
 

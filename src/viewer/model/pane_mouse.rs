@@ -12,18 +12,18 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// The pixel that a point is in stands for it, where what its centre shows is no deeper or less deep than so many pixels
-/// are wide; else its own position.
-const AS_DEEP_PX: f64 = 8.0;
+/// A point is picked by the ray of its pixel's centre where that hits within so many pixel widths of the point's depth, else
+/// by a ray through the point itself.
+const SAME_DEPTH_PX: f64 = 8.0;
 
-/// The point that is followed through the stages.
+/// The point that is shown at every stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
     /// The index of its object.
     pub object: usize,
     /// Where it is in the object's space.
     pub point_object: DVec3,
-    /// Whether it was clicked, and is not merely pointed at.
+    /// Whether it was clicked; otherwise it is under the cursor.
     pub is_picked: bool,
 }
 
@@ -31,13 +31,8 @@ impl State {
     /// The point that is followed: the pick's, or else the cursor's.
     #[must_use]
     pub fn followed(&self) -> Option<Followed> {
-        let of_pick = || {
-            let selection = self.selection.as_ref()?;
-            let hit = selection.pick.as_ref()?.hit.as_ref()?;
-            Some((selection.object, hit.point_object))
-        };
-        let unseen = || self.panes.as_ref()?.point;
-        let picked = of_pick().or_else(unseen);
+        let of_pick = self.picked().map(|hit| (hit.id - 1, hit.point_object));
+        let picked = of_pick.or_else(|| self.panes.as_ref()?.point);
         let (object, point_object) = picked.or_else(|| self.cursor?.hit)?;
         Some(Followed {
             object,
@@ -54,8 +49,8 @@ impl State {
         Some(placement.point_to_world(followed.point_object))
     }
 
-    /// Picks a point of an object as the scene's camera sees it: by the ray of its pixel, and of what that hits what lies
-    /// there. Where the camera does not see that far, the object is selected and the point followed all the same.
+    /// Picks a point of an object through the scene's camera: casts the ray of its pixel and takes the hit at the point.
+    /// Where there is no such hit, the object is selected and the point followed all the same.
     fn pick_point(&mut self, object: usize, point_object: DVec3) -> Option<PickLine> {
         let world = self.scene.objects()[object]
             .placement
@@ -68,7 +63,7 @@ impl State {
             let px_wide =
                 view.half_extent().y * lens.w(seen.depth) * 2.0 / f64::from(view.viewport.height());
             for (px, most) in [
-                (pixel_centre(seen.px), AS_DEEP_PX * px_wide),
+                (pixel_centre(seen.px), SAME_DEPTH_PX * px_wide),
                 (seen.px, f64::INFINITY),
             ] {
                 let hits = RayHits::cast(&self.scene, view, px, 0);
@@ -110,7 +105,7 @@ impl State {
         same && (panes.clicked_s).is_some_and(|last_s| time_s - last_s > DOUBLE_CLICK_S)
     }
 
-    /// Before a click: keeps what it will take away, unless it is the second one of a double click.
+    /// Before a click on nothing: keeps what it will clear. The second click of a double click keeps the first one's.
     fn keep_cleared(&mut self, time_s: f64, is_on_nothing: bool) {
         let kept = is_on_nothing.then(|| Cleared {
             chosen: self.chosen(),
@@ -126,7 +121,7 @@ impl State {
         }
     }
 
-    /// A double click is not meant to take away what is picked.
+    /// After a double click: restores what its first click cleared.
     fn restore_cleared(&mut self) {
         let Some(kept) = self.cleared.take() else {
             return;
@@ -138,7 +133,7 @@ impl State {
         }
     }
 
-    /// What the mouse does within a stage.
+    /// Does an action of the mouse in a stage's view.
     pub(super) fn act_in(&mut self, stage: Stage, action: Action) -> Option<PickLine> {
         let at = |px| Some(self.pane_hit(stage, px)?.1);
         let hit = match action {
@@ -190,7 +185,7 @@ impl State {
         None
     }
 
-    /// What a stage shows at a position of its view, and the point there, both of the scene that it shows.
+    /// What a ray hits at a position of a stage's view, and where, in the scene that the stage shows.
     fn pane_hit(&self, stage: Stage, px: DVec2) -> Option<(SceneHit, DVec3)> {
         let (scene, _) = self.pane_scene(stage)?;
         let view = self.pane_view(stage)?;

@@ -12,8 +12,8 @@ use crate::{
 use glam::DVec2;
 
 impl State {
-    /// Selects what lies at a pixel: the nearest surface, or on the same pixel of the same picture the next one behind.
-    /// The second click of a double click selects the nearest again.
+    /// Selects what lies at a pixel: the nearest surface, or for a click on the same pixel of the same picture the next one
+    /// behind. The second click of a double click selects the nearest again.
     pub(super) fn click(&mut self, px: DVec2, time_s: f64) -> Option<PickLine> {
         let px = pixel_centre(px);
         let view = self.seen_view();
@@ -25,8 +25,8 @@ impl State {
         self.take_hits(RayHits::cast(&self.scene, view, px, at))
     }
 
-    /// The ray that the pick was made by, with its view: what is copied and repeated. A click on nothing counts while its
-    /// view is on screen.
+    /// The ray that made the pick, with its view, for copies that repeat it. A click on nothing counts while its view is on
+    /// screen.
     #[must_use]
     pub fn pick_ray(&self) -> Option<&RayHits> {
         let ray = self.hits.as_ref()?;
@@ -96,7 +96,7 @@ impl State {
         self.step_to((hits.at + if forward { 1 } else { count - 1 }) % count)
     }
 
-    /// A view with its planes about the scene as it is now.
+    /// A view with near and far fitted to the scene as it is now.
     fn refitted(&self, view: View) -> View {
         let (mut lens, controls) = (*view.camera.lens(), self.controls);
         let bounds = self.shown_bounds();
@@ -105,7 +105,7 @@ impl State {
         View { camera, ..view }
     }
 
-    /// What the file says of the pick.
+    /// Adds to the pick what the file says about it.
     pub(in crate::viewer) fn learn(&mut self, in_file: &InFile) {
         let picked = self
             .selection
@@ -125,8 +125,8 @@ impl State {
         }
     }
 
-    /// The scene changed: the ray of the last click is cast anew, and the selected object's pick is what it hits of
-    /// it now. A pick of the view that was on screen before is one of the view that is.
+    /// The scene changed: casts the last click's ray again and picks what it hits of the selected object now. A pick made in
+    /// `before`, the view on screen until now, moves to the present view.
     pub(super) fn repick(&mut self, before: &View) {
         let Some(old) = self.hits.take() else { return };
         let view = if old.view == *before {
@@ -136,7 +136,7 @@ impl State {
         };
         let mut hits = RayHits::cast(&self.scene, view, old.px, 0);
         if let Some(selection) = &mut self.selection {
-            // Of its surfaces the first that lies as the old one did, front or back.
+            // The object's first hit that is front or back as the old one was, else its first hit.
             let of_selected = |pick: &Pick| pick.id == selection.object + 1;
             let before = old.picks.get(old.at).filter(|pick| of_selected(pick));
             let front = before.is_none_or(|pick| pick.front);

@@ -1,4 +1,4 @@
-//! What of the section the view does not hold.
+//! What the window remembers about sections beside the one that the view holds.
 
 use crate::geometry::Section;
 use glam::DVec3;
@@ -6,8 +6,8 @@ use glam::DVec3;
 /// What turns a section on again, and what one by three points waits for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct SectionMemory {
-    /// The one that was turned off last.
+    /// The section that was turned off last.
     pub off: Option<Section>,
-    /// While three picks are waited for: those that were made.
+    /// The points picked so far, while the window waits for three.
     pub points: Option<Vec<DVec3>>,
 }

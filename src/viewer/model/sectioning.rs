@@ -1,10 +1,9 @@
-//! The section in the window: where it can be laid, and what turns it on again. The view holds it.
+//! The section in the window: where it can be laid, and how it is turned on again. The view holds it.
 
-use super::state::{Selection, State};
+use super::state::State;
 use crate::{
     camera::SectionChoice,
     geometry::{Cuboid, Section},
-    pick::Pick,
     scene::Shape,
 };
 use glam::DVec3;
@@ -16,13 +15,13 @@ impl State {
         self.showing.is_none()
     }
 
-    /// How many more picks a section by three points waits for; `None` where nothing does.
+    /// How many more picks a section by three points waits for; `None` where none is waiting.
     #[must_use]
     pub fn points_wanted(&self) -> Option<usize> {
         Some(3 - self.section_memory.points.as_ref()?.len())
     }
 
-    /// Across an axis of the world, through the middle of what is visible; what lies towards the eye is cut away.
+    /// A section across an axis of the world, through the middle of what is visible, that cuts away the eye's side.
     #[must_use]
     pub fn section_across(&self, axis: DVec3) -> Option<Section> {
         let bounds = self.scene.visible_bounds();
@@ -31,7 +30,7 @@ impl State {
         }
         let middle = bounds.center();
         let is_before = (self.view.camera.eye() - middle).dot(axis) > 0.0;
-        // Added to 0, -0 is 0.
+        // Adding 0 turns -0 into 0.
         let normal = if is_before { -axis } else { axis } + DVec3::ZERO;
         Section::through(middle, normal).ok()
     }
@@ -39,9 +38,8 @@ impl State {
     /// The picked face, where it is flat.
     #[must_use]
     pub fn picked_face(&self) -> Option<SectionChoice> {
-        let Selection { object, pick } = self.selection.as_ref()?;
-        let pick: &Pick = pick.as_ref()?.hit.as_ref()?;
-        let face = match &self.scene.objects().get(*object)?.shape {
+        let pick = self.picked()?;
+        let face = match &self.scene.objects().get(pick.id - 1)?.shape {
             Shape::Sphere => return None,
             Shape::Square => None,
             Shape::Cube => {
@@ -51,13 +49,10 @@ impl State {
             }
             Shape::Mesh { .. } => Some(pick.triangle?),
         };
-        Some(SectionChoice::Face {
-            id: object + 1,
-            face,
-        })
+        Some(SectionChoice::Face { id: pick.id, face })
     }
 
-    /// Along the picked face, which it keeps with what lies behind. Looks at all triangles of a mesh.
+    /// A section along the picked face. It keeps the face and what lies behind it. Looks at all triangles of a mesh.
     #[must_use]
     pub fn section_along_pick(&self) -> Option<Section> {
         self.scene.section(self.picked_face()?).ok().flatten()
@@ -75,7 +70,7 @@ impl State {
         self.section_memory.points = None;
     }
 
-    /// Turns it off, or on again: where it was, or else across the axis that runs most towards the eye.
+    /// Turns the section off, or on again: where it was, or else across the axis closest to the direction of view.
     pub(super) fn toggle_section(&mut self) {
         let on = || {
             let forward = self.view.camera.forward().abs();
@@ -91,13 +86,13 @@ impl State {
         self.set_section(next);
     }
 
-    /// Waits for three picks, or no longer.
+    /// Starts or stops waiting for three picks.
     pub(super) fn await_points(&mut self, awaits: bool) {
         let awaits = awaits && self.takes_sections();
         self.section_memory.points = awaits.then(Vec::new);
     }
 
-    /// Takes a pick for a section by three points, where one is waited for. Points on one line begin anew.
+    /// Takes a pick for a section by three points, if one is waiting. Three points on one line start it over.
     pub(super) fn take_point(&mut self, point_world: DVec3) {
         let Some(points) = &mut self.section_memory.points else {
             return;
@@ -109,9 +104,9 @@ impl State {
         let rounded = Section::may_be_on_one_line(points);
         match Section::through_points(points) {
             Ok(section) if !rounded => {
-                let was = self.stand();
+                let was = self.viewpoint();
                 self.set_section(Some(section));
-                self.record_stand(None, &was);
+                self.record_viewpoint(None, &was);
             }
             _ => self.section_memory.points = Some(Vec::new()),
         }

@@ -1,4 +1,4 @@
-//! What somebody who points at the picture sees there, and what a ray finds without making them wait.
+//! The picture on screen, which the user points into, and rays quick enough to follow the mouse.
 
 use super::{on_screen::OnScreen, state::State};
 use crate::{
@@ -7,11 +7,11 @@ use crate::{
     pick::{self, SceneHit},
 };
 
-/// Trying so many triangles without a tree takes half a millisecond.
-const TRIED: usize = 30_000;
+/// Testing so many triangles without a tree takes half a millisecond.
+const MOST_WITHOUT_TREE: usize = 30_000;
 
 impl State {
-    /// What the picture is to show.
+    /// What the next picture shows.
     pub(in crate::viewer) fn to_show(&self) -> OnScreen {
         OnScreen {
             view: self.view,
@@ -20,14 +20,14 @@ impl State {
         }
     }
 
-    /// What is on screen, while that is not yet what it is to be; `None` once it is.
+    /// Notes what is on screen while the picture lags behind the state; `None` once it has caught up.
     #[expect(clippy::large_types_passed_by_value, reason = "once a frame, and kept")]
     pub(in crate::viewer) fn see(&mut self, seen: Option<OnScreen>) {
         self.seen = seen;
     }
 
-    /// The view of the picture that somebody points into. Of other objects than there are now, or in other places, nothing
-    /// can be picked.
+    /// The view of the picture on screen, which the user points into; the present view where that picture still shows other
+    /// objects, or objects in other places, which cannot be picked any more.
     pub(super) fn seen_view(&self) -> View {
         let now = self.to_show();
         let is_of_these = |seen: &OnScreen| {
@@ -39,16 +39,16 @@ impl State {
             .map_or(now.view, |seen| seen.view)
     }
 
-    /// Whether a ray takes no longer than a mouse move may: meshes have their trees, or need none.
+    /// Whether a ray is quick enough for a mouse move: meshes have their trees, or are small.
     #[must_use]
     pub fn rays_are_quick(&self) -> bool {
         let meshes = self.scene.meshes().iter();
         let tried = meshes.filter(|mesh| !mesh.is_ready());
         let tried: usize = tried.map(|mesh| mesh.data().triangles.len()).sum();
-        tried <= TRIED
+        tried <= MOST_WITHOUT_TREE
     }
 
-    /// The nearest hit, for what follows the mouse: nothing until trees are there.
+    /// The nearest hit, for what follows the mouse; `None` while rays are slow.
     pub(super) fn quick_hit(&self, ray: &WorldRay) -> Option<SceneHit> {
         let is_quick = self.rays_are_quick();
         is_quick.then(|| pick::closest(&self.scene, ray, self.view.sides))?

@@ -1,4 +1,4 @@
-//! The way to what a file has a number for, and the mark that it leaves.
+//! Going to a face or vertex by its number in the file, and marking it.
 
 use super::{hits::RayHits, sought::Sought, state::State};
 use crate::{
@@ -7,11 +7,11 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// At a vertex `f64` may put the ray beside each of its triangles: then it is cast so far towards the middle of one.
+/// In `f64` a ray at a vertex may miss all of its triangles. So it is tried at these shares of the way to the middle of one.
 const ASIDE: [f64; 3] = [0.0, 1.0 / 16_777_216.0, 1.0 / 4096.0];
 
 impl State {
-    /// What was gone to by its number and is marked, where it stands now.
+    /// The marked face or vertex, where it stands now.
     #[must_use]
     pub fn sought(&self) -> Option<Sought> {
         let sought = self.sought?;
@@ -20,14 +20,14 @@ impl State {
         Some(Sought { point, ..sought })
     }
 
-    /// Whether the view on screen shows that, exactly; `None` where nothing is marked, or no tree is there yet to tell.
+    /// Whether the view on screen shows the mark, decided exactly; `None` where nothing is marked, or while rays are slow.
     #[must_use]
     pub fn sight_of_sought(&self) -> Option<Sight> {
         let sought = self.sought().filter(|_| self.rays_are_quick())?;
         Some(sight(&self.scene, &self.view, &sought.point))
     }
 
-    /// That in words.
+    /// [`Self::sight_of_sought`] in words.
     #[must_use]
     pub fn says_of_sought(&self) -> Option<String> {
         Some(match self.sight_of_sought()? {
@@ -40,7 +40,7 @@ impl State {
             }
             Sight::Seen(_) => match self.in_picture(self.sought()?.point.world()) {
                 Some(px) => format!("seen at {:.2}, {:.2}", px.x, px.y),
-                None => "beside the picture".to_owned(),
+                None => "outside the picture".to_owned(),
             },
             Sight::NotShown => self.why_not_shown()?.to_owned(),
         })
@@ -54,7 +54,7 @@ impl State {
         Some(if !self.scene.objects()[object].visible {
             "its object is hidden"
         } else if depth < lens.near {
-            "before the near plane"
+            "in front of the near plane"
         } else if depth >= lens.far {
             "beyond the far plane"
         } else if section.is_some_and(|section| section.side(point_world) < 0.0) {
@@ -64,8 +64,8 @@ impl State {
         })
     }
 
-    /// Shows it, in the middle where it is out of the picture, marks it, and picks it where its triangle can be. Where it
-    /// cannot, its object is selected, and a pick of that stays.
+    /// Marks a face or vertex, and centres the view on it where it is outside the picture. Picks its triangle; where no ray
+    /// hits that, its object is selected, and an earlier pick on the same object stays.
     pub(super) fn go_to(&mut self, sought: Sought) -> Option<PickLine> {
         self.sought = Some(sought);
         let Sought { object, point, .. } = self.sought()?;
@@ -78,8 +78,7 @@ impl State {
         let line = self
             .pick_of(&sought, point_world)
             .and_then(|hits| self.take_hits(hits));
-        let selected = self.selection.as_ref().map(|selection| selection.object);
-        if selected != Some(object) {
+        if self.selected() != Some(object) {
             self.select(Some(object));
         }
         if let Some(panes) = &mut self.panes {
@@ -89,7 +88,7 @@ impl State {
         line
     }
 
-    /// Where the view shows a point between its planes; `None` beside the picture.
+    /// Where in the picture a point between near and far is; `None` outside.
     fn in_picture(&self, point_world: DVec3) -> Option<DVec2> {
         let view = &self.view;
         let lens = view.camera.lens();
@@ -98,7 +97,7 @@ impl State {
         (view.viewport.contains(at.px) && is_between).then_some(at.px)
     }
 
-    /// Its triangle, on the ray at the point or next to it.
+    /// The hits on a ray at the point, or next to it, that meets the sought triangle, which is picked.
     fn pick_of(&self, sought: &Sought, point_world: DVec3) -> Option<RayHits> {
         let at = self.in_picture(point_world)?;
         let object = &self.scene.objects()[sought.object];

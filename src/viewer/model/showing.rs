@@ -10,7 +10,7 @@ use crate::{
 };
 use glam::DVec2;
 
-/// A scene of the gallery and how it is picked from.
+/// A scene of the gallery, and which method picks in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Showing {
     /// The scene.
@@ -43,7 +43,7 @@ pub enum Fault {
     Phantom,
     /// It hits another object or triangle.
     Other,
-    /// It hits the right thing, this far from where it is hit.
+    /// It hits the right object and triangle, this far from the right point.
     Off(Distance),
 }
 
@@ -72,14 +72,14 @@ impl Distance {
     /// Whether anybody would see it: half a pixel, a degree, a ten-thousandth of the distance.
     #[must_use]
     pub fn shows(&self) -> bool {
-        // What is no number is as wrong as can be.
+        // NaN counts as visible.
         let small = self.px < 0.5 && self.normal_deg < 1.0 && self.relative < 1e-4;
         !small
     }
 }
 
 impl Showing {
-    /// A scene that has just been opened, picked from as any other.
+    /// A scene that has just been opened, where Sightline's own method picks.
     #[must_use]
     pub fn new(exhibit: &'static Exhibit) -> Self {
         Self {
@@ -101,7 +101,7 @@ impl Showing {
         swaps.get((now.unwrap_or(own) + step) % (own + 1)).copied()
     }
 
-    /// What breaks here that the present method is about: its own entry, else one of its step, else the first.
+    /// The entry for the present method among what breaks here: its own, else one of its step, else the first.
     #[must_use]
     pub fn subject(&self) -> Option<&'static Break> {
         let breaks = || gallery::breaks_on(self.exhibit.name);

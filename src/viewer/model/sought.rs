@@ -1,4 +1,4 @@
-//! What was gone to by its number.
+//! A face or vertex that the user went to by its number.
 
 use crate::geometry::PlacedPoint;
 
@@ -22,15 +22,15 @@ impl Numbered {
     }
 }
 
-/// What was gone to.
+/// A face or vertex that the user went to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sought {
     /// Its number.
     pub of: Numbered,
     /// The index of the object that it is on.
     pub object: usize,
-    /// A triangle of that which has it.
+    /// One of the object's triangles that has it.
     pub triangle: u32,
-    /// The vertex, or a point inside of the face.
+    /// The vertex, or a point inside the face.
     pub point: PlacedPoint,
 }

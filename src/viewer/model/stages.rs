@@ -42,17 +42,17 @@ impl Stage {
     }
 }
 
-/// Rings of the spheres that stand in for projected ones: of a few.
+/// Rings of the mesh that stands in for a projected sphere, where spheres are few.
 const RINGS: u32 = 24;
-/// The least, of very many.
+/// The same where there are very many.
 const LEAST_RINGS: u32 = 4;
-/// About so many quadrilaterals, twice, is what the spheres of a scene come to.
+/// Between these, all spheres of a scene together have about twice so many quadrilaterals.
 const SPHERE_QUADS: usize = 500_000;
-/// Edges of a projected shape that bend by more stay sharp. Radians.
+/// Edges of a projected shape that bend by more than this stay sharp. Radians.
 const CREASE: f32 = 0.5;
 
-/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order, parts of one mesh, cut at the near
-/// plane. What lies before it is gone; an object of which nothing is left is hidden.
+/// The scene in NDC as it is drawn, see `ndc_drawn`: the same objects in the same order as parts of one mesh, clipped at the
+/// near plane. An object of which nothing is left is hidden.
 #[must_use]
 pub fn projected(scene: &Scene, view: &View) -> Scene {
     let mut data = MeshData::default();
@@ -84,13 +84,13 @@ pub fn projected(scene: &Scene, view: &View) -> Scene {
     Scene::new(objects.collect())
 }
 
-/// Where a view space point is drawn in NDC: x, y and minus z of standard depth, whatever the lens stores. So the near face is
-/// the one towards the viewer, and nothing is mirrored: view space is left-handed, what is drawn is not.
+/// Where a view space point is drawn in NDC: at x, y and minus z of standard depth, whatever the lens stores. So the near
+/// face is towards the viewer and nothing is mirrored: view space is left-handed, the space drawn in is right-handed.
 pub(super) fn ndc_drawn(p_view: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
     (p_view.truncate() / (half * lens.w(p_view.z))).extend(-lens.ndc_depth(p_view.z))
 }
 
-/// The view space point that is drawn there: the opposite of [`ndc_drawn`].
+/// The view space point that is drawn there: the inverse of [`ndc_drawn`].
 pub(super) fn view_of_ndc_drawn(at: DVec3, half: DVec2, lens: &Lens) -> DVec3 {
     let (a, b) = lens.depth_row();
     let depth = if lens.is_orthographic() {
@@ -109,12 +109,12 @@ pub(super) fn standard(view: &View) -> Lens {
     }
 }
 
-/// Adds an object's surface in NDC, as it is drawn, to a mesh; returns which part it is, where there is any of it.
+/// Adds an object's surface in NDC, as it is drawn, to a mesh; returns its part, or `None` where nothing is left of it.
 fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Option<usize> {
     let (lens, half) = (standard(view), view.half_extent());
     let count = |data: &MeshData| u32::try_from(data.triangles.len()).ok();
     let begin = count(data)?;
-    // Vertices are shared within an object, so that shading stays smooth, and not beyond.
+    // Vertices are shared only within an object.
     let mut known = HashMap::new();
     for (corners, colour) in surface(object, rings) {
         let world = corners.map(|corner| object.placement.point_to_world(corner));
@@ -161,7 +161,7 @@ fn project(object: &Object, view: &View, rings: u32, data: &mut MeshData) -> Opt
     Some(data.parts.len() - 1)
 }
 
-/// The vertex at a position, made where it is new: shared, so that shading stays smooth.
+/// The vertex at a position, added where it is new: shared, so that shading stays smooth.
 fn vertex(
     positions: &mut Vec<[f32; 3]>,
     known: &mut HashMap<[u32; 3], u32>,

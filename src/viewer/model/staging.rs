@@ -1,5 +1,4 @@
-//! The four views: the scene at each stage of the pipeline, each seen by somebody of its own, all of the one scene and its
-//! one camera.
+//! The four views: one scene and its one camera at each stage of the pipeline, each seen by an observer of its own.
 
 use super::{
     observer::{Observer, Points},
@@ -15,9 +14,9 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec3};
 
-/// Objects and triangles that are projected within a pass; more of them beside the window.
+/// Fewer objects and triangles than this are projected within a pass, more on another thread.
 const LITTLE: usize = 20_000;
-/// Further from its middle than anything is in NDC.
+/// Farther from the origin than anything in NDC.
 const BEYOND_NDC: f64 = 1e30;
 
 impl State {
@@ -40,7 +39,7 @@ impl State {
         }
     }
 
-    /// What makes one of the four views large, or all four equal again.
+    /// One of the four views large, or, where one is, all four again.
     pub(in crate::viewer) fn views_with_other_size(&self, stage: Stage) -> Views {
         match self.views() {
             Views::One(_) => Views::Four,
@@ -55,7 +54,7 @@ impl State {
             }
             return;
         }
-        // World shows the camera as it is.
+        // The world view shows the present camera.
         self.frozen = None;
         self.cursor = None;
         let large = match views {
@@ -81,14 +80,14 @@ impl State {
         self.refresh_panes();
     }
 
-    /// After each change: what the views are made of follows the scene, its camera and what is selected.
+    /// After each change: brings the scenes that the views show up to date with scene, camera and selection.
     pub(super) fn refresh_panes(&mut self) {
         let Some(mut panes) = self.panes.take() else {
             return;
         };
         let count = self.scene.objects().len();
         let is_there = |object: &usize| *object < count;
-        let selected = self.selection.as_ref().map(|selection| selection.object);
+        let selected = self.selected();
         let before = panes.object;
         panes.object = selected
             .or(before.filter(|_| panes.of == Some(self.document)))
@@ -96,8 +95,8 @@ impl State {
             .filter(is_there);
         panes.point = panes.point.filter(|(of, _)| selected == Some(*of));
         if let Some(object) = panes.object {
-            // Its colour and shape are the scene's for good; where it stands is of no matter.
-            let of = Source::Alone([self.scene_revision, 0], object);
+            // Its colour and shape change only with the scene; its placement is not shown.
+            let of = Source::Alone(self.scene_revision, object);
             if panes.alone.of != Some(of) {
                 let alone = Object {
                     placement: Placement::IDENTITY,
@@ -132,14 +131,14 @@ impl State {
         Source::Through([self.scene_revision, self.visibility_revision], self.view)
     }
 
-    /// The scene and the view that NDC is to be made of beside the window: where it is of others, and much.
+    /// The scene and the view to project on another thread; `None` where NDC is up to date, or is little work.
     pub(in crate::viewer) fn to_project(&self) -> Option<(Scene, View, Source)> {
         let (panes, of) = (self.panes.as_ref()?, self.projected_of());
         let is_wanted = panes.ndc.of != Some(of) && !self.is_projected_at_once();
         is_wanted.then(|| (self.scene.clone(), self.view, of))
     }
 
-    /// Takes NDC as it was made beside the window, unless the scene is another by now.
+    /// Takes NDC as another thread made it, unless the scene is another by now.
     pub(in crate::viewer) fn take_projected(&mut self, scene: Scene, of: &Source) {
         let is_of_now =
             matches!(of, Source::Through([revision, _], _) if *revision == self.scene_revision);
@@ -149,7 +148,7 @@ impl State {
         }
     }
 
-    /// What the camera has in its middle, else the first that is visible.
+    /// The object in the middle of the camera's picture, else the first that is visible.
     fn object_in_the_middle(&self) -> Option<usize> {
         let ray = self.view.ray(self.view.viewport.size_px() / 2.0);
         let hit = self.quick_hit(&ray).map(|hit| hit.object);
@@ -165,7 +164,7 @@ impl State {
         self.panes.as_ref()?.object
     }
 
-    /// The box about an object in its own space.
+    /// The box about an object in its own space; empty unless the object view shows it.
     #[must_use]
     pub fn object_bounds(&self, object: usize) -> Aabb {
         let alone = self
@@ -175,12 +174,12 @@ impl State {
         alone.map_or(Aabb::EMPTY, |panes| panes.alone.scene.bounds())
     }
 
-    /// Where a world point is drawn in NDC; `None` for what lies before the near plane.
+    /// Where a world point is drawn in NDC; `None` in front of the near plane.
     #[must_use]
     pub fn ndc_drawn(&self, point_world: DVec3) -> Option<DVec3> {
         let lens = standard(&self.view);
         let p = self.view.camera.to_view(point_world);
-        // A point on the plane is as often before it as behind by rounding.
+        // Rounding may put a point of the near plane in front of it.
         let is_behind = p.z >= lens.near - 1e-9 * lens.near.abs();
         is_behind.then(|| ndc_drawn(p, self.view.half_extent(), &lens))
     }
@@ -212,11 +211,11 @@ impl State {
         };
         let observer = &panes.observers[stage as usize];
         let view = observer.view(&self.drawn_to_scene(stage), &bounds, self.view.sides)?;
-        // Alone an object is whole, and in NDC the cut is made beforehand.
+        // A lone object is shown whole, and NDC was cut as it was made.
         let section = match stage {
             Stage::World | Stage::View => self.view.section,
             Stage::Object => None,
-            // One that keeps everything: insides have the colour of insides.
+            // A section that cuts nothing: with one, insides get their colour.
             Stage::Ndc => self
                 .view
                 .section
@@ -225,9 +224,8 @@ impl State {
         Some(View { section, ..view })
     }
 
-    /// From the space that a stage is drawn in, which is right-handed, to that of the scene that is drawn. What is called
-    /// view space is left-handed, (right, up, forward); drawn are (right, up, backward): the same things in the same
-    /// places, by other numbers.
+    /// From the right-handed space that a stage is drawn in to that of its scene. View space is left-handed, (right, up,
+    /// forward), and is drawn as (right, up, backward): the same places by other coordinates.
     pub(super) fn drawn_to_scene(&self, stage: Stage) -> DAffine3 {
         let camera = &self.view.camera;
         match stage {
@@ -239,7 +237,7 @@ impl State {
         }
     }
 
-    /// Somebody who sees all of a stage.
+    /// An observer who sees all of a stage.
     fn observer(&self, stage: Stage, object: &Aabb) -> Observer {
         let camera = &self.view.camera;
         let panes = self.panes.as_ref();
@@ -252,31 +250,22 @@ impl State {
         points[..8].copy_from_slice(&self.view.frustum_corners());
         points[8] = camera.eye();
         let points = points.map(|point| to_drawn.transform_point3(point));
-        match stage {
-            Stage::Object => Observer::new(
-                self.up_axis,
-                DVec3::new(1.0, 0.8, 1.6),
-                &corners_of(object),
-                viewport,
-            ),
+        let up = self.up_axis;
+        let (up_axis, from, points) = match stage {
+            Stage::Object => (up, DVec3::new(1.0, 0.8, 1.6), corners_of(object)),
             Stage::World => {
-                let frame = self.up_axis.frame();
+                let frame = up.frame();
                 // Beside the camera, above and behind: all of its frustum shows.
                 let side = camera.right() + 0.8 * frame.y_axis - 0.9 * camera.forward();
-                let from = frame.transpose() * side;
-                Observer::new(self.up_axis, from, &points, viewport)
+                (up, frame.transpose() * side, points)
             }
-            Stage::View => Observer::new(UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), &points, viewport),
-            Stage::Ndc => Observer::new(
-                UpAxis::Y,
-                DVec3::new(0.8, 0.6, 1.5),
-                &corners_of(&NDC_DRAWN),
-                viewport,
-            ),
-        }
+            Stage::View => (UpAxis::Y, DVec3::new(1.2, 0.7, 0.8), points),
+            Stage::Ndc => (UpAxis::Y, DVec3::new(0.8, 0.6, 1.5), corners_of(&NDC_DRAWN)),
+        };
+        Observer::new(up_axis, from, &points, viewport)
     }
 
-    /// The camera's picture has another shape: where nobody has moved, all of its frustum is in view again.
+    /// The camera's picture has another shape: views that the user has not moved show all of its frustum again.
     pub(super) fn frame_untouched(&mut self) {
         for (stage, _) in Stage::ALL {
             let observer = self
@@ -289,7 +278,7 @@ impl State {
         }
     }
 
-    /// Shows all of a stage, from where it was seen first.
+    /// Shows all of a stage, from the direction it was seen from at first.
     pub(super) fn frame_pane(&mut self, stage: Stage) {
         let Some(panes) = &self.panes else { return };
         let observer = self.observer(stage, &panes.alone.scene.bounds());
@@ -308,7 +297,7 @@ fn with_axes(bounds: &Aabb) -> Points {
     })
 }
 
-/// A box's corners, of an empty one those of a box about the origin: the last eight, and the first again.
+/// A box's corners as the last eight points; the first nine repeat a corner. An empty box counts as [-1, 1] on each axis.
 fn corners_of(bounds: &Aabb) -> Points {
     let corners = if bounds.is_empty() {
         Aabb::around([DVec3::NEG_ONE, DVec3::ONE]).corners()

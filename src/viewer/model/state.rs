@@ -1,5 +1,4 @@
-//! What the window shows and how it answers: no window, no GPU, no egui. Everything a user does arrives as an
-//! [`Action`](super::action::Action).
+//! The window's state: what is open, the view, what is picked, and what undo needs of them.
 
 use super::{
     action::LensControls,
@@ -18,14 +17,14 @@ use super::{
 use crate::{
     camera::{Camera, CameraChoice, Orbit, UpAxis, View},
     geometry::{Placement, Section},
-    pick::PickLine,
+    pick::{Pick, PickLine},
     scene::{MeshFile, Scene},
     study::swap::Swap,
 };
 use glam::{DVec2, DVec3};
 use std::path::PathBuf;
 
-/// Two clicks that are further apart in seconds are two picks, not a double click.
+/// Two clicks that are more seconds apart are two picks, not a double click.
 pub const DOUBLE_CLICK_S: f64 = 0.3;
 
 /// What is selected.
@@ -55,9 +54,9 @@ pub struct Frozen {
     pub px: DVec2,
 }
 
-/// Where the view stands: what a step back restores, all but what the scene decides.
+/// Where the view stands, as undo restores it: near and far are then fitted to the scene again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stand {
+pub(super) struct Viewpoint {
     pub opened_with: CameraChoice,
     pub orbit: Orbit,
     pub up_axis: UpAxis,
@@ -75,7 +74,7 @@ pub(super) struct Chosen {
     pub hits: Option<RayHits>,
 }
 
-/// What is picked, as a click on nothing takes it away.
+/// What a click on nothing clears.
 pub(super) struct Cleared {
     pub chosen: Chosen,
     pub landmarks: Vec<Landmark>,
@@ -83,7 +82,7 @@ pub(super) struct Cleared {
     pub point: Option<(usize, DVec3)>,
 }
 
-/// Which edits a scene has: numbers that change with each. The same numbers, the same scene.
+/// Which edits a scene has. Each edit sets a new number: equal numbers mean an equal scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Edits {
     /// Of model matrices.
@@ -94,7 +93,7 @@ pub(super) struct Edits {
     pub objects: u64,
 }
 
-/// What takes a change back; see [`Timeline`].
+/// An undo step: how things were before a change. See [`Timeline`].
 pub(super) enum Step {
     /// An object had this placement.
     Placed {
@@ -116,11 +115,11 @@ pub(super) enum Step {
         edits: Edits,
         chosen: Chosen,
     },
-    /// The view stood there.
-    Stood(Stand),
+    /// The view was there.
+    Viewpoint(Viewpoint),
     /// This was measured.
     Measured(Vec<Entry>),
-    /// All of this was open, in place of a scene of the gallery.
+    /// Another scene was open, with all of its state.
     Open(Box<State>),
 }
 
@@ -138,15 +137,15 @@ pub struct Source {
 /// The window's state.
 pub struct State {
     pub(super) scene: Scene,
-    /// Counts scenes, for those who keep something made from one.
+    /// Counts scenes, for caches of what is made from one.
     pub(super) scene_revision: u64,
     /// Counts changes of visibility and of model matrices.
     pub(super) visibility_revision: u64,
     pub(super) name: String,
     pub(super) opened_with: CameraChoice,
     /// Where the view stood when the scene was opened, or framed anew for a picture of another size.
-    pub(super) opened_at: Option<Stand>,
-    /// What was shown before, until this is known to be drawn.
+    pub(super) opened_at: Option<Viewpoint>,
+    /// What was shown before, until this scene is known to be drawn.
     pub(super) replaced: Option<Box<State>>,
     pub(super) orbit: Orbit,
     /// The world's.
@@ -154,7 +153,7 @@ pub struct State {
     pub(super) controls: LensControls,
     pub(super) ortho: OrthoHeight,
     pub(super) view: View,
-    /// What is on screen, while that is still another picture.
+    /// What is on screen while the picture lags behind.
     pub(super) seen: Option<OnScreen>,
     pub(super) pivot_world: DVec3,
     pub(super) pan_depth: f64,
@@ -162,21 +161,21 @@ pub struct State {
     pub(super) cursor: Option<Cursor>,
     /// The object whose row in a list the cursor rests on.
     pub(super) lit: Option<usize>,
-    /// When [`State::hits`] was clicked; `None` once another click there is to be the first.
+    /// When [`State::hits`] was clicked; `None` once the next click there is to pick the nearest surface again.
     pub(super) clicked_s: Option<f64>,
     pub(super) hits: Option<RayHits>,
     pub(super) landmarks: Vec<Landmark>,
     pub(super) measuring: Measuring,
-    /// What was gone to by its number, until something else is picked.
+    /// The face or vertex that the user went to by its number, until something else is picked.
     pub(super) sought: Option<Sought>,
-    /// What a click on nothing in one of the four views has just taken away, in case it begins a double click.
+    /// What a click on nothing in one of the four views has just cleared, in case it begins a double click.
     pub(super) cleared: Option<Cleared>,
     pub(super) section_memory: SectionMemory,
     pub(super) source: Source,
     /// Which scene this is among those that were open.
     pub(super) document: u64,
     pub(super) edits: Edits,
-    /// Those that its file has.
+    /// The edits that its file has.
     pub(super) filed: Edits,
     pub(super) timeline: Timeline<Step>,
     pub(super) grid: bool,
@@ -188,12 +187,12 @@ pub struct State {
     pub(super) row: Option<Row>,
     /// The gallery's scene that this is.
     pub(super) showing: Option<Showing>,
-    /// Scenes that were given up: to free what is large takes long.
+    /// Scenes that were given up, to be freed elsewhere: freeing large ones takes long.
     pub(super) unused: Vec<Scene>,
 }
 
 impl State {
-    /// What there is to see.
+    /// The scene that is shown.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -241,15 +240,26 @@ impl State {
         self.selection.as_ref()
     }
 
-    /// Whether the scene is another than its files make, apart from what is hidden: a model matrix is not theirs any
-    /// more, or an object is from none of them.
+    /// The index of the selected object.
+    #[must_use]
+    pub fn selected(&self) -> Option<usize> {
+        Some(self.selection.as_ref()?.object)
+    }
+
+    /// The hit that is picked, of the selected object.
+    #[must_use]
+    pub fn picked(&self) -> Option<&Pick> {
+        self.selection.as_ref()?.pick.as_ref()?.hit.as_ref()
+    }
+
+    /// Whether the scene differs from its files by more than what is hidden: by a model matrix, or by an object that is from
+    /// none of them.
     #[must_use]
     pub fn edited(&self) -> bool {
         self.edits.matrices != self.filed.matrices
     }
 
-    /// The scenes with edits that closing the window would lose: those that were left for the gallery, in the order in
-    /// which they were, and this one.
+    /// The scenes with edits that closing the window would lose: those left for the gallery, in that order, then this one.
     pub(in crate::viewer) fn unsaved_scenes(&self) -> Vec<&Self> {
         let left = self.timeline.past().iter().filter_map(|step| match step {
             Step::Open(state) => Some(&**state),
@@ -259,20 +269,20 @@ impl State {
         all.filter(|state| state.edits != state.filed).collect()
     }
 
-    /// Whether there are such.
+    /// Whether there are unsaved edits.
     #[must_use]
     pub fn unsaved(&self) -> bool {
         !self.unsaved_scenes().is_empty()
     }
 
-    /// What a step back would take back, or a step forth make again, in a word or two; `None` where there is none.
+    /// What undo (`back`) or redo would change, in a word or two; `None` where there is nothing to undo or redo.
     #[must_use]
     pub fn next_step(&self, back: bool) -> Option<&'static str> {
         Some(match self.timeline.last(back)? {
             Step::Placed { .. } => "model matrix",
             Step::Shown { .. } => "hide and show",
             Step::Composed { .. } => "objects added",
-            Step::Stood(_) => "view",
+            Step::Viewpoint(_) => "view",
             Step::Measured(_) => "measures",
             Step::Open(_) => "gallery",
         })
@@ -284,7 +294,7 @@ impl State {
         &self.source
     }
 
-    /// The object that is lit: the one under the cursor, or whose row in a list is.
+    /// The highlighted object: the one whose row in the list is under the cursor, else the one under the cursor.
     #[must_use]
     pub fn hover(&self) -> Option<usize> {
         let under_cursor = || self.cursor?.hit.map(|(object, _)| object);
@@ -324,7 +334,7 @@ impl State {
         self.showing.as_ref()
     }
 
-    /// The method of others that picks now; `None` for this program's own. The four views know no other.
+    /// The study's method that picks now; `None` for Sightline's own, which alone picks in the four views.
     #[must_use]
     pub fn method(&self) -> Option<Swap> {
         let showing = self.showing.as_ref().filter(|_| self.panes.is_none());
@@ -338,8 +348,8 @@ impl State {
     }
 
     /// Where the view stands.
-    pub(super) fn stand(&self) -> Stand {
-        Stand {
+    pub(super) fn viewpoint(&self) -> Viewpoint {
+        Viewpoint {
             opened_with: self.opened_with,
             orbit: self.orbit,
             up_axis: self.up_axis,
@@ -365,7 +375,7 @@ impl State {
         self.hits.as_ref()
     }
 
-    /// The depth buffer's steps at the pick, in the picture that was clicked: the camera may have moved on.
+    /// The depth buffer's steps at the pick, in the view of the click: the camera may have moved since.
     #[must_use]
     pub fn depth_steps(&self) -> Option<DepthSteps> {
         let hits = self.hits.as_ref()?;

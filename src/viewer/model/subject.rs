@@ -25,7 +25,7 @@ pub(in crate::viewer) struct Subject<'a> {
     pub selection: Option<usize>,
     pub hover: Option<usize>,
     pub overlays: Overlays,
-    /// Which axis points up from the floor's grid, where there is one.
+    /// The up axis of the grid, where it shows.
     pub grid: Option<UpAxis>,
     pub frozen: Option<Frozen>,
     /// Which of the four views it is.
@@ -55,7 +55,7 @@ impl State {
             revision: self.scene_revision,
             visibility: self.visibility_revision,
             view: self.view,
-            selection: self.selection.as_ref().map(|selection| selection.object),
+            selection: self.selected(),
             hover: self.hover(),
             overlays: self.overlays,
             grid: self.grid.then_some(self.up_axis),
@@ -69,7 +69,7 @@ impl State {
         let (scene, revision) = self.pane_scene(stage)?;
         let of_camera = self.subject();
         let alone = self.pane_object();
-        // Alone it is the first.
+        // A lone object has index 0.
         let here = |object: Option<usize>| match stage {
             Stage::Object => (object.is_some() && object == alone).then_some(0),
             _ => object.filter(|object| *object < scene.objects().len()),
@@ -95,7 +95,7 @@ impl State {
         })
     }
 
-    /// All that is to be on screen: another moves.
+    /// All that is to be on screen: while it changes, the picture moves.
     pub(in crate::viewer) fn all_to_show(&self) -> (OnScreen, Vec<View>) {
         let stages = self.stages().into_iter();
         let views = stages.filter_map(|stage| self.pane_view(stage)).collect();

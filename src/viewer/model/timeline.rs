@@ -1,9 +1,9 @@
-//! Steps back and steps forth: what was done and can be undone, what was undone and can be done again.
+//! The history: steps that can be undone, and steps that can be redone.
 
 /// Steps beyond these are forgotten, the oldest first.
 const MOST: usize = 256;
 
-/// What goes on while a gesture lasts: all of it is one step.
+/// A slide or a drag: all its changes are one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Gesture {
     /// The lens is slid.
@@ -14,7 +14,7 @@ pub(super) enum Gesture {
     Place(usize),
 }
 
-/// A step `S` takes one change back; done, it leaves one that makes the change again.
+/// A step `S` takes one change back, and taking it leaves a step that makes the change again.
 pub(super) struct Timeline<S> {
     past: Vec<S>,
     future: Vec<S>,
@@ -40,11 +40,15 @@ impl<S> Timeline<S> {
         self.marks
     }
 
-    /// Adds the step that takes back what was just done. Steps for which `stays` holds are never forgotten.
-    pub fn push(&mut self, step: S, stays: impl Fn(&S) -> bool) {
+    /// Adds the step that takes back what was just done; of a gesture, only that of its first change. Steps for which `stays`
+    /// holds are never forgotten.
+    pub fn push(&mut self, gesture: Option<Gesture>, step: S, stays: impl Fn(&S) -> bool) {
+        if gesture.is_some() && self.gesture == gesture {
+            return;
+        }
         self.past.push(step);
         self.future.clear();
-        self.gesture = None;
+        self.gesture = gesture;
         if self.past.len() > MOST
             && let Some(oldest) = self.past.iter().position(|step| !stays(step))
         {
@@ -52,15 +56,7 @@ impl<S> Timeline<S> {
         }
     }
 
-    /// Adds the step that takes back a gesture, unless it goes on.
-    pub fn push_gesture(&mut self, gesture: Gesture, step: S, stays: impl Fn(&S) -> bool) {
-        if self.gesture != Some(gesture) {
-            self.push(step, stays);
-            self.gesture = Some(gesture);
-        }
-    }
-
-    /// What comes next is a step of its own.
+    /// The next change is a step of its own.
     pub fn end_gesture(&mut self) {
         self.gesture = None;
     }
@@ -75,7 +71,7 @@ impl<S> Timeline<S> {
         }
     }
 
-    /// Gives what a step left that went back or forth.
+    /// Keeps the opposite of a step that was taken, back or forth.
     pub fn give(&mut self, step: S, back: bool) {
         if back {
             self.future.push(step);

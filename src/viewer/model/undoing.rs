@@ -1,42 +1,32 @@
 //! What can be undone: each change leaves a step that takes it back.
 
 use super::{
-    state::{Chosen, Edits, Stand, State, Step},
+    state::{Chosen, Edits, State, Step, Viewpoint},
     timeline::Gesture,
 };
 use std::mem;
 
 impl Step {
-    /// Whether it leads back to what was open before the gallery: never forgotten.
+    /// Whether it leads back to what was open before the gallery. Such a step is never forgotten.
     fn leads_out(&self) -> bool {
         matches!(self, Self::Open(state) if state.showing.is_none())
     }
 }
 
 impl State {
-    /// Keeps the step that takes back what was just done.
-    pub(super) fn record(&mut self, step: Step) {
-        self.timeline.push(step, Step::leads_out);
+    /// Keeps the step that takes back what was just done; of a gesture, only that of its first change.
+    pub(super) fn record(&mut self, gesture: Option<Gesture>, step: Step) {
+        self.timeline.push(gesture, step, Step::leads_out);
     }
 
-    /// Keeps the step that takes back a gesture, unless it goes on.
-    pub(super) fn record_gesture(&mut self, gesture: Gesture, step: Step) {
-        self.timeline.push_gesture(gesture, step, Step::leads_out);
-    }
-
-    /// Keeps where the view stood, unless it still does.
-    pub(super) fn record_stand(&mut self, gesture: Option<Gesture>, was: &Stand) {
-        if *was == self.stand() {
-            return;
-        }
-        let step = Step::Stood(*was);
-        match gesture {
-            Some(gesture) => self.record_gesture(gesture, step),
-            None => self.record(step),
+    /// Keeps where the view stood, if it has moved.
+    pub(super) fn record_viewpoint(&mut self, gesture: Option<Gesture>, was: &Viewpoint) {
+        if *was != self.viewpoint() {
+            self.record(gesture, Step::Viewpoint(*was));
         }
     }
 
-    /// The scene as its files have it begins a history of its own; what was left for the gallery is kept.
+    /// The scene was read again: forgets its own steps, and keeps those back out of the gallery.
     pub(super) fn forget_own_steps(&mut self) {
         self.timeline
             .forget_after(|step| matches!(step, Step::Open(_)));
@@ -52,9 +42,9 @@ impl State {
         true
     }
 
-    /// Back to what was open before the gallery; nothing where nothing was.
+    /// Back to what was open before the gallery; does nothing if nothing was.
     pub(super) fn leave_gallery(&mut self) {
-        if self.showing.is_some() && self.timeline.past().iter().any(Step::leads_out) {
+        if self.showing.is_some() && self.has_outside() {
             while self.showing.is_some() && self.step_in_time(true) {}
         }
     }
@@ -117,12 +107,12 @@ impl State {
                 self.choose(chosen);
                 inverse
             }
-            Step::Stood(stand) => {
-                let inverse = Step::Stood(self.stand());
-                self.stand_at(&stand);
+            Step::Viewpoint(viewpoint) => {
+                let inverse = Step::Viewpoint(self.viewpoint());
+                self.restore_viewpoint(&viewpoint);
                 inverse
             }
-            Step::Measured(list) => Step::Measured(self.exchange_measures(list)),
+            Step::Measured(list) => Step::Measured(mem::replace(&mut self.measuring.list, list)),
             Step::Open(state) => Step::Open(self.exchange(state)),
         }
     }
@@ -131,7 +121,7 @@ impl State {
         (self.selection, self.hits) = (selection, hits);
     }
 
-    /// Shows another state; what the user set about the window stays, and so does the history. Returns this one.
+    /// Shows another state; the window's settings and the history stay. Returns the state before.
     pub(super) fn exchange(&mut self, mut other: Box<State>) -> Box<State> {
         other.timeline = mem::take(&mut self.timeline);
         other.unused = mem::take(&mut self.unused);
@@ -148,7 +138,7 @@ impl State {
         other
     }
 
-    /// An edit that is not in the file: its number.
+    /// Numbers an edit that is not in the file; returns the numbers before it.
     pub(super) fn edit(&mut self, which: impl FnOnce(&mut Edits) -> &mut u64) -> Edits {
         let before = self.edits;
         let mark = self.timeline.mark();

@@ -1,6 +1,10 @@
 //! What each action does to the state.
 
-use super::{action::Action, state::State, timeline::Gesture};
+use super::{
+    action::{Action, LensControls},
+    state::State,
+    timeline::Gesture,
+};
 use crate::{
     camera::{Camera, Orbit, pixel_centre},
     geometry::Sides,
@@ -8,8 +12,8 @@ use crate::{
 };
 
 impl State {
-    /// Does what the user did. A click returns its pick; one that cannot be done changes nothing. What can be undone leaves
-    /// a step that takes it back.
+    /// Does what the user asks for. An action that picks returns its pick; one that is impossible changes nothing; one that
+    /// can be undone leaves a step that takes it back.
     pub fn apply(&mut self, action: Action) -> Option<PickLine> {
         if !action.may_be_of_a_gesture() {
             self.timeline.end_gesture();
@@ -25,10 +29,10 @@ impl State {
             self.refresh_panes();
             return picked;
         }
-        let stood = action.jumps().then(|| self.stand());
+        let before = action.jumps().then(|| self.viewpoint());
         let picked = self.perform(action);
-        if let Some(stood) = stood {
-            self.record_stand(gesture, &stood);
+        if let Some(before) = before {
+            self.record_viewpoint(gesture, &before);
         }
         self.refresh_panes();
         picked
@@ -42,9 +46,7 @@ impl State {
             Action::LeaveGallery => self.leave_gallery(),
             Action::Resize(viewport) => self.resize(viewport),
             Action::BeginTurn(px) => {
-                if let Some(hit) = self.quick_hit(&self.view.ray(px)) {
-                    self.pivot_world = self.view.ray(px).at(hit.hit.t);
-                }
+                self.pivot_world = self.surface_at(px).unwrap_or(self.pivot_world);
             }
             Action::Turn(by_px) | Action::Steer(by_px) => self.turn(by_px),
             Action::BeginPan(px) => self.pan_depth = self.view.camera.to_view(self.point_at(px)).z,
@@ -61,10 +63,7 @@ impl State {
             Action::LightRow(row) => self.row = Some(row),
             Action::FrameAll => self.frame(self.shown_bounds()),
             Action::FrameSelection => {
-                let selected = self
-                    .selection
-                    .as_ref()
-                    .map(|selection| self.scene.bounds_of(selection.object));
+                let selected = self.selected().map(|object| self.scene.bounds_of(object));
                 self.frame(selected.unwrap_or_else(|| self.scene.visible_bounds()));
             }
             Action::LookFrom(direction) => {
@@ -80,11 +79,14 @@ impl State {
                 }
             }
             Action::Lens(controls) => self.set_lens(controls),
-            Action::ToggleProjection => self.set_lens(self.controls.other_projection()),
+            Action::ToggleProjection => self.set_lens(LensControls {
+                orthographic: !self.controls.orthographic,
+                ..self.controls
+            }),
             Action::UpAxis(up_axis) => {
                 self.up_axis = up_axis;
                 self.opened_with.up_axis = Some(up_axis);
-                // The lens has no up.
+                // The reset is for the pose alone: the lens stays.
                 let controls = self.controls;
                 self.reset_view();
                 self.set_lens(controls);
@@ -111,7 +113,7 @@ impl State {
             }
             Action::HideSelection => self.hide_selection(),
             Action::Isolate => {
-                if let Some(object) = self.selection.as_ref().map(|selection| selection.object) {
+                if let Some(object) = self.selected() {
                     self.show(|index| Some(index == object));
                 }
             }

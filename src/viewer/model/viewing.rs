@@ -1,9 +1,10 @@
-//! The window's camera: what mouse, panel and clipboard make of it, and what cannot be.
+//! The window's camera: how mouse, panel and clipboard change it, and which changes are impossible.
 
 use super::{
     action::{Action, LensControls},
+    observer::TURN_PER_PX,
     ortho_height::OrthoHeight,
-    state::{Frozen, Stand, State},
+    state::{Frozen, State, Viewpoint},
 };
 use crate::{
     camera::{
@@ -14,21 +15,18 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// Radians of orbit for a pixel of drag.
-const TURN_PER_PX: f64 = 0.008;
-
 /// Why an action does nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum CannotBe {
-    /// It makes no camera.
+pub enum InvalidAction {
+    /// It makes no valid camera.
     #[error(transparent)]
     Camera(#[from] CameraError),
-    /// It makes no model matrix.
+    /// It makes no valid model matrix.
     #[error(transparent)]
     Placement(#[from] PlacementError),
 }
 
-/// A world-space box and all of a camera's frustum, with its eye.
+/// A world-space box, grown to hold a camera's frustum and its eye.
 pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
     let frustum = view.frustum_corners().into_iter();
     frustum
@@ -36,10 +34,11 @@ pub(super) fn with_frustum(bounds: Aabb, view: View) -> Aabb {
         .fold(bounds, Aabb::including)
 }
 
-impl Stand {
-    /// The camera, all of it, as a scene file keeps it.
+impl State {
+    /// The whole camera, as a scene file keeps it.
+    #[must_use]
     pub fn camera_choice(&self) -> CameraChoice {
-        let camera = &self.camera;
+        let camera = &self.view.camera;
         let ortho = match camera.lens().projection {
             Projection::Orthographic { height } => Some(height),
             Projection::Perspective { .. } => None,
@@ -55,23 +54,15 @@ impl Stand {
             far: self.controls.far,
             depth: Some(self.controls.depth),
             up_axis: Some(self.up_axis),
-            section: self.section.map(SectionChoice::Plane),
+            section: self.view.section.map(SectionChoice::Plane),
         }
     }
-}
 
-impl State {
-    /// The camera, all of it, as a scene file keeps it.
-    #[must_use]
-    pub fn camera_choice(&self) -> CameraChoice {
-        self.stand().camera_choice()
-    }
-
-    /// What a typed value would do: nothing when it can be, the reason when it cannot.
+    /// Checks an action with a typed value, without doing it.
     ///
     /// # Errors
-    /// When the action makes no camera, or no model matrix.
-    pub fn check(&self, action: &Action) -> Result<(), CannotBe> {
+    /// When the action makes no valid camera or model matrix.
+    pub fn check(&self, action: &Action) -> Result<(), InvalidAction> {
         match action {
             Action::Lens(controls) => {
                 self.camera_with(controls)?;
@@ -112,7 +103,7 @@ impl State {
         camera.with_lens(lens)
     }
 
-    /// A camera from elsewhere, to the bit; nothing when it is none.
+    /// Takes over a camera, to the bit; does nothing when it is invalid.
     pub(super) fn set_camera(&mut self, choice: CameraChoice) {
         let bounds = self.scene.visible_bounds();
         let Ok(camera) = choice.resolve(&bounds, self.view.viewport) else {
@@ -120,7 +111,7 @@ impl State {
         };
         self.up_axis = choice.up_axis.unwrap_or(self.up_axis);
         self.controls = LensControls {
-            // An orthographic one says nothing of it.
+            // An orthographic camera has none.
             fov_deg: choice.fov.unwrap_or(self.controls.fov_deg),
             ..LensControls::of(&choice)
         };
@@ -147,7 +138,7 @@ impl State {
         match (was_orthographic, controls.orthographic) {
             (false, true) => self.ortho = OrthoHeight::of_perspective(controls.fov_deg),
             (true, false) => {
-                // To where perspective shows the target as large as it was.
+                // Moves to where perspective shows the target as large as it was.
                 let as_perspective = OrthoHeight::of_perspective(controls.fov_deg);
                 let nearer = as_perspective.at(1.0) / self.ortho.at(1.0);
                 self.orbit.zoom(self.orbit.target(), nearer);
@@ -178,26 +169,31 @@ impl State {
     }
 
     pub(super) fn recentre(&mut self, px: DVec2) {
-        let ray = self.view.ray(px);
         if !self.rays_are_quick() {
             return;
         }
-        let Some(hit) = self.quick_hit(&ray) else {
+        let Some(point_world) = self.surface_at(px) else {
             return self.frame(self.shown_bounds());
         };
-        self.pivot_world = ray.at(hit.hit.t);
-        self.orbit.center_on(self.pivot_world);
+        self.pivot_world = point_world;
+        self.orbit.center_on(point_world);
         self.moved();
     }
 
-    /// The world point that zoom and pan hold on to at a position: on the surface there, else as deep as the pivot.
-    pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
+    /// The world point on the nearest surface at a position; `None` while rays are slow.
+    pub(super) fn surface_at(&self, px: DVec2) -> Option<DVec3> {
         let ray = self.view.ray(px);
-        if let Some(hit) = self.quick_hit(&ray) {
-            return ray.at(hit.hit.t);
+        Some(ray.at(self.quick_hit(&ray)?.hit.t))
+    }
+
+    /// The world point that zoom and pan keep at a position: on the surface there, else as deep as the pivot.
+    pub(super) fn point_at(&self, px: DVec2) -> DVec3 {
+        if let Some(point_world) = self.surface_at(px) {
+            return point_world;
         }
+        let ray = self.view.ray(px);
         let depth = self.view.camera.to_view(self.pivot_world).z;
-        // A pivot behind the eye, or on it, is no depth to work at.
+        // A pivot at or behind the eye has no depth to use.
         let depth = if depth > 1e-3 * self.orbit.distance() {
             depth
         } else {
@@ -206,7 +202,7 @@ impl State {
         ray.at(depth / ray.direction.dot(self.view.camera.forward()))
     }
 
-    /// Planes that were set by hand follow the scene again where they would leave nothing of a box in view.
+    /// Near and far that were set by hand follow the scene again where they would leave nothing of a box in view.
     pub(super) fn free_planes_for(&mut self, bounds_world: &Aabb) {
         let is_set = self.controls.near.is_some() || self.controls.far.is_some();
         if is_set && !bounds_world.is_empty() && !self.view.may_see(bounds_world) {
@@ -226,15 +222,15 @@ impl State {
     }
 
     /// Goes back to where the view stood.
-    pub(super) fn stand_at(&mut self, stand: &Stand) {
-        self.opened_with = stand.opened_with;
-        self.orbit = stand.orbit;
-        self.up_axis = stand.up_axis;
-        self.controls = stand.controls;
-        self.ortho = stand.ortho;
-        self.pivot_world = stand.pivot_world;
-        self.view.camera = stand.camera;
-        self.view.section = stand.section;
+    pub(super) fn restore_viewpoint(&mut self, to: &Viewpoint) {
+        self.opened_with = to.opened_with;
+        self.orbit = to.orbit;
+        self.up_axis = to.up_axis;
+        self.controls = to.controls;
+        self.ortho = to.ortho;
+        self.pivot_world = to.pivot_world;
+        self.view.camera = to.camera;
+        self.view.section = to.section;
         self.fit();
     }
 
@@ -277,9 +273,9 @@ impl State {
         self.fit();
     }
 
-    /// Back to the view that the scene opened with, projection and planes and all.
+    /// Back to the view that the scene opened with, including projection and planes.
     pub(super) fn reset_view(&mut self) {
-        self.stand_as_opened();
+        self.view_as_opened();
         self.fit();
     }
 }

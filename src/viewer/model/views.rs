@@ -26,7 +26,7 @@ pub const NDC_DRAWN: Aabb = Aabb {
 /// The four views.
 pub(super) struct Panes {
     pub large: Option<Stage>,
-    /// In which of them the mouse is, for the actions that come.
+    /// The view that the mouse actions that follow are in.
     pub entered: Option<Stage>,
     pub observers: [Observer; 4],
     /// The document that they were framed for.
@@ -39,20 +39,20 @@ pub(super) struct Panes {
     pub clicked_s: Option<f64>,
     /// Where, and how its view stood.
     pub clicked_at: Option<(Stage, DVec2, View)>,
-    /// A point that was picked where the scene's camera does not see it: of which object, in its space.
+    /// A point that was clicked where the scene's camera does not see it: its object, and the point in that object's space.
     pub point: Option<(usize, DVec3)>,
 }
 
-/// A scene that was made of the one that is shown.
+/// A scene that was made from the one that is shown.
 #[derive(Default)]
 pub(super) struct Staged {
     pub scene: Scene,
     pub of: Option<Source>,
-    /// Counts them.
+    /// Counts the scenes that were here.
     pub revision: u64,
 }
 
-/// What such a scene is made of.
+/// What such a scene is made from.
 #[derive(Clone, Copy, PartialEq)]
 #[expect(
     clippy::large_enum_variant,
@@ -60,7 +60,7 @@ pub(super) struct Staged {
 )]
 pub(in crate::viewer) enum Source {
     /// An object of a scene, of which only colour and shape count.
-    Alone([u64; 2], usize),
+    Alone(u64, usize),
     /// A scene through a view.
     Through([u64; 2], View),
 }

@@ -31,7 +31,7 @@ pub(in crate::viewer) enum Command {
     CopyCamera,
     /// Take over the camera in this text from the clipboard.
     Paste(String),
-    /// Show an object, or what its file calls by a number.
+    /// Go to an object, face or vertex by its number.
     GoTo(GoTo),
     /// Write what is on screen into a PNG file.
     Screenshot {
@@ -45,7 +45,7 @@ pub(in crate::viewer) enum Command {
         /// The next.
         down: bool,
     },
-    /// Fill the screen with the window, or no more.
+    /// Enter or leave full screen.
     ToggleFullScreen,
     /// Put the pick as JSON on the clipboard.
     CopyPick,
@@ -58,11 +58,11 @@ pub(in crate::viewer) enum Command {
     },
     /// Open again what was open before the gallery.
     LeaveGallery,
-    /// An answer to the question whether edits may go.
+    /// An answer to the question about unsaved edits.
     Reply(Reply),
-    /// Keep the edits that are asked about, else wait for no more picks of a section or a measure, else stop loading, else close the help, else pick by Sightline's own method
-    /// again, else close the comparison, else select nothing, else close the four
-    /// views, else leave the gallery.
+    /// The first of these that applies: keep the edits that are asked about, stop waiting for picks of a section or of
+    /// measures, stop loading, close the help, pick by Sightline's own method again, close the comparison, select nothing,
+    /// close the four views, leave the gallery.
     Escape,
     /// Show or hide the help.
     ToggleHelp,
@@ -70,17 +70,17 @@ pub(in crate::viewer) enum Command {
     TogglePipeline,
     /// Show the four views with the matrices beside them, or the camera's picture again.
     ToggleFour,
-    /// The panel shows the depth buffer's steps at the pick, in each pass that it does: the tour asks for it.
+    /// The panel shows the depth buffer's steps at the pick. Sent in each pass while it does, for the tour.
     ShowsDepthSteps,
-    /// Begin the tour, or go on in it.
+    /// Begin the tour, go on in it, or end it.
     Tour(TourMove),
-    /// Give the panels the next of the looks that they can have.
+    /// Give the panels the next look.
     NextLook,
     /// Close the window.
     Quit,
 }
 
-/// What can be gone to by its number, from 1.
+/// Where to go, by a number from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum GoTo {
     /// An object of the scene.
@@ -91,7 +91,7 @@ pub(in crate::viewer) enum GoTo {
     Vertex(usize),
 }
 
-/// What would drop edits that no file has.
+/// Something that would drop unsaved edits.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::viewer) enum Intent {
     /// Open these.
@@ -106,7 +106,7 @@ impl Intent {
     /// The scenes whose edits it would drop.
     pub fn drops<'a>(&self, state: &'a State) -> Vec<&'a State> {
         match self {
-            // The gallery leaves the way back open.
+            // Undo leads back out of the gallery.
             Self::Open(paths) if is_exhibit(paths) => Vec::new(),
             Self::Reload => state.edited().then_some(state).into_iter().collect(),
             Self::Open(_) | Self::Quit => state.unsaved_scenes(),
@@ -122,28 +122,28 @@ fn is_exhibit(paths: &[impl AsRef<Path>]) -> bool {
     }
 }
 
-/// What the user answers to that.
+/// The user's answer to the question about unsaved edits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) enum Reply {
     /// Save first.
     Save,
-    /// Do it; the edits may go.
+    /// Go on, and drop the edits.
     GoOn,
     /// Open the files beside what is shown.
     Add,
-    /// Do not.
+    /// Do nothing.
     Stay,
 }
 
-/// What somebody on the tour asks for.
+/// A move in the tour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::viewer) enum TourMove {
     /// From the first step.
     Begin,
     /// To the step before.
     Back,
-    /// To the next step, whether this one is done or not; from the last one out.
+    /// To the next step, whether this one is done or not; at the last one, end.
     Next,
-    /// Out, or not even in.
+    /// End the tour, or decline it.
     End,
 }

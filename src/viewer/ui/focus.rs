@@ -1,46 +1,30 @@
-//! Where keys go. A text that is edited takes them all; what is merely reached by Tab takes those that work it; all others
-//! are shortcuts.
+//! Where keys go. A text that is being edited takes all of them; another focused control takes those that operate it; the
+//! rest are shortcuts.
 
 use egui::{Context, Id};
+use std::mem;
 
-/// What had the focus when the keys of a pass were pressed: egui takes it away before anybody sees the key that did.
+/// What had the focus when the keys of a pass were pressed: egui drops it before we see the key that made it do so.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Focus {
-    /// A text was edited.
+    /// A text was being edited.
     pub types: bool,
-    /// Something was reached, a text or a button.
+    /// Any control had the focus.
     pub any: bool,
 }
 
 impl Focus {
-    /// As it was when the last pass ended.
-    pub fn before(ctx: &Context) -> Self {
-        ctx.data(|data| data.get_temp(Self::id()))
-            .unwrap_or_default()
-    }
-
-    /// As it is now.
-    pub fn now(ctx: &Context) -> Self {
-        Self {
+    /// What has it now or had it when the last pass ended.
+    pub fn of_pass(ctx: &Context) -> Self {
+        let now = Self {
             types: ctx.text_edit_focused(),
             any: ctx.memory(|memory| memory.focused().is_some()),
-        }
-    }
-
-    /// Keeps it for the next pass.
-    pub fn keep(self, ctx: &Context) {
-        ctx.data_mut(|data| data.insert_temp(Self::id(), self));
-    }
-
-    /// Had by either.
-    pub fn or(self, other: Self) -> Self {
+        };
+        let id = Id::unique("focus before");
+        let before: Self = ctx.data_mut(|data| mem::replace(data.get_temp_mut_or_default(id), now));
         Self {
-            types: self.types || other.types,
-            any: self.any || other.any,
+            types: before.types || now.types,
+            any: before.any || now.any,
         }
-    }
-
-    fn id() -> Id {
-        Id::unique("focus before")
     }
 }

@@ -1,16 +1,16 @@
-//! Letters that are drawn before text needs them: egui draws each when it is first laid out, and a panel that opens would
-//! bring more of them than a pass has time for.
+//! Draws letters before text needs them. egui draws each when it is first laid out, and a panel that opens would bring more
+//! of them than a pass has time for.
 
 use egui::{
     Color32, Context, FontId,
     text::{LayoutJob, TextFormat},
 };
 
-/// So many are drawn in a step: about a millisecond's.
+/// So many are drawn in a step, which takes about a millisecond.
 const STEP: usize = 24;
-/// egui draws a letter once for each quarter of a pixel that it may begin at.
+/// egui draws a letter anew for each quarter of a pixel that it may begin at.
 const QUARTERS: [f32; 4] = [0.0, 0.25, 0.5, 0.75];
-/// Sizes of text in points, and whether all letters are as wide. One after the other: another size costs a step more.
+/// Sizes of text in points, and whether it is monospace.
 const FONTS: [(f32, bool); 7] = [
     (13.0, false),
     (13.0, true),
@@ -25,7 +25,7 @@ const FONTS: [(f32, bool); 7] = [
 #[derive(Default)]
 pub(in crate::viewer) struct Letters {
     done: usize,
-    /// Those of another scale are others.
+    /// The scale that they are drawn for: at another one all are drawn anew.
     pixels_per_point: f32,
 }
 

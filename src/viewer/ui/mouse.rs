@@ -1,4 +1,4 @@
-//! The mouse's events to actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
+//! Turns mouse events into actions. The scene is a widget like any other, so egui decides who owns a gesture: a press that
 //! began on a panel never reaches the scene.
 
 use crate::viewer::{
@@ -39,7 +39,7 @@ enum Does {
     Steer,
 }
 
-/// What the mouse did on the scene, or on one of the views of it, which is returned too.
+/// What the mouse did on the scene, or on one of its four views, with the response of that widget.
 pub(in crate::viewer) fn scene(
     ui: &mut Ui,
     id: Id,
@@ -52,7 +52,7 @@ pub(in crate::viewer) fn scene(
     let mut actions = vec![Action::Resize(place.viewport)];
     let (modifiers, time_s) = ui.input(|input| (input.modifiers, input.time));
 
-    // A widget gets what happens a little beside it, too; the lines about the picture show nothing of it.
+    // egui gives a widget also what happens slightly outside of it, where there is no picture.
     let within =
         |position: Pos2| Some(place.to_px(position)).filter(|at| place.viewport.contains(*at));
     if response.drag_started()
@@ -121,7 +121,7 @@ fn released_at(ui: &Ui) -> Option<Pos2> {
     ui.input(|input| input.events.iter().rev().find_map(released))
 }
 
-/// Wheel and trackpad: zoom at the pointer; with Shift, shift. With Ctrl they are egui's.
+/// Wheel and trackpad: zoom at the pointer; with Shift, pan. With Ctrl, egui makes zoom events of them.
 fn wheel(ui: &Ui, place: SceneRect, at: DVec2, actions: &mut Vec<Action>) {
     ui.input(|input| {
         for event in &input.events {

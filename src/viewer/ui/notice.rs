@@ -1,6 +1,6 @@
 //! Messages that wait to be read.
 
-/// One of them.
+/// A message.
 pub(in crate::viewer) struct Notice {
     pub text: String,
     pub kind: Kind,
@@ -9,11 +9,11 @@ pub(in crate::viewer) struct Notice {
 /// What it is about.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::viewer) enum Kind {
-    /// Something that was asked for is done: said until then, in egui's seconds.
+    /// Something the user asked for is done. Shown until that time, in egui's seconds.
     Done { until_s: f64 },
-    /// Something of a file was left out or mended: until somebody dismisses it.
+    /// Part of a file was left out or repaired. Shown until it is dismissed.
     Warning,
-    /// Something could not be done: until somebody dismisses it.
+    /// Something could not be done. Shown until it is dismissed.
     Error,
 }
 

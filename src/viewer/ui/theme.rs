@@ -1,4 +1,4 @@
-//! How panels look, and what their own typefaces lack.
+//! How panels look, and which characters their own typefaces lack.
 
 use super::mouse;
 use crate::{colour::Srgb, viewer::jobs::Missing};
@@ -15,7 +15,7 @@ pub(in crate::viewer) const fn color32(Srgb([r, g, b]): Srgb) -> Color32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(in crate::viewer) enum Look {
-    /// As the desktop has it; dark where that does not say.
+    /// As the desktop is; dark where that does not say.
     #[default]
     Desktop,
     Light,
@@ -34,7 +34,7 @@ impl Look {
     /// In words.
     pub fn about(self) -> &'static str {
         match self {
-            Self::Desktop => "as the desktop has it",
+            Self::Desktop => "as on the desktop",
             Self::Light => "light",
             Self::Dark => "dark",
         }
@@ -50,8 +50,8 @@ impl Look {
     }
 }
 
-/// egui as the viewer wants it: dark or light as the desktop is, with words that are readable on projectors too, which
-/// swallow dark greys.
+/// egui as the viewer wants it: dark or light as the desktop is, with text that is readable on projectors too, which swallow
+/// dark greys.
 pub(in crate::viewer) fn context() -> egui::Context {
     let context = egui::Context::default();
     mouse::options(&context);
@@ -69,7 +69,7 @@ pub(in crate::viewer) fn context() -> egui::Context {
     context
 }
 
-/// Takes note of what egui's own typefaces do not have.
+/// Notes the characters that egui's own typefaces lack.
 pub(in crate::viewer) fn note_missing(context: &egui::Context, missing: Missing) {
     context.add_font_provider(Arc::new(move |request: &FallbackRequest<'_>| {
         request

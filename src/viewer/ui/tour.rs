@@ -16,7 +16,7 @@ use crate::{
 };
 use glam::DVec3;
 
-/// What a lecture has a slide or two about.
+/// A topic of the lecture.
 pub(in crate::viewer) struct Chapter {
     pub title: &'static str,
     steps: &'static [Step],
@@ -26,18 +26,14 @@ pub(in crate::viewer) struct Chapter {
 pub(in crate::viewer) struct Step {
     pub task: &'static str,
     pub why: &'static str,
-    /// What the present lens makes of a point, where that is what the step is about.
-    example: Option<Example>,
-    /// It is done in the camera's picture.
+    /// A point of view space: the card says where in NDC the present lens puts it.
+    example: Option<[f64; 3]>,
+    /// It is done in the camera's picture, not in the four views.
     is_in_picture: bool,
     is_done: fn(&Seen) -> bool,
 }
 
-/// A point in view space whose way to NDC the card tells.
-#[derive(Clone, Copy)]
-struct Example([f64; 3]);
-
-/// Where in the tour somebody is.
+/// How far the user is in the tour.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::viewer) struct Tour {
     at: usize,
@@ -57,7 +53,7 @@ const fn step(task: &'static str, why: &'static str, is_done: fn(&Seen) -> bool)
 
 /// The object that the steps speak of most.
 const EGG: &str = "Egg";
-/// The one that stands behind them.
+/// The object in the background.
 const TOWER: &str = "Tower";
 
 /// The tour. README has the same text.
@@ -68,7 +64,7 @@ const CHAPTERS: [Chapter; 8] = [
             Step {
                 is_in_picture: true,
                 ..step(
-                    "Drag over the picture with the left button: the camera orbits about what is under the cursor.",
+                    "Drag over the picture with the left button: the camera orbits the point under the cursor.",
                     "A camera is a point, the eye, and three axes of length 1: R right, U up and F forward. Nothing in the scene moves.",
                     turns,
                 )
@@ -87,10 +83,10 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Perspective and orthographic",
         steps: &[
             Step {
-                example: Some(Example([-1.0, 1.5, 2.0])),
+                example: Some([-1.0, 1.5, 2.0]),
                 ..step(
                     "In the panel Camera set fov to 90, near to 1, far to 10 and depth to standard.",
-                    "P divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space comes to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
+                    "Perspective divides by depth, so what is far away is small: the point (-1, 1.5, 2) of view space maps to y = 1.5 / 2 = 3/4, to depth 5/9 and, in a square picture, to x = -1/2.",
                     |seen| {
                         let lens = seen.state.controls();
                         !lens.orthographic
@@ -100,16 +96,16 @@ const CHAPTERS: [Chapter; 8] = [
                 )
             },
             Step {
-                example: Some(Example([-2.0, 5.0, 0.5])),
+                example: Some([-2.0, 5.0, 0.5]),
                 ..step(
                     "Press 5: orthographic.",
-                    "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) comes to (-0.2, 0.5, -1/18): a depth below 0 is before the near plane.",
+                    "Nothing is divided, so size does not depend on depth. In a square picture 20 high the point (-2, 5, 0.5) maps to (-0.2, 0.5, -1/18): a depth below 0 is in front of the near plane.",
                     |seen| seen.state.controls().orthographic,
                 )
             },
             step(
                 "Press 5 again, then Enter: the view that the scene opened with.",
-                "Either projection is one 4 x 4 matrix. The last row of P makes w the depth, or 1, and w is what all is divided by.",
+                "Each projection is one 4 x 4 matrix. The last row of P makes w, by which all else is divided: the depth in perspective, 1 in orthographic.",
                 |seen| {
                     seen.acts(|action| *action == Action::ResetView)
                         && !seen.state.controls().orthographic
@@ -121,13 +117,13 @@ const CHAPTERS: [Chapter; 8] = [
         title: "Clipping",
         steps: &[
             step(
-                "In the field near type a larger number, such as 9.5, until near has passed the egg.",
-                "What lies before near or beyond far is cut away. Picture and picks agree on it by one number: a hit counts where near <= t < far, and t is depth along F.",
+                "In the field near type a larger number, such as 9.5, until the near plane has passed the egg.",
+                "What lies in front of near or beyond far is cut away. Picture and picks agree on that by one number, depth along F: a hit counts where near <= t < far, and t is that depth.",
                 |seen| seen.near_is_past(EGG),
             ),
             step(
                 "Check fit beside near.",
-                "A fitted near plane stands as far away as the scene lets it, which spares the digits of the depth buffer.",
+                "A fitted near plane is as far away as the scene allows, which saves digits of the depth buffer.",
                 |seen| {
                     seen.acts(|action| matches!(action, Action::Lens(_)))
                         && seen.state.controls().near.is_none()
@@ -140,14 +136,14 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Click the egg. A ring with a dot marks the point that the ray hit.",
-                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. It is not made a unit long, so that t stays depth.",
+                "The position (X, Y) in a picture of W x H pixels is x = 2 X / W - 1, y = 1 - 2 Y / H. Its ray starts at the eye and runs along F + x aspect tan(fov / 2) R + y tan(fov / 2) U. That direction is not normalised, so that t is depth.",
                 |seen| seen.clicks() && seen.picked().is_some_and(|object| object.name == EGG),
             ),
             Step {
                 is_in_picture: true,
                 ..step(
                     "Press T and drag: this camera stays behind, as lines.",
-                    "There are its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T takes it away again.",
+                    "They show its eye, its frustum, the pixel grid on its near plane and the ray through your pixel, with every surface that it hits. T removes them again.",
                     |seen| seen.state.frozen().is_some() && turns(seen),
                 )
             },
@@ -158,7 +154,7 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Click the egg, and then the same pixel again.",
-                "An egg is a sphere under a matrix. A ray meets it where a quadratic in t is 0: twice, once or never. The nearer root is its front; the further one, a back face, gets a ring with a cross.",
+                "The egg is a sphere under a matrix. A ray hits it where a quadratic in t is 0: twice, once or never. The smaller root is the front; the larger one, a back face, gets a ring with a cross.",
                 |seen| {
                     let further = seen.state.hits().is_some_and(|hits| hits.at > 0);
                     seen.clicks()
@@ -170,17 +166,17 @@ const CHAPTERS: [Chapter; 8] = [
             ),
             step(
                 "Click the blue box behind the ring.",
-                "A cube is three slabs, one along each axis. A ray is in each of them between two values of t, and in the cube where all three agree: from the last entry to the first exit.",
+                "A cube is where three slabs overlap, one along each axis. A ray is inside each slab between two values of t, and inside the cube from the last entry to the first exit.",
                 |seen| seen.clicks_on(|shape| matches!(shape, Shape::Cube)),
             ),
             step(
                 "Click the ground.",
-                "A square is a part of a plane. The plane gives one t, and two coordinates of the point there say whether it is in the square.",
+                "A square is part of a plane. The plane gives one t, and two coordinates of the point there tell whether it is in the square.",
                 |seen| seen.clicks_on(|shape| matches!(shape, Shape::Square)),
             ),
             step(
                 "Click the ring and turn the wheel over the point, until the picked triangle shows its three weights.",
-                "A point of a triangle is a mean of its corners with three weights, its barycentrics, which add up to 1. It is inside where none is below 0; on an edge one is 0.",
+                "A point of a triangle is a weighted mean of its corners. The three weights, its barycentrics, add up to 1. Inside the triangle all are positive; on an edge one is 0.",
                 |seen| {
                     let zooms = seen
                         .acts(|action| matches!(action, Action::Zoom(_, factor) if *factor > 1.0));
@@ -198,17 +194,17 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Press 4: object, world, view and NDC side by side.",
-                "Object space is one object before any matrix: every sphere is the same one there. A ray is taken there by the inverse of M and meets the simple shape. It is not made a unit long there either, so its t is the world's.",
+                "Object space has one object before any matrix: there, all spheres are the same. The inverse of M takes a ray there, where it meets the simple shape. It is not normalised there either, so t stays the same as in the world.",
                 |seen| seen.state.views() == Views::Four,
             ),
             step(
                 "Double click the heading of NDC.",
-                "After P and the division by w the frustum is a box, and what is far away is small. Normals come back from object space by the inverse transpose of M, or they would lean.",
+                "After P and the division by w the frustum is a box, and what is far away is small. Normals go from object space to the world by the inverse transpose of M: M itself would tilt them.",
                 |seen| seen.state.views() == Views::One(Stage::Ndc),
             ),
             step(
-                "Press 4 again: the picture.",
-                "Its picks are made in the world, where those of all objects are compared by their t.",
+                "Press 4 again: back to the picture.",
+                "A pick compares the hits on all objects by their t, which is the same in every object's space: the smallest wins.",
                 |seen| {
                     let is_asked = matches!(seen.command, Some(Command::ToggleFour));
                     is_asked && seen.state.views() == Views::Picture
@@ -221,7 +217,7 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Press Enter. Set near to 0.001 and depth to standard, click the tower and unfold Depth buffer, far down in the panel Pick.",
-                "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near, so at the tower they are far apart, and two surfaces within one step look like one.",
+                "Standard depth is a + b / z. Nearly all of its f32 values lie just beyond near. At the tower they are far apart, and two surfaces within one step look like one.",
                 |seen| {
                     let lens = seen.state.controls();
                     let near = lens.near.is_some_and(|near| near <= 0.001);
@@ -232,7 +228,7 @@ const CHAPTERS: [Chapter; 8] = [
             ),
             step(
                 "Set depth to reversed.",
-                "Reversed depth puts far at 0, where f32 has most of its values, and undoes what 1 / z did. Enter brings back the view that the scene opened with.",
+                "Reversed depth puts far at 0, where f32 has most of its values: that makes up for 1 / z. Enter brings back the view that the scene opened with.",
                 |seen| {
                     seen.acts(|action| matches!(action, Action::Lens(_)))
                         && seen.state.controls().depth == DepthMapping::Reversed
@@ -245,7 +241,7 @@ const CHAPTERS: [Chapter; 8] = [
         steps: &[
             step(
                 "Press E for the failure gallery's first scene, then M: the test of Moeller & Trumbore in f32 picks now. Find a pixel where it fails and click it.",
-                "Every wrong pixel is marked. f32 keeps 24 bits of each number; a difference of two large ones keeps their last few, which are noise, and noise decides on which side of an edge the ray passes.",
+                "Every wrong pixel is marked. f32 keeps 24 bits of a number. The difference of two large ones keeps only the last few, rounding noise, which then decides on which side of an edge the ray passes.",
                 |seen| {
                     let compared = seen
                         .state
@@ -259,17 +255,17 @@ const CHAPTERS: [Chapter; 8] = [
             ),
             step(
                 "Press Escape until the demo is back.",
-                "Sightline computes in f64 with a bound on what rounding may have done. Where the bound leaves an answer open, exact arithmetic decides.",
+                "Sightline computes in f64, with a bound on the rounding error. Where the bound leaves an answer open, exact arithmetic decides.",
                 |seen| seen.command == Some(&Command::Escape) && seen.state.showing().is_none(),
             ),
             step(
                 "Press V.",
-                "Each pixel as it was drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",
+                "Every pixel as drawn is compared with what a click there picks. That is the promise of this program, checked on your machine.",
                 |seen| !matches!(seen.checking, Checking::Off),
             ),
             step(
-                "Click anything, then press C and paste the command into a terminal (cargo install --path . puts it there).",
-                "It prints the same pick, to the last bit. That was the tour: your own files open by Ctrl+O.",
+                "Click anything, then press C and paste the command into a terminal (cargo install --path . installs sightline).",
+                "It prints the same pick, to the last bit. That was the tour. Ctrl+O opens your own files.",
                 |seen| seen.command == Some(&Command::CopyCommandLine) && seen.picked().is_some(),
             ),
         ],
@@ -310,11 +306,10 @@ impl Tour {
 
     /// How many steps there are, and how many lie behind.
     pub fn progress(self) -> (usize, usize) {
-        let all = CHAPTERS.iter().map(|chapter| chapter.steps.len());
-        (all.sum(), self.at)
+        (Self::steps().count(), self.at)
     }
 
-    /// Where a move leads; `None` out of the tour.
+    /// Where a move leads; `None` ends the tour.
     pub fn after(self, to: TourMove) -> Option<Self> {
         let (count, at) = self.progress();
         let at = match to {
@@ -326,7 +321,7 @@ impl Tour {
         (at < count).then_some(Self { at, is_done: false })
     }
 
-    /// Looks whether the step is done by now; returns whether that is news.
+    /// Checks whether the step is done by now; returns whether it has just been done.
     pub fn notice(&mut self, seen: &Seen) -> bool {
         let (_, _, step) = self.step();
         let was_done = self.is_done;
@@ -336,8 +331,7 @@ impl Tour {
 }
 
 impl Step {
-    /// What is to be known here and now, beside what the step says: what the present lens makes of its point, or that the
-    /// four views are in the way.
+    /// What the card adds in the present state: where the lens puts the step's point, or that the four views are in the way.
     pub fn now(&self, state: &State) -> Option<String> {
         let is_in_the_way = self.is_in_picture && state.views() != Views::Picture;
         let elsewhere = is_in_the_way
@@ -346,7 +340,7 @@ impl Step {
     }
 
     fn example(&self, state: &State) -> Option<String> {
-        let Example(point) = self.example?;
+        let point = self.example?;
         let view = state.view();
         let lens = view.camera.lens();
         let clip = lens.projection(view.viewport.aspect()) * DVec3::from(point).extend(1.0);
@@ -357,7 +351,7 @@ impl Step {
         };
         let [a, b, c] = point;
         Some(format!(
-            "Now: ({a}, {b}, {c}) comes to ({x:.4}, {y:.4}, {z:.4}), in a picture {:.4} times as wide as high{height}.",
+            "Now: ({a}, {b}, {c}) maps to ({x:.4}, {y:.4}, {z:.4}), in a picture {:.4} times as wide as high{height}.",
             view.viewport.aspect()
         ))
     }

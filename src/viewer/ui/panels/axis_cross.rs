@@ -1,4 +1,4 @@
-//! The world's axes as the camera turns them, in a corner of the picture. A click on an end looks along its axis.
+//! The world's axes as the camera sees them, in a corner of the picture. A click on an end looks along its axis.
 
 use super::field::short;
 use crate::{
@@ -15,11 +15,11 @@ use egui::{
 };
 use glam::{DMat3, DVec3};
 
-/// From the middle to the end of an axis that runs across, in points.
+/// From the middle to the end of an axis that is parallel to the picture, in points.
 const LENGTH: f32 = 30.0;
 /// Radius of an end.
 const END: f32 = 9.0;
-/// Radius of all of it.
+/// Radius of the whole cross.
 const RADIUS: f32 = LENGTH + END + 3.0;
 
 /// One of the six ends.
@@ -42,7 +42,7 @@ impl End {
 /// In the lower left corner of the picture, with the step of the grid beside it.
 pub(super) fn show(ui: &mut Ui, rect: Rect, state: &State, commands: &mut Vec<Command>) {
     if let Some(to) = cross(ui, rect, &state.view().camera.rotation()) {
-        // From that end: the world's axes as the front view has them.
+        // The action takes a direction in the front view's axes.
         let frame = state.up_axis().frame();
         commands.push(Command::Act(Action::LookFrom(frame.transpose() * to)));
     }
@@ -60,8 +60,8 @@ fn middle(rect: Rect) -> Pos2 {
     pos2(rect.left(), rect.bottom()) + vec2(RADIUS + 6.0, -RADIUS - 6.0)
 }
 
-/// The axes of a space in the lower left corner of a picture, which sees their unit vectors as the columns of `seen`: right,
-/// up, into the picture. Returns the end that was clicked.
+/// The axes of a space in the lower left corner of a picture. Their unit vectors are the columns of `seen`, by components
+/// right, up and into the picture. Returns the end that was clicked.
 pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     let middle = middle(rect);
     let painter = ui.painter().with_clip_rect(rect);
@@ -77,7 +77,7 @@ pub(super) fn cross(ui: &mut Ui, rect: Rect, seen: &DMat3) -> Option<DVec3> {
     clicked
 }
 
-/// The ends, the farthest first: the nearest lie over them.
+/// The ends, farthest first: nearer ones are drawn over them.
 fn ends(seen: &DMat3, middle: Pos2) -> Vec<End> {
     let names = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
     let axes = DVec3::AXES.into_iter().zip(names).zip(look::AXES);
@@ -106,11 +106,11 @@ fn interact(ui: &Ui, rect: Rect, end: &End) -> Response {
     let response = ui.interact(of_end.intersect(rect), id, Sense::CLICK);
     let name = format!("look from {}", end.name);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-    let text = format!("look along the {} axis, from its end", end.name);
+    let text = format!("look along this axis, from its {} end", end.name);
     response.on_hover_text(text)
 }
 
-/// The end at which an axis points bears its name; lit, either does.
+/// Positive ends bear their names, negative ones only while lit.
 fn draw(painter: &Painter, middle: Pos2, end: &End, is_lit: bool) {
     let colour = if is_lit { Color32::WHITE } else { end.colour };
     if end.is_negative() {

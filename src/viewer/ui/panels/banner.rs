@@ -1,5 +1,5 @@
-//! That another method than this program's picks: a bar over the picture and a frame about it, and the last click as
-//! both have it.
+//! The warning that another method than Sightline's picks: a bar over the picture and a frame around it, with what both
+//! methods found at the last click.
 
 use super::exhibit::{RIGHT, WRONG, step_and_name};
 use super::names::Hint;
@@ -18,7 +18,7 @@ use egui::{
 
 /// The bar's height in points.
 pub(super) const HEIGHT: f32 = 50.0;
-/// The bar's colour: none that marks of the picture have much of.
+/// The bar's colour, which marks in the picture hardly use.
 const BAR: Color32 = Color32::from_rgb(0xf0, 0xe4, 0x42);
 
 /// Over the scene's rectangle; nothing while this program's own method picks.
@@ -52,7 +52,7 @@ pub(super) fn show(
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             let text = |text: String, size| RichText::new(text).size(size).color(Color32::BLACK);
             let warning = "Not the default: another method picks".to_owned();
-            let hint = "clicks are answered by a method that is known to fail on this scene";
+            let hint = "clicks are answered by the method below, not by Sightline's own";
             ui.label(text(warning, 17.0).strong()).hint(hint);
             let name = Label::new(text(step_and_name(&method), 14.0)).truncate();
             ui.add(name).hint(method.info().source);
@@ -60,7 +60,7 @@ pub(super) fn show(
     });
 }
 
-/// The click, the point and the normal by the method and by this program.
+/// The click, and the point and normal as the method and as Sightline find them.
 fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared) {
     /// Length of a normal in points.
     const NORMAL: f32 = 70.0;
@@ -71,7 +71,7 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
         };
         let from = place.to_position(from.px);
         painter.circle_filled(from, 3.0 * wide, colour);
-        // As long as the picture shows a unit of the plane at the point's depth.
+        // NORMAL points long where it is parallel to the picture, shorter where it tilts.
         let along = (view.camera.rotation() * found.normal_world).as_vec3();
         let by = vec2(along.x, -along.y) * NORMAL;
         painter.arrow(from, by, Stroke::new(2.0 * wide, colour));
@@ -82,14 +82,14 @@ fn marks(painter: &Painter, place: SceneRect, state: &State, compared: &Compared
     if let Some(theirs) = &compared.theirs {
         arrow(theirs, WRONG, 1.2);
     }
-    // What is written at the pixel is about that picture.
+    // The ring and its labels are about the view of the click.
     if compared.view != *view {
         return;
     }
     let at = place.to_position(compared.px);
     let wrong = compared.fault().is_some_and(|fault| fault.is_wrong());
     let colour = if wrong { WRONG } else { RIGHT };
-    // Dark about the colour: it shows on any picture.
+    // With a dark rim it shows on any picture.
     for stroke in [Stroke::new(6.0, Color32::BLACK), Stroke::new(2.5, colour)] {
         painter.circle_stroke(at, 11.0, stroke);
         for by in [vec2(17.0, 0.0), vec2(0.0, 17.0)] {

@@ -21,7 +21,7 @@ use std::ops::RangeInclusive;
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let controls = state.controls();
     let (mut next, mut gesture) = (controls, Gesture::default());
-    // A column is else as wide as a button, and wider than the panel in the end.
+    // By default a column is as wide as a button, which is too wide for the panel.
     let grid = Grid::new("lens").num_columns(3).min_col_width(0.0);
     grid.show(ui, |ui| {
         projection(ui, &mut next);
@@ -40,8 +40,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
             let label = ui.selectable_label(state.up_axis() == axis, name);
             named(&label, &format!("{name} points up"));
             let hint = match axis {
-                UpAxis::Y => "as most models have it",
-                UpAxis::Z => "as buildings, maps and CAD have it",
+                UpAxis::Y => "as in most models",
+                UpAxis::Z => "as in buildings, maps and CAD",
             };
             if label.hint(hint).clicked() {
                 commands.push(Command::Act(Action::UpAxis(axis)));
@@ -51,7 +51,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let mut culls = state.view().sides == Sides::Front;
         if ui
             .checkbox(&mut culls, "cull back faces")
-            .hint("leave out surfaces seen from behind: what is not drawn is not picked (B)")
+            .hint("surfaces seen from behind are neither drawn nor picked (B)")
             .changed()
         {
             commands.push(Command::Act(Action::ToggleSides));
@@ -60,11 +60,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     section::show(ui, state, commands);
 }
 
-/// What copies the camera.
+/// The button that copies the camera.
 pub(super) fn copy(ui: &mut Ui, commands: &mut Vec<Command>) {
     let copy = ui.small_button("copy");
     named(&copy, "copy camera");
-    let hint = "as a scene file writes it (Shift+C); Ctrl+V takes over a copied one";
+    let hint = "as a scene file writes it (Shift+C); Ctrl+V pastes a copied one";
     if copy.hint(hint).clicked() {
         commands.push(Command::CopyCamera);
     }
@@ -94,9 +94,7 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
             orthographic: false,
             ..state.controls()
         };
-        state
-            .check(&Action::Lens(lens))
-            .map_err(|error| error.to_string())
+        state.check(&Action::Lens(lens))
     };
     ui.add_enabled_ui(!next.orthographic, |ui| {
         ui.horizontal_top(|ui| {
@@ -131,20 +129,20 @@ fn fov(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gestur
     ui.end_row();
 }
 
-/// Near and far: a slider over decades of the scene's size, which therefore does not jump while it is in use; a
-/// typed value; and a box that hands the plane back to the fit.
+/// Near and far: a slider over decades around the scene's size, which stay the same while it slides; a field; and a box that
+/// fits the plane to the scene again.
 fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Gesture) {
     let lens = state.view().camera.lens();
     for (name, hint, value, which) in [
         (
             "near",
-            "what is nearer to the eye than this plane is cut away: its distance along the direction of view, in world units",
+            "whatever is nearer than this plane is cut away: its depth along the direction of view, in world units",
             lens.near,
             (|controls| &mut controls.near) as fn(&mut LensControls) -> &mut Option<f64>,
         ),
         (
             "far",
-            "what is beyond this plane is cut away: its distance along the direction of view, in world units",
+            "whatever is beyond this plane is cut away: its depth along the direction of view, in world units",
             lens.far,
             |controls| &mut controls.far,
         ),
@@ -153,9 +151,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         let typed = |number| {
             let mut lens = state.controls();
             *which(&mut lens) = Some(number);
-            state
-                .check(&Action::Lens(lens))
-                .map_err(|error| error.to_string())
+            state.check(&Action::Lens(lens))
         };
         ui.horizontal_top(|ui| {
             let named = format!("{name}, slid");
@@ -179,7 +175,7 @@ fn planes(ui: &mut Ui, state: &State, next: &mut LensControls, gesture: &mut Ges
         let mut fitted = which(next).is_none();
         let fit = ui
             .checkbox(&mut fitted, "fit")
-            .hint("let the plane follow the scene, as close to it as can be");
+            .hint("let the plane follow the scene, as close as possible");
         named(&fit, &format!("fit {name}"));
         if fit.changed() {
             *which(next) = if fitted { None } else { Some(value) };
@@ -192,7 +188,7 @@ fn depth(ui: &mut Ui, next: &mut LensControls) {
     ui.label("depth").hint("what the depth buffer stores");
     ui.horizontal(|ui| {
         ui.selectable_value(&mut next.depth, DepthMapping::Reversed, "reversed")
-            .hint("near 1, far 0: precision follows the distance");
+            .hint("near 1, far 0: stays precise far away");
         ui.selectable_value(&mut next.depth, DepthMapping::Standard, "standard")
             .hint("near 0, far 1: as courses teach it");
     });
@@ -210,7 +206,7 @@ const POSE: [(&str, &str); 3] = [
 fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let camera = &state.view().camera;
     let pose = [camera.eye(), camera.target(), camera.up()];
-    // In a small window they share what there is beside their name.
+    // In a small window the fields share the width beside the names.
     let width = ((ui.available_width() - NAME) / 3.0 - ui.spacing().item_spacing.x).min(WIDTH);
     Grid::new("pose").num_columns(4).show(ui, |ui| {
         ui.label("");
@@ -226,11 +222,7 @@ fn pose(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
                     next[row][axis] = number;
                     Action::Pose(next)
                 };
-                let check = |number| {
-                    state
-                        .check(&with(number))
-                        .map_err(|error| error.to_string())
-                };
+                let check = |number| state.check(&with(number));
                 let field = Field {
                     name: &format!("{name} {}", AXES[axis]),
                     hint,

@@ -1,4 +1,4 @@
-//! What lies over the picture: messages, progress.
+//! Messages and progress over the picture.
 
 use super::{
     banner,
@@ -49,7 +49,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
                 Frame::popup(ui.style()).show(ui, |ui| {
                     ui.vertical_centered(|ui| {
                         ui.label(text).hint("why the picture is empty");
-                        let button = ui.button(button).hint("a way that helps");
+                        let button = ui.button(button).hint("a way to see something");
                         if button.clicked() {
                             commands.push(command);
                         }
@@ -59,7 +59,7 @@ pub(super) fn messages(ui: &mut Ui, rect: Rect, shown: &mut Shown, commands: &mu
     }
 }
 
-/// The newest messages: what is done for a while, what is wrong until it is dismissed.
+/// The newest messages: reports of what was done for a while, warnings and errors until they are dismissed.
 fn notices(ui: &mut Ui, notices: &mut Notices) {
     const SHOWN: usize = 5;
     let earlier = notices.len().saturating_sub(SHOWN);
@@ -85,9 +85,9 @@ fn notices(ui: &mut Ui, notices: &mut Notices) {
                 }
                 let text = RichText::new(&notice.text).color(colour);
                 let hint = match notice.kind {
-                    Kind::Done { .. } => "it is done: this goes away by itself",
-                    Kind::Warning => "something to know: the cross dismisses it",
-                    Kind::Error => "something failed: the cross dismisses it",
+                    Kind::Done { .. } => "done: this message goes away by itself",
+                    Kind::Warning => "a warning: the cross dismisses it",
+                    Kind::Error => "an error: the cross dismisses it",
                 };
                 ui.add(egui::Label::new(text).wrap()).hint(hint);
             });

@@ -1,4 +1,4 @@
-//! What a check of the picture found: the pixels that differ over the picture, and how many of which class.
+//! What a check of the picture found: marks on the pixels that differ, and how many there are of each class.
 
 use super::names::Hint;
 use crate::{
@@ -45,7 +45,7 @@ pub(super) fn show(
 fn table(ui: &mut Ui, check: &Check, found: &Checked) {
     let report = &found.report;
     ui.label(RichText::new(format!("Drawn against picked{}", check.by())).strong())
-        .hint("each pixel of the picture, compared with what a click on it picks; marked where they differ");
+        .hint("each pixel of the picture is compared with what a click on it picks, and marked where they differ");
     Grid::new("classes").num_columns(3).show(ui, |ui| {
         swatch(ui, Color32::TRANSPARENT);
         ui.label("same").hint("pixels that show what a click there picks");
@@ -57,12 +57,12 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
             ui.monospace(report.count(class).to_string());
             ui.end_row();
         }
-        // The tint's, over pixels of any class.
+        // Counted apart: these are pixels of any class.
         let pixels = found.in_one_place.len();
         if pixels > 0 {
             swatch(ui, color32(IN_ONE_PLACE.0));
             ui.label("two in one place").hint(
-                "Surfaces closer together than drawing can tell, whether it differs there or not. Click for their names.",
+                "Surfaces closer together than drawing can tell apart, whether the pixel differs or not. Click for their names.",
             );
             ui.monospace(pixels.to_string());
             ui.end_row();
@@ -75,7 +75,7 @@ fn table(ui: &mut Ui, check: &Check, found: &Checked) {
         };
         let [differ, all] = [report.outline_differ, report.outline];
         ui.weak(format!("{differ} of {all} outline pixels{elsewhere}"))
-            .hint("how many of the pixels beside another object's differ: at outlines a rasteriser rounds");
+            .hint("how many differ, of all pixels next to another object's: outlines are where a rasteriser rounds");
         if let Some(advice) = advice(report.verdict()) {
             ui.label(advice).hint("what can be trusted here");
         }
@@ -88,7 +88,7 @@ fn swatch(ui: &mut Ui, colour: Color32) {
     ui.painter().rect_filled(rect, 0.0, colour);
 }
 
-/// What to do about a view that drawing does not hold.
+/// What to do where drawing cannot hold a view.
 fn advice(verdict: Verdict) -> Option<&'static str> {
     match verdict {
         Verdict::Agrees | Verdict::Unexplained(_) => None,

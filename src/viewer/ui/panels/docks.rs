@@ -84,7 +84,7 @@ pub(in crate::viewer) struct Place {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(in crate::viewer) struct Wing {
     pub open: bool,
-    /// As wide as somebody wants it, in points.
+    /// As wide as the user wants it, in points.
     pub width: f32,
 }
 
@@ -134,36 +134,23 @@ impl IndexMut<Section> for Docks {
     }
 }
 
-impl Index<Side> for Docks {
-    type Output = Wing;
-    fn index(&self, side: Side) -> &Wing {
-        &self.wings[side as usize]
-    }
-}
-
-impl IndexMut<Side> for Docks {
-    fn index_mut(&mut self, side: Side) -> &mut Wing {
-        &mut self.wings[side as usize]
-    }
-}
-
 impl Docks {
     /// Opens a side, before the other where there is no room for both.
     pub fn open(&mut self, side: Side) {
-        self[side].open = true;
+        self.wings[side as usize].open = true;
         self.first = side;
     }
 
     /// Folds a side that shows, opens one that does not.
     pub fn toggle(&mut self, side: Side) {
         if self.showing[side as usize] {
-            self[side].open = false;
+            self.wings[side as usize].open = false;
         } else {
             self.open(side);
         }
     }
 
-    /// Shows the matrices wherever their panel stands, or takes them away where they show; returns whether they are wanted.
+    /// Shows the matrices, wherever their panel stands, or wants them gone where they show. Returns whether they are wanted.
     pub fn toggle_matrices(&mut self, are_wanted: bool) -> bool {
         let Place { side, folded } = self[Section::Pipeline];
         let show = are_wanted && !folded && self.showing[side as usize];
@@ -180,17 +167,18 @@ impl Docks {
         here.filter(|section| self[*section].side == side).collect()
     }
 
-    /// How wide each side is, in points, where both together may be as wide as `room`; `None` for one that is folded or
-    /// has no panel. Both show where each has room for all of its panels, else the one that was opened last.
+    /// How wide each side is in points, both together at most `room`; `None` for one that is folded or has no panel. Both
+    /// show if there is room for the panels of both, else the one that was opened last.
     pub fn widths(&self, sections: &[Section], room: f32) -> [Option<f32>; 2] {
         let least = Side::BOTH.map(|side| {
             let widths = self.at(side, sections).into_iter();
             let open = widths.filter(|section| !self[*section].folded);
             open.map(Section::least_width).fold(NARROWEST, f32::max)
         });
-        let shows = |side: Side| self[side].open && !self.at(side, sections).is_empty();
-        // A width that is no number, as a file may have it, is the least.
-        let wanted = |side: Side| self[side].width.max(least[side as usize]);
+        let wing = |side: Side| self.wings[side as usize];
+        let shows = |side: Side| wing(side).open && !self.at(side, sections).is_empty();
+        // NaN, which a file may hold, becomes the least.
+        let wanted = |side: Side| wing(side).width.max(least[side as usize]);
         let alone = |side| Some(wanted(side).min(room)).filter(|width| *width >= NARROWEST);
         match [shows(Side::Left), shows(Side::Right)] {
             [false, false] => [None, None],
@@ -207,15 +195,17 @@ impl Docks {
         }
     }
 
-    /// The edge of a side was dragged: it is `width` points wide now, or folded, where that is hardly anything.
+    /// The edge of a side was dragged: the side is `width` points wide now, or folded where that is very little.
     pub fn drag(&mut self, side: Side, width: f32) {
-        self[side].width = width.max(NARROWEST);
-        self[side].open = width >= 0.5 * NARROWEST;
+        self.wings[side as usize] = Wing {
+            width: width.max(NARROWEST),
+            open: width >= 0.5 * NARROWEST,
+        };
     }
 }
 
-/// How wide panels may be together, in points, where the picture is to have half of a window: `left` is what other panels
-/// leave of it above and below.
+/// How wide both sides may be together, in points, so that the picture keeps half of the window. `left` is what the panels
+/// above and below leave of the window.
 pub(super) fn room(window: egui::Vec2, left: egui::Vec2) -> f32 {
     if left.y <= 0.0 {
         return 0.0;

@@ -59,12 +59,12 @@ pub(super) fn show(
     let place = GALLERY.iter().position(|known| known == showing.exhibit);
     let place = place.map_or(0, |place| place + 1);
     ui.weak(format!("{place} of {}", GALLERY.len()))
-        .hint("E the next scene of the gallery, Shift+E the one before");
+        .hint("E: the next scene of the gallery; Shift+E: the one before");
     ui.label(showing.exhibit.about());
     ui.weak(match (showing.method, state.has_outside()) {
         (Some(_), _) => "Esc: pick by Sightline's own method again.",
         (None, true) => "Esc, with nothing selected, leaves the gallery.",
-        (None, false) => "Gallery, leave the gallery: to the demo.",
+        (None, false) => "Gallery, leave the gallery: opens the demo.",
     });
     ui.separator();
     methods(ui, showing, commands);
@@ -91,7 +91,7 @@ pub(super) fn show(
     }
 }
 
-/// Which other methods would do here.
+/// Which other methods are right here.
 fn others(rows: &[Row]) -> String {
     let names: Vec<String> = as_good(rows)
         .map(|row| format!("{} {}", row.method, row.precision))
@@ -109,11 +109,11 @@ fn name(info: &MethodInfo) -> String {
 
 fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
     ui.strong("Pick by")
-        .hint("M the next method, Shift+M the one before");
+        .hint("M: the next method; Shift+M: the one before");
     let mut asked = None;
     if ui
         .radio(showing.method.is_none(), "Sightline's own, the default")
-        .hint("back to it: Esc")
+        .hint("Esc goes back to it")
         .clicked()
     {
         asked = Some(None);
@@ -145,7 +145,7 @@ fn methods(ui: &mut Ui, showing: &Showing, commands: &mut Vec<Command>) {
                 }
             }
         });
-    let hint = "the registry's other methods for what breaks here";
+    let hint = "the study's other methods for the step that breaks here";
     list.response.hint(hint);
     if let Some(method) = asked {
         commands.push(Command::Act(Action::PickBy(method)));
@@ -158,13 +158,13 @@ fn outcome(ui: &mut Ui, state: &State, showing: &Showing) {
         return;
     }
     let Some(compared) = &showing.compared else {
-        ui.weak("Click the picture: what this method picks there, beside Sightline.");
+        ui.weak("Click the picture to compare this method's pick with Sightline's.");
         return;
     };
     let (text, colour) = verdict(state, compared);
     ui.label(RichText::new(text).strong().color(colour));
     let header = ui.collapsing("in numbers", |ui| numbers(ui, state, compared));
-    let hint = "object, triangle, point and normal by either method";
+    let hint = "object, triangle, point and normal by both methods";
     header.header_response.hint(hint);
 }
 
@@ -178,14 +178,12 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
         .show(ui, |ui| {
             ui.label("");
             ui.colored_label(WRONG, "this method")
-                .hint("what the method that is chosen says of the clicked pixel");
+                .hint("what the chosen method finds at the clicked pixel");
             ui.colored_label(RIGHT, "Sightline")
-                .hint("what exact arithmetic says of it");
+                .hint("what is there: Sightline's own pick");
             ui.end_row();
             let rows: [(&str, &str, Column); 4] = [
-                ("object", "what was hit", |state, found| {
-                    object(state, found)
-                }),
+                ("object", "what was hit", object),
                 ("triangle", "which of its triangles", |_, found| {
                     let at = found.hit.hit.on_triangle;
                     at.map_or("\u{2013}".to_owned(), |at| at.triangle.to_string())
@@ -212,7 +210,7 @@ fn numbers(ui: &mut Ui, state: &State, compared: &Compared) {
         });
 }
 
-/// What the comparison comes to, in words.
+/// The result of the comparison, in words.
 fn verdict(state: &State, compared: &Compared) -> (String, Color32) {
     let name = |found: &Option<Found>| {
         found

@@ -1,4 +1,4 @@
-//! A number that can be typed: red with the reason while it cannot be, and then the last good value stays.
+//! A field for a number. Text that is no valid value is red and says why; the last valid value stays in force.
 
 use super::names::{Hint, described, named};
 use egui::{
@@ -6,7 +6,7 @@ use egui::{
     TextEdit, Ui, util::IdTypeMap, vec2,
 };
 
-/// What is typed but not, or not yet, in force. It is forgotten when its field shows something else, or does not show.
+/// Text that was typed and is not in force, or not yet. It is forgotten when its field shows something else, or is gone.
 #[derive(Clone, Default)]
 struct Typed {
     text: String,
@@ -14,11 +14,11 @@ struct Typed {
     shown: u64,
 }
 
-/// The last pass in which a field that was left showed a red text.
+/// The last pass in which a field without the focus showed red text.
 #[derive(Clone, Copy)]
 struct Refused(u64);
 
-/// Gives up every red text that stands in a field. Returns whether there was one.
+/// Gives up every red text. Returns whether there was one.
 pub(in crate::viewer::ui) fn give_up_refused(ctx: &Context) -> bool {
     let pass = ctx.cumulative_pass_nr();
     let is_there = |Refused(at)| at == pass;
@@ -46,7 +46,7 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 pub(super) struct Field<'a> {
     /// What it is called.
     pub name: &'a str,
-    /// What it is of: what is typed for one is not another's.
+    /// Identifies what the number is of: text that was typed for one does not show for another.
     pub of: u64,
     /// What the number is, in a few words.
     pub hint: &'a str,
@@ -59,10 +59,13 @@ pub(super) struct Field<'a> {
 }
 
 impl Field<'_> {
-    /// Shows the field and returns what was typed instead, once Enter or leaving the field confirms it and `check` has
-    /// nothing against it, or what the arrows made of it. Esc gives up. What cannot be is red, with the reason and
-    /// with what stays in force.
-    pub fn show(&self, ui: &mut Ui, check: impl Fn(f64) -> Result<(), String>) -> Option<f64> {
+    /// Shows the field. Returns the typed number once Enter or leaving the field confirms it and `check` accepts it, or the
+    /// number that the arrow keys step to. Esc gives up. Invalid text is red, with the reason and with what stays in force.
+    pub fn show<E: ToString>(
+        &self,
+        ui: &mut Ui,
+        check: impl Fn(f64) -> Result<(), E>,
+    ) -> Option<f64> {
         let (id, value) = (ui.scope_id().with((self.name, self.of)), self.value);
         let shown = short(value);
         let pass = ui.ctx().cumulative_pass_nr();
@@ -71,7 +74,8 @@ impl Field<'_> {
         let mut text = (typed.as_ref()).map_or_else(|| shown.clone(), |typed| typed.text.clone());
         let parse = |text: &str| {
             let number = parse(text, value, &shown)?;
-            check(number).map(|()| number)
+            check(number).map_err(|error| error.to_string())?;
+            Ok::<_, String>(number)
         };
         if let Some(stepped) = self.stepped(ui, id, parse(&text).ok())
             && check(stepped).is_ok()
@@ -84,7 +88,7 @@ impl Field<'_> {
         let wrong = parsed.as_ref().err();
         let wrong = wrong.map(|reason| format!("{reason}; {shown} stays in force"));
         let was_typed = typed.is_some();
-        // Below the field, once it is left: what is typed on stays where it is.
+        // Only below a field without the focus, so that nothing moves while one types.
         let still = wrong
             .as_ref()
             .filter(|_| !ui.memory(|memory| memory.has_focus(id)));
@@ -106,7 +110,7 @@ impl Field<'_> {
         }
         let given_up = ui.input(|input| input.key_pressed(Key::Escape))
             && (response.has_focus() || response.lost_focus());
-        // What was refused may be possible by now: it is not in force all the same.
+        // Refused text may be valid by now: it is dropped, not taken over.
         let is_left = was_typed && !response.has_focus() && parsed.is_ok();
         if given_up || is_left {
             forget(ui, id);
@@ -158,7 +162,7 @@ fn forget(ui: &Ui, id: Id) {
     ui.data_mut(|data| data.remove_temp::<Typed>(id));
 }
 
-/// What stands in the field; the value itself, with all its digits, when it is still what was shown.
+/// The number in the field; `value` itself, with all its digits, while the text is as it was shown.
 fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
     if text == shown {
         return Ok(value);
@@ -177,7 +181,7 @@ fn parse(text: &str, value: f64, shown: &str) -> Result<f64, String> {
 /// Width of a field in points that shows as many digits as [`short`] gives.
 pub(super) const WIDTH: f32 = 72.0;
 
-/// A value as panels show it: digits one under the other, a point with all of them in a line.
+/// A value as panels show it: digits align in columns, and a point with all its digits fits on a line.
 pub(super) fn value_text(text: impl Into<String>) -> RichText {
     RichText::new(text).monospace().size(11.0)
 }
@@ -185,8 +189,8 @@ pub(super) fn value_text(text: impl Into<String>) -> RichText {
 /// The most characters of a number as [`short`] writes it.
 const DIGITS: usize = 9;
 
-/// Six significant digits, or as many as fit into so little: enough to read, and never wider while the number changes; the
-/// field holds on to all of them.
+/// Up to six significant digits, as many as fit in [`DIGITS`] characters: enough to read, and a changing number moves
+/// nothing. The field keeps all digits.
 pub(super) fn short(value: f64) -> String {
     let tries = (1..=6).rev().map(|digits| rounded(value, digits));
     let mut tries = tries.skip_while(|text| text.len() > DIGITS);

@@ -1,4 +1,4 @@
-//! Sliding and dragging: what is changed from press to release is undone as one.
+//! Sliding and dragging: all changes from press to release are one undo step.
 
 use crate::viewer::{model::Action, ui::command::Command};
 use egui::Response;
@@ -11,13 +11,13 @@ pub(super) struct Gesture {
 }
 
 impl Gesture {
-    /// Takes note of such a control.
+    /// Notes what such a control did.
     pub fn note(&mut self, response: &Response) {
         self.goes_on |= response.dragged();
         self.ended |= response.drag_stopped();
     }
 
-    /// Asks for what was changed, if anything was, and ends the step with the gesture.
+    /// Asks for the change, if there is one, and ends the undo step with the gesture.
     pub fn push(self, action: Option<Action>, commands: &mut Vec<Command>) {
         let changed = action.is_some();
         commands.extend(action.map(Command::Act));

@@ -1,4 +1,4 @@
-//! Keys and mouse, from the very table that works them.
+//! Keys and mouse, from the table that dispatches them.
 
 use super::{names::Hint, tour_card};
 use crate::viewer::ui::{
@@ -7,16 +7,16 @@ use crate::viewer::ui::{
 };
 use egui::{Align2, Context, Grid, ScrollArea, Ui, Vec2, Window, vec2};
 
-/// In points: what stands around the rows, and how wide keys with their words are where nothing is broken.
+/// The space around the rows, and the width of a row that does not wrap, in points.
 const MARGIN: Vec2 = vec2(60.0, 90.0);
 const ROW: f32 = 620.0;
-/// So narrow that two columns of rows are one above the other.
+/// Two columns stand side by side where each is at least so wide, in points.
 const NARROW: f32 = 500.0;
 
 pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
     let mut open = true;
     let room = ctx.content_rect().size() - MARGIN;
-    // Side by side, where they fit: one above the other they do not fit a small screen.
+    // Two columns where they fit: one is too long for a small screen.
     let (columns, width) = if room.x >= 2.0 * NARROW {
         (2, (0.5 * room.x).min(ROW))
     } else {
@@ -32,8 +32,7 @@ pub(super) fn show(ctx: &Context, commands: &mut Vec<Command>) {
             let bindings = keys::BINDINGS
                 .iter()
                 .map(|binding| (binding.keys, binding.does));
-            let all = keys::MOUSE.iter().copied().chain(bindings);
-            let rows: Vec<_> = all.filter(|(_, does)| !does.is_empty()).collect();
+            let rows: Vec<_> = keys::MOUSE.iter().copied().chain(bindings).collect();
             if ui.button("Take the tour").hint(tour_card::ABOUT).clicked() {
                 commands.push(Command::ToggleHelp);
                 commands.push(Command::Tour(TourMove::Begin));

@@ -1,4 +1,4 @@
-//! What the file of a mesh says of the pick, and the way to what has a number.
+//! What a mesh's file says about the pick, and fields that go to something by its number.
 
 use super::{
     field::value_text,
@@ -17,11 +17,11 @@ use egui::{CollapsingHeader, Id, Label, TextEdit, Ui};
 /// The most corners of a polygon that are listed.
 const MOST_CORNERS: usize = 12;
 
-/// What a field has beside its text, in points.
+/// Width of a field beyond its text, in points.
 const FRAME: f32 = 8.0;
 
 /// A field: its name, what is typed there, and where that leads.
-type Way = (&'static str, &'static str, fn(usize) -> GoTo);
+type GoToField = (&'static str, &'static str, fn(usize) -> GoTo);
 
 /// The face that the pick is on, as its file writes it.
 pub(super) fn show(ui: &mut Ui, hit: &Pick) {
@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
     let Some(path) = &said.file else { return };
     if let Some(error) = &said.file_error {
         ui.colored_label(ui.visuals().warn_fg_color, error)
-            .hint("the file is read again for what it writes of a face: nothing of that is kept");
+            .hint("what the file writes of a face is not kept: it is read again at each pick");
         return;
     }
     let (Some(line), Some(face), Some(vertices)) = (said.line, said.face, &said.vertices) else {
@@ -59,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
             (
                 "face",
                 format!("{face}, {kind}"),
-                "its number among the lines of the file that begin with f, from 1, and what it is there",
+                "its number among the file's f lines, from 1, and how many corners it has there",
             ),
         ],
     );
@@ -74,31 +74,32 @@ pub(super) fn show(ui: &mut Ui, hit: &Pick) {
             let mark = if of_triangle(place) { "\u{2022}" } else { " " };
             let text = format!("{mark} v {}: {}", vertex.vertex, vertex.written);
             let hint = format!(
-                "as line {} has it; a dot marks the corners of the triangle that was hit",
+                "as line {} writes it; a dot marks the corners of the triangle that was hit",
                 vertex.line
             );
             ui.add(Label::new(value_text(text)).wrap()).hint(hint);
             if let Some(stored) = vertex.stored {
                 let text = format!("    stored {} {} {}", stored.x, stored.y, stored.z);
                 ui.add(Label::new(value_text(text).weak()).wrap())
-                    .hint("what it was rounded to when it was loaded, which is what picks and pictures are made of");
+                    .hint("what it was rounded to on loading: picks and pictures use this");
             }
         }
         if let Some(more @ 1..) = corners.checked_sub(MOST_CORNERS) {
-            ui.weak(format!("and {more} more")).hint("all of them are in the copied JSON");
+            ui.weak(format!("and {more} more"))
+                .hint("all of them are in the copied JSON");
         }
     });
     header
         .header_response
-        .hint("the face's vertices, by their numbers and as they are written there");
+        .hint("the face's vertices with their numbers, as the file writes them");
 }
 
-/// Fields for a number of what is to be shown, and what came of the last.
+/// Fields that go to an object, face or vertex by its number, and the outcome of the last.
 pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &mut Vec<Command>) {
     let mut wrong = None;
     ui.horizontal(|ui| {
         ui.weak("go to").hint("type a number and press Enter");
-        let fields: [Way; 3] = [
+        let fields: [GoToField; 3] = [
             ("object", "an object by its number in the list", GoTo::Object),
             (
                 "face",
@@ -142,7 +143,7 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
     });
     if let Some(wrong) = wrong {
         ui.colored_label(ui.visuals().error_fg_color, wrong)
-            .hint("what is typed there is no number of anything");
+            .hint("nothing has such a number");
     }
     if let Some(said) = said {
         let text = match state.says_of_sought() {
@@ -150,6 +151,6 @@ pub(super) fn go_to(ui: &mut Ui, state: &State, said: Option<&str>, commands: &m
             None => said.to_owned(),
         };
         let label = ui.add(Label::new(text).wrap());
-        label.hint("where that is, and what hides it");
+        label.hint("where it is, and what hides it");
     }
 }

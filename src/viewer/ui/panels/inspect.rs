@@ -1,4 +1,4 @@
-//! What there is to know about a pick beyond its record, each behind its own heading.
+//! What is known about a pick beyond its record, each part under its own heading.
 
 use super::{
     field::{short, value_text},
@@ -30,7 +30,7 @@ pub(super) fn show(
     }
 }
 
-/// A heading whose contents are found again under whatever it says.
+/// A heading that stays open or folded when its title changes.
 fn section(ui: &mut Ui, salt: &str, title: String, hint: &str, inside: impl FnOnce(&mut Ui)) {
     let header = CollapsingHeader::new(title).id_salt(salt).show(ui, inside);
     header.header_response.hint(hint);
@@ -40,7 +40,7 @@ fn hits(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>)
     let Some(hits) = state.hits() else { return };
     let title = format!("Hits on the ray: {} of {}", hits.at + 1, hits.picks.len());
     let hint =
-        "every surface under the click, from front to back (N the next, Shift+N the one before)";
+        "every surface under the click, from front to back (N: the next, Shift+N: the one before)";
     section(ui, "hits", title, hint, |ui| {
         for (at, pick) in hits.picks.iter().enumerate() {
             let side = if pick.front { "front" } else { "back" };
@@ -64,7 +64,7 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
     let (Some(corners), Some(weights)) = (triangle(state.scene(), hit), hit.barycentric) else {
         return;
     };
-    let hint = "its corners in the world, and the pick's barycentrics: how much each weighs";
+    let hint = "its corners in the world, and the pick's barycentrics: the weight of each corner";
     section(ui, "triangle", "Triangle".to_owned(), hint, |ui| {
         for (name, (corner, weight)) in ["v1", "v2", "v3"]
             .into_iter()
@@ -79,7 +79,7 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
                 (
                     "  weight",
                     format!("{weight:.PLACES$}"),
-                    "how much of this corner makes the point: 1 at the corner, 0 on the side across; the three add up to 1",
+                    "this corner's share of the point: 1 at the corner, 0 on the opposite side; the three add up to 1",
                 ),
             ];
             rows(ui, name, &lines);
@@ -89,23 +89,27 @@ fn corners(ui: &mut Ui, state: &State, hit: &Pick, digits: Digits, commands: &mu
 }
 
 fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Command>) {
-    let hint = "from the pick before to this one, in world units; surfaces on one ray count too";
+    let hint = "from the previous pick to this one, in world units; surfaces on one ray count too";
     section(ui, "distance", "Distance".to_owned(), hint, |ui| {
         let [from, to] = state.landmarks() else {
-            ui.weak("Pick a second point: how far it is from this one.")
+            ui.weak("Pick a second point to see how far apart they are.")
                 .hint(hint);
             return;
         };
         let by = to.point_world - from.point_world;
         let length = |value: f64| digits.length(value);
-        let along = "how much of the way runs along this axis of the world";
+        let along = "how far apart they are along this axis of the world";
         let lines = [
-            ("from", from.object.clone(), "the object of the pick before"),
+            (
+                "from",
+                from.object.clone(),
+                "the object of the previous pick",
+            ),
             ("to", to.object.clone(), "the object of this pick"),
             (
                 "distance",
                 length(by.length()),
-                "of the straight way between the two points, in world units",
+                "in a straight line between the two points, in world units",
             ),
             ("along x", length(by.x), along),
             ("along y", length(by.y), along),
@@ -117,7 +121,7 @@ fn distance(ui: &mut Ui, state: &State, digits: Digits, commands: &mut Vec<Comma
 }
 
 fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
-    let hint = "the least difference in depth that the depth buffer's 32 bits tell apart here";
+    let hint = "the smallest difference in depth that the 32-bit depth buffer resolves here";
     let confused = steps.confuses(steps.in_use);
     section(ui, "depth", "Depth buffer".to_owned(), hint, |ui| {
         let numbers = Grid::new("steps")
@@ -158,12 +162,12 @@ fn depth(ui: &mut Ui, steps: &DepthSteps, commands: &mut Vec<Command>) {
         for (mapping, _) in steps.steps {
             if steps.confuses(mapping) && mapping != steps.in_use {
                 ui.weak(format!("With {mapping} depth these surfaces would be one."))
-                    .hint("its step is larger than the way between them");
+                    .hint("its step is larger than the gap between them");
             }
         }
     });
     if confused {
-        let text = "Two surfaces lie closer here than the depth buffer tells apart: which one shows is left to rounding.";
+        let text = "Two surfaces are closer here than the depth buffer can tell apart: rounding decides which one shows.";
         ui.colored_label(ui.visuals().warn_fg_color, text)
             .hint(hint);
     }

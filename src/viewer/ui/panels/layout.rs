@@ -1,5 +1,5 @@
-//! Which panel goes where. Panels show the state and return what the user asks for; they change nothing themselves but how
-//! they stand.
+//! Which panel goes where. Panels show the state and return what the user asks for; all that they change themselves is their
+//! own layout.
 
 use super::{
     axis_cross, banner, corners, differences,
@@ -19,9 +19,9 @@ use crate::viewer::{
 };
 use egui::{CentralPanel, Panel, Rect, Ui};
 
-/// What a pass over the panels comes to.
+/// The result of a pass over the panels.
 pub(in crate::viewer) struct Asked {
-    /// The scene's rectangle, where there is room for it.
+    /// The picture's rectangle, where there is room for it.
     pub place: Option<SceneRect>,
     /// Which stages show in it, and where.
     pub panes: Vec<(Stage, SceneRect)>,
@@ -57,27 +57,28 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
     let place = CentralPanel::no_frame().show(ui, |ui| {
         let rect = picture_rect(ui, shown);
         let place = SceneRect::new(rect, ui.ctx().pixels_per_point())?;
-        if !shown.state.stages().is_empty() {
-            // The picture that it stands for keeps its size.
+        let panes = if shown.state.stages().is_empty() {
+            let id = ui.scope_id().with("scene");
+            let (response, actions) = mouse::scene(ui, id, rect, place, drag);
+            let px = response.interact_pointer_pos().map(|at| place.to_px(at));
+            menu::of_picture(&response, shown.state, px, &mut commands);
+            commands.extend(actions.into_iter().map(Command::Act));
+            differences::show(ui, rect, place, shown.checking, shown.marks);
+            marks::show(ui, rect, place, shown.state);
+            section_handle::show(ui, rect, place, shown.state, &mut commands);
+            axis_cross::show(ui, rect, shown.state, &mut commands);
+            banner::show(ui, rect, place, shown.state, &mut commands);
+            Vec::new()
+        } else {
+            // The camera's picture, of which the views are, keeps the size of them all.
             commands.push(Command::Act(Action::Resize(place.viewport)));
-            let panes = panes::show(ui, rect, shown.state, drag, &mut commands);
-            corners::messages(ui, rect, shown, &mut commands);
-            offer_tour(ui, rect, shown, &mut commands);
-            return Some((place, panes));
-        }
-        let id = ui.scope_id().with("scene");
-        let (response, actions) = mouse::scene(ui, id, rect, place, drag);
-        let px = response.interact_pointer_pos().map(|at| place.to_px(at));
-        menu::of_picture(&response, shown.state, px, &mut commands);
-        commands.extend(actions.into_iter().map(Command::Act));
-        differences::show(ui, rect, place, shown.checking, shown.marks);
-        marks::show(ui, rect, place, shown.state);
-        section_handle::show(ui, rect, place, shown.state, &mut commands);
-        axis_cross::show(ui, rect, shown.state, &mut commands);
-        banner::show(ui, rect, place, shown.state, &mut commands);
+            panes::show(ui, rect, shown.state, drag, &mut commands)
+        };
         corners::messages(ui, rect, shown, &mut commands);
-        offer_tour(ui, rect, shown, &mut commands);
-        Some((place, Vec::new()))
+        if shown.offers_tour && shown.tour.is_none() {
+            tour_card::offer(ui, rect, &mut commands);
+        }
+        Some((place, panes))
     });
     for (side, edge) in Side::BOTH.into_iter().zip(edges) {
         if let Some(rect) = edge {
@@ -91,24 +92,15 @@ pub(in crate::viewer) fn show(ui: &mut Ui, shown: &mut Shown, drag: &mut Option<
         question::show(ui.ctx(), shown.state, intent, &mut commands);
     }
     commands.extend(keys::pressed(ui.ctx(), shown.question.is_some()));
-    let (place, panes) = match place.inner {
-        Some((place, panes)) => (Some(place), panes),
-        None => (None, Vec::new()),
-    };
+    let (place, panes) = place.inner.unzip();
     Asked {
         place,
-        panes,
+        panes: panes.unwrap_or_default(),
         commands,
     }
 }
 
-fn offer_tour(ui: &Ui, rect: Rect, shown: &Shown, commands: &mut Vec<Command>) {
-    if shown.offers_tour && shown.tour.is_none() {
-        tour_card::offer(ui, rect, commands);
-    }
-}
-
-/// The panels that there are: in the gallery its scene's in place of the list.
+/// The panels that show: in the gallery its own in place of objects and measures.
 fn sections(shown: &Shown) -> Vec<Section> {
     if shown.is_bare {
         return Vec::new();

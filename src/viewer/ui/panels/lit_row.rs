@@ -1,11 +1,11 @@
-//! What a row of a matrix does, lit in the four views while the cursor rests on it: the plane, axis or length of its own.
+//! What a row of a matrix does, shown in the four views while the cursor rests on the row: its planes, axis or length.
 
 use super::pane_page::Page;
 use crate::viewer::model::{Matrix, NDC_DRAWN, Stage};
 use egui::Color32;
 use glam::DVec3;
 
-/// Nothing else is filled.
+/// White: areas of no other colour are filled.
 const COLOUR: Color32 = Color32::from_rgb(255, 255, 255);
 /// Corners of the frustum that bound the two planes of each row of P: left and right, bottom and top, near and far.
 const PLANES: [[[usize; 4]; 2]; 3] = [
@@ -15,7 +15,7 @@ const PLANES: [[[usize; 4]; 2]; 3] = [
 ];
 
 impl Page<'_> {
-    /// What the row that the cursor rests on does here.
+    /// Shows what the row under the cursor does at this stage.
     pub fn lit_row(&self) {
         match self.state.row() {
             Some((Matrix::Projection, row)) if row < 3 => self.planes(row),
@@ -26,22 +26,15 @@ impl Page<'_> {
         }
     }
 
-    /// The planes where what a row of P makes is -w or w, or of the third 0 or w.
+    /// The planes where the coordinate that a row of P makes is -w or w; for the third row 0 or w.
     fn planes(&self, row: usize) {
         let view = self.state.view();
         let corners = match self.stage {
             Stage::Object => return,
             Stage::World | Stage::View => view.frustum_corners(),
             Stage::Ndc => {
-                let at = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-                let face = |z| {
-                    [
-                        at(-1.0, 1.0, z),
-                        at(1.0, 1.0, z),
-                        at(1.0, -1.0, z),
-                        at(-1.0, -1.0, z),
-                    ]
-                };
+                let around = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+                let face = |z| around.map(|(x, y)| DVec3::new(x, y, z));
                 let [near, far] = [NDC_DRAWN.max.z, NDC_DRAWN.min.z].map(face);
                 std::array::from_fn(|i| if i < 4 { near[i] } else { far[i - 4] })
             }
@@ -84,7 +77,7 @@ impl Page<'_> {
         }
     }
 
-    /// How far it lies along an axis of the world; in object space the direction in which that grows.
+    /// How far the followed point lies along an axis of the world; in object space the direction in which that grows.
     fn along_world(&self, row: usize) {
         let Some(object) = self.state.pane_object() else {
             return;

@@ -1,5 +1,5 @@
-//! Over the picture: where the pick's ray hits, the triangle that was hit, with its corners and barycentrics, and the way
-//! from the pick before.
+//! Marks over the picture: the point that the pick's ray hits, the triangle there with its corners and barycentrics, the
+//! distance from the previous pick, snapped points, and what the user went to by its number.
 
 use super::field::short;
 use crate::{
@@ -17,7 +17,7 @@ use glam::DVec3;
 
 /// Radius of the mark at a hit, in points.
 const MARK: f32 = 6.0;
-/// Side of the mark at what was gone to, in points.
+/// Side of the square around what the user went to, in points.
 const SOUGHT: f32 = 18.0;
 /// Corners of triangles that are smaller in the picture, in points, are not named: their names would hide them.
 const LEGIBLE: f32 = 36.0;
@@ -30,9 +30,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, place: SceneRect, state: &State) {
         view: state.view(),
         colour: color32(look::HIT),
     };
-    let pick = state
-        .selection()
-        .and_then(|selection| selection.pick.as_ref()?.hit.as_ref());
+    let pick = state.picked();
     let is_in = state.pick_view() != Some(PickView::LeftOut);
     if let Some(pick) = pick.filter(|_| is_in && state.overlays().shows(Overlay::Triangle)) {
         page.triangle(state, pick);
@@ -56,8 +54,7 @@ struct Page<'a> {
 
 impl Page<'_> {
     fn at(&self, point_world: DVec3) -> Option<Pos2> {
-        let [at, _] = self.view.project_segment(point_world, point_world)?;
-        Some(self.place.to_position(at))
+        self.segment(point_world, point_world).map(|[at, _]| at)
     }
 
     fn segment(&self, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
@@ -85,7 +82,7 @@ impl Page<'_> {
         }
     }
 
-    /// What was gone to by its number: a square, dashed about what is not seen, with its name and what hides it.
+    /// What the user went to by its number: a square, dashed where that is not seen, with its name and what hides it.
     fn sought(&self, state: &State) {
         let Some(sought) = state.sought() else { return };
         let Some(at) = self.at(sought.point.world()) else {
@@ -121,7 +118,7 @@ impl Page<'_> {
         self.text(at - vec2(0.0, SOUGHT + 8.0), &text, self.colour);
     }
 
-    /// A diamond about each point that a click was led to, and the way between them.
+    /// A diamond around each point that a click snapped to, and the distance between them.
     fn snapped(&self, points: &[Snap]) {
         if let [from, to] = points {
             self.distance(from.point_world, to.point_world);
@@ -157,7 +154,7 @@ impl Page<'_> {
                     .line_segment(ends, Stroke::new(2.0, self.colour));
             }
         }
-        // How much of each corner makes the point.
+        // From each corner to the point that it is a share of.
         for corner in corners {
             if let Some(ends) = self.segment(corner, pick.point_world) {
                 let dashes = Shape::dashed_line(&ends, Stroke::new(1.0, self.colour), 4.0, 4.0);
@@ -211,7 +208,7 @@ impl Page<'_> {
             self.painter
                 .layout_no_wrap(text.to_owned(), FontId::proportional(15.0), colour);
         let rect = Align2::CENTER_CENTER.anchor_size(at, galley.size());
-        // Within the picture, where it has room for it.
+        // Moved into the picture, where it fits.
         let bounds = self.painter.clip_rect().shrink(4.0);
         let over = (rect.right() - bounds.right()).max(0.0);
         let rect = rect.translate(vec2((bounds.left() - rect.left()).max(-over), 0.0));

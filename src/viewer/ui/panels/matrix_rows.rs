@@ -1,4 +1,4 @@
-//! A matrix in words and numbers: what it is, what each row makes, what its determinant says.
+//! A matrix in words and numbers: what it is, what each row makes, what its determinant means.
 
 use super::{
     field::{short, value_text},
@@ -15,19 +15,19 @@ use crate::{
 use egui::{Response, Sense, Shape, Ui};
 use glam::DMat4;
 
-/// A matrix in words, and what it is of.
+/// A matrix's title, and what it does.
 pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String) {
     match matrix {
         Matrix::Projection => (
             "projection: view to clip".into(),
-            "makes of a point before the eye its place in the picture, its depth for the buffer, and w".into(),
+            "gives a point in front of the eye its place in the picture, its depth for the buffer, and w".into(),
         ),
         Matrix::View => (
             "view: world to view".into(),
-            "counts from the eye, along the camera's own axes R, U and F".into(),
+            "measures from the eye, along the camera's own axes R, U and F".into(),
         ),
         Matrix::Model => object.map_or_else(
-            || ("model: no object, so the identity".into(), "which object's it is, a click or the cursor says".into()),
+            || ("model: no object, so the identity".into(), "click an object or point at one to see its matrix".into()),
             |object| {
                 let text = format!("model: object to world, {}", object.name);
                 (text, "puts the object into its place in the world".into())
@@ -40,40 +40,44 @@ pub(super) fn title(matrix: Matrix, object: Option<&Object>) -> (String, String)
 fn does(matrix: Matrix, row: usize) -> &'static str {
     match (matrix, row) {
         (Matrix::Projection, 0) => {
-            "clip x: 1 over half the picture's width at depth 1. The planes left and right are where it is -w and w"
+            "clip x: view x over half the picture's width at depth 1. It is -w and w on the left and right planes"
         }
         (Matrix::Projection, 1) => {
-            "clip y: 1 over half the picture's height at depth 1. The planes below and above are where it is -w and w"
+            "clip y: view y over half the picture's height at depth 1. It is -w and w on the bottom and top planes"
         }
         (Matrix::Projection, 2) => {
-            "clip z: from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
+            "clip z: made from the depth, so that after the division near and far are 0 and 1, or 1 and 0"
         }
         (Matrix::Projection, _) => {
             "w, which the others are divided by: in perspective the depth itself"
         }
         (Matrix::View, 0) => {
-            "view x: along the camera's axis R. The last number is the eye's own place along it, negative"
+            "view x: along the camera's axis R. The last number is minus the eye's own place along R"
         }
         (Matrix::View, 1) => {
-            "view y: along the camera's axis U. The last number is the eye's own place along it, negative"
+            "view y: along the camera's axis U. The last number is minus the eye's own place along U"
         }
         (Matrix::View, 2) => {
-            "view z, the depth: along the camera's axis F. The last number is the eye's own place along it, negative"
+            "view z, the depth: along the camera's axis F. The last number is minus the eye's own place along F"
         }
         (Matrix::Model, 0) => {
-            "world x: what each of the object's axes adds to it, and where the object's origin is"
+            "world x: what each of the object's axes adds to it, and the x of the object's origin"
         }
         (Matrix::Model, 1) => {
-            "world y: what each of the object's axes adds to it, and where the object's origin is"
+            "world y: what each of the object's axes adds to it, and the y of the object's origin"
         }
         (Matrix::Model, 2) => {
-            "world z: what each of the object's axes adds to it, and where the object's origin is"
+            "world z: what each of the object's axes adds to it, and the z of the object's origin"
         }
         (Matrix::View | Matrix::Model, _) => "w stays 1: points stay points",
     }
 }
 
-/// What a determinant says of volumes and hands.
+/// What the determinant of a model matrix says.
+pub(super) const VOLUMES: &str =
+    "its size says how many times as large volumes become, its sign whether the object is mirrored";
+
+/// What a determinant says about volumes and handedness.
 pub(super) fn determinant(
     matrix: Matrix,
     entries: &DMat4,
@@ -89,12 +93,12 @@ pub(super) fn determinant(
             };
             (
                 format!("det {value}: {depth}"),
-                "its sign says whether NDC has the other hand than view space. Volumes are another matter: the division by w shrinks what is far",
+                "its sign says whether NDC has another handedness than view space. It says nothing about volumes: the division by w shrinks what is far",
             )
         }
         Matrix::View => (
             format!("det {value}: sizes stay, left-handed"),
-            "the world is right-handed, and z forward makes view space left-handed: -1. What is drawn is not mirrored by that; it is only counted differently",
+            "the world is right-handed, and z forward makes view space left-handed: -1. The picture is not mirrored by that: only the coordinates differ",
         ),
         Matrix::Model => {
             let hand = if entries.determinant() < 0.0 {
@@ -107,7 +111,7 @@ pub(super) fn determinant(
                     "det {value}: volumes times {}{hand}",
                     value.trim_start_matches('-')
                 ),
-                "its size is how many times as large volumes become, its sign whether the object is mirrored",
+                VOLUMES,
             )
         }
     }
@@ -128,7 +132,7 @@ fn mapping(state: &State) -> String {
     format!("{} depth ({ends}): {formula}", lens.depth)
 }
 
-/// A matrix row by row. One that the cursor rests on is lit, and what it does in the views too.
+/// A matrix row by row. The row under the cursor is highlighted, and the views show what it does.
 pub(super) fn rows(
     ui: &mut Ui,
     name: &str,
@@ -136,7 +140,7 @@ pub(super) fn rows(
     of: Option<(Matrix, &State)>,
     commands: &mut Vec<Command>,
 ) {
-    // What only rounding left beside the largest entry reads better as 0.
+    // Entries that are mere rounding errors of the largest read better as 0.
     let largest = matrix
         .to_cols_array()
         .into_iter()
@@ -178,7 +182,7 @@ pub(super) fn rows(
     }
 }
 
-/// A row of numbers in columns of one width, each with all its digits under the cursor, after the coordinate that it makes.
+/// A row of numbers in columns of one width, after the coordinate that it makes. Tooltips have all digits.
 pub(super) fn numbers(ui: &mut Ui, values: &[f64], makes: Option<(&str, &str)>) -> Response {
     let row = ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;

@@ -1,4 +1,4 @@
-//! Points that clicks are led to, and the list of measures.
+//! The points that clicks snap to, and the list of measures.
 
 use super::{
     field::value_text,
@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let mut actions = Vec::new();
     let mut is_on = measuring.is_on;
     let toggle = ui.checkbox(&mut is_on, "snap clicks");
-    let hint = "lead each click to the nearest visible vertex within 8 pixels, else to an edge of the file, else to the surface";
+    let hint = "snap each click to the nearest visible vertex within 8 pixels, else to an edge of the file, else to the surface";
     if toggle.hint(hint).clicked() {
         actions.push(MeasureAction::Toggle);
     }
@@ -38,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
     let has_some = !measuring.list.is_empty();
     ui.horizontal(|ui| copying(ui, measuring, has_some, commands, &mut actions));
-    // Below all that is clicked, so that nothing of it moves as points come and go.
+    // Below all buttons, which therefore do not move as points come and go.
     for (name, at) in [("from", 2), ("to", 1)] {
         let at = measuring.points.len().checked_sub(at);
         point(ui, name, at.and_then(|at| measuring.points.get(at)));
@@ -47,20 +47,20 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             let remove = ui.small_button("\u{d7}");
             named(&remove, &format!("remove measure {}", at + 1));
-            if remove.hint("take this line away").clicked() {
+            if remove.hint("remove this line").clicked() {
                 actions.push(MeasureAction::Remove(at));
             }
             ui.add(Label::new(value_text(text(entry))).wrap())
-                .hint("in world units, and how far it may be off at most");
+                .hint("in world units, with the most that it may be off");
         });
     }
-    // Where the side scrolls, its bar lies over its last line.
+    // Where the side scrolls, its scroll bar covers the last line.
     ui.add_space(10.0);
     let act = |action| Command::Act(Action::Measure(action));
     commands.extend(actions.into_iter().map(act));
 }
 
-/// What is done with all of the list.
+/// Buttons for the whole list.
 fn copying(
     ui: &mut Ui,
     measuring: &Measuring,
@@ -83,13 +83,13 @@ fn copying(
     if button(ui, "list as JSON", "all lines as JSON, with all digits") {
         commands.extend(json::text(&measuring.list).ok().map(Command::Copy));
     }
-    let hint = "take all lines away; undo brings them back";
+    let hint = "remove all lines; undo brings them back";
     if button(ui, "clear list", hint) {
         actions.push(MeasureAction::Clear);
     }
 }
 
-/// One of the two last points, or that there is none: two lines in any case.
+/// One of the last two points, or a dash where there is none: two lines in any case.
 fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
     let (label, at) = match point {
         Some(point) => {
@@ -105,9 +105,10 @@ fn point(ui: &mut Ui, name: &str, point: Option<&Snap>) {
         None => ("\u{2013}".to_owned(), String::new()),
     };
     ui.add(Label::new(format!("{name} {label}")).truncate())
-        .hint("what the last click but one, or the last, was led to");
-    ui.add(Label::new(value_text(at)).truncate())
-        .hint("a vertex as the file writes it; another point in the world, with all digits");
+        .hint("what the last click (to), or the one before it (from), snapped to");
+    ui.add(Label::new(value_text(at)).truncate()).hint(
+        "a vertex as the file writes it; any other point in world coordinates, with all digits",
+    );
 }
 
 fn text(entry: &Entry) -> String {

@@ -57,150 +57,95 @@ pub(super) fn of_object(
         let object = &state.scene().objects()[index];
         ui.strong(&object.name).hint("what is under the cursor");
         ui.separator();
+        let mut lines = Lines { ui, commands };
         if let Some(px) = px {
-            let time_s = ui.input(|input| input.time);
-            let hint = "what a click there does: the surface in front of the others";
+            let time_s = lines.ui.input(|input| input.time);
+            let hint = "as a click there: picks the nearest surface";
             let pick = [Action::Select(None), Action::Click(px, time_s)];
-            entry(
-                ui,
-                "Pick this point",
-                "",
-                hint,
-                &pick.map(Command::Act),
-                commands,
-            );
+            lines.add("Pick this point", "", hint, &pick);
             let hint = "the camera looks at this point, and turns about it";
-            let centre = [Command::Act(Action::Recentre(px))];
-            entry(
-                ui,
-                "Centre the view here",
-                "double click",
-                hint,
-                &centre,
-                commands,
-            );
+            let centre = [Action::Recentre(px)];
+            lines.add("Centre the view here", "double click", hint, &centre);
         }
-        // What these do is done with the selection, which stays with its point where it is this object's.
-        let is_selected = (state.selection()).is_some_and(|selection| selection.object == index);
+        // These act on the selection. So the object is selected, unless it is: then its picked point stays.
+        let is_selected = state.selected() == Some(index);
         let select = (!is_selected).then_some(Action::Select(Some(index)));
-        for (name, key, hint, action) in [
-            (
-                "Frame it",
-                "F",
-                "move the camera until it fills the view",
-                Action::FrameSelection,
-            ),
-            (
-                "Hide it",
-                "Shift+H",
-                "what is hidden is not drawn and not picked",
-                Action::HideSelection,
-            ),
-            (
-                "Hide all others",
-                "I",
-                "only this object is drawn and picked",
-                Action::Isolate,
-            ),
-        ] {
-            let asked: Vec<_> = select
-                .into_iter()
-                .chain([action])
-                .map(Command::Act)
-                .collect();
-            entry(ui, name, key, hint, &asked, commands);
+        let mut selected = |name, key, hint, action| {
+            let asked: Vec<_> = select.into_iter().chain([action]).collect();
+            lines.add(name, key, hint, &asked);
+        };
+        let hint = "move the camera until it fills the view";
+        selected("Frame it", "F", hint, Action::FrameSelection);
+        let hint = "what is hidden is neither drawn nor picked";
+        selected("Hide it", "Shift+H", hint, Action::HideSelection);
+        let hint = "only this object is drawn and picked";
+        selected("Hide all others", "I", hint, Action::Isolate);
+        lines.show_all(state);
+        lines.ui.separator();
+        if is_selected && state.picked().is_some() {
+            let hint = "the full record of its picked point, as JSON";
+            lines.ask("Copy the pick", "J", hint, Command::CopyPick);
         }
-        if state.scene().hidden_count() > 0 {
-            show_all(ui, commands);
-        }
-        ui.separator();
-        if is_selected
-            && state
-                .selection()
-                .is_some_and(|selection| selection.pick.is_some())
-        {
-            let hint = "the record of its picked point, all of it";
-            entry(
-                ui,
-                "Copy the pick",
-                "J",
-                hint,
-                &[Command::CopyPick],
-                commands,
-            );
-        }
-        let hint = "as the list has it";
-        let copy = [Command::Copy(object.name.clone())];
-        entry(ui, "Copy its name", "", hint, &copy, commands);
+        let copy = Command::Copy(object.name.clone());
+        lines.ask("Copy its name", "", "as it stands in the list", copy);
     });
 }
 
 /// On the background.
 fn of_nothing(picture: &Response, state: &State, commands: &mut Vec<Command>) {
     Popup::context_menu(picture).show(|ui| {
+        let mut lines = Lines { ui, commands };
         let hint = "move the camera until all of the scene is in view";
-        entry(
-            ui,
-            "Frame all",
-            "A",
-            hint,
-            &[Command::Act(Action::FrameAll)],
-            commands,
-        );
+        lines.add("Frame all", "A", hint, &[Action::FrameAll]);
         let hint = "the view that the scene opened with";
-        entry(
-            ui,
-            "Reset the view",
-            "Enter",
-            hint,
-            &[Command::Act(Action::ResetView)],
-            commands,
-        );
-        if state.scene().hidden_count() > 0 {
-            show_all(ui, commands);
-        }
-        ui.separator();
-        let hint = "a command line that shows and picks exactly this";
-        entry(
-            ui,
+        lines.add("Reset the view", "Enter", hint, &[Action::ResetView]);
+        lines.show_all(state);
+        lines.ui.separator();
+        let (name, hint) = (
             "Copy the view as a command",
-            "C",
-            hint,
-            &[Command::CopyCommandLine],
-            commands,
+            "a command line that shows and picks exactly this",
         );
-        let hint = "as a scene file writes it; Ctrl+V takes it over";
-        entry(
-            ui,
-            "Copy the camera",
-            "Shift+C",
-            hint,
-            &[Command::CopyCamera],
-            commands,
-        );
+        lines.ask(name, "C", hint, Command::CopyCommandLine);
+        let hint = "as a scene file writes it; Ctrl+V pastes it";
+        lines.ask("Copy the camera", "Shift+C", hint, Command::CopyCamera);
         let hint = "a PNG file without the panels";
-        let save = [Command::Screenshot { alone: true }];
-        entry(ui, "Save the picture", "Shift+F12", hint, &save, commands);
+        let save = Command::Screenshot { alone: true };
+        lines.ask("Save the picture", "Shift+F12", hint, save);
     });
 }
 
-fn show_all(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let show = [Command::Act(Action::ShowAll)];
-    entry(ui, "Show all", "U", "show what is hidden", &show, commands);
+/// The lines of an open menu.
+struct Lines<'a> {
+    ui: &'a mut Ui,
+    commands: &'a mut Vec<Command>,
 }
 
-/// A line of a menu.
-fn entry(
-    ui: &mut Ui,
-    name: &str,
-    key: &str,
-    hint: &str,
-    asked: &[Command],
-    commands: &mut Vec<Command>,
-) {
-    let line = ui.add(Button::new(name).shortcut_text(key));
-    named(&line, name);
-    if line.hint(hint).clicked() {
-        commands.extend_from_slice(asked);
+impl Lines<'_> {
+    /// A line with its name, its key, what it means and what it asks for.
+    fn ask(&mut self, name: &str, key: &str, hint: &str, command: Command) {
+        if self.is_clicked(name, key, hint) {
+            self.commands.push(command);
+        }
+    }
+
+    /// The same for actions, one after the other.
+    fn add(&mut self, name: &str, key: &str, hint: &str, actions: &[Action]) {
+        if self.is_clicked(name, key, hint) {
+            self.commands
+                .extend(actions.iter().copied().map(Command::Act));
+        }
+    }
+
+    /// Where something is hidden.
+    fn show_all(&mut self, state: &State) {
+        if state.scene().hidden_count() > 0 {
+            self.add("Show all", "U", "show what is hidden", &[Action::ShowAll]);
+        }
+    }
+
+    fn is_clicked(&mut self, name: &str, key: &str, hint: &str) -> bool {
+        let line = self.ui.add(Button::new(name).shortcut_text(key));
+        named(&line, name);
+        line.hint(hint).clicked()
     }
 }

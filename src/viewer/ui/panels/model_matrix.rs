@@ -3,6 +3,7 @@
 use super::{
     field::{AXES, Field, WIDTH, short},
     gesture::Gesture,
+    matrix_rows::VOLUMES,
     names::Hint,
 };
 use crate::{
@@ -51,7 +52,7 @@ const PARTS: [(Part, &str, &str); 3] = [
     (
         Part::Scale,
         "scale",
-        "along the object's own axes; negative mirrors, zero cannot be",
+        "along the object's own axes; negative mirrors, zero is impossible",
     ),
 ];
 
@@ -60,12 +61,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, object: usize, commands: &mut Vec
         let model = state.scene().objects()[object].placement.model();
         edit(ui, state, object, model, commands);
     });
-    let hint = "where the selected object stands: typed, or dragged at the letters";
+    let hint = "where the selected object stands: type numbers, or drag their letters";
     header.header_response.hint(hint);
 }
 
 fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &mut Vec<Command>) {
-    // A matrix that shears is no product of these parts; it can still be moved.
+    // A matrix that shears is not a product of these parts; the object can still be moved.
     let trs = Trs::of(model);
     let parts = trs.unwrap_or(Trs {
         translation: model.translation,
@@ -108,10 +109,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
                     if moved != 0.0 {
                         asked = Some(with(part, axis, value + moved));
                     }
-                    let check = |number| {
-                        let action = with(part, axis, number);
-                        state.check(&action).map_err(|error| error.to_string())
-                    };
+                    let check = |number| state.check(&with(part, axis, number));
                     let field = Field {
                         name: &format!("{name} {letter}"),
                         hint,
@@ -130,9 +128,7 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
     });
     if trs.is_none() {
         ui.weak("It shears: rotation and scale alone do not make it.")
-            .hint(
-                "right angles become others: no position, rotation and scale are the same matrix",
-            );
+            .hint("right angles do not stay right, which no position, rotation and scale can do");
     }
     let determinant = model.matrix3.determinant();
     let mirrors = if determinant < 0.0 { ", mirrored" } else { "" };
@@ -141,16 +137,15 @@ fn edit(ui: &mut Ui, state: &State, object: usize, model: DAffine3, commands: &m
         short(determinant),
         short(determinant.abs())
     );
-    ui.weak(text)
-        .hint("its size is how many times as large volumes become, its sign whether the object is mirrored");
+    ui.weak(text).hint(VOLUMES);
     if state.edited() {
         ui.weak("Edited. Ctrl+S saves it; R reads the files again.")
-            .hint("the scene is another than its file has");
+            .hint("the scene differs from its files");
     }
     gesture.push(asked, commands);
 }
 
-/// A letter to drag at.
+/// A letter that can be dragged.
 fn handle(ui: &mut Ui, letter: &str, hint: &str) -> Response {
     let label = ui.add(Label::new(letter).selectable(false).sense(Sense::DRAG));
     let label = label.on_hover_cursor(CursorIcon::ResizeHorizontal);

@@ -1,4 +1,4 @@
-//! Names for what does not say its own, and hints: screen readers are told both, and tests find controls by the names.
+//! Names for controls that show none, and hints. Screen readers are told both, and tests find controls by name.
 
 use egui::{Response, accesskit};
 
@@ -8,13 +8,13 @@ pub(super) fn named(response: &Response, name: &str) {
     context.accesskit_node_builder(response.id, |node| node.set_label(name));
 }
 
-/// Says something about a control, as why what stands in it cannot be.
+/// Describes a control, for example why the text in it is invalid.
 pub(super) fn described(response: &Response, text: &str) {
     let context = &response.ctx;
     context.accesskit_node_builder(response.id, |node| node.set_description(text));
 }
 
-/// Says where a control is that Tab does not stop at: egui says it of the others.
+/// Tells screen readers where a control is that Tab skips: egui tells them of the others.
 pub(super) fn bounded(response: &Response) {
     let rect = response.rect;
     let [x0, y0, x1, y1] = [rect.min.x, rect.min.y, rect.max.x, rect.max.y].map(f64::from);
@@ -24,7 +24,7 @@ pub(super) fn bounded(response: &Response) {
     });
 }
 
-/// What a word means, told to whoever rests the cursor on it and to screen readers.
+/// What a control or a word means: a tooltip, which screen readers are told too.
 pub(super) trait Hint {
     /// Adds it.
     fn hint(self, text: impl AsRef<str>) -> Self;

@@ -17,7 +17,7 @@ use egui::{
 #[derive(Default)]
 pub(in crate::viewer) struct Filter {
     text: String,
-    /// Of which scene and text the rows are.
+    /// The scene and the text that the rows are for.
     of: Option<(u64, String)>,
     /// Indices of the objects whose name holds the text, whatever its case; `None` for all of them.
     rows: Option<Vec<usize>>,
@@ -48,7 +48,7 @@ impl Filter {
         }
     }
 
-    /// The object whose row is below another's, or above it; the first, or the last, where that one has no row.
+    /// The object in the row below another's, or above it; the first, or the last, where that one has no row.
     pub fn next(&mut self, state: &State, from: Option<usize>, down: bool) -> Option<usize> {
         self.apply(state);
         let count = self
@@ -79,14 +79,13 @@ pub(super) fn show(
         .desired_width(f32::INFINITY);
     let search = ui.add(search);
     named(&search, "search");
-    search.hint("only objects whose name holds this are listed");
+    search.hint("list only objects whose name contains this");
     filter.apply(state);
     ui.separator();
     let objects = state.scene().objects();
     let height = (ui.text_style_height(&TextStyle::Body)).max(ui.spacing().interact_size.y);
     let mut area = ScrollArea::vertical().id_salt("list").auto_shrink(false);
-    let selected = state.selection().map(|selection| selection.object);
-    let revealed = selected.filter(|_| reveal_selection);
+    let revealed = state.selected().filter(|_| reveal_selection);
     if let Some(row) = revealed.and_then(|object| filter.row(object)) {
         #[expect(clippy::cast_precision_loss, reason = "a place in a list")]
         let row = row as f32;
@@ -95,7 +94,7 @@ pub(super) fn show(
     }
     let count = filter.rows.as_ref().map_or(objects.len(), Vec::len);
     if count == 0 && !objects.is_empty() {
-        let text = format!("No name holds \u{201c}{}\u{201d}.", filter.text);
+        let text = format!("No name contains \u{201c}{}\u{201d}.", filter.text);
         ui.weak(text).hint("clear the search to see all objects");
     }
     area.show_rows(ui, height, count, |ui, rows| {
@@ -105,14 +104,15 @@ pub(super) fn show(
     });
 }
 
-/// How many there are, and what is done with the selected one.
+/// How many there are, and buttons that hide and show.
 fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let scene = state.scene();
-    let objects = count(scene.objects().len(), "object");
-    ui.weak(format!("{objects}, {} triangles", scene.triangle_count()))
+    let (objects, triangles) = (scene.objects().len(), scene.triangle_count());
+    let plural = if objects == 1 { "" } else { "s" };
+    ui.weak(format!("{objects} object{plural}, {triangles} triangles"))
         .hint("of all objects, hidden ones too; spheres have no triangles");
     ui.horizontal_wrapped(|ui| {
-        let selected = state.selection().is_some();
+        let selected = state.selected().is_some();
         for (enabled, name, hint, action) in [
             (
                 selected,
@@ -144,7 +144,7 @@ fn above(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 /// A row of the list: all of it selects the object, and lights it while the cursor rests there.
 fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     let object = &state.scene().objects()[index];
-    let is_selected = (state.selection()).is_some_and(|selection| selection.object == index);
+    let is_selected = state.selected() == Some(index);
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     let is_lit = ui.rect_contains_pointer(rect);
@@ -164,7 +164,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
         if tick.changed() {
             commands.push(Command::Act(Action::SetVisible(index, visible)));
         }
-        tick.hint("visible; hidden is not picked").rect
+        tick.hint("visible; hidden objects are not picked").rect
     });
     let rest = rect.with_min_x(tick.inner.right());
     let name = ui.interact(rest, ui.scope_id().with(("row", index)), Sense::click());
@@ -208,7 +208,7 @@ fn row(ui: &mut Ui, state: &State, index: usize, commands: &mut Vec<Command>) {
     }
 }
 
-/// A name with its middle left out where it is too wide: it is mostly the ends that tell names apart.
+/// A name with its middle left out where it is too wide: names differ mostly at their ends.
 fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
     let width = |text: String| {
         let galley = ui
@@ -228,8 +228,4 @@ fn elided(ui: &Ui, name: &str, font: &FontId, room: f32) -> String {
         text = head.iter().chain(&['\u{2026}']).chain(tail).collect();
     }
     text
-}
-
-fn count(number: usize, what: &str) -> String {
-    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }

@@ -65,7 +65,7 @@ impl Page<'_> {
             followed.point_object,
         );
         if let Some(steps) = steps {
-            // A section cuts what is hit, not the pixel's place.
+            // Uncut: a section decides what is hit, not where the pixel is.
             let ray = state.view().uncut().ray(steps.px);
             let begin = if self.stage == Stage::Ndc {
                 ray.at(ray.t_min)
@@ -84,7 +84,7 @@ impl Page<'_> {
                 self.dot(at, 3.0, colour);
                 if !self.is_small() {
                     let DVec2 { x, y } = steps.px.floor();
-                    self.name(at, format!("pixel {x}, {y}"), colour, "where the ray crosses the near plane: the pixel that shows the point, from the top left corner");
+                    self.name(at, format!("pixel {x}, {y}"), colour, "the pixel that shows the point, counted from the top left corner; drawn where its ray crosses the near plane");
                 }
             }
         }
@@ -108,7 +108,7 @@ impl Page<'_> {
         self.name(at, format!("({x}, {y}, {z})"), colour, hint);
     }
 
-    /// The name of what was gone to, and whether the scene's camera sees it.
+    /// The name of what the user went to, and whether the scene's camera sees it.
     fn sought(&mut self) {
         let Some(sought) = self.state.sought() else {
             return;
@@ -127,7 +127,7 @@ impl Page<'_> {
             _ => "not shown",
         };
         let text = format!("{}, {sight}", sought.of.name());
-        let hint = "what was gone to by its number, and whether the scene's camera sees it";
+        let hint = "what you went to by its number, and whether the scene's camera sees it";
         self.name(at, text, colour, hint);
     }
 
@@ -190,7 +190,7 @@ impl Page<'_> {
                     to,
                     name,
                     colour,
-                    "an axis of the camera: view space counts along it",
+                    "an axis of the camera: view space measures along it",
                 );
             }
         }

@@ -1,4 +1,4 @@
-//! A view's page: points of its scene, lines between them and names beside them, each where there is room.
+//! What is drawn over one of the four views: points of its scene, lines between them, and names where there is room.
 
 use super::names::Hint;
 use crate::{
@@ -14,11 +14,11 @@ use egui::{
 };
 use glam::DVec3;
 
-/// Views that are smaller, in points, name the least.
+/// Views smaller than this, in points, show only the most important names.
 const SMALL: f32 = 230.0;
-/// Size of names in points: of the least views, and of large ones.
+/// Size of names in points: in the smallest views, and in large ones.
 const TEXT: [f32; 2] = [11.0, 14.0];
-/// How far names are from their points, in points: as near as there is room.
+/// How far names are from their points, in points: the first that has room.
 const BESIDE: [f32; 3] = [10.0, 24.0, 40.0];
 
 /// What is to be written beside a point, and what it means.
@@ -43,7 +43,7 @@ pub(super) struct Page<'a> {
 }
 
 impl Page<'_> {
-    /// A world point in the scene that the stage shows; `None` in NDC for what lies before the near plane.
+    /// A world point in the scene that the stage shows; `None` in NDC in front of the near plane.
     pub fn at_stage(&self, world: DVec3) -> Option<DVec3> {
         match self.stage {
             Stage::Object => {
@@ -56,20 +56,23 @@ impl Page<'_> {
     }
 
     fn position(&self, at: DVec3) -> Option<Pos2> {
-        let [px, _] = self.seen.project_segment(at, at)?;
-        Some(self.place.to_position(px))
+        self.segment(at, at).map(|[at, _]| at)
+    }
+
+    fn segment(&self, from: DVec3, to: DVec3) -> Option<[Pos2; 2]> {
+        let ends = self.seen.project_segment(from, to)?;
+        Some(ends.map(|end| self.place.to_position(end)))
     }
 
     fn painter(&self) -> Painter {
         self.ui.painter().with_clip_rect(self.rect)
     }
 
-    /// A line, dark about its colour: it shows on any picture.
+    /// A line with a dark rim, so that it shows on any picture.
     pub fn line(&self, from: DVec3, to: DVec3, width: f32, colour: Color32) {
-        let Some(ends) = self.seen.project_segment(from, to) else {
+        let Some(ends) = self.segment(from, to) else {
             return;
         };
-        let ends = ends.map(|end| self.place.to_position(end));
         for (more, colour) in [(2.0, Color32::from_black_alpha(140)), (0.0, colour)] {
             (self.painter()).line_segment(ends, Stroke::new(width + more, colour));
         }
@@ -78,10 +81,9 @@ impl Page<'_> {
     /// The same with a head at its end.
     pub fn arrow(&self, from: DVec3, to: DVec3, colour: Color32) {
         self.line(from, to, 2.0, colour);
-        let Some(ends) = self.seen.project_segment(from, to) else {
+        let Some([from, to]) = self.segment(from, to) else {
             return;
         };
-        let [from, to] = ends.map(|end| self.place.to_position(end));
         let along = (to - from).normalized();
         if along != Vec2::ZERO {
             let back = to - 8.0 * along;
@@ -91,7 +93,7 @@ impl Page<'_> {
         }
     }
 
-    /// A plane's part within these corners.
+    /// The area within these corners of a plane.
     pub fn area(&self, corners: &[DVec3], colour: Color32) {
         let lens = self.seen.camera.lens();
         let past_near = |p: &DVec3| self.seen.camera.to_view(*p).z - lens.near;
@@ -130,9 +132,9 @@ impl Page<'_> {
         }
     }
 
-    /// Writes the names over all lines, each where nothing else is, `taken` first of all.
+    /// Writes the names over all lines, each clear of `taken` and of the other names.
     pub fn write(self, mut taken: Vec<Rect>) {
-        // What is named is not written over.
+        // Names do not cover the named points either.
         let at = self.names.iter().map(|name| name.at);
         taken.extend(at.map(|at| Rect::from_center_size(at, Vec2::splat(9.0))));
         let painter = self.painter();
@@ -173,7 +175,7 @@ impl Page<'_> {
         }
     }
 
-    /// Whether there is room for the least alone.
+    /// Whether there is room only for the most important names.
     pub fn is_small(&self) -> bool {
         self.rect.size().min_elem() < SMALL
     }

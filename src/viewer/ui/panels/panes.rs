@@ -57,11 +57,10 @@ pub(super) fn show(
         places.push((stage, place));
         let mut asked = Vec::new();
         hovers |= pane(ui, stage, rect, place, state, drag, &mut asked);
-        // Only what is about this view is meant for it.
-        let acts = |action| Command::Act(action);
-        commands.push(acts(Action::Enter(Some(stage))));
+        // The actions between these two are for this view.
+        commands.push(Command::Act(Action::Enter(Some(stage))));
         commands.extend(asked);
-        commands.push(acts(Action::Enter(None)));
+        commands.push(Command::Act(Action::Enter(None)));
     }
     if !hovers {
         commands.push(Command::Act(Action::Hover(None)));
@@ -118,7 +117,7 @@ fn pane(
         let axes = axes(state, stage);
         ui.push_id(stage.name(), |ui| {
             if let Some(to) = axis_cross::cross(ui, rect, &(view.camera.rotation() * axes)) {
-                // The space that the stage is drawn in has z the other way.
+                // In the space that the stage is drawn in z may run the other way.
                 let drawn = drawn_axes(state, stage) * to;
                 commands.push(Command::Act(Action::LookFrom(drawn)));
             }
@@ -136,8 +135,8 @@ fn axes(state: &State, stage: Stage) -> DMat3 {
     }
 }
 
-/// The unit vectors of a stage's axes in the right-handed space that it is drawn in: where depth runs away from the viewer, z
-/// does.
+/// The unit vectors of a stage's axes in the right-handed space that it is drawn in: z is reversed where the stage's own
+/// space is left-handed.
 fn drawn_axes(state: &State, stage: Stage) -> DMat3 {
     let is_left_handed = match stage {
         Stage::Object | Stage::World => false,
@@ -165,7 +164,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
             };
             (
                 text,
-                "right-handed; depth runs along the ray: M's inverse brought it here",
+                "right-handed; depth runs along the ray, which the inverse of M brought here",
             )
         }
         Stage::World => (
@@ -174,7 +173,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
         ),
         Stage::View => (
             "z is depth, away from the eye; left-handed, after V".into(),
-            "the eye is the origin, x its right, y its up, z its forward. Drawn as it stands, nothing mirrored: in a left-handed space x, y and z are the thumb, forefinger and middle finger of the left hand",
+            "the eye is the origin, x its right, y its up, z its forward. Nothing is mirrored: in a left-handed space x, y and z point as thumb, forefinger and middle finger of the left hand do",
         ),
         Stage::Ndc => match lens.depth {
             DepthMapping::Reversed => (
@@ -189,7 +188,7 @@ fn about(state: &State, stage: Stage) -> (String, &'static str) {
     }
 }
 
-/// Its name, what it shows, and what makes it large or frames it again.
+/// Its name, what it shows, and the buttons that enlarge it and frame it again.
 fn heading(ui: &mut Ui, stage: Stage, rect: Rect, state: &State, commands: &mut Vec<Command>) {
     let name = stage.name();
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), HEADING.min(rect.height())));

@@ -14,7 +14,7 @@ use crate::{
 };
 use egui::{Align, Label, Layout, RichText, Ui};
 
-/// `going_to` is what came of the last way to something by its number.
+/// `going_to` is the outcome of the last field that went to something by its number.
 pub(super) fn show(
     ui: &mut Ui,
     state: &State,
@@ -34,7 +34,7 @@ pub(super) fn show(
     };
     let object = &state.scene().objects()[selection.object];
     ui.horizontal(|ui| {
-        // What the name leaves is the number's.
+        // The number is laid out first, and the name is cut to fit.
         ui.with_layout(Layout::right_to_left(Align::Max), |ui| {
             let id = ui.weak(format!("object {}", selection.object + 1));
             id.hint("its number in the list, and in what is copied");
@@ -46,10 +46,10 @@ pub(super) fn show(
         });
     });
     in_file::go_to(ui, state, going_to, commands);
-    // First, so that it stays where it is while what it does changes the rest.
+    // First, so that it stays in place while edits change the rest.
     model_matrix::show(ui, state, selection.object, commands);
     let digits = Digits::of(&state.scene().bounds());
-    let Some(hit) = selection.pick.as_ref().and_then(|line| line.hit.as_ref()) else {
+    let Some(hit) = state.picked() else {
         let bounds = state.scene().bounds_of(selection.object);
         if !bounds.is_empty() {
             rows(
@@ -59,12 +59,12 @@ pub(super) fn show(
                     (
                         "from",
                         digits.vector(bounds.min),
-                        "the least x, y and z of the object in the world",
+                        "the smallest x, y and z of the object in the world",
                     ),
                     (
                         "to",
                         digits.vector(bounds.max),
-                        "the greatest x, y and z of the object in the world",
+                        "the largest x, y and z of the object in the world",
                     ),
                 ],
             );
@@ -72,7 +72,7 @@ pub(super) fn show(
         let (text, hint) = if state.followed().is_some_and(|followed| followed.is_picked) {
             (
                 "Its point is out of the camera's view: no pixel shows it.",
-                "it was clicked in one of the four views; the camera does not see that far",
+                "it was clicked in one of the four views, where the camera does not see it",
             )
         } else {
             (
@@ -92,7 +92,7 @@ pub(super) fn show(
         .and_then(|line| line.in_one_place.as_ref());
     if let Some(all) = in_one_place.filter(|all| all.may_hold(hit)) {
         ui.label(all.to_string()).hint(
-            "They lie closer together than drawing can tell. The picture may show any of them; the pick's order is exact.",
+            "They are closer together than drawing can tell apart. The picture may show any of them; the pick's order is exact.",
         );
     }
     ui.horizontal(|ui| {
@@ -105,7 +105,7 @@ pub(super) fn show(
         }
         if ui
             .button("copy command")
-            .hint("a command line that makes this very pick, in the view it was made in (C)")
+            .hint("a command line that repeats this pick, in the view it was made in (C)")
             .clicked()
         {
             commands.push(Command::CopyCommandLine);
@@ -114,7 +114,7 @@ pub(super) fn show(
     let header = ui.collapsing("In object space and NDC", |ui| {
         rows(ui, "spaces", &spaces(hit, digits));
     });
-    let hint = "the picked point where the object's own file has it, and where the picture has it";
+    let hint = "the picked point in the object's own coordinates, and in the picture's";
     header.header_response.hint(hint);
     inspect::show(ui, state, hit, digits, commands);
 }
@@ -160,7 +160,7 @@ fn record(hit: &Pick, digits: Digits) -> Vec<Row> {
     rows
 }
 
-/// What is of use to those who compute.
+/// The picked point in the spaces before and after the matrices, and its t.
 fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
     [
         (
@@ -181,7 +181,7 @@ fn spaces(hit: &Pick, digits: Digits) -> [Row; 4] {
         (
             "t",
             digits.length(hit.t),
-            "how often the ray's direction fits between the eye and the point: point = eye + t times direction",
+            "the ray parameter: the point is the ray's origin plus t times its direction",
         ),
     ]
 }
@@ -223,7 +223,7 @@ fn certainty(hit: &Pick, digits: Digits) -> [Row; 4] {
     ]
 }
 
-/// Says so where the pick is not of the view on screen.
+/// Tells that the pick was made in another view than the one on screen.
 fn whose_view(ui: &mut Ui, state: &State) {
     let text = match state.pick_view() {
         Some(PickView::Earlier) => "Picked in an earlier view. Copies repeat it there.",
@@ -233,5 +233,5 @@ fn whose_view(ui: &mut Ui, state: &State) {
         Some(PickView::Own) | None => return,
     };
     ui.colored_label(ui.visuals().warn_fg_color, text)
-        .hint("the camera, the lens or the window's size has changed since");
+        .hint("the camera, the lens or the window's size has changed since; copies repeat the pick in its own view");
 }

@@ -19,7 +19,7 @@ use crate::{
 use egui::{Button, Color32, Label, RichText, Slider, Ui, vec2};
 use glam::DVec2;
 
-/// What closes the panel.
+/// The button that closes the panel.
 pub(super) fn close(ui: &mut Ui, commands: &mut Vec<Command>) {
     let cross = ui.add(Button::new("\u{d7}").small().frame_when_inactive(false));
     named(&cross, "close the matrices");
@@ -35,12 +35,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     sliders(ui, state, commands);
     let (scene, view) = (state.scene(), state.view());
     let followed = state.followed();
-    let selected = state.selection().map(|selection| selection.object);
     let of_point = followed.map(|followed| &scene.objects()[followed.object]);
-    // The object view's, or M would be of what no view shows.
+    // The object view's, so that M is of what that view shows.
     let object = (state.pane_object())
         .or(followed.map(|followed| followed.object))
-        .or(selected)
+        .or(state.selected())
         .map(|object| &scene.objects()[object]);
     let matrices = Matrices::of(view, object);
     for matrix in [Matrix::Projection, Matrix::View, Matrix::Model] {
@@ -122,7 +121,7 @@ fn views(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 
 fn about(stage: Stage) -> &'static str {
     match stage {
-        Stage::Object => "one object where its own file has it: no matrix moves it",
+        Stage::Object => "one object in its own coordinates: no matrix has moved it",
         Stage::World => "each object in its place in the world, and the camera among them",
         Stage::View => {
             "the world as seen from the camera: the eye at the origin, x right, y up, z forward"
@@ -133,7 +132,7 @@ fn about(stage: Stage) -> &'static str {
 
 const LENS: &str = "as in the Camera panel; watch P's numbers";
 
-/// What P is made of, in reach of its numbers.
+/// Sliders for what P is made of, next to its numbers.
 fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let (controls, lens) = (state.controls(), state.view().camera.lens());
     let (mut next, mut gesture) = (controls, Gesture::default());
@@ -167,20 +166,20 @@ fn sliders(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     gesture.push(can_be.then_some(action), commands);
 }
 
-/// The followed point's colour where the panels are light: darker than in the views, to be read.
+/// The followed point's colour on light panels: darker than in the views, to be readable.
 const ON_LIGHT: Color32 = Color32::from_rgb(150, 84, 0);
 
-/// What is followed on its way: name, how it comes from the row before, and what it is.
+/// The followed point's way: name, how it comes from the row before, and what it is.
 const ROWS: [(&str, &str, &str); 8] = [
     (
         "object",
-        "where the shape has it",
-        "the point before anything moved the object",
+        "in the shape's own coordinates",
+        "the point before any matrix moved the object",
     ),
     (
         "world",
         "M * object",
-        "where the model matrix puts it among the others",
+        "where the model matrix puts it in the scene",
     ),
     (
         "view",
@@ -190,7 +189,7 @@ const ROWS: [(&str, &str, &str); 8] = [
     (
         "clip",
         "P * view",
-        "four numbers, of which the last, w, is what the others will be divided by",
+        "four numbers; the next step divides the others by the last, w",
     ),
     (
         "NDC",
@@ -205,7 +204,7 @@ const ROWS: [(&str, &str, &str); 8] = [
     ("ray from", "back again", "where the pixel's ray starts"),
     (
         "ray along",
-        "a unit vector",
+        "not normalised, so that t is depth",
         "which way the pixel's ray goes: it leads back to the point",
     ),
 ];
@@ -226,7 +225,7 @@ fn followed(steps: &Steps) -> Values {
     ]
 }
 
-/// A pixel in which nothing shows: the way back alone.
+/// A pixel of the background: only the way back.
 fn background(view: &View, px: DVec2) -> Values {
     let ray = view.ray(px);
     let ndc = view.viewport.px_to_ndc(px);
@@ -243,7 +242,7 @@ fn background(view: &View, px: DVec2) -> Values {
     ]
 }
 
-/// As large with numbers as without: else the panel would come and go under the cursor that it follows.
+/// As large with numbers as without, so that the panel does not jump while it follows the cursor.
 fn table(ui: &mut Ui, values: &Values) {
     let colour = if ui.visuals().dark_mode {
         color32(look::SELECTION)
@@ -261,7 +260,7 @@ fn table(ui: &mut Ui, values: &Values) {
             ui.label(value_text(format!("{name:<9}")))
                 .hint(format!("{how}: {hint}"));
             for value in values {
-                // Four numbers are narrower than three.
+                // Four numbers must each be narrower than three.
                 let text = if values.len() > 3 {
                     format!("{value:>7.3}")
                 } else {

@@ -4,10 +4,10 @@ use super::names::{Hint, named};
 use crate::viewer::model::State;
 use egui::{Response, Slider, Ui};
 
-/// With Shift, a point of the cursor's way changes a plane by this share of it.
+/// With Shift, each point that the cursor moves changes a plane's depth by this share.
 const FINE: f64 = 0.005;
 
-/// What a slider does, but not while it is slid: the text would lie over the numbers that change.
+/// Adds a hint, but not while the slider is dragged: the tooltip would cover the numbers that change.
 pub(super) fn hint_at_rest(slider: Response, hint: impl AsRef<str>) -> Response {
     if slider.dragged() {
         slider
@@ -16,7 +16,7 @@ pub(super) fn hint_at_rest(slider: Response, hint: impl AsRef<str>) -> Response 
     }
 }
 
-/// How large what is visible is: planes are slid over ten decades about that.
+/// How large the visible scene is: the sliders cover ten decades around that.
 pub(super) fn size(state: &State) -> f64 {
     let bounds = state.scene().visible_bounds();
     if bounds.is_empty() {
@@ -42,7 +42,7 @@ pub(super) fn show(
         .show_value(false);
     let slider = ui.add(slider);
     let (has_shift, by) = ui.input(|input| (input.modifiers.shift, input.pointer.delta().x));
-    // Once it was fine a drag stays so until its end: else it would leap to the cursor.
+    // A drag that was fine once stays so until its end, or the plane would jump to the cursor.
     let is_fine = ui.data_mut(|data| {
         let is_fine: &mut bool = data.get_temp_mut_or_default(slider.id);
         *is_fine = has_shift || (*is_fine && !slider.drag_started());
@@ -54,7 +54,7 @@ pub(super) fn show(
         is_slid = by != 0.0;
     }
     named(&slider, name);
-    let hint = format!("{hint}. With Shift it slides finely, by half a percent a point");
+    let hint = format!("{hint}. With Shift it slides finely, by half a percent per point");
     let slider = hint_at_rest(slider, hint);
     (slider, is_slid.then_some(slid))
 }

@@ -7,7 +7,7 @@ use crate::viewer::{
 };
 use egui::{Context, Id, Modal};
 
-/// In the middle of the window, before everything else.
+/// In the middle of the window, over everything else.
 pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut Vec<Command>) {
     let (what, go_on) = match intent {
         Intent::Open(_) => ("opens other files", "Open, drop the edits"),
@@ -31,18 +31,18 @@ pub(super) fn show(ctx: &Context, state: &State, intent: &Intent, commands: &mut
             answer(
                 ui,
                 "Save first\u{2026}",
-                "as a scene file, and go on then",
+                "as a scene file, then go on",
                 Reply::Save,
             );
             if matches!(intent, Intent::Open(_)) {
                 answer(
                     ui,
                     "Add to the scene",
-                    "beside what is shown, edits and all",
+                    "show them beside the present scene, and keep the edits",
                     Reply::Add,
                 );
             }
-            answer(ui, go_on, "they are gone then", Reply::GoOn);
+            answer(ui, go_on, "the edits are lost", Reply::GoOn);
             answer(ui, "Cancel", "nothing happens (Esc)", Reply::Stay);
         });
     });

@@ -11,7 +11,7 @@ pub(super) const PLACES: usize = 6;
 /// Characters of three numbers that fit beside their name.
 const LINE: usize = 29;
 
-/// How numbers of a kind are written: all as wide, so that none moves another.
+/// How numbers of a kind are written: all equally wide, so that columns align.
 #[derive(Clone, Copy)]
 pub(super) struct Digits {
     places: usize,
@@ -36,7 +36,7 @@ impl Digits {
         }
     }
 
-    /// One that would have no two digits left there stands by its power of ten.
+    /// A length; as a power of ten where these places would leave fewer than two digits.
     pub fn length(self, value: f64) -> String {
         let places = self.places;
         let text = format!("{value:.places$}");
@@ -48,7 +48,7 @@ impl Digits {
         }
     }
 
-    /// Components one beside the other, or where those of no vector fit, one below the other.
+    /// Components side by side, or one below the other where this scene's would not fit.
     pub fn vector(self, v: DVec3) -> String {
         let Self { places, width } = self;
         let components = v

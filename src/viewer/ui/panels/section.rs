@@ -15,7 +15,7 @@ use crate::{
 use egui::{Grid, Slider, Ui};
 use glam::DVec3;
 
-/// Nothing where there can be none.
+/// Nothing in the gallery, which takes no sections.
 pub(super) fn show(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     if !state.takes_sections() {
         return;
@@ -31,7 +31,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let section = state.view().section;
     let mut is_on = section.is_some();
     let on = ui.checkbox(&mut is_on, "section");
-    let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and one looks into solids (Z)";
+    let hint = "cut the world by a plane: what lies behind it is neither drawn nor picked, and you look into solids (Z)";
     if on.hint(hint).changed() {
         commands.push(Command::Act(Action::ToggleSection));
     }
@@ -54,7 +54,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         let to = || lay(state.section_across(axis));
         button(word, &name, &hint, has_bounds, &to);
     }
-    let hint = "along the picked face, which stays with what lies behind it";
+    let hint = "along the picked face: the face and what lies behind it stay";
     let to = || lay(state.section_along_pick());
     let has_face = state.picked_face().is_some();
     button("face", "section along the face", hint, has_face, &to);
@@ -64,7 +64,7 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
         Some(1) => "1 more pick".to_owned(),
         Some(more) => format!("{more} more picks"),
     };
-    let hint = "through the next three picks: the side stays from which they are counter-clockwise; again gives up";
+    let hint = "through the next three picks: the side from which they run counter-clockwise stays; click again to cancel";
     let name = "section by three points";
     let next = Action::SectionByPoints(wanted.is_none());
     button(&word, name, hint, true, &|| Some(next));
@@ -76,19 +76,15 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
 }
 
 const NORMAL: &str =
-    "n of the section: it points to what is kept, the points p with n . p + c at least 0";
-const OFFSET: &str =
-    "c of the section: kept is what has n . p + c at least 0; an arrow in the picture drags it";
+    "the section's normal: it points to what is kept, the points p with n . p + c at least 0";
+const OFFSET: &str = "the section's offset: points p with n . p + c at least 0 are kept; an arrow in the picture drags it";
 
 fn numbers(ui: &mut Ui, state: &State, section: &Section, commands: &mut Vec<Command>) {
     let (normal, offset) = (section.normal(), section.offset());
     let bounds = state.scene().visible_bounds();
     let along = bounds.corners().map(|corner| -normal.dot(corner));
     let [least, most] = [f64::min, f64::max].map(|end| along.into_iter().fold(along[0], end));
-    let check = |normal: DVec3, offset: f64| {
-        let section = Section::new(normal, offset).map(|_| ());
-        section.map_err(|error| error.to_string())
-    };
+    let check = |normal: DVec3, offset: f64| Section::new(normal, offset).map(|_| ());
     let (mut next, mut gesture) = (None, Gesture::default());
     Grid::new("section").num_columns(4).show(ui, |ui| {
         ui.label("n").hint(NORMAL);

@@ -1,4 +1,4 @@
-//! The section in the picture: its rim about what is visible, and an arrow along n that drags it.
+//! The section in the picture: its rim around what is visible, and an arrow along n that drags it.
 
 use super::gesture::Gesture;
 use crate::{
@@ -16,9 +16,9 @@ use glam::DVec3;
 
 /// Length of the arrow over the radius of what is visible.
 const LENGTH: f64 = 0.25;
-/// The arrow is no shorter in the picture than this, in points, so that it can be taken.
+/// The arrow is at least this long in the picture, in points, so that it can be grabbed.
 const SHORTEST: f32 = 28.0;
-/// How far from its head it is taken, in points.
+/// It can be grabbed so far from its head, in points.
 const REACH: f32 = 11.0;
 
 /// Over the scene's rectangle; nothing where nothing is cut.
@@ -65,7 +65,7 @@ pub(super) fn show(
     }
 }
 
-/// From the plane along n, in the picture.
+/// The arrow from the plane along n, in the picture.
 struct Arrow {
     foot: Pos2,
     head: Pos2,
@@ -74,11 +74,10 @@ struct Arrow {
 }
 
 impl Arrow {
-    /// `None` where the picture does not show it, or only its end.
+    /// `None` where the picture does not show it, or shows it end-on.
     fn new(place: SceneRect, view: &View, section: &Section, bounds: &Aabb) -> Option<Self> {
         let unit = section.normal().normalize_or_zero();
-        let middle = bounds.center();
-        let foot = middle - unit * (section.side(middle) / section.normal().length());
+        let foot = foot(section, bounds);
         let length = LENGTH * bounds.radius();
         let [from, to] = view.project_segment(foot, foot + length * unit)?;
         let [foot, head] = [from, to].map(|px| place.to_position(px));
@@ -120,11 +119,16 @@ impl Arrow {
     }
 }
 
-/// Where the plane meets the box about what is visible.
+/// The point of the plane that is nearest to the middle of a box.
+fn foot(section: &Section, bounds: &Aabb) -> DVec3 {
+    let (normal, middle) = (section.normal(), bounds.center());
+    middle - normal.normalize_or_zero() * (section.side(middle) / normal.length())
+}
+
+/// Where the plane cuts the box around what is visible.
 fn draw_rim(painter: &Painter, place: SceneRect, view: &View, section: &Section, bounds: &Aabb) {
     let normal = section.normal().normalize_or_zero();
-    let middle = bounds.center();
-    let foot = middle - normal * (section.side(middle) / section.normal().length());
+    let foot = foot(section, bounds);
     let right = normal.any_orthonormal_vector();
     let up = normal.cross(right);
     let far = 2.0 * bounds.radius();

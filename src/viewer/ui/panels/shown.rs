@@ -9,7 +9,7 @@ use crate::viewer::{
 use egui::TextureId;
 use std::path::PathBuf;
 
-/// Windows over the scene that are there when asked for.
+/// What shows only on request.
 #[derive(Clone, Copy, Default)]
 pub(in crate::viewer) struct Floating {
     /// Keys and mouse.
@@ -20,7 +20,7 @@ pub(in crate::viewer) struct Floating {
     pub pipeline_was: bool,
 }
 
-/// What is on its way to be shown.
+/// A job under way.
 #[derive(Clone, Copy)]
 pub(in crate::viewer) struct Underway {
     /// What is being done.
@@ -31,19 +31,19 @@ pub(in crate::viewer) struct Underway {
 
 /// What the panels show besides the state.
 pub(in crate::viewer) struct Shown<'a> {
-    /// What is to be seen and how.
+    /// The scene, the view and what is picked.
     pub state: &'a State,
     /// Messages that wait to be read.
     pub notices: &'a mut Notices,
-    /// What is on its way, if anything.
+    /// The job under way, if there is one.
     pub underway: Option<Underway>,
-    /// Which windows are open over the scene.
+    /// What shows only on request.
     pub floating: Floating,
     /// Where in the tour the user is.
     pub tour: Option<Tour>,
-    /// The user has not said yet whether to take it.
+    /// Whether to offer it: the user has not answered yet.
     pub offers_tour: bool,
-    /// What would drop edits, and waits for an answer.
+    /// What would drop edits, while the question about it is open.
     pub question: Option<&'a Intent>,
     /// The study's chart of what breaks, in the gallery.
     pub chart: Option<&'a Chart>,
@@ -57,7 +57,7 @@ pub(in crate::viewer) struct Shown<'a> {
     pub docks: &'a mut Docks,
     /// Which look the panels are asked to have.
     pub look: Look,
-    /// What came of the last way to a face or a vertex.
+    /// The outcome of the last go to an object, a face or a vertex.
     pub going_to: Option<&'a str>,
     /// The files of scenes that were opened before, the last first.
     pub recent: &'a [Vec<PathBuf>],

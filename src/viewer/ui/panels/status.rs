@@ -1,10 +1,7 @@
 //! The line at the bottom: how fast, on what, and what is under the cursor.
 
 use super::names::Hint;
-use crate::{
-    camera::{Projection, View},
-    viewer::model::State,
-};
+use crate::viewer::model::State;
 use egui::{RichText, Ui};
 use std::time::Duration;
 
@@ -40,21 +37,17 @@ pub(super) fn show(ui: &mut Ui, state: &State, statistics: &Statistics) {
         }
         ui.separator();
         let lens = state.view().camera.lens();
-        let projection = projection_name(state.view());
+        let projection = if lens.is_orthographic() {
+            "orthographic"
+        } else {
+            "perspective"
+        };
         ui.weak(format!("{projection}, {} depth", lens.depth))
-            .hint("how the view is flattened, and how the depth buffer counts; the Camera panel changes both");
+            .hint("how the view is flattened, and how the depth buffer stores depth; the Camera panel changes both");
         if let Some(object) = state.hover() {
             ui.separator();
             ui.label(&state.scene().objects()[object].name)
                 .hint("what is under the cursor");
         }
     });
-}
-
-/// The word for a projection.
-fn projection_name(view: &View) -> &'static str {
-    match view.camera.lens().projection {
-        Projection::Perspective { .. } => "perspective",
-        Projection::Orthographic { .. } => "orthographic",
-    }
 }

@@ -63,7 +63,7 @@ fn pass(state: &State, events: Vec<Event>) -> (String, Vec<Command>) {
             };
             commands.extend(show(ui, &mut shown, &mut None).commands);
         });
-        // egui minds when nobody takes its textures.
+        // egui complains where its textures are not taken.
         output.textures_delta.clear();
         output.shapes
     };
@@ -120,20 +120,15 @@ fn each_key_asks_for_what_its_line_says() {
     let state = opened("gallery:needles");
     let idle =
         |command: &Command| !matches!(command, Command::Act(Action::Resize(_) | Action::Hover(_)));
-    for binding in BINDINGS {
-        for (modifiers, key) in binding.shortcuts {
-            let modifiers = Modifiers {
-                ctrl: modifiers.command,
-                ..*modifiers
-            };
-            let (_, asked) = pass(&state, vec![press(*key, modifiers)]);
-            let asked: Vec<_> = asked.into_iter().filter(idle).collect();
-            assert_eq!(
-                asked,
-                std::slice::from_ref(&binding.command),
-                "{key:?} with {modifiers:?}"
-            );
-        }
+    for (modifiers, key, command) in BINDINGS.iter().flat_map(|binding| binding.shortcuts) {
+        let modifiers = Modifiers {
+            ctrl: modifiers.command,
+            ..*modifiers
+        };
+        let (_, asked) = pass(&state, vec![press(*key, modifiers)]);
+        let asked: Vec<_> = asked.into_iter().filter(idle).collect();
+        let expected = std::slice::from_ref(command);
+        assert_eq!(asked, expected, "{key:?} with {modifiers:?}");
     }
 }
 
@@ -198,7 +193,7 @@ fn readme_names_every_key_and_no_other() {
         .filter(|word| is_key(word) && !["Shift", "Ctrl"].contains(word))
         .collect();
     let mut bound = BTreeSet::new();
-    for binding in BINDINGS.iter().filter(|binding| !binding.keys.is_empty()) {
+    for binding in BINDINGS {
         let keys: Vec<_> = binding.keys.split(", ").collect();
         let alone = |key: &&str| !key.contains('+') || !keys.contains(&&key[key.len() - 1..]);
         bound.extend(keys.iter().copied().filter(alone));

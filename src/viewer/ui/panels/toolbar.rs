@@ -1,4 +1,4 @@
-//! The row of buttons at the top, in groups. Where it gets narrow names go first, then groups into a menu at its end.
+//! The row of buttons at the top, in groups. As it gets narrower names go first; then groups move into a menu at its end.
 
 use super::{
     docks::{Section, Side},
@@ -74,7 +74,7 @@ pub(super) fn show(
     });
 }
 
-/// How much of each group shows in so many points. What says least by its icon keeps its name longest.
+/// How much of each group shows in so many points. Groups whose icons say least stand last and keep their names longest.
 fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
     let mut shows = vec![Shows::Names; groups.len()];
     let spacing = ui.spacing();
@@ -109,7 +109,7 @@ fn fit(ui: &Ui, groups: &[Vec<Tool>], room: f32) -> Vec<Shows> {
         };
         shows[at] = how;
     }
-    // Where one name would not fit another may.
+    // A group that lost its names may still have room for them.
     for at in 0..shows.len() {
         let more = named[at] - bare[at];
         if shows[at] == Shows::Icons && total + more <= room {

@@ -21,7 +21,7 @@ pub(super) struct Tool {
     pub name: &'static str,
     /// What it does, and its key.
     pub hint: String,
-    /// Whether what it shows and hides shows; `None` for what is merely done.
+    /// Whether what it switches is on; `None` where it switches nothing.
     pub is_on: Option<bool>,
     pub enabled: bool,
     pub does: Does,
@@ -46,6 +46,16 @@ pub(super) enum Menu {
     Gallery,
 }
 
+impl Tool {
+    /// The same as a switch that is on or off.
+    fn switched(self, on: bool) -> Self {
+        Self {
+            is_on: Some(on),
+            ..self
+        }
+    }
+}
+
 fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: Does) -> Tool {
     Tool {
         icon,
@@ -57,7 +67,7 @@ fn tool(icon: &'static str, name: &'static str, hint: impl Into<String>, does: D
     }
 }
 
-/// What is done at a click.
+/// A button that asks for a command.
 fn ask(icon: &'static str, name: &'static str, hint: impl Into<String>, command: Command) -> Tool {
     tool(icon, name, hint, Does::Ask(command))
 }
@@ -66,7 +76,7 @@ fn act(icon: &'static str, name: &'static str, hint: &str, action: Action) -> To
     ask(icon, name, hint, Command::Act(action))
 }
 
-/// All of them.
+/// All tools, by group.
 pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
     let state = shown.state;
     vec![
@@ -76,13 +86,6 @@ pub(super) fn groups(shown: &Shown) -> Vec<Vec<Tool>> {
         showing(state),
         learning(shown),
     ]
-}
-
-fn toggle(tool: Tool, on: bool) -> Tool {
-    Tool {
-        is_on: Some(on),
-        ..tool
-    }
 }
 
 fn files() -> Vec<Tool> {
@@ -167,18 +170,16 @@ fn showing(state: &State) -> Vec<Tool> {
         Action::ToggleFreeze,
     );
     vec![
-        toggle(
-            act(
-                "\u{25a6}",
-                "Grid",
-                "with axes: x red, y green, z blue (G)",
-                Action::ToggleGrid,
-            ),
-            state.grid(),
-        ),
+        act(
+            "\u{25a6}",
+            "Grid",
+            "with axes: x red, y green, z blue (G)",
+            Action::ToggleGrid,
+        )
+        .switched(state.grid()),
         Tool {
             enabled: state.stages().is_empty(),
-            ..toggle(freeze, state.frozen().is_some())
+            ..freeze.switched(state.frozen().is_some())
         },
         tool(
             "\u{25f0}",
@@ -191,37 +192,31 @@ fn showing(state: &State) -> Vec<Tool> {
 
 fn learning(shown: &Shown) -> Vec<Tool> {
     vec![
-        toggle(
-            ask(
-                "\u{229e}",
-                "Four views",
-                "object, world, view and NDC side by side, all live (4)",
-                Command::ToggleFour,
-            ),
-            !shown.state.stages().is_empty(),
-        ),
-        toggle(
-            ask(
-                "\u{25a4}",
-                "Pipeline",
-                "the matrices P, V and M, and the pick on its way through them (P)",
-                Command::TogglePipeline,
-            ),
-            shown.floating.pipeline,
-        ),
-        toggle(
-            ask(
-                "\u{2714}",
-                "Compare",
-                "each pixel as drawn with what a click there picks (V)",
-                Command::ToggleCheck,
-            ),
-            !matches!(shown.checking, Checking::Off),
-        ),
+        ask(
+            "\u{229e}",
+            "Four views",
+            "object, world, view and NDC side by side, all live (4)",
+            Command::ToggleFour,
+        )
+        .switched(!shown.state.stages().is_empty()),
+        ask(
+            "\u{25a4}",
+            "Pipeline",
+            "the matrices P, V and M, and the pick on its way through them (P)",
+            Command::TogglePipeline,
+        )
+        .switched(shown.floating.pipeline),
+        ask(
+            "\u{2714}",
+            "Compare",
+            "compare each pixel as drawn with what a click there picks (V)",
+            Command::ToggleCheck,
+        )
+        .switched(!matches!(shown.checking, Checking::Off)),
         tool(
             "\u{1f5bc}",
             "Gallery",
-            "scenes on which known methods break (E the next, Shift+E the one before)",
+            "scenes on which known methods break (E: the next, Shift+E: the one before)",
             Does::Open(Menu::Gallery),
         ),
         ask(
@@ -230,15 +225,13 @@ fn learning(shown: &Shown) -> Vec<Tool> {
             format!("dark or light panels; now: {}", shown.look.about()),
             Command::NextLook,
         ),
-        toggle(
-            ask(
-                "\u{2753}",
-                "Help",
-                "keys and mouse (H)",
-                Command::ToggleHelp,
-            ),
-            shown.floating.help,
-        ),
+        ask(
+            "\u{2753}",
+            "Help",
+            "keys and mouse (H)",
+            Command::ToggleHelp,
+        )
+        .switched(shown.floating.help),
     ]
 }
 
@@ -306,7 +299,7 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let level = state.overlays().tree_level;
         let shown = level.map_or("off".to_owned(), |level| level.to_string());
-        let hint = "boxes that picks walk through, of meshes that are worth a tree; 0 is the box about all";
+        let hint = "boxes of the trees that picks walk through, of meshes that are worth one; level 0 is the box around a mesh";
         ui.label(format!("tree level: {shown}")).hint(hint);
         for (name, deeper, hint) in [("\u{2212}", false, "(Shift+K)"), ("+", true, "(K)")] {
             let button = ui.small_button(name).hint(hint);
@@ -318,7 +311,7 @@ fn tree_level(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     });
 }
 
-/// A box that shows an overlay.
+/// A checkbox that shows an overlay.
 pub(super) fn overlay(ui: &mut Ui, state: &State, which: Overlay, commands: &mut Vec<Command>) {
     let [name, key, hint] = which.about();
     let mut shows = state.overlays().shows(which);

@@ -1,4 +1,4 @@
-//! The tour's step, in a strip below the picture and the panels beside it, and what offers the tour to somebody new.
+//! The tour's step, in a strip below picture and panels, and the offer of the tour to a new user.
 
 use super::names::{Hint, named};
 use crate::viewer::{
@@ -19,7 +19,7 @@ const MARGIN: f32 = 12.0;
 const GAP: f32 = 3.0;
 /// The strip takes no more than this share of the window's height: what is longer scrolls.
 const MOST: f32 = 0.4;
-/// What is done, in dark and light looks.
+/// Marks a step that is done.
 const TICK: &str = "\u{2714}";
 
 /// The present step. The strip is as high for all steps, so that the picture keeps its size.
@@ -63,10 +63,10 @@ fn height(ui: &Ui, step: &Step, state: &State, width: f32) -> f32 {
 
 fn text(ui: &mut Ui, step: &Step, state: &State) {
     ui.label(RichText::new(step.task).strong())
-        .hint("what to do now: the window notices");
+        .hint("what to do now: the window notices when it is done");
     if let Some(now) = step.now(state) {
         ui.label(RichText::new(now).strong().italics())
-            .hint("as it is in this window now");
+            .hint("with the view in this window now");
     }
     ui.label(step.why).hint("why");
 }
@@ -106,12 +106,12 @@ fn bar(ui: &mut Ui, tour: Tour, state: &State, commands: &mut Vec<Command>) {
         }
         if !state.is_demo() && state.showing().is_none() {
             let demo = ui.button("open the demo");
-            if demo.hint("the tour speaks of what is in it").clicked() {
+            if demo.hint("the tour's steps are about the demo").clicked() {
                 commands.push(Command::Open(Vec::new()));
             }
         }
         ui.weak(format!("step {} of {count}", behind + 1))
-            .hint("in all chapters");
+            .hint("counted over all chapters");
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let title = RichText::new(format!("{number}  {}", chapter.title)).strong();
             ui.add(egui::Label::new(title).truncate())

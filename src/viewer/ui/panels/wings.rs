@@ -1,4 +1,4 @@
-//! The sides of the window: their panels, each under a heading that folds it, and the edges that are dragged.
+//! The sides of the window: their panels, each under a heading that folds it, and the edges that can be dragged.
 
 use super::{
     camera,
@@ -60,7 +60,7 @@ fn wing(ui: &mut Ui, here: &[Section], shown: &mut Shown, commands: &mut Vec<Com
             (true, true) => LEAST_LIST,
         };
         let height = (ui.available_height() - below).max(60.0);
-        // Headings alone are as wide as there is room.
+        // Folded panels need no least width.
         let is_any_open = above.iter().any(|section| !shown.docks[*section].folded);
         let least = if is_any_open { FIELDS - 16.0 } else { 0.0 };
         let width = ui.available_width().max(least);
@@ -105,7 +105,7 @@ fn header(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec<C
             };
             let over = ui.add(Button::new(other.0).small().frame_when_inactive(false));
             named(&over, &format!("move {} {}", section.name(), other.1));
-            let hint = "stand this panel at the other side of the picture";
+            let hint = "move this panel to the other side of the picture";
             if over.hint(hint).clicked() {
                 shown.docks[section].side = place.side.other();
                 shown.docks.open(place.side.other());
@@ -155,7 +155,7 @@ fn contents(ui: &mut Ui, section: Section, shown: &mut Shown, commands: &mut Vec
 
 /// The edge of a side: dragged, it makes the side wider or narrower, and folds it in the end.
 pub(super) fn edge(ui: &mut Ui, side: Side, rect: Rect, shown: &mut Shown) {
-    // Tab does not stop here: keys fold sides by the toolbar.
+    // Tab skips it: from the keyboard, the toolbar folds sides.
     let id = ui.scope_id().with(("edge", side as usize));
     let response = ui.interact(rect, id, Sense::DRAG);
     let name = match side {

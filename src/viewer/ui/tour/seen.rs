@@ -1,4 +1,4 @@
-//! What the window sees of a user, for the tour to notice that a step is done.
+//! What the user has just done, by which the tour notices that a step is done.
 
 use crate::{
     scene::{Object, Shape},
@@ -9,11 +9,11 @@ use crate::{
     },
 };
 
-/// What the window sees of a user.
+/// What the user has just done.
 pub(in crate::viewer) struct Seen<'a> {
-    /// What was just done; `None` where something else came about, as the end of a load.
+    /// The command; `None` where something else happened, such as the end of a load.
     pub command: Option<&'a Command>,
-    /// What that led to.
+    /// The state after it.
     pub state: &'a State,
     /// Whether the matrices show.
     pub matrices: bool,
@@ -45,12 +45,11 @@ impl Seen<'_> {
 
     /// The object that a click has selected.
     pub(super) fn picked(&self) -> Option<&Object> {
-        let selection = self.state.selection()?;
-        let object = self.state.scene().objects().get(selection.object)?;
-        selection.pick.as_ref().map(|_| object)
+        let pick = self.state.picked()?;
+        self.state.scene().objects().get(pick.id - 1)
     }
 
-    /// Whether the near plane has left nothing of an object.
+    /// Whether near is set beyond all of an object, and not beyond all of the scene.
     pub(super) fn near_is_past(&self, name: &str) -> bool {
         let (scene, view) = (self.state.scene(), self.state.view());
         let objects = scene.objects();
