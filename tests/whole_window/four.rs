@@ -421,7 +421,10 @@ fn the_four_views_need_no_frozen_camera() {
     assert!(window.state().frozen().is_none());
     press_key(&mut window, Modifiers::NONE, Key::T);
     let said: String = window.messages().collect();
-    assert!(said.contains("world shows the camera already"), "{said}");
+    assert!(
+        said.contains("the world view shows the camera already"),
+        "{said}"
+    );
 }
 
 /// Where there is room for one side alone, the key brings the matrices before.

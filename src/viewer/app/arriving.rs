@@ -1,4 +1,4 @@
-//! What is made ready beside the window before it is shown: NDC, and scenes on their way into graphics memory.
+//! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
 
 use super::{
     program::{App, Arrival},
@@ -14,8 +14,8 @@ use crate::{
 };
 
 impl App {
-    /// Begins to project the scene for NDC where that takes long, and takes what is there: one at a time, so that what is
-    /// shown follows a camera that goes on and on.
+    /// Takes a finished projection to NDC and begins the next if one is needed. They run one at a time, so that the
+    /// picture follows a camera that never stops.
     pub(super) fn take_projected(&mut self) {
         if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
             self.projecting = None;
@@ -40,7 +40,8 @@ impl App {
         }
     }
 
-    /// Shows what has come, when its scene is in graphics memory: at once, where that is little or nothing was drawn yet.
+    /// Uploads a loaded scene in the background, then shows it. A small scene is shown at once, and so is any before
+    /// the first frame.
     pub(super) fn arrive(&mut self, making: Making, what: Arrival) {
         match &self.gpu {
             Some((gpu, meshes)) if making.size() >= LITTLE => {
@@ -53,7 +54,7 @@ impl App {
         }
     }
 
-    /// Takes a scene that is in graphics memory, or does not fit.
+    /// Takes the outcome of an upload: shows the scene, or says why it does not fit.
     pub(super) fn take_uploaded(&mut self) {
         let Some(result) = self.arriving.as_ref().and_then(|(upload, _)| upload.poll()) else {
             return;
@@ -68,7 +69,7 @@ impl App {
                 self.arrived(what, made);
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => self.complain(error.to_string()),
-            // What else there is to say of the device, the next picture says.
+            // The next frame reports other errors of the device.
             Err(_) => self.arrived(what, None),
         }
         self.context.request_repaint();
@@ -85,14 +86,14 @@ impl App {
         }
     }
 
-    /// Gives up what is on its way. Returns whether there was anything.
+    /// Cancels loading and uploading. Returns whether there was anything to cancel.
     pub(super) fn stop_arriving(&mut self) -> bool {
         let was = self.underway().is_some();
         (self.loading, self.arriving) = (None, None);
         was
     }
 
-    /// What is on its way, to be told.
+    /// What is being loaded or uploaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
         let unknown = |what| Underway {
             what,

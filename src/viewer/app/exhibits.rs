@@ -10,7 +10,7 @@ use crate::{
 };
 
 impl App {
-    /// Opens the scene of the gallery after the one on screen, or before it; the first where none is.
+    /// Opens the gallery's scene after the one on screen, or before it; the first if none is on screen.
     pub fn open_next_exhibit(&mut self, forward: bool) {
         let on_screen = |exhibit: &Exhibit| {
             (self.state.showing()).is_some_and(|showing| showing.exhibit == exhibit)
@@ -21,7 +21,7 @@ impl App {
         self.load(vec![GALLERY[next].path()], Purpose::Open);
     }
 
-    /// Takes the chart that the gallery shows, or begins it.
+    /// Takes the chart of the gallery's scene, or begins to compute it.
     pub fn take_chart(&mut self) {
         let Some(subject) = self.state.showing().and_then(Showing::subject) else {
             self.chart = None;

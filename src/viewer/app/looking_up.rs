@@ -1,4 +1,4 @@
-//! What the files of meshes say: of the pick, and of faces and vertices that somebody goes to.
+//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to.
 
 use super::{
     numbers::{Said, Triangle, file_of},
@@ -17,7 +17,7 @@ use crate::{
 use std::sync::mpsc::TryRecvError;
 
 impl App {
-    /// Asks the file about the pick, and takes what files have answered.
+    /// Asks the file about the pick, and takes the answers that have come.
     pub(super) fn take_numbers(&mut self) {
         self.print_known(ReadingAgain::poll);
         self.look_up_pick();
@@ -61,7 +61,7 @@ impl App {
         }
     }
 
-    /// Leads a click to a vertex or an edge, where that is asked for.
+    /// Begins to snap a click to a vertex or an edge, while measuring.
     pub(super) fn snap(&mut self) {
         self.numbers.snapping = None;
         let ray = self.state.hits().filter(|_| self.state.measuring().is_on);
@@ -130,7 +130,7 @@ impl App {
         self.numbers.said = Some(Said::of(&self.state, text));
     }
 
-    /// Shows and marks what was asked for; the panel says how it is seen.
+    /// Shows and marks the face or vertex that was found; the panel says how it is seen.
     fn arrive_at(&mut self, to: GoTo, file: &MeshFile, found: Found) {
         let (scene, view) = (self.state.scene(), self.state.view());
         let (of, name, places) = match (found, to) {
@@ -182,7 +182,7 @@ impl App {
     }
 }
 
-/// What changes with the scene.
+/// Revisions that change with the scene.
 fn scene_now(state: &State) -> [u64; 2] {
     [state.scene_revision(), state.visibility_revision()]
 }
@@ -210,5 +210,5 @@ fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     };
     let file = of_selected.filter(|file| file.contents.is_some()).or(only);
     file.cloned()
-        .ok_or("there are several OBJ files: select an object of the one that is meant")
+        .ok_or("there are several OBJ files: select an object of the one you mean")
 }
