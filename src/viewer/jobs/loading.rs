@@ -1,4 +1,4 @@
-//! Files in the background: the window answers while they load.
+//! Loads files in the background.
 
 use crate::scene::{self, Detail, LoadError, Loaded, Progress};
 use std::{
@@ -31,10 +31,10 @@ impl Loading {
         Self { progress, result }
     }
 
-    /// One that is over: what it brought.
+    /// A load that is done already.
     pub fn done(loaded: Loaded) -> Self {
         let (sender, result) = channel();
-        // It has its receiver.
+        // This cannot fail: the receiver is still here.
         let _ = sender.send(Ok(loaded));
         Self {
             progress: Arc::default(),
@@ -42,7 +42,7 @@ impl Loading {
         }
     }
 
-    /// What is done, in [0, 1].
+    /// The share that is done, in [0, 1].
     pub fn fraction(&self) -> f32 {
         self.progress.fraction()
     }

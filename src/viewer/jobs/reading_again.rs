@@ -1,4 +1,4 @@
-//! A mesh's file, read again in the background: that of a large one may be slow to come.
+//! Reads a mesh's file again in the background, to answer a question about it.
 
 use crate::scene::{
     MeshFile, Progress,
@@ -12,10 +12,10 @@ use std::{
     thread,
 };
 
-/// What is asked of a file.
+/// A question to a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum Question {
-    /// Where a triangle of its mesh is from.
+    /// Where a triangle of its mesh comes from.
     Triangle(u32),
     /// A face by its number.
     Face(usize),
@@ -23,14 +23,14 @@ pub(in crate::viewer) enum Question {
     Vertex(usize),
 }
 
-/// What it says, or why it does not.
+/// The answer, or why there is none.
 pub(in crate::viewer) enum Found {
     Triangle(InFile),
     Face(Result<FaceInFile, String>),
     Vertex(Result<VertexInFile, String>),
 }
 
-/// A question under way. Dropping it gives it up.
+/// A question under way. Dropping it cancels it.
 pub(in crate::viewer) struct ReadingAgain {
     progress: Arc<Progress>,
     result: Receiver<Found>,

@@ -1,4 +1,4 @@
-//! A scene on its way into files: the window answers while they are written.
+//! Writes a scene to its files in the background.
 
 use crate::{
     scene::{self, MeshFile},
@@ -10,7 +10,7 @@ use std::{
     thread,
 };
 
-/// A scene that is being saved. It is written to its end, whoever waits for it.
+/// A save under way. Dropping it does not cancel it.
 pub(in crate::viewer) struct Saving(Receiver<Result<Saved, String>>);
 
 /// A scene that was saved.

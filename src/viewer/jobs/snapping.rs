@@ -1,4 +1,4 @@
-//! Where a click is led to, found in the background: files are read again for it, and areas of large objects summed.
+//! Snaps a click in the background: for that it reads files again, and sums the areas of large objects.
 
 use crate::{
     camera::View,
@@ -18,10 +18,10 @@ use std::{
     thread,
 };
 
-/// Where a click was led to, and the area of the object there.
+/// Where a click snapped to, and the area of the object there.
 type Led = Option<(Snap, Option<Measured>)>;
 
-/// A click on its way. Dropping it gives it up.
+/// A click that is being snapped. Dropping it cancels that.
 pub(in crate::viewer) struct Snapping {
     progress: Arc<Progress>,
     result: Receiver<Led>,
@@ -47,14 +47,14 @@ impl Snapping {
                 let area = Some(object_area(&scene.objects()[snap.id - 1]));
                 (snap, area)
             });
-            // The receiver is gone when the click was given up.
+            // The receiver is gone if the snap was cancelled.
             let _ = sender.send(found);
             wake();
         });
         Self { progress, result }
     }
 
-    /// Where it is led to, `None` where nothing is there; an error as long as that is not known.
+    /// Where the click snapped to, `None` if nothing is near; an error while that is unknown.
     pub fn poll(&self) -> Result<Led, TryRecvError> {
         self.result.try_recv()
     }

@@ -1,4 +1,4 @@
-//! The study's chart of what breaks, beside the window.
+//! Computes the study's chart of what breaks, in the background.
 
 use crate::{
     camera::View,
@@ -13,11 +13,11 @@ use std::{
     thread,
 };
 
-/// The study's chart of what breaks, as its background work brings it.
+/// A chart of what breaks, done or under way.
 pub(in crate::viewer) struct Chart {
     of: &'static Break,
     result: Receiver<Vec<Row>>,
-    /// What it shows, once that is there.
+    /// Its rows, once they are there.
     pub rows: Option<Vec<Row>>,
 }
 
@@ -49,7 +49,7 @@ impl Chart {
         }
     }
 
-    /// Whether it shows what breaks of this step on this scene in this family.
+    /// Whether it is the chart of this break.
     pub fn is_of(&self, subject: &Break) -> bool {
         let key = |of: &Break| (of.exhibit, of.step, of.family);
         key(self.of) == key(subject)

@@ -1,4 +1,4 @@
-//! Typefaces of the system, for what the panels' own do not have.
+//! Finds typefaces of the system for characters that egui's own lack.
 
 use skrifa::{FontRef, MetadataProvider};
 use std::{
@@ -10,7 +10,7 @@ use std::{
     thread,
 };
 
-/// Characters that no typeface has so far; shared with whoever lays text out.
+/// Characters that no typeface in use has; shared with the layout of text.
 #[derive(Clone, Default)]
 pub(in crate::viewer) struct Missing(Arc<Mutex<BTreeSet<char>>>);
 
@@ -31,25 +31,25 @@ impl Missing {
     }
 }
 
-/// A typeface as its file has it.
+/// A typeface, with the bytes of its file.
 pub(in crate::viewer) struct Typeface {
     pub name: String,
     pub bytes: Vec<u8>,
-    /// Which of the file's.
+    /// Its index in the file.
     pub index: u32,
 }
 
-/// The search for typefaces, a part of it at a time.
+/// The search for typefaces, one search at a time.
 #[derive(Default)]
 pub(in crate::viewer) struct Typefaces {
     pub missing: Missing,
-    /// What was searched for once is not searched for again.
+    /// Characters that were searched for already.
     known: BTreeSet<char>,
     search: Option<Receiver<Vec<Typeface>>>,
 }
 
 impl Typefaces {
-    /// Begins to search for what is missing, where that is news; calls `wake` when done.
+    /// Begins to search for characters that were not missing before; calls `wake` when done.
     pub fn search(&mut self, wake: impl FnOnce() + Send + 'static) {
         if self.search.is_some() {
             return;
@@ -92,8 +92,8 @@ impl Typefaces {
     }
 }
 
-/// The system's typefaces that have these characters: first the one that has most of them, upright and of ordinary weight
-/// where there is a choice.
+/// Typefaces of the system that have these characters: each time the one with most of those left. Of equals, an
+/// upright, proportional one of regular weight.
 fn search(mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     let mut system = fontdb::Database::new();
     system.load_system_fonts();
@@ -132,7 +132,7 @@ fn search(mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     found
 }
 
-/// Those of `wanted` that a typeface has.
+/// The characters of `wanted` that a typeface has.
 fn held(bytes: &[u8], index: u32, wanted: &BTreeSet<char>) -> BTreeSet<char> {
     let Ok(face) = FontRef::from_index(bytes, index) else {
         return BTreeSet::new();
