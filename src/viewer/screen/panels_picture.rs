@@ -29,7 +29,7 @@ pub(super) struct PanelsPicture {
     stale: Vec<TextureId>,
 }
 
-/// A picture, premultiplied with its alpha, and what was painted there.
+/// The picture, with premultiplied alpha, and what was painted there.
 struct Kept {
     texture: wgpu::Texture,
     view: wgpu::TextureView,
@@ -37,12 +37,12 @@ struct Kept {
     size_px: [u32; 2],
     pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
-    /// Where there is any of it.
+    /// Where it is not empty.
     tiles: Tiles,
 }
 
 impl PanelsPicture {
-    /// For frames of this format, as values are.
+    /// For frames of this format, without conversion to sRGB.
     pub fn new(gpu: &Gpu, format: TextureFormat) -> Self {
         let shader = shader_module(gpu, "panels");
         let pipeline = |fragment: &str, blend: Option<BlendState>| {
@@ -83,13 +83,14 @@ impl PanelsPicture {
         }
     }
 
-    /// Takes what came and went among egui's textures. What goes may still be in the next frame, and is freed after it.
+    /// Applies the changes of egui's textures. A dropped texture may still be in the next frame, and is freed after it.
     pub fn take_textures(&mut self, gpu: &Gpu, textures: &mut TexturesDelta) {
         for id in mem::take(&mut self.stale) {
             self.renderer.free_texture(&id);
         }
         for (id, deltas) in mem::take(&mut textures.set) {
-            // A part brings new letters, which nothing shows yet. Of a whole texture all may look different.
+            // A partial update brings new glyphs, which nothing shows yet. After a whole one, anything may look
+            // different.
             if deltas.iter().any(ImageDelta::is_whole) {
                 self.kept = None;
             }
@@ -127,7 +128,7 @@ impl PanelsPicture {
         });
         let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
         if rects.is_empty() {
-            // What was painted says the same already.
+            // What was painted before looks the same.
             return rects;
         }
         let corner = |px: [u32; 2]| {
@@ -159,7 +160,7 @@ impl PanelsPicture {
         rects
     }
 
-    /// Copies pixels of the picture as they are, over whatever is there.
+    /// Copies pixels of the picture onto a texture, without blending.
     pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture, rects: &[PixelRect]) {
         let Some(kept) = &self.kept else { return };
         let mut encoder = gpu.encoder();
@@ -178,7 +179,7 @@ impl PanelsPicture {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Draws the picture over what a place shows, where there is something in it.
+    /// Blends the picture over a place, where it is not empty.
     pub fn draw_over(&self, gpu: &Gpu, onto: &wgpu::Texture, place: SceneRect) {
         let Some(kept) = &self.kept else { return };
         let mut encoder = gpu.encoder();
@@ -195,7 +196,7 @@ impl PanelsPicture {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Draws a whole frame, onto what cannot be copied to.
+    /// Draws a whole frame onto a texture that cannot be copied to.
     pub fn draw_page(&self, gpu: &Gpu, page: &wgpu::Texture, onto: &wgpu::Texture) {
         let mut encoder = gpu.encoder();
         {
@@ -292,7 +293,7 @@ fn within(primitive: &ClippedPrimitive, clip: Rect) -> Option<ClippedPrimitive> 
     })
 }
 
-/// The pixels that a rectangle in points touches, as their least and their end; `None` of none.
+/// The pixels that a rectangle in points touches; `None` if there are none.
 fn pixels(rect: Rect, screen: &ScreenDescriptor) -> Option<PixelRect> {
     if rect.is_negative() {
         return None;
