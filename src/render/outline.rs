@@ -26,12 +26,12 @@ pub struct Marks {
 /// Where a finished picture goes: a window's surface, or a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Destination<'a> {
-    /// It keeps what it shows beside the picture. Its format must be an sRGB one or the twin of one, and allow views as
-    /// both: colours are copied as values, and tints mix light.
+    /// Keeps its pixels beside the picture. Its format must be sRGB or the twin of an sRGB one, and allow views as
+    /// both: colours are copied as stored, tints are mixed in linear light.
     pub texture: &'a wgpu::Texture,
     /// Where in it the picture's top left corner goes, in pixels.
     pub origin_px: [u32; 2],
-    /// How wide and high the picture may be there: nothing of it goes further, nor past the texture.
+    /// The most width and height that the picture gets there. It is clipped to this, and to the texture.
     pub room_px: [u32; 2],
     /// Its pixels, along each side, that a pixel of the picture covers: 1, or more for one of lower resolution.
     pub coarseness: u32,
@@ -307,7 +307,7 @@ impl PostPasses {
 #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
 fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> layout::Composite {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
-    // The background's id is 0: that of nothing is another.
+    // 0 is the background's id, so "none" is another number.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
     layout::Composite {
         origin_px: origin_px.map(|px| px as f32),
@@ -344,7 +344,7 @@ fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
     (extent.x > 0 && extent.y > 0).then_some([min.x, min.y, extent.x, extent.y])
 }
 
-/// Begins a pass without depths, cleared at first.
+/// Begins a pass without depth. The first one clears the target.
 pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     view: &wgpu::TextureView,

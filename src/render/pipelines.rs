@@ -35,7 +35,7 @@ impl Pass {
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Drawn {
-    /// Triangles; with `Some`, only those that face the eye under matrices that mirror, or do not.
+    /// Triangles. With `Some`, only those that face the eye, under matrices that mirror (`true`) or do not.
     Triangles { culled_mirrored: Option<bool> },
     /// Spheres, which cull themselves.
     Spheres,
@@ -47,7 +47,7 @@ pub(super) enum Drawn {
     Background,
 }
 
-/// With whether a section cuts the world.
+/// What a pipeline depends on. The last is whether a section cuts the world.
 type Key = (Pass, Drawn, DepthMapping, bool);
 
 /// All pipelines that draw the scene.
@@ -269,7 +269,7 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
     }
 }
 
-/// Strict, so that of equal depths the first drawn stays: the lower object, the lower triangle.
+/// A strict comparison: at equal depth the first drawn stays, which is the lower object, the lower triangle.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let nearer = match depth {
         DepthMapping::Reversed => wgpu::CompareFunction::Greater,
@@ -293,7 +293,8 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     }
 }
 
-/// An edge is as deep as its faces, and rasterised at other points of them: a pixel's slope nearer, it is before them.
+/// An edge is as deep as its faces, but rasterised at other points of them. A bias of 1.5 pixels' slope brings it
+/// before them.
 fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
     let nearer = match depth {
         DepthMapping::Reversed => 1,

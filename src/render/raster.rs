@@ -35,9 +35,9 @@ pub enum Wireframe {
 }
 
 impl Renderer {
-    /// Draws colours and ids of the scene as `view` shows it, with lines that are in the colours only. Needed when
-    /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`]. At once, where
-    /// [`Renderer::advance`] does it in pieces.
+    /// Draws colours and ids of the scene as `view` shows it. Lines are in the colours only. Needed when scene, view or
+    /// lines changed; [`Renderer::composite`] then puts the picture on screen. Draws all at once; [`Renderer::advance`]
+    /// draws in pieces.
     ///
     /// With one colour sample a pixel, both come from one pass.
     ///
@@ -143,8 +143,8 @@ impl Renderer {
     }
 }
 
-/// Begins a pass over the whole picture, or a piece of one: the first is cleared to "nothing there", and after the last
-/// samples are resolved.
+/// Begins a pass over the whole picture, or a piece of one. The first piece clears to "nothing there"; the last
+/// resolves samples.
 pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     targets: &Targets,

@@ -11,7 +11,7 @@ use crate::{
 };
 use std::{ops::Range, sync::mpsc};
 
-/// How much is read at a time, if a row is not more.
+/// How much is read at a time, unless a row is more.
 const BAND_BYTES: u64 = 1 << 26;
 
 impl Targets {
@@ -114,13 +114,12 @@ fn id([object, triangle]: [u32; 2]) -> Id {
     Id { object, triangle }
 }
 
-/// The values of a texture of 8-bit red, green, blue and whatever, as they are.
+/// Red, green and blue of a texture with four 8-bit channels, as stored.
 pub(crate) fn read_rgb(
     gpu: &Gpu,
     texture: &wgpu::Texture,
     viewport: Viewport,
 ) -> Result<Image<Rgb>, GpuError> {
-    // Opaque.
     let size = [viewport.width(), viewport.height()];
     let pixels = read(gpu, texture, [0, 0], size, |[r, g, b, _]: [u8; 4]| {
         [r, g, b]

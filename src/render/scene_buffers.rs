@@ -29,9 +29,9 @@ use std::{
 };
 use wgpu::BufferUsages;
 
-/// Where more objects than these change at once, rows are composed anew.
+/// If more objects than these change at once, all rows are composed again.
 const MANY: usize = 64;
-/// So many changed objects are taken over in a millisecond or two.
+/// Changed objects that are taken over at once: a millisecond or two.
 const SHARE: usize = 1 << 14;
 
 /// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
@@ -73,7 +73,7 @@ pub(super) struct Place {
 }
 
 impl SceneBuffers {
-    /// Takes a scene into graphics memory.
+    /// Uploads a scene.
     ///
     /// # Errors
     /// When it does not fit.
@@ -81,7 +81,7 @@ impl SceneBuffers {
         Self::upload_beside(gpu, scene, &mut MeshStore::default())
     }
 
-    /// Takes a scene into graphics memory, but for meshes that are there already; those that are not are added to them.
+    /// Uploads a scene, but not the meshes that are there already; new ones are added to these.
     ///
     /// # Errors
     /// When it does not fit.
@@ -123,7 +123,7 @@ impl SceneBuffers {
         Ok(self.changes == scene.changes())
     }
 
-    /// Takes over what single objects are now.
+    /// Takes over changes of single objects.
     fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
         let seen = self.seen.get_mut();
         let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
@@ -173,7 +173,7 @@ impl SceneBuffers {
         let (mut rows, mut whole) = ([0, 0], Piece::default());
         for batch in scene.batches() {
             let object = &scene.objects()[batch.start];
-            // A mesh by its address, beside which cubes, squares and spheres are none.
+            // A mesh goes by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
                 Shape::Sphere => (0, 0..0),
                 Shape::Cube => (1, 0..cube.triangles),
@@ -240,20 +240,20 @@ impl SceneBuffers {
         })
     }
 
-    /// What drawing it once comes to, where all of it is seen.
+    /// The work of drawing it once, with all of it in view.
     #[must_use]
     pub fn whole(&self) -> Piece {
         self.whole
     }
 
-    /// Whether what a view shows of it is known at once.
+    /// Whether it is small enough for a view's rows to be composed at once.
     #[must_use]
     pub fn is_little(&self) -> bool {
         self.is_little
     }
 
-    /// What a view shows of it, as far as that is known: all of it for somebody who waits, else more draws than are known
-    /// where some come soon.
+    /// What a view shows of it, as far as that is composed. With `waits` all of it; else more draws than the `known`,
+    /// if they come soon.
     pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
         let mut seen = self.seen.borrow_mut();
         seen.prepare(&self.all, view);
@@ -272,7 +272,7 @@ impl SceneBuffers {
         is_shown.then(|| &self.places[object])
     }
 
-    /// The draw of an object by itself, which sees to its row; `None` where it is hidden.
+    /// The draw of an object by itself, whose row is written here; `None` if it is hidden.
     pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
         let place = self.shown(object)?;
         let all = read(&self.all);
@@ -288,7 +288,7 @@ impl SceneBuffers {
     }
 }
 
-/// A batch of a scene, to be seen in views.
+/// The batch of a range of objects.
 fn drawn_batch(
     scene: &Scene,
     range: &Range<usize>,

@@ -6,11 +6,11 @@ use wgpu::{TextureFormat, TextureUsages};
 
 /// Colours: sRGB in memory, linear in shaders.
 pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
-/// The same values, which nobody converts.
+/// The same values, without conversion.
 pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
 /// Object and triangle, each plus 1.
 pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
-/// Floating point, without which reversed depth is worth nothing.
+/// Floating point, which reversed depth needs.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 /// How much of a pixel is selected, or outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
@@ -23,7 +23,7 @@ pub struct Targets {
     pub(super) colour: wgpu::Texture,
     pub(super) ids: wgpu::Texture,
     pub(super) colour_view: wgpu::TextureView,
-    /// As values.
+    /// Without conversion.
     pub(super) values_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
