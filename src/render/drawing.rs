@@ -3,9 +3,9 @@
 use super::{
     Renderer, Wireframe,
     composing::Draw,
+    flat,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
-    outline,
     pipelines::{Drawn, Pass},
     raster::begin,
     scene_buffers::SceneBuffers,
@@ -191,7 +191,7 @@ impl Renderer {
         let mut encoder = gpu.encoder();
         {
             let mut render_pass = match pass {
-                Pass::Mask => outline::begin(&mut encoder, &targets.mask_view, is_first),
+                Pass::Mask => flat::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &bindings.triangles, &[]);

@@ -26,8 +26,10 @@
 mod abilities;
 mod adapters;
 mod batches;
+pub(crate) mod bindings;
 mod composing;
 mod drawing;
+pub(crate) mod flat;
 mod frustum;
 mod gpu;
 mod gpu_error;

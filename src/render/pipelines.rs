@@ -3,6 +3,7 @@
 
 use super::{
     abilities::Numbers,
+    bindings,
     gpu::Gpu,
     layout::{LineVertex, Vertex},
     shaders::shader_module,
@@ -99,35 +100,14 @@ impl Pipelines {
         };
         let [mesh, sphere, overlay] =
             [mesh, "sphere", "overlay"].map(|name| shader_module(gpu, name));
-        let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
-        let storage = wgpu::BufferBindingType::Storage { read_only: true };
-        let entries = [
-            (0, wgpu::BufferBindingType::Uniform),
-            (1, storage),
-            (2, storage),
-        ]
-        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: both,
-            ty: wgpu::BindingType::Buffer {
-                ty,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        });
-        let bind_group_layout =
-            (gpu.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("scene"),
-                entries: &entries,
-            });
-        let layout = gpu
-            .device
-            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("scene"),
-                bind_group_layouts: &[Some(&bind_group_layout)],
-                immediate_size: 0,
-            });
+        let types = [
+            wgpu::BufferBindingType::Uniform,
+            wgpu::BufferBindingType::Storage { read_only: true },
+            wgpu::BufferBindingType::Storage { read_only: true },
+        ];
+        let types = types.map(bindings::buffer);
+        let (bind_group_layout, layout) =
+            bindings::layouts(gpu, "scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &types);
         Self {
             bind_group_layout,
             layout,

@@ -2,6 +2,7 @@
 
 use super::{
     abilities::Numbers,
+    flat,
     gpu::{Gpu, GpuError},
     readback::read,
     shaders::shader_module,
@@ -50,47 +51,13 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
         Numbers::Corners | Numbers::Objects => "probe by corner",
     };
     let module = shader_module(gpu, name);
-    let pipeline = gpu
-        .device
-        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("probe"),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("id"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(IDS.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("probe"),
-        size: wgpu::Extent3d {
-            width: SIZE[0],
-            height: SIZE[1],
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: IDS,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let pipeline = flat::pipeline(gpu, None, &module, ["vertex", "id"], IDS.into());
+    let usage = wgpu::TextureUsages::COPY_SRC;
+    let texture = flat::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let mut encoder = gpu.encoder();
     {
-        let mut pass = super::outline::begin(&mut encoder, &view, true);
+        let mut pass = flat::begin(&mut encoder, &view, true);
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
     }

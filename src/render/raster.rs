@@ -3,6 +3,7 @@
 use super::{
     Renderer,
     batches::DrawnShape,
+    bindings,
     composing::Draw,
     drawing::Drawing,
     gpu::{Gpu, GpuError},
@@ -77,15 +78,9 @@ impl Renderer {
 
     pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> Bindings {
         let bind = |table: &wgpu::Buffer| {
-            let entries = [&self.frame, &scene.objects, table];
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("scene"),
-                layout: &self.pipelines.bind_group_layout,
-                entries: &[0, 1, 2].map(|i: u32| wgpu::BindGroupEntry {
-                    binding: i,
-                    resource: entries[i as usize].as_entire_binding(),
-                }),
-            })
+            let buffers = [&self.frame, &scene.objects, table];
+            let resources = buffers.map(wgpu::Buffer::as_entire_binding);
+            bindings::bind(gpu, "scene", &self.pipelines.bind_group_layout, resources)
         };
         Bindings {
             triangles: bind(&scene.tables().triangles),

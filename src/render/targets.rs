@@ -1,6 +1,9 @@
 //! The textures that a picture is drawn into.
 
-use super::gpu::{Gpu, GpuError};
+use super::{
+    flat,
+    gpu::{Gpu, GpuError},
+};
 use crate::camera::Viewport;
 use wgpu::{TextureFormat, TextureUsages};
 
@@ -40,21 +43,15 @@ impl Targets {
     /// When the adapter draws no pictures that large, or memory runs out.
     pub fn new(gpu: &Gpu, viewport: Viewport, samples: u32) -> Result<Self, GpuError> {
         gpu.check_picture(viewport)?;
-        let texture = |label, format, sample_count, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: extent(viewport),
-                mip_level_count: 1,
-                sample_count,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: usage | TextureUsages::RENDER_ATTACHMENT,
-                view_formats: if format == COLOUR && sample_count == 1 {
-                    &[COLOUR_VALUES]
-                } else {
-                    &[]
-                },
-            })
+        let size = [viewport.width(), viewport.height()];
+        let texture = |label, format, samples, usage| {
+            let is_viewed_twice = format == COLOUR && samples == 1;
+            let view_formats: &[_] = if is_viewed_twice {
+                &[COLOUR_VALUES]
+            } else {
+                &[]
+            };
+            flat::texture(gpu, label, size, format, samples, usage, view_formats)
         };
         let view =
             |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
@@ -96,13 +93,5 @@ impl Targets {
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples
-    }
-}
-
-pub(super) fn extent(viewport: Viewport) -> wgpu::Extent3d {
-    wgpu::Extent3d {
-        width: viewport.width(),
-        height: viewport.height(),
-        depth_or_array_layers: 1,
     }
 }

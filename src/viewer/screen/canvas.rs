@@ -10,7 +10,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, Renderer, read_rgb},
+    render::{Gpu, GpuError, MeshStore, Renderer, flat, read_rgb},
     viewer::{
         jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
@@ -155,13 +155,8 @@ impl Canvas {
             pixels_per_point: laid.pixels_per_point,
         };
         let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
-        let moved = |shown: &[(SceneRect, Option<Look>)]| {
-            !shown
-                .iter()
-                .map(|(place, _)| place)
-                .eq(places.iter().map(|(_, place)| place))
-        };
-        let is_moved = moved(&self.shown);
+        let before = self.shown.iter().map(|(place, _)| place);
+        let is_moved = before.ne(places.iter().map(|(_, place)| place));
         if is_new || is_moved {
             painted = vec![[[0, 0], screen.size_in_pixels]];
         }
@@ -333,21 +328,8 @@ fn subject(state: &State, stage: Option<Stage>, place: SceneRect) -> Option<Subj
 /// A texture of this size that can be drawn onto, copied and read.
 fn page(gpu: &Gpu, size: Viewport, format: TextureFormat) -> wgpu::Texture {
     use wgpu::TextureUsages as Usages;
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("page"),
-        size: wgpu::Extent3d {
-            width: size.width(),
-            height: size.height(),
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: Usages::RENDER_ATTACHMENT
-            | Usages::TEXTURE_BINDING
-            | Usages::COPY_SRC
-            | Usages::COPY_DST,
-        view_formats: &[format.add_srgb_suffix()],
-    })
+    let size = [size.width(), size.height()];
+    let usage = Usages::TEXTURE_BINDING | Usages::COPY_SRC | Usages::COPY_DST;
+    let view_formats = [format.add_srgb_suffix()];
+    flat::texture(gpu, "page", size, format, 1, usage, &view_formats)
 }

@@ -6,17 +6,14 @@ use super::{
     place::{PixelRect, SceneRect},
     tiles::Tiles,
 };
-use crate::render::{Gpu, shader_module};
+use crate::render::{Gpu, bindings::bind, flat, shader_module};
 use egui::{
     ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
     epaint::{ImageDelta, Primitive},
 };
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
 use std::mem;
-use wgpu::{
-    BlendState, CommandEncoder, LoadOp, RenderPass, RenderPipeline, TextureFormat,
-    TextureViewDescriptor,
-};
+use wgpu::{BlendState, RenderPipeline, TextureFormat, TextureViewDescriptor};
 
 /// egui's renderer and what it has painted.
 pub(super) struct PanelsPicture {
@@ -45,33 +42,12 @@ impl PanelsPicture {
     /// For frames of this format, without conversion to sRGB.
     pub fn new(gpu: &Gpu, format: TextureFormat) -> Self {
         let shader = shader_module(gpu, "panels");
-        let pipeline = |fragment: &str, blend: Option<BlendState>| {
-            gpu.device
-                .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                    label: Some(fragment),
-                    layout: None,
-                    vertex: wgpu::VertexState {
-                        module: &shader,
-                        entry_point: Some("cover"),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        buffers: &[],
-                    },
-                    fragment: Some(wgpu::FragmentState {
-                        module: &shader,
-                        entry_point: Some(fragment),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        targets: &[Some(wgpu::ColorTargetState {
-                            format,
-                            blend,
-                            write_mask: wgpu::ColorWrites::ALL,
-                        })],
-                    }),
-                    primitive: wgpu::PrimitiveState::default(),
-                    depth_stencil: None,
-                    multisample: wgpu::MultisampleState::default(),
-                    multiview_mask: None,
-                    cache: None,
-                })
+        let pipeline = |fragment, blend| {
+            let target = wgpu::ColorTargetState {
+                blend,
+                ..format.into()
+            };
+            flat::pipeline(gpu, None, &shader, ["cover", fragment], target)
         };
         Self {
             renderer: Renderer::new(&gpu.device, format, RendererOptions::default()),
@@ -146,7 +122,7 @@ impl PanelsPicture {
         self.renderer
             .update_buffers(&gpu.device, &gpu.queue, &mut encoder, &painted, screen);
         {
-            let mut pass = pass(&mut encoder, &kept.view, LoadOp::Load).forget_lifetime();
+            let mut pass = flat::begin(&mut encoder, &kept.view, false).forget_lifetime();
             pass.set_pipeline(&self.empty);
             for &[min, max] in &rects {
                 pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
@@ -185,7 +161,7 @@ impl PanelsPicture {
         let mut encoder = gpu.encoder();
         {
             let view = onto.create_view(&TextureViewDescriptor::default());
-            let mut pass = pass(&mut encoder, &view, LoadOp::Load);
+            let mut pass = flat::begin(&mut encoder, &view, false);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &kept.bindings, &[]);
             for [x, y, width, height] in kept.tiles.runs(place) {
@@ -202,7 +178,7 @@ impl PanelsPicture {
         {
             let [page, onto] =
                 [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
-            let mut pass = pass(&mut encoder, &onto, LoadOp::Clear(wgpu::Color::BLACK));
+            let mut pass = flat::begin(&mut encoder, &onto, true);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
             pass.draw(0..3, 0..1);
@@ -219,29 +195,17 @@ impl Kept {
         format: TextureFormat,
         screen: &ScreenDescriptor,
     ) -> Self {
-        let [width, height] = screen.size_in_pixels;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("panels"),
-            size: wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let (size_px, usage) = (
+            screen.size_in_pixels,
+            wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        );
+        let texture = flat::texture(gpu, "panels", size_px, format, 1, usage, &[]);
         let view = texture.create_view(&TextureViewDescriptor::default());
         Self {
             bindings: bindings(gpu, over, &view),
             view,
             texture,
-            size_px: screen.size_in_pixels,
+            size_px,
             pixels_per_point: screen.pixels_per_point,
             primitives: Vec::new(),
             tiles: Tiles::default(),
@@ -250,34 +214,9 @@ impl Kept {
 }
 
 fn bindings(gpu: &Gpu, over: &RenderPipeline, picture: &wgpu::TextureView) -> wgpu::BindGroup {
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("panels"),
-        layout: &over.get_bind_group_layout(0),
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource: wgpu::BindingResource::TextureView(picture),
-        }],
-    })
-}
-
-fn pass<'a>(
-    encoder: &'a mut CommandEncoder,
-    view: &wgpu::TextureView,
-    load: LoadOp<wgpu::Color>,
-) -> RenderPass<'a> {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("panels"),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load,
-                store: wgpu::StoreOp::Store,
-            },
-        })],
-        ..wgpu::RenderPassDescriptor::default()
-    })
+    let resource = wgpu::BindingResource::TextureView(picture);
+    let layout = over.get_bind_group_layout(0);
+    bind(gpu, "panels", &layout, [resource])
 }
 
 /// The part of a primitive within a clip; `None` where none of it is.
