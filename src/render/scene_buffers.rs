@@ -50,8 +50,6 @@ pub struct SceneBuffers {
     /// How many changes of the scene it has.
     changes: u64,
     meshes: MeshStore,
-    cube: MeshBuffers,
-    square: MeshBuffers,
 }
 
 impl fmt::Debug for SceneBuffers {
@@ -90,81 +88,7 @@ impl SceneBuffers {
         scene: &Scene,
         meshes: &mut MeshStore,
     ) -> Result<Self, GpuError> {
-        let solids = [MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?];
-        Self::build(gpu, scene, meshes, solids)
-    }
-
-    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
-    /// stay where they are.
-    ///
-    /// # Errors
-    /// When it does not fit; the buffers are then as before.
-    pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        while !self.update_some(gpu, scene)? {}
-        Ok(())
-    }
-
-    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
-    /// pictures show some of the scene as it was.
-    ///
-    /// # Errors
-    /// As [`SceneBuffers::update`].
-    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
-        let Some(changed) = scene.changed_since(self.changes) else {
-            let solids = [self.cube.clone(), self.square.clone()];
-            *self = Self::build(gpu, scene, &mut self.meshes, solids)?;
-            return Ok(true);
-        };
-        let are_many = changed.len() > MANY;
-        if are_many {
-            self.seen.get_mut().forget();
-        }
-        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
-        Ok(self.changes == scene.changes())
-    }
-
-    /// Takes over changes of single objects.
-    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
-        let seen = self.seen.get_mut();
-        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
-        for change in changed {
-            let (object, visible) = (change.object, u32::from(change.visible));
-            let place = &mut self.places[object];
-            let number = place.batch;
-            let batch = &mut all.batches[number as usize];
-            let before = mem::replace(&mut self.states[object].visible, visible);
-            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
-            let mut stays = batch.twins.is_none();
-            if change.moved {
-                place.bounds_world = scene.bounds_of(object);
-                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
-                let placement = scene.objects()[object].placement;
-                stays &= all.place(scene, number, placement, bounds);
-            }
-            if are_many {
-                continue;
-            }
-            if stays {
-                seen.renew(number, &all.batches[number as usize]);
-            } else {
-                seen.forget();
-            }
-        }
-        let objects = || changed.iter().map(|change| change.object);
-        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
-            let at = first * size_of::<ObjectState>();
-            let states = bytemuck::cast_slice(&self.states[first..=last]);
-            gpu.queue.write_buffer(&self.objects, at as u64, states);
-        }
-        self.changes += changed.len() as u64;
-    }
-
-    fn build(
-        gpu: &Gpu,
-        scene: &Scene,
-        meshes: &mut MeshStore,
-        [cube, square]: [MeshBuffers; 2],
-    ) -> Result<Self, GpuError> {
+        let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
         let names_triangles = gpu.numbers() != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut known) = (Vec::new(), HashMap::new());
@@ -235,9 +159,71 @@ impl SceneBuffers {
             states,
             changes: scene.changes(),
             meshes: meshes.clone(),
-            cube,
-            square,
         })
+    }
+
+    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
+    /// stay where they are.
+    ///
+    /// # Errors
+    /// When it does not fit; the buffers are then as before.
+    pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
+        while !self.update_some(gpu, scene)? {}
+        Ok(())
+    }
+
+    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
+    /// pictures show some of the scene as it was.
+    ///
+    /// # Errors
+    /// As [`SceneBuffers::update`].
+    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
+        let Some(changed) = scene.changed_since(self.changes) else {
+            *self = Self::upload_beside(gpu, scene, &mut self.meshes)?;
+            return Ok(true);
+        };
+        let are_many = changed.len() > MANY;
+        if are_many {
+            self.seen.get_mut().forget();
+        }
+        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
+        Ok(self.changes == scene.changes())
+    }
+
+    /// Takes over changes of single objects.
+    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
+        let seen = self.seen.get_mut();
+        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
+        for change in changed {
+            let (object, visible) = (change.object, u32::from(change.visible));
+            let place = &mut self.places[object];
+            let number = place.batch;
+            let batch = &mut all.batches[number as usize];
+            let before = mem::replace(&mut self.states[object].visible, visible);
+            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
+            let mut stays = batch.twins.is_none();
+            if change.moved {
+                place.bounds_world = scene.bounds_of(object);
+                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
+                let placement = scene.objects()[object].placement;
+                stays &= all.place(scene, number, placement, bounds);
+            }
+            if are_many {
+                continue;
+            }
+            if stays {
+                seen.renew(number, &all.batches[number as usize]);
+            } else {
+                seen.forget();
+            }
+        }
+        let objects = || changed.iter().map(|change| change.object);
+        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
+            let at = first * size_of::<ObjectState>();
+            let states = bytemuck::cast_slice(&self.states[first..=last]);
+            gpu.queue.write_buffer(&self.objects, at as u64, states);
+        }
+        self.changes += changed.len() as u64;
     }
 
     /// The work of drawing it once, with all of it in view.
