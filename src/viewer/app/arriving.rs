@@ -1,9 +1,6 @@
 //! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
 
-use super::{
-    program::{App, Arrival},
-    wake::Wake,
-};
+use super::program::{App, Arrival};
 use crate::{
     render::GpuError,
     viewer::{
@@ -33,10 +30,7 @@ impl App {
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
         {
-            let wake = self.wake.clone();
-            self.projecting = Some(Projecting::start(what, self.gpu.clone(), move || {
-                wake(Wake::Look);
-            }));
+            self.projecting = Some(Projecting::start(what, self.gpu.clone(), self.waker()));
         }
     }
 
@@ -45,9 +39,7 @@ impl App {
     pub(super) fn arrive(&mut self, making: Making, what: Arrival) {
         match &self.gpu {
             Some((gpu, meshes)) if making.size() >= LITTLE => {
-                let wake = self.wake.clone();
-                let wake = move || wake(Wake::Look);
-                let upload = Upload::start(gpu.clone(), making, meshes.clone(), wake);
+                let upload = Upload::start(gpu.clone(), making, meshes.clone(), self.waker());
                 self.arriving = Some((upload, what));
             }
             _ => self.arrived(what, None),
@@ -75,14 +67,10 @@ impl App {
         self.context.request_repaint();
     }
 
-    fn arrived(&mut self, what: Arrival, made: Option<Made>) {
-        match what {
-            Arrival(loaded, paths, purpose) => {
-                match self.show_scene(*loaded, paths, purpose, made) {
-                    Ok(()) => self.build_trees(),
-                    Err(text) => self.complain(text),
-                }
-            }
+    fn arrived(&mut self, Arrival(loaded, paths, purpose): Arrival, made: Option<Made>) {
+        match self.show_scene(*loaded, paths, purpose, made) {
+            Ok(()) => self.build_trees(),
+            Err(text) => self.complain(text),
         }
     }
 
@@ -95,15 +83,14 @@ impl App {
 
     /// What is being loaded or uploaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
-        let unknown = |what| Underway {
-            what,
-            fraction: None,
-        };
         let loading = self.loading.as_ref().map(|(load, ..)| Underway {
             what: "loading",
             fraction: Some(load.fraction()),
         });
-        let arriving = self.arriving.as_ref().map(|_| unknown("getting ready"));
+        let arriving = self.arriving.as_ref().map(|_| Underway {
+            what: "getting ready",
+            fraction: None,
+        });
         loading.or(arriving)
     }
 }

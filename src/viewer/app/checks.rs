@@ -1,6 +1,6 @@
 //! Comparisons of the drawn ids with picks: when they begin and when they end.
 
-use super::{program::App, wake::Wake};
+use super::program::App;
 use crate::{
     camera::View,
     verify,
@@ -31,10 +31,8 @@ impl App {
         }
         match canvas.read_ids(&self.state.to_show()) {
             Ok(Some(drawn)) => {
-                let wake = self.wake.clone();
-                let check = Check::start(&self.state, canvas.gpu.rasteriser(), drawn, move || {
-                    wake(Wake::Look);
-                });
+                let rasteriser = canvas.gpu.rasteriser();
+                let check = Check::start(&self.state, rasteriser, drawn, self.waker());
                 self.checking = Checking::On(Box::new(check));
                 self.marks = None;
                 self.context.request_repaint();

@@ -1,9 +1,6 @@
 //! The gallery: from scene to scene, with the study's chart beside it.
 
-use super::{
-    program::{App, Purpose},
-    wake::Wake,
-};
+use super::program::{App, Purpose};
 use crate::{
     scene::gallery::{Exhibit, GALLERY},
     viewer::{jobs::Chart, model::Showing},
@@ -30,10 +27,8 @@ impl App {
         match &mut self.chart {
             Some(chart) if chart.is_of(subject) => chart.poll(),
             _ => {
-                let wake = self.wake.clone();
-                let wake = move || wake(Wake::Look);
                 let (scene, view) = (self.state.scene().clone(), *self.state.view());
-                self.chart = Some(Chart::start(subject, scene, view, wake));
+                self.chart = Some(Chart::start(subject, scene, view, self.waker()));
             }
         }
     }

@@ -34,9 +34,8 @@ impl App {
 
     /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        self.loading = Some((Loading::start(paths.clone(), wake), paths, purpose));
+        let loading = Loading::start(paths.clone(), self.waker());
+        self.loading = Some((loading, paths, purpose));
     }
 
     /// Loads the files on screen again. If nothing was shown yet, opens the command line's files anew.
@@ -165,8 +164,7 @@ impl App {
         let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
         match scene_file(path) {
             Ok(path) => {
-                let wake = self.wake.clone();
-                let saving = Saving::start(snapshot, path, move || wake(Wake::Look));
+                let saving = Saving::start(snapshot, path, self.waker());
                 self.saving.push((saving, then));
             }
             Err(text) => self.complain(text),

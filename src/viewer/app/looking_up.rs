@@ -3,7 +3,6 @@
 use super::{
     numbers::{Said, Triangle, file_of},
     program::App,
-    wake::Wake,
 };
 use crate::{
     pick::Whereabouts,
@@ -14,7 +13,6 @@ use crate::{
         ui::GoTo,
     },
 };
-use std::sync::mpsc::TryRecvError;
 
 impl App {
     /// Asks the file about the pick, and takes the answers that have come.
@@ -52,9 +50,8 @@ impl App {
                 }
             }
             (None, Some((of, file))) => {
-                let wake = self.wake.clone();
                 let question = Question::Triangle(of.2);
-                let reading = ReadingAgain::start(file, question, move || wake(Wake::Look));
+                let reading = ReadingAgain::start(file, question, self.waker());
                 self.numbers.of_pick = Some((of, reading));
             }
             (None, None) => {}
@@ -66,19 +63,17 @@ impl App {
         self.numbers.snapping = None;
         let ray = self.state.hits().filter(|_| self.state.measuring().is_on);
         if let Some(ray) = ray {
-            let wake = self.wake.clone();
             let files = self.state.source().meshes.clone();
             let scene = self.state.scene().clone();
-            let snapping =
-                Snapping::start(scene, ray.view, ray.px, files, move || wake(Wake::Look));
+            let snapping = Snapping::start(scene, ray.view, ray.px, files, self.waker());
             self.numbers.snapping = Some((scene_now(&self.state), snapping));
         }
     }
 
     fn take_snapped(&mut self) {
-        let found = match self.numbers.snapping.as_ref().map(|(_, job)| job.poll()) {
-            None | Some(Err(TryRecvError::Empty)) => return,
-            Some(found) => found.ok().flatten(),
+        let snapping = self.numbers.snapping.as_ref();
+        let Some(found) = snapping.and_then(|(_, job)| job.poll()) else {
+            return;
         };
         let of = self.numbers.snapping.take().map(|(of, _)| of);
         if let Some((snap, area)) = found.filter(|_| of == Some(scene_now(&self.state))) {
@@ -98,8 +93,7 @@ impl App {
         };
         match file_in_question(&self.state) {
             Ok(file) => {
-                let wake = self.wake.clone();
-                let reading = ReadingAgain::start(file.clone(), question, move || wake(Wake::Look));
+                let reading = ReadingAgain::start(file.clone(), question, self.waker());
                 self.numbers.going = Some((to, file, self.state.scene_revision(), reading));
             }
             Err(reason) => self.tell(reason.to_owned()),

@@ -1,6 +1,6 @@
 //! Prints picks as lines on stdout, in the order of the clicks, each once its file has answered.
 
-use super::{numbers::file_of, program::App, wake::Wake};
+use super::{numbers::file_of, program::App};
 use crate::{
     json,
     pick::PickLine,
@@ -13,8 +13,7 @@ impl App {
     pub(super) fn print(&mut self, line: PickLine) {
         let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
         let reading = asked.map(|(triangle, file)| {
-            let wake = self.wake.clone();
-            ReadingAgain::start(file, Question::Triangle(triangle), move || wake(Wake::Look))
+            ReadingAgain::start(file, Question::Triangle(triangle), self.waker())
         });
         self.numbers.unprinted.push_back((line, reading));
         self.print_known(ReadingAgain::poll);

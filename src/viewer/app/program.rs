@@ -233,17 +233,14 @@ impl App {
             return;
         }
         log::error!("{text}");
-        self.notices.push(Notice::new(text, Kind::Error));
-        self.context.request_repaint();
+        self.post(text, Kind::Error);
     }
 
     /// Confirms that something is done. The message goes away by itself.
     pub fn say(&mut self, text: String) {
         log::info!("{text}");
         let until_s = self.context.input(|input| input.time) + SAID_S;
-        self.notices.retain(|notice| notice.text != text);
-        self.notices.push(Notice::new(text, Kind::Done { until_s }));
-        self.context.request_repaint();
+        self.post(text, Kind::Done { until_s });
         (self.wake)(Wake::RepaintAt(
             Instant::now() + Duration::from_secs_f64(SAID_S),
         ));
@@ -252,8 +249,13 @@ impl App {
     /// Shows a warning, which stays until it is closed.
     pub fn remind(&mut self, text: String) {
         log::warn!("{text}");
+        self.post(text, Kind::Warning);
+    }
+
+    /// Shows a message, in place of one of the same text.
+    fn post(&mut self, text: String, kind: Kind) {
         self.notices.retain(|notice| notice.text != text);
-        self.notices.push(Notice::new(text, Kind::Warning));
+        self.notices.push(Notice::new(text, kind));
         self.context.request_repaint();
     }
 
@@ -278,12 +280,15 @@ impl App {
         });
     }
 
+    /// Wakes the host once a job has a result.
+    pub(super) fn waker(&self) -> impl Fn() + Send + use<> {
+        let wake = self.wake.clone();
+        move || wake(Wake::Look)
+    }
+
     /// Begins to build the trees of what is shown.
     pub fn build_trees(&mut self) {
-        let wake = self.wake.clone();
-        self.trees = Some(TreeBuild::start(self.state.scene(), move || {
-            wake(Wake::Look);
-        }));
+        self.trees = Some(TreeBuild::start(self.state.scene(), self.waker()));
     }
 
     /// The window's title. A dot before it marks unsaved edits.

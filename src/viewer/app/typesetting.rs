@@ -1,6 +1,6 @@
 //! Names in any script: loads a typeface of the system when a name first needs it.
 
-use super::{program::App, wake::Wake};
+use super::program::App;
 use crate::viewer::{jobs::Typeface, ui::Letters};
 use egui::{
     FontData, FontFamily,
@@ -10,8 +10,7 @@ use egui::{
 impl App {
     /// Searches the system for missing characters, and installs the typefaces found.
     pub(super) fn take_typefaces(&mut self) {
-        let wake = self.wake.clone();
-        self.typefaces.search(move || wake(Wake::Look));
+        self.typefaces.search(self.waker());
         for Typeface { name, bytes, index } in self.typefaces.poll() {
             log::info!("names are set in {name} too");
             let mut data = FontData::from_owned(bytes);

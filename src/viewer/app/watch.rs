@@ -1,9 +1,6 @@
 //! Reads files again when another program changes them, unless that would drop edits.
 
-use super::{
-    program::{App, Purpose},
-    wake::Wake,
-};
+use super::program::{App, Purpose};
 use crate::{scene::gallery::Exhibit, viewer::jobs::Watching};
 use std::path::PathBuf;
 
@@ -25,8 +22,7 @@ impl App {
         files.dedup();
         self.watching = None;
         if !files.is_empty() {
-            let wake = self.wake.clone();
-            self.watching = Watching::start(files, move || wake(Wake::Look));
+            self.watching = Watching::start(files, self.waker());
         }
     }
 

@@ -3,6 +3,7 @@
 mod check;
 mod desktop;
 mod dialogs;
+mod job;
 mod keeping;
 mod letting_go;
 mod loading;

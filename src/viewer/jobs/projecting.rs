@@ -1,20 +1,16 @@
 //! Makes the scene in NDC and uploads it, in the background.
 
+use super::{job::Job, uploading::Uploaded};
 use crate::{
     camera::View,
     render::{Gpu, MeshStore},
     scene::Scene,
     viewer::model::{ProjectedOf, projected},
 };
-use std::{
-    sync::mpsc::{Receiver, TryRecvError, channel},
-    thread,
-};
-
-use super::uploading::Uploaded;
+use std::sync::mpsc::RecvError;
 
 /// A scene that is being projected.
-pub(in crate::viewer) struct Projecting(Receiver<InNdc>);
+pub(in crate::viewer) struct Projecting(Job<InNdc>);
 
 /// A scene in NDC.
 pub(in crate::viewer) struct InNdc {
@@ -32,30 +28,24 @@ impl Projecting {
         on: Option<(Gpu, MeshStore)>,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let (sender, result) = channel();
-        thread::spawn(move || {
+        let project = move || {
             let made = projected(&scene, &through);
             made.build_trees();
             // Dropped early: only a sole owner can change a scene in place.
             drop(scene);
             let uploaded =
                 on.and_then(|(gpu, meshes)| Uploaded::new(&gpu, &made, meshes, None).ok());
-            // The receiver is gone with the window.
-            let _ = sender.send(InNdc {
+            InNdc {
                 scene: made,
                 of,
                 uploaded,
-            });
-            wake();
-        });
-        Self(result)
+            }
+        };
+        Self(Job::start(project, wake))
     }
 
     /// The scene, once it is there; an error if it never will be.
-    pub fn poll(&self) -> Option<Result<InNdc, TryRecvError>> {
-        match self.0.try_recv() {
-            Err(TryRecvError::Empty) => None,
-            result => Some(result),
-        }
+    pub fn poll(&self) -> Option<Result<InNdc, RecvError>> {
+        self.0.poll()
     }
 }

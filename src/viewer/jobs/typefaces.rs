@@ -1,13 +1,10 @@
 //! Finds typefaces of the system for characters that egui's own lack.
 
+use super::job::Job;
 use skrifa::{FontRef, MetadataProvider};
 use std::{
     collections::BTreeSet,
-    sync::{
-        Arc, Mutex,
-        mpsc::{Receiver, TryRecvError, channel},
-    },
-    thread,
+    sync::{Arc, Mutex},
 };
 
 /// Characters that no typeface in use has; shared with the layout of text.
@@ -45,7 +42,7 @@ pub(in crate::viewer) struct Typefaces {
     pub missing: Missing,
     /// Characters that were searched for already.
     known: BTreeSet<char>,
-    search: Option<Receiver<Vec<Typeface>>>,
+    search: Option<Job<Vec<Typeface>>>,
 }
 
 impl Typefaces {
@@ -60,24 +57,16 @@ impl Typefaces {
             return;
         }
         self.known.extend(&wanted);
-        let (sender, found) = channel();
-        thread::spawn(move || {
-            // The receiver goes with the window.
-            let _ = sender.send(search(wanted));
-            wake();
-        });
-        self.search = Some(found);
+        self.search = Some(Job::start(move || search(wanted), wake));
     }
 
     /// What was found, once the search is over.
     pub fn poll(&mut self) -> Vec<Typeface> {
-        match self.search.as_ref().map(Receiver::try_recv) {
-            None | Some(Err(TryRecvError::Empty)) => Vec::new(),
-            Some(found) => {
-                self.search = None;
-                found.unwrap_or_default()
-            }
-        }
+        let Some(found) = self.search.as_ref().and_then(Job::poll) else {
+            return Vec::new();
+        };
+        self.search = None;
+        found.unwrap_or_default()
     }
 
     /// Whether anything was missing so far.

@@ -1,13 +1,10 @@
 //! Uploads a scene to graphics memory in the background.
 
+use super::job::Job;
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::model::Made,
-};
-use std::{
-    sync::mpsc::{Receiver, TryRecvError, channel},
-    thread,
 };
 
 /// What to upload, and how it is made.
@@ -76,7 +73,7 @@ impl Uploaded {
 /// An upload under way.
 pub(in crate::viewer) struct Upload {
     gpu: Gpu,
-    result: Receiver<Result<Uploaded, GpuError>>,
+    job: Job<Result<Uploaded, GpuError>>,
 }
 
 impl Upload {
@@ -87,27 +84,21 @@ impl Upload {
         meshes: MeshStore,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let (sender, result) = channel();
         let device = gpu.clone();
-        thread::spawn(move || {
+        let upload = move || {
             let (scene, made) = making.make();
-            let uploaded = Uploaded::new(&device, &scene, meshes, made);
-            // Dropped early: only a sole owner can change a scene in place.
-            drop(scene);
-            // The receiver is gone when nobody wants the scene any more.
-            let _ = sender.send(uploaded);
-            wake();
-        });
-        Self { gpu, result }
+            Uploaded::new(&device, &scene, meshes, made)
+        };
+        let job = Job::start(upload, wake);
+        Self { gpu, job }
     }
 
     /// The outcome, once there is one: `Ok(None)` if the device was lost, which the next frame finds out too.
     pub fn poll(&self) -> Option<Result<Option<Uploaded>, GpuError>> {
-        let result = match self.result.try_recv() {
-            Ok(result) => result.map(Some),
-            Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => Ok(None),
-        };
-        Some(if self.gpu.is_lost() { Ok(None) } else { result })
+        let result = self.job.poll()?;
+        Some(match result {
+            Ok(result) if !self.gpu.is_lost() => result.map(Some),
+            _ => Ok(None),
+        })
     }
 }
