@@ -100,20 +100,23 @@ impl Offscreen {
     /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points.
     pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
         for event in events {
-            self.pass(vec![event], Vec::new());
+            let input = self.input(vec![event]);
+            self.pass(input);
         }
         self.settle();
     }
 
     /// Drops a file on the window and waits for what comes of it.
     pub fn drop_file(&mut self, path: PathBuf) {
-        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        self.begin_to_drop(path);
         self.settle();
     }
 
     /// Drops a file on the window and waits for nothing: later frames take the result.
     pub fn begin_to_drop(&mut self, path: PathBuf) {
-        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        let mut input = self.input(Vec::new());
+        input.dropped_files = vec![Arc::new(Dropped(path))];
+        self.pass(input);
     }
 
     /// Closes the window, as the button of its frame does.
@@ -274,7 +277,7 @@ impl Offscreen {
     }
 
     fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
-        let input = self.input(events, Vec::new());
+        let input = self.input(events);
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
         self.at_rest = self.app.rest.is_settled;
@@ -324,22 +327,13 @@ impl Offscreen {
         }
     }
 
-    fn pass(
-        &mut self,
-        events: Vec<egui::Event>,
-        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
-    ) {
-        let input = self.input(events, dropped);
+    fn pass(&mut self, input: egui::RawInput) {
         let platform = self.app.pass(input);
         self.take_told(platform);
     }
 
     /// egui's input, a frame later than the one before.
-    fn input(
-        &mut self,
-        events: Vec<egui::Event>,
-        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
-    ) -> egui::RawInput {
+    fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
         self.time_s += FRAME_S;
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
         let [width, height] = [self.page.size.width(), self.page.size.height()]
@@ -351,7 +345,6 @@ impl Offscreen {
             )),
             time: Some(self.time_s),
             events,
-            dropped_files: dropped,
             system_theme: self.theme,
             ..egui::RawInput::default()
         };
@@ -384,7 +377,8 @@ impl Offscreen {
                 }
                 self.app.take_finished();
             }
-            self.pass(Vec::new(), Vec::new());
+            let input = self.input(Vec::new());
+            self.pass(input);
             self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
             if self.at_rest {
                 break;
