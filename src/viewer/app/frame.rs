@@ -300,7 +300,7 @@ impl App {
             return;
         };
         let picture = match laid.place.filter(|_| alone) {
-            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, laid, place),
+            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, place),
             // The labels over the views belong to the panels.
             Some(place) => (canvas.picture(&self.state, laid))
                 .map(|whole| whole.part(place.origin_px, place.viewport)),

@@ -40,6 +40,7 @@ pub(in crate::viewer) struct Canvas {
 }
 
 /// One frame, laid out.
+#[derive(Clone)]
 pub(in crate::viewer) struct Laid {
     /// Where the scene goes; `None` where there is no room for it.
     pub place: Option<SceneRect>,
@@ -237,9 +238,7 @@ impl Canvas {
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let rested = Laid {
             motion: Motion::Rests,
-            primitives: laid.primitives.clone(),
-            panes: laid.panes.clone(),
-            ..*laid
+            ..laid.clone()
         };
         self.smooth_picture(self.size, state, &rested)
     }
@@ -251,19 +250,12 @@ impl Canvas {
     pub fn picture_alone(
         &mut self,
         state: &State,
-        laid: &Laid,
         place: SceneRect,
     ) -> Result<Image<Rgb>, GpuError> {
-        let origin = place.origin_px;
-        let moved = |place: SceneRect| SceneRect {
-            origin_px: [0, 1].map(|axis| place.origin_px[axis].saturating_sub(origin[axis])),
-            ..place
-        };
+        let origin_px = [0, 0];
         let bare = Laid {
-            place: Some(moved(place)),
-            panes: (laid.panes.iter())
-                .map(|(stage, place)| (*stage, moved(*place)))
-                .collect(),
+            place: Some(SceneRect { origin_px, ..place }),
+            panes: Vec::new(),
             primitives: Vec::new(),
             pixels_per_point: place.pixels_per_point,
             motion: Motion::Rests,
