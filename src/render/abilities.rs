@@ -1,4 +1,4 @@
-//! What an adapter can do: what drawing cannot go without, and what it makes do without.
+//! What an adapter can do: what drawing requires, and what it can do without.
 
 use super::{
     SMOOTH_SAMPLES,
@@ -6,24 +6,24 @@ use super::{
 };
 use wgpu::{DownlevelFlags, Features, TextureUsages};
 
-/// How the triangles that ids name are counted; from best to worst.
+/// How ids number triangles, from best to worst.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Numbers {
     /// By the index that the adapter gives each primitive.
     #[default]
     Primitives,
-    /// By their corners, of which each triangle then has three to itself: meshes take about four times the memory.
+    /// By their corners: each triangle gets three of its own, so that meshes take about four times the memory.
     Corners,
     /// Not at all: ids name objects alone, as if each had one triangle.
     Objects,
 }
 
-/// What of an adapter may be used, as if it were a lesser one: all of it by default. For tests.
+/// Restricts an adapter to less than it can do, for tests. The default restricts nothing.
 #[derive(Clone, Debug)]
 pub struct Restraint {
     /// Nothing better than this.
     pub numbers: Numbers,
-    /// No more samples a pixel than these: 1, or [`SMOOTH_SAMPLES`].
+    /// At most so many samples a pixel: 1, or [`SMOOTH_SAMPLES`].
     pub samples: u32,
     /// These limits, in place of all that the adapter has.
     pub limits: Option<wgpu::Limits>,
@@ -40,7 +40,7 @@ impl Default for Restraint {
 }
 
 impl Restraint {
-    /// The way of numbering that an adapter says that it has.
+    /// The best numbering that the adapter claims and this allows.
     pub(super) fn numbers_of(&self, adapter: &wgpu::Adapter) -> Numbers {
         let has_index = adapter.features().contains(Features::PRIMITIVE_INDEX);
         let best = if has_index {
@@ -62,7 +62,7 @@ impl Restraint {
     }
 }
 
-/// What an adapter lacks of what drawing cannot go without.
+/// What an adapter lacks of what drawing requires.
 pub(super) fn lacks(adapter: &wgpu::Adapter) -> Vec<&'static str> {
     let flags = adapter.get_downlevel_capabilities().flags;
     let flags_needed = [

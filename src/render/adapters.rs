@@ -1,4 +1,4 @@
-//! The adapters of this machine, each with what it can do: for somebody who wants to know why it draws as it does.
+//! The adapters of this machine and what each can do: what `sightline doctor` reports.
 
 use super::{
     abilities::{Numbers, Restraint},
@@ -11,26 +11,26 @@ use super::{
 pub struct AdapterFound {
     /// What it calls itself.
     pub name: String,
-    /// Of which kind: integrated, discrete, software.
+    /// Its kind: integrated, discrete, software.
     pub kind: &'static str,
-    /// What it is reached by, as `vulkan`.
+    /// The API that reaches it, such as `vulkan`.
     pub backend: &'static str,
-    /// Its driver, and which version of that.
+    /// Its driver, with the version.
     pub driver: String,
-    /// Its vendor's and its own number.
+    /// The ids of vendor and device.
     pub numbers: [u32; 2],
-    /// Whether it is the one that draws where no window says otherwise.
+    /// Whether it is the one that draws without a window.
     pub is_used: bool,
     /// What it can do, or why it cannot draw.
     pub can: Result<AdapterCan, GpuError>,
 }
 
-/// What an adapter can do that not all can.
+/// Abilities in which adapters differ.
 #[derive(Clone, Copy, Debug)]
 pub struct AdapterCan {
     /// How ids name triangles.
     pub numbers: Numbers,
-    /// What it does to corners, as measured.
+    /// Its rasteriser, as measured.
     pub rasteriser: Rasteriser,
     /// Samples a pixel of smooth pictures.
     pub smooth_samples: u32,

@@ -1,4 +1,4 @@
-//! What there is to draw of a scene, batch by batch: what rows of tables are made from.
+//! The batches of a scene, as they are drawn. A view makes rows of the GPU's tables from them.
 
 use super::{
     layout,
@@ -11,7 +11,7 @@ use crate::geometry::{Aabb, Placement};
 use glam::DVec3;
 use std::ops::Range;
 
-/// What is drawn with one call, be it once or many times.
+/// What one call draws, with one instance or many.
 #[derive(Clone, Debug)]
 pub(super) struct Kind {
     pub shape: DrawnShape,
@@ -41,7 +41,7 @@ impl DrawnShape {
         }
     }
 
-    /// The end of those triangles, from this one on, that one call may draw.
+    /// The end of the triangles, from `first` on, that one call can draw.
     pub fn end_of_call(&self, first: u32) -> u32 {
         match self {
             Self::Triangles { buffers, triangles } => buffers.end_of_call(first).min(triangles.end),
@@ -65,16 +65,16 @@ pub(super) struct Batch {
     pub kind: u32,
     pub placement: Placement,
     pub own: Own,
-    /// Holds all of it, whatever `f64` took of where that is; of a batch without triangles, nothing.
+    /// Holds all of it in spite of `f64` rounding; empty for a batch without triangles.
     pub bounds_world: Aabb,
     /// Its objects, and how many of them are visible.
     pub objects: u32,
     pub shown: u32,
-    /// Those of one number are the same triangles in one place: of them the first is seen.
+    /// Batches of one number have the same triangles in the same place: only the first is seen.
     pub twins: Option<u32>,
 }
 
-/// What batches of triangles and spheres have besides.
+/// What a batch of triangles has, or a sphere.
 #[derive(Clone, Debug)]
 pub(super) enum Own {
     Triangles(TriangleBatch),
@@ -84,9 +84,9 @@ pub(super) enum Own {
 /// What a batch of triangles has.
 #[derive(Clone, Debug)]
 pub(super) struct TriangleBatch {
-    /// Of vertex space in object space.
+    /// The origin of vertex space, in object space.
     pub origin: DVec3,
-    /// Vertex space.
+    /// In vertex space.
     pub bounds: Aabb,
     pub object_of_part_0: u32,
     pub first_triangle: u32,
@@ -109,9 +109,9 @@ impl Batch {
         }
     }
 
-    /// The box about what has this one in `f64`: a corner of it takes 3 products and 3 sums, each off by `U` of what it
-    /// adds up, at most `s = |M| m + |T|` with m the largest coordinates in object space. `32 U s` is room enough, as in
-    /// the scene's own boxes that move.
+    /// Grows a box by what `f64` may have rounded off. A corner takes 3 products and 3 sums, each off by `U` of its
+    /// terms, at most `s = |M| m + |T|` with m the largest coordinates in object space. A slack of `32 U s` is enough,
+    /// as for the scene's own boxes that move.
     pub fn with_room(&self, bounds_world: Aabb) -> Aabb {
         let model = self.placement.model();
         let largest = match &self.own {

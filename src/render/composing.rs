@@ -1,4 +1,4 @@
-//! Rows of the tables as a view sees them: of what it may show, share by share.
+//! Composes the tables' rows for a view, share by share, of the batches that it may show.
 
 use super::{
     batches::{Batch, DrawnShape, Kind, Row},
@@ -14,7 +14,7 @@ use crate::{
 };
 use std::{collections::HashMap, ops::Range};
 
-/// Batches of a block, which are left out together where none of them is in the picture.
+/// Batches of a block, which is left out as a whole if its box is outside the frustum.
 const BLOCK: usize = 64;
 /// Rows of a share: composed in about a millisecond.
 const SHARE: usize = 2048;
@@ -48,7 +48,7 @@ impl ToDraw {
         all
     }
 
-    /// Puts a batch elsewhere, where it has this box. Returns whether kind and place in the order are what they were.
+    /// Moves a batch to a placement, where it has this box. Returns whether its kind and its place in the order stay.
     pub fn place(
         &mut self,
         scene: &Scene,
@@ -63,7 +63,7 @@ impl ToDraw {
         let is_sphere = matches!(kind.shape, DrawnShape::Spheres);
         let stays = is_sphere || kind.mirrors == placement.mirrors();
         if !stays {
-            // Nobody else is of this kind, which costs a draw call.
+            // A kind of its own, which costs a draw call.
             let mirrored = Kind {
                 mirrors: placement.mirrors(),
                 ..kind.clone()
@@ -92,7 +92,7 @@ impl ToDraw {
     }
 }
 
-/// Numbers those that are the same in one place; returns how many numbers that takes.
+/// Numbers batches of the same triangles in the same place; returns how many numbers that takes.
 fn find_twins(batches: &mut [Batch]) -> usize {
     let mut first_of: HashMap<_, usize> = HashMap::with_capacity(batches.len());
     let mut count = 0;
@@ -111,7 +111,7 @@ fn find_twins(batches: &mut [Batch]) -> usize {
     count
 }
 
-/// Instances of one kind, one after the other in its table.
+/// Instances of one kind, in consecutive rows of its table.
 #[derive(Clone, Debug)]
 pub(super) struct Draw {
     pub shape: DrawnShape,
@@ -119,12 +119,12 @@ pub(super) struct Draw {
     pub instances: Range<u32>,
 }
 
-/// Rows that are composed: those that follow in each table.
+/// Composed rows, the next ones of each table.
 #[derive(Debug, Default)]
 pub(super) struct Share {
     pub triangles: Vec<layout::Batch>,
     pub spheres: Vec<layout::Sphere>,
-    /// The rows before them.
+    /// How many rows each table has before them.
     pub before: [u32; 2],
     pub draws: Vec<Draw>,
 }
@@ -135,16 +135,16 @@ pub(super) struct Composer {
     frustum: Frustum,
     /// The next block.
     block: usize,
-    /// How many rows each table has by now.
+    /// How many rows each table has so far.
     rows: [u32; 2],
-    /// Of which twins the first is drawn.
+    /// Which twins are drawn already, by number.
     drawn: Vec<bool>,
     /// Which row of its table each batch has; `u32::MAX` for none.
     pub row_of: Vec<u32>,
 }
 
 impl Composer {
-    /// Of nothing yet.
+    /// At the first block.
     pub fn new(view: &View, all: &ToDraw) -> Self {
         Self {
             space: ViewSpace::new(view),
@@ -178,7 +178,7 @@ impl Composer {
         Some(share)
     }
 
-    /// Adds a batch, where something of it may be seen.
+    /// Adds a batch if any of it may be seen.
     fn add(&mut self, all: &ToDraw, number: u32, share: &mut Share, last_kind: &mut Option<u32>) {
         let batch = &all.batches[number as usize];
         let is_behind_twin = batch.twins.is_some_and(|twins| self.drawn[twins as usize]);
@@ -216,7 +216,7 @@ impl Composer {
         *last_kind = Some(batch.kind);
     }
 
-    /// Whether the picture may show something of what is in a box.
+    /// Whether the picture may show anything within a box.
     pub fn may_show(&self, bounds_world: &Aabb) -> bool {
         self.frustum.may_hold(bounds_world)
     }

@@ -1,11 +1,11 @@
-//! A picture under way: drawn at once, or in pieces between which something else may be shown.
+//! A picture under way: drawn at once, or in pieces with other frames in between.
 
 use super::{
     Renderer, Wireframe,
     composing::Draw,
+    flat,
     gpu::{Gpu, GpuError},
     lines::{self, Line},
-    outline,
     pipelines::{BATCHES, Drawn, Pass},
     raster::begin,
     scene_buffers::SceneBuffers,
@@ -18,16 +18,16 @@ use crate::camera::View;
 use std::{collections::VecDeque, ops::Range};
 use wgpu::BufferUsages;
 
-/// A scene, or what is selected of it, on its way into targets.
+/// The drawing of a scene, or of its selection, into targets.
 #[derive(Debug)]
 pub struct Drawing {
     view: View,
-    /// Those that are left, of which the first may be under way.
+    /// Passes that are left; the first may be under way.
     passes: VecDeque<Pass>,
     steps: Steps,
-    /// Whose edges are drawn, where they are those of one object.
+    /// The object whose edges are drawn, if it is a single one.
     edged: Option<Draw>,
-    /// Of equally many rows each, drawn one after the other; and which of them is under way.
+    /// Bands of equally many rows, drawn one after the other.
     bands: u32,
     band: u32,
     lines: Vec<Line>,
@@ -36,8 +36,7 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// Colours, at so many samples a pixel, and ids of a scene as `view` shows it, with lines that are in the colours
-    /// only.
+    /// Colours, at so many samples a pixel, and ids of a scene as `view` shows it. Lines are in the colours only.
     #[must_use]
     pub fn of_scene(samples: u32, view: &View, lines: Vec<Line>) -> Self {
         let passes: &[Pass] = match samples {
@@ -47,8 +46,9 @@ impl Drawing {
         Self::of(passes, view, lines)
     }
 
-    /// The colours alone, smooth, in place of those of targets that have the ids: of several samples a pixel, of which
-    /// nothing is seen before the last piece. A piece is of one of so many bands of rows, at least 1.
+    /// Smooth colours alone, for targets that have the ids already. They have several samples a pixel, which are
+    /// resolved, and seen, after the last piece. The rows are drawn in so many bands, at least 1; a piece lies within
+    /// one.
     #[must_use]
     pub fn of_smooth_colours(view: &View, lines: Vec<Line>, bands: u32) -> Self {
         Self {
@@ -92,7 +92,7 @@ impl Drawing {
         self.done
     }
 
-    /// All that it comes to where all of the scene is seen, edges of triangles apart.
+    /// All of its work if the whole scene is seen, edges of triangles apart.
     #[must_use]
     pub fn whole(&self, scene: &SceneBuffers) -> Piece {
         let each = match &self.selection {
@@ -108,7 +108,7 @@ impl Drawing {
         }
     }
 
-    /// The rows that are under way.
+    /// The rows of the current band.
     fn rows(&self) -> Range<u32> {
         let height = u64::from(self.view.viewport.height());
         let top = |band: u32| {
@@ -120,7 +120,7 @@ impl Drawing {
 }
 
 impl Renderer {
-    /// Draws a piece more of a picture. Returns whether that is the whole.
+    /// Draws the next piece of a picture. Returns whether the picture is finished.
     ///
     /// # Errors
     /// When memory runs out.
@@ -146,7 +146,7 @@ impl Renderer {
             .wireframe
             .filter(|_| gpu.draws_wireframes() && has_colours);
         if begins {
-            // Others may have had the row since.
+            // Another drawing may have overwritten the row.
             if let Some((object, alone)) = &mut drawing.selection {
                 *alone = scene.alone(&view, *object);
             }
@@ -191,7 +191,7 @@ impl Renderer {
         let mut encoder = gpu.encoder();
         {
             let mut render_pass = match pass {
-                Pass::Mask => outline::begin(&mut encoder, &targets.mask_view, is_first),
+                Pass::Mask => flat::begin(&mut encoder, &targets.mask_view, is_first),
                 _ => begin(&mut encoder, targets, &view, pass, [is_first, is_last]),
             };
             render_pass.set_bind_group(0, &scene_bindings, &[]);
@@ -200,7 +200,7 @@ impl Renderer {
                 render_pass.set_pipeline(&self.pipelines.get(gpu, pass, Drawn::Background, &view));
                 render_pass.draw(0..3, 0..1);
             }
-            // What is drawn past the rows, as drivers may, is drawn again: the same.
+            // Drivers may draw past the scissor; the next band draws the same there again.
             let rows = drawing.rows();
             let (width, height) = (view.viewport.width(), rows.end - rows.start);
             render_pass.set_scissor_rect(0, rows.start, width, height);
@@ -236,7 +236,7 @@ impl Renderer {
     }
 }
 
-/// Says of slices that are part of an instance which triangle they begin with: a draw numbers its triangles from 0.
+/// Tells the shader the first triangle of slices that are part of an instance: a draw numbers its triangles from 0.
 fn begin_at(
     tables: &Tables,
     draws: &[Draw],

@@ -1,4 +1,4 @@
-//! Which boxes a picture may show something of: what lies beside it is not sent to the adapter.
+//! Frustum culling: what lies outside a view is not sent to the adapter.
 
 use crate::{
     camera::{Projection, View},
@@ -6,17 +6,17 @@ use crate::{
 };
 use glam::DVec3;
 
-/// How much boxes and planes grow, relatively: 16 times what `f64` may take, see [`Frustum::may_hold`].
+/// Relative slack of boxes and planes: 16 times the error bound of `f64`, see [`Frustum::may_hold`].
 const ROOM: f64 = 16.0 * 8.0 * f64::EPSILON;
-/// Pixels about the picture that count as part of it. The rasteriser's grid and `f32` move an outline by half a pixel at the
-/// most (a view where they might by more is beyond `f32`), impostors and lines reach a pixel further than their surface.
+/// Pixels around the picture that count as part of it. The rasteriser's grid and `f32` move an outline by at most half
+/// a pixel (a view where they move it further is beyond `f32`); impostors and lines reach a pixel past their surface.
 const ASIDE_PX: f64 = 2.0;
 
-/// The six planes about all that a view shows.
+/// The six planes of a view's frustum.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frustum {
     eye: DVec3,
-    /// Of each plane the normal, inwards, and how far inside the eye is, in units of the normal.
+    /// Each plane's inward normal, and how far inside the eye is, in units of the normal.
     planes: [(DVec3, f64); 6],
 }
 
@@ -47,10 +47,10 @@ impl Frustum {
 
     /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the planes.
     ///
-    /// With `U = 2^-53`, `c` the middle from the eye, `h` half the size and `m` the sum of all their coordinates and the
-    /// eye's: `c` is off by `2 U m`, `h` by `U m`, the sum of three products by `4 U |n| m` more; view space's axes are
-    /// unit vectors within `2 U`, half extents within a few. All of that is within `16 U |n| m` and `2 U` of the way to the
-    /// plane. Written so that NaN is inside.
+    /// With `U = 2^-53`, `c` the middle from the eye, `h` half the size and `m` the sum of all their coordinates and
+    /// the eye's: `c` is off by `2 U m`, `h` by `U m`, the sum of three products by `4 U |n| m` more; view space's axes
+    /// are unit vectors within `2 U`, half extents are exact within a few `U`. All of that is within `16 U |n| m` plus
+    /// `2 U` of the distance to the plane. NaN counts as inside.
     pub fn may_hold(&self, bounds_world: &Aabb) -> bool {
         let middle = bounds_world.center();
         let half = 0.5 * (bounds_world.max - bounds_world.min);
@@ -100,7 +100,8 @@ mod tests {
         }
     }
 
-    /// Boxes of which a corner is on a border of what is seen, or within: and what is three pixels or a thousandth beyond.
+    /// Boxes with a corner on a border of the frustum or within it; points three pixels or a thousandth of a depth
+    /// outside.
     #[test]
     fn a_box_with_a_point_in_the_picture_is_never_left_out_and_what_is_beyond_is() {
         let mut random = Random(3);

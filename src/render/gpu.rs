@@ -34,11 +34,11 @@ pub struct Gpu {
     rasteriser: Rasteriser,
 }
 
-/// What the driver said outside of any call that could return it.
+/// Errors that the driver reports outside of any call that could return them.
 #[derive(Debug, Default)]
 struct Reports {
     lost: AtomicBool,
-    /// The first error since somebody asked.
+    /// The first error since the last [`Gpu::check`].
     error: Mutex<Option<String>>,
 }
 
@@ -51,7 +51,7 @@ impl Gpu {
         Self::headless_within(&Restraint::default())
     }
 
-    /// [`Gpu::headless`] on what might be a lesser adapter.
+    /// [`Gpu::headless`], restricted to what a lesser adapter can do.
     ///
     /// # Errors
     /// As [`Gpu::headless`].
@@ -80,8 +80,7 @@ impl Gpu {
             Err(error) => error,
             Ok(adapter) => GpuError::Lacks {
                 adapter: adapter.get_info().name,
-                what: "a way to show on windows (`sightline render` and `verify` work with it)"
-                    .into(),
+                what: "support for windows (`sightline render` and `verify` work with it)".into(),
             },
         }
     }
@@ -101,7 +100,7 @@ impl Gpu {
             Numbers::Primitives => wgpu::Features::PRIMITIVE_INDEX,
             Numbers::Corners | Numbers::Objects => wgpu::Features::empty(),
         };
-        // All there is: meshes and pictures are as large as the user says.
+        // All that the adapter has: the user decides how large meshes and pictures are.
         let limits = (restraint.limits.clone()).unwrap_or_else(|| adapter.limits());
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("sightline"),
@@ -140,7 +139,7 @@ impl Gpu {
         Ok(gpu)
     }
 
-    /// Finds out what its rasteriser does. A way of numbering triangles that does not work is given up for the next.
+    /// Measures the rasteriser. A numbering of triangles that does not work is replaced by the next one.
     fn probe(&mut self) -> Result<(), GpuError> {
         loop {
             let found = probe(self)?;
@@ -185,7 +184,7 @@ impl Gpu {
         self.smooth_samples
     }
 
-    /// What covers pixels, as measured when the device was made.
+    /// The rasteriser, as measured when the device was made.
     #[must_use]
     pub fn rasteriser(&self) -> Rasteriser {
         self.rasteriser
@@ -198,7 +197,7 @@ impl Gpu {
         features.contains(wgpu::Features::POLYGON_MODE_LINE)
     }
 
-    /// Samples a pixel that colours are worth while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
+    /// Samples a pixel of colours while the picture moves: [`Gpu::smooth_samples`] on hardware, 1 in software.
     #[must_use]
     pub fn samples_in_motion(&self) -> u32 {
         if self.is_software() {
@@ -257,7 +256,7 @@ impl Gpu {
                 mapped_at_creation: false,
             })
         })?;
-        // In pieces, so that what is drawn meanwhile comes between them.
+        // In pieces, so that drawing can come between them.
         let mut at = 0;
         for piece in bytemuck::cast_slice::<T, u8>(elements).chunks(PIECE_BYTES) {
             if at > 0 {
@@ -269,13 +268,13 @@ impl Gpu {
         Ok(buffer)
     }
 
-    /// For commands that are submitted together.
+    /// An encoder for commands that are submitted together.
     pub(crate) fn encoder(&self) -> wgpu::CommandEncoder {
         self.device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
     }
 
-    /// Runs what allocates; running out is the user's to know, not a reason to panic.
+    /// Runs an allocation. Running out of memory is an error for the user, not a panic.
     pub(super) fn within_memory<T>(&self, allocate: impl FnOnce() -> T) -> Result<T, GpuError> {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let made = allocate();
@@ -301,7 +300,7 @@ impl Gpu {
         self.reports.lost.load(Ordering::Acquire)
     }
 
-    /// What the device refused since the last time somebody asked.
+    /// Reports what the device refused since the last call.
     ///
     /// # Errors
     /// When it is lost, or refused something.
@@ -324,7 +323,7 @@ impl Gpu {
     }
 }
 
-/// What finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
+/// The instance that finds adapters, without a window. `WGPU_BACKEND` narrows the choice, as everywhere in wgpu.
 pub(super) fn instance() -> wgpu::Instance {
     wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
 }

@@ -6,13 +6,13 @@ pub enum GpuError {
     /// No driver.
     #[error(
         "no graphics driver found: install one (Debian, Ubuntu: apt-get install mesa-vulkan-drivers); \
-         `sightline render --by raycast` draws without"
+         `sightline render --by raycast` needs none"
     )]
     NoAdapter,
     /// The driver lacks what drawing cannot go without.
     #[error(
-        "{adapter} lacks {what}: use another driver; `sightline render --by raycast` draws without, \
-         `sightline doctor` says what there is"
+        "{adapter} lacks {what}: use another driver; `sightline render --by raycast` needs none, \
+         `sightline doctor` lists what there is"
     )]
     Lacks {
         /// The adapter's name.
@@ -22,7 +22,7 @@ pub enum GpuError {
     },
     /// The driver is there but does not work.
     #[error(
-        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` draws without"
+        "{adapter} refuses to work ({reason}): use another driver; `sightline render --by raycast` needs none"
     )]
     Device {
         /// The adapter's name.
@@ -47,7 +47,7 @@ pub enum GpuError {
     /// More vertices, triangles or objects than a buffer may hold.
     #[error(
         "the scene's {what} need {bytes} bytes, {adapter} takes at most {limit}; \
-         `sightline render --by raycast` draws without"
+         `sightline render --by raycast` has no such limit"
     )]
     SceneTooLarge {
         /// The adapter's name.
@@ -61,12 +61,12 @@ pub enum GpuError {
     },
     /// The driver gave the device up: it was reset, updated or unplugged.
     #[error(
-        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` draws without"
+        "{0} was lost, as when a driver restarts: try again; `sightline render --by raycast` needs no driver"
     )]
     Lost(String),
     /// Graphics memory is used up.
     #[error(
-        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` draws without"
+        "{0} is out of memory: draw a smaller picture or scene; `sightline render --by raycast` needs no graphics memory"
     )]
     OutOfMemory(String),
 }

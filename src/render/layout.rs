@@ -3,11 +3,11 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// What all of a frame shares: projection, light and background.
+/// What all of a frame shares: projection, light, background and section.
 ///
-/// Lengths of view space are in *view units* ([`super::transform::view_unit`]). Depth goes by two numbers, each of which
-/// keeps its digits where the other has none: *view depth*, from the eye, and *measured depth*, from the plane where the
-/// depth buffer stores 0, so that the projection is one product.
+/// Lengths of view space are in *view units* ([`super::transform::view_unit`]). Depth is two numbers, each precise
+/// where the other is not: *view depth*, from the eye, and *measured depth*, from the plane where the depth buffer
+/// stores 0. The latter makes the projection a single product.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Frame {
@@ -21,7 +21,7 @@ pub struct Frame {
     pub perspective: u32,
     /// 1 when only front sides show.
     pub front_only: u32,
-    /// Nothing.
+    /// Padding.
     pub padding: u32,
     /// Towards the key light, in view space.
     pub key_direction: [f32; 3],
@@ -35,15 +35,15 @@ pub struct Frame {
     pub background_bottom: [f32; 3],
     /// Light from above.
     pub fill: f32,
-    /// Of the section's test, per pixel right and down.
+    /// How the value of the section's test changes per pixel right and down.
     pub section_per_px: [f32; 2],
-    /// Its value in the picture's middle.
+    /// The value in the picture's middle.
     pub section_start: f32,
-    /// Per w in perspective, per stored depth in orthographic projection.
+    /// How it changes per w in perspective, per stored depth in orthographic projection.
     pub section_per_q: f32,
     /// Linear colour of back faces where a section lets one look into solids.
     pub inside: [f32; 3],
-    /// What of the test's terms is drawn before the plane.
+    /// The test's slack, relative to its terms: how far before the plane is still drawn.
     pub section_slack: f32,
 }
 
@@ -51,7 +51,7 @@ pub struct Frame {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Batch {
-    /// Vertex-space point near what the camera sees of the batch; subtracted first, which is exact about it.
+    /// Vertex-space point near what the camera sees of the batch. Subtracted first, which is exact near it.
     pub pivot: [f32; 3],
     /// View depth of the pivot, in view units.
     pub view_depth: f32,
@@ -88,7 +88,7 @@ pub struct ObjectState {
     pub first_triangle: u32,
     /// 0 when hidden.
     pub visible: u32,
-    /// Nothing.
+    /// Padding.
     pub padding: [u32; 2],
 }
 
@@ -122,11 +122,11 @@ pub struct LineVertex {
 pub struct Quadratic {
     /// Coefficients of 1, x, y.
     pub linear: [f32; 3],
-    /// Nothing.
+    /// Padding.
     pub padding_linear: f32,
     /// Coefficients of x^2, x y, y^2.
     pub square: [f32; 3],
-    /// Nothing.
+    /// Padding.
     pub padding_square: f32,
 }
 
@@ -184,7 +184,7 @@ pub struct Composite {
     pub selection_colour: [f32; 3],
     /// How much of a selected pixel is tint.
     pub tint: f32,
-    /// Light that what is under the cursor sends beside its own: so many times that, and so much of white.
+    /// Extra light of the object under the cursor: a multiple of its colour, and an amount of white.
     pub lit: [f32; 2],
     /// Half the outline's width in pixels.
     pub outline_px: f32,

@@ -1,4 +1,4 @@
-//! Lines in the world: in the picture, hidden by what is before them, but not in the ids.
+//! Lines in the world: in the picture, hidden by what is before them; not in the ids.
 
 use super::{
     layout::LineVertex,

@@ -17,7 +17,7 @@ use wgpu::BufferUsages;
 #[derive(Clone, Debug)]
 pub(super) struct MeshBuffers {
     pub triangles: u32,
-    /// One, unless that would be larger than a buffer may be.
+    /// One, unless it would be larger than a buffer may be.
     chunks: Arc<[Chunk]>,
 }
 
@@ -41,7 +41,7 @@ impl MeshBuffers {
         let is_indexed = gpu.numbers() != Numbers::Corners;
         let most = gpu.device.limits().max_buffer_size;
         let fits = is_indexed && size_of_val(vertices).max(size_of_val(triangles)) as u64 <= most;
-        // Where no two triangles share a vertex.
+        // For the case that no two triangles share a vertex.
         let triangles_of_chunk = most / (3 * size_of::<Vertex>()) as u64;
         let triangles_of_chunk = usize::try_from(triangles_of_chunk).unwrap_or(usize::MAX);
         let of_chunk = |(at, some): (usize, &[[u32; 3]])| {
@@ -76,13 +76,13 @@ impl MeshBuffers {
         })
     }
 
-    /// The end of those triangles, from this one on, that one call may draw.
+    /// The end of the triangles, from `first` on, that one call can draw.
     pub fn end_of_call(&self, first: u32) -> u32 {
         let chunk = self.chunk(first);
         chunk.map_or(self.triangles, |chunk| chunk.triangles.end)
     }
 
-    /// Draws triangles that one call may draw, of some instances. There they are numbered from 0.
+    /// Draws triangles by one call, for some instances. The call numbers them from 0.
     pub fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -139,7 +139,7 @@ impl MeshBuffers {
     }
 }
 
-/// The vertices that some triangles have, and these as indices into them.
+/// The vertices of some triangles, and the triangles as indices into them.
 fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<[u32; 3]>) {
     let (mut own, mut numbers) = (Vec::new(), HashMap::new());
     let triangles = triangles.iter().map(|corners| {
@@ -159,7 +159,7 @@ fn renumbered(vertices: &[Vertex], triangles: &[[u32; 3]]) -> (Vec<Vertex>, Vec<
 fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
     const NONE: u32 = u32::MAX;
     let (data, shading) = (mesh.data(), mesh.normals());
-    // A smooth surface of one part and colour, as scans are, has them already.
+    // In a smooth surface of one part and colour, such as a scan, each position is one vertex already.
     if let ([_], [run]) = (&*data.parts, &*data.colours)
         && data.vertex_colours.is_empty()
         && shading.corners == data.triangles
@@ -175,10 +175,10 @@ fn unify(mesh: &Mesh) -> (Vec<Vertex>, Cow<'_, [[u32; 3]]>) {
         return (vertices.collect(), Cow::Borrowed(&data.triangles));
     }
     let mut linear = HashMap::new();
-    // Most corners are of the colour of the one before.
+    // Most corners have the colour of the one before.
     let mut latest_colour = (None, [0; 4]);
     let mut vertices: Vec<Vertex> = Vec::with_capacity(data.positions.len());
-    // The vertices at each position as a list: the latest, and for each vertex the one before.
+    // The vertices at each position as a linked list: the latest, and for each vertex the one before.
     let mut latest = vec![NONE; data.positions.len()];
     let mut before: Vec<u32> = Vec::with_capacity(data.positions.len());
     let mut triangles = Vec::with_capacity(data.triangles.len());

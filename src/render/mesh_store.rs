@@ -15,10 +15,10 @@ use std::{
 pub struct MeshStore(Arc<HashMap<usize, (Weak<Mesh>, MeshBuffers)>>);
 
 impl MeshStore {
-    /// The buffers of a mesh, made where there are none.
+    /// The buffers of a mesh, uploaded if there are none.
     pub(super) fn buffers(&mut self, gpu: &Gpu, mesh: &Arc<Mesh>) -> Result<MeshBuffers, GpuError> {
         let address = Arc::as_ptr(mesh).addr();
-        // Where a mesh was that is gone, another may be.
+        // Another mesh may have the address of one that is gone.
         let is_it = |of: &Weak<Mesh>| of.upgrade().is_some_and(|of| Arc::ptr_eq(&of, mesh));
         if let Some((_, buffers)) = self.0.get(&address).filter(|(of, _)| is_it(of)) {
             return Ok(buffers.clone());
@@ -29,7 +29,7 @@ impl MeshStore {
         Ok(buffers)
     }
 
-    /// Gives up the meshes that nobody shows any more, or could show again.
+    /// Drops meshes that no scene has any more.
     pub fn forget_dropped(&mut self) {
         Arc::make_mut(&mut self.0).retain(|_, (mesh, _)| mesh.strong_count() > 0);
     }

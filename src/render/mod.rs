@@ -9,25 +9,27 @@
 //! Renderer::composite       the picture with marks   whenever something is to be shown
 //! ```
 //!
-//! Of a scene only the batches that a view may show are drawn ([`SceneBuffers`] asks each block of them), those of a kind by
-//! one call as far as that shows nothing else. Where they are many, a thread beside composes their rows for the view, and
-//! who draws takes what is ready.
+//! Only the batches that a view may show are drawn ([`SceneBuffers`] culls them by block). Batches of a kind share a
+//! call where that does not change the picture. If there are many, a background thread composes their rows for the
+//! view, and drawing takes what is ready.
 //!
-//! What an adapter lacks is made up for: triangles are numbered in another way ([`Numbers`]), meshes larger than a buffer may be
-//! are split, and what its rasteriser does to corners is measured ([`Rasteriser`]).
+//! Weak adapters are supported: triangles are numbered in another way ([`Numbers`]), and meshes are split to fit into
+//! buffers. What the rasteriser does to corners is measured ([`Rasteriser`]).
 //!
-//! Each step submits its own work. [`render`] does all of them for one picture. Where the first two of the last three
-//! take long, [`Renderer::advance`] does them in pieces.
+//! Each step submits its own work. [`render`] does all of them for one picture. If drawing scene or selection takes
+//! long, [`Renderer::advance`] does it in pieces.
 //!
-//! What decides which surface a pixel shows follows the picker's rules: the same camera, near and far by view depth,
-//! of equal depths the lower triangle, and the lower object of those that touch. Everything is composed in `f64` and rounded to `f32` once (see
-//! [`transform`] and [`sphere`]).
+//! The surface that a pixel shows is decided by the picker's rules: the same camera, near and far by view depth, at
+//! equal depth the lower triangle, and the lower object of those that touch. Everything is composed in `f64` and
+//! rounded to `f32` once (see [`transform`] and [`sphere`]).
 
 mod abilities;
 mod adapters;
 mod batches;
+pub(crate) mod bindings;
 mod composing;
 mod drawing;
+pub(crate) mod flat;
 mod frustum;
 mod gpu;
 mod gpu_error;
@@ -82,7 +84,7 @@ pub const SMOOTH_SAMPLES: u32 = 4;
 pub struct Renderer {
     /// Pixels per logical pixel of the screen: how wide outlines are. 1 at first.
     pub scale_factor: f32,
-    /// Whose edges are drawn over their faces. Nobody's at first, nor where [`Gpu::draws_wireframes`] says no.
+    /// Whose edges are drawn over their faces; `None` at first. Ignored unless [`Gpu::draws_wireframes`].
     pub wireframe: Option<Wireframe>,
     pipelines: pipelines::Pipelines,
     post: outline::PostPasses,

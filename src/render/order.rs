@@ -1,9 +1,9 @@
-//! In which order batches are drawn: those of a kind together, since each change of kind costs a draw call.
+//! The order in which batches are drawn: those of a kind together, since each change of kind costs a draw call.
 //!
-//! Of two surfaces that touch, the lower object's is seen, which is drawn first. Batches are therefore cut into *runs*: none
-//! of a run touches another of it that is of another kind. Within a run those of a kind come together, in the order of
-//! their objects; runs follow each other. Which is seen of surfaces that do not touch, but lie closer than the depth buffer
-//! tells apart, is therefore nobody's promise: a check calls such pixels *depth*.
+//! Of two surfaces that touch, the lower object's is seen, because it is drawn first. Batches are therefore cut into
+//! *runs*, in which no batch touches one of another kind. A run is sorted by kind, then by object; runs are drawn in
+//! turn. For surfaces that do not touch, but lie closer than the depth buffer resolves, nothing is promised: a check
+//! calls such pixels *depth*.
 
 use super::batches::Batch;
 use crate::{geometry::Aabb, scene::Scene};
@@ -12,16 +12,16 @@ use std::ops::Range;
 /// The order of batches.
 #[derive(Debug)]
 pub(super) struct Order {
-    /// Batches as they are drawn. Those of a run have the places of their indices.
+    /// Batches in drawing order. A run takes the places of its batches' indices.
     batches: Vec<u32>,
-    /// Where each batch is in that.
+    /// The place of each batch in that.
     places: Vec<u32>,
     /// The first batch of each run.
     runs: Vec<u32>,
 }
 
 impl Order {
-    /// That of the batches of a scene.
+    /// The order of a scene's batches.
     pub fn new(scene: &Scene, batches: &[Batch]) -> Self {
         let count = index(batches.len());
         let mut runs = vec![0];
@@ -46,7 +46,7 @@ impl Order {
         order
     }
 
-    /// Batches from one place on to another.
+    /// The batches in a range of places.
     pub fn of(&self, places: Range<usize>) -> &[u32] {
         &self.batches[places]
     }
@@ -61,7 +61,7 @@ impl Order {
         self.places[batch as usize] as usize
     }
 
-    /// A batch stands elsewhere, and may be of another kind. Returns which places have others now.
+    /// Called when a batch has moved, and perhaps changed kind. Returns the places that have other batches now.
     pub fn moved(
         &mut self,
         scene: &Scene,
@@ -74,7 +74,7 @@ impl Order {
         if is_of_same_kind && !touches(scene, batches, batch, &all) {
             return 0..0;
         }
-        // It is a run by itself from now on, and has what is before and behind in two others.
+        // From now on it is a run by itself, between runs of what comes before and after it.
         let places = all.start as usize..all.end as usize;
         let (before, behind): (Vec<u32>, Vec<u32>) = (self.batches[places.clone()].iter())
             .filter(|other| **other != batch)
@@ -95,7 +95,7 @@ impl Order {
         self.runs[run]..end.unwrap_or(index(self.batches.len()))
     }
 
-    /// Notes where the batches of some places are.
+    /// Records the places of the batches in a range.
     fn note(&mut self, places: Range<usize>) {
         for place in places {
             self.places[self.batches[place] as usize] = index(place);
@@ -103,8 +103,8 @@ impl Order {
     }
 }
 
-/// Whether a batch touches one of a run that is of another kind. What is nearer than a thousandth of its size counts, and
-/// so does what takes long to tell.
+/// Whether a batch touches one of another kind in a run. Gaps below a thousandth of its size count as touching, and so
+/// does what takes too long to decide.
 fn touches(scene: &Scene, batches: &[Batch], batch: u32, run: &Range<u32>) -> bool {
     let Batch {
         kind, bounds_world, ..

@@ -1,8 +1,9 @@
 //! The selection and the finished picture: marks over cached colours, so that moving the mouse redraws nothing.
 
 use super::{
-    Renderer,
+    Renderer, bindings,
     drawing::Drawing,
+    flat,
     gpu::{Gpu, GpuError},
     layout,
     scene_buffers::{Place, SceneBuffers},
@@ -26,12 +27,12 @@ pub struct Marks {
 /// Where a finished picture goes: a window's surface, or a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Destination<'a> {
-    /// It keeps what it shows beside the picture. Its format must be an sRGB one or the twin of one, and allow views as
-    /// both: colours are copied as values, and tints mix light.
+    /// Keeps its pixels beside the picture. Its format must be sRGB or the twin of an sRGB one, and allow views as
+    /// both: colours are copied as stored, tints are mixed in linear light.
     pub texture: &'a wgpu::Texture,
     /// Where in it the picture's top left corner goes, in pixels.
     pub origin_px: [u32; 2],
-    /// How wide and high the picture may be there: nothing of it goes further, nor past the texture.
+    /// The most width and height that the picture gets there. It is clipped to this, and to the texture.
     pub room_px: [u32; 2],
     /// Its pixels, along each side, that a pixel of the picture covers: 1, or more for one of lower resolution.
     pub coarseness: u32,
@@ -107,7 +108,7 @@ impl Renderer {
         let mut encoder = gpu.encoder();
         let place = scene.shown(selection);
         {
-            let mut pass = begin(&mut encoder, &targets.outline_view, true);
+            let mut pass = flat::begin(&mut encoder, &targets.outline_view, true);
             let rect = place.and_then(|place| screen_rect(place, view, outline_px));
             if let Some([x, y, width, height]) = rect {
                 pass.set_scissor_rect(x, y, width, height);
@@ -164,7 +165,7 @@ impl Renderer {
                 ..Default::default()
             });
             let bind_group = (self.post).bind(gpu, targets, picture, &targets.outline_view);
-            let mut pass = begin(&mut encoder, &view, false);
+            let mut pass = flat::begin(&mut encoder, &view, false);
             pass.set_bind_group(0, &bind_group, &[]);
             for &(entry, rect) in rects {
                 let Some([x, y, width, height]) = destination.within(rect) else {
@@ -187,43 +188,20 @@ impl Renderer {
 
 impl PostPasses {
     pub fn new(gpu: &Gpu) -> Self {
-        let texture = |binding, sample_type| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
-            ty: wgpu::BindingType::Texture {
-                sample_type,
-                view_dimension: wgpu::TextureViewDimension::D2,
-                multisampled: false,
-            },
-            count: None,
+        let texture = |sample_type| wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
         };
         let float = wgpu::TextureSampleType::Float { filterable: false };
-        let bind_group_layout =
-            (gpu.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("composite"),
-                entries: &[
-                    wgpu::BindGroupLayoutEntry {
-                        binding: 0,
-                        visibility: wgpu::ShaderStages::FRAGMENT,
-                        ty: wgpu::BindingType::Buffer {
-                            ty: wgpu::BufferBindingType::Uniform,
-                            has_dynamic_offset: false,
-                            min_binding_size: None,
-                        },
-                        count: None,
-                    },
-                    texture(1, float),
-                    texture(2, wgpu::TextureSampleType::Uint),
-                    texture(3, float),
-                ],
-            });
-        let layout = gpu
-            .device
-            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("composite"),
-                bind_group_layouts: &[Some(&bind_group_layout)],
-                immediate_size: 0,
-            });
+        let types = [
+            bindings::buffer(wgpu::BufferBindingType::Uniform),
+            texture(float),
+            texture(wgpu::TextureSampleType::Uint),
+            texture(float),
+        ];
+        let (bind_group_layout, layout) =
+            bindings::layouts(gpu, "composite", wgpu::ShaderStages::FRAGMENT, &types);
         Self {
             shader: shader_module(gpu, "composite"),
             bind_group_layout,
@@ -251,15 +229,7 @@ impl PostPasses {
             wgpu::BindingResource::TextureView(&targets.ids_view),
             wgpu::BindingResource::TextureView(marks),
         ];
-        let entries: Vec<_> = (0..)
-            .zip(resources)
-            .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
-            .collect();
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("composite"),
-            layout: &self.bind_group_layout,
-            entries: &entries,
-        })
+        bindings::bind(gpu, "composite", &self.bind_group_layout, resources)
     }
 
     fn pipeline(
@@ -268,38 +238,13 @@ impl PostPasses {
         entry: &'static str,
         format: wgpu::TextureFormat,
     ) -> wgpu::RenderPipeline {
-        let (layout, shader) = (&self.layout, &self.shader);
-        let make = || {
-            gpu.device
-                .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                    label: Some(entry),
-                    layout: Some(layout),
-                    vertex: wgpu::VertexState {
-                        module: shader,
-                        entry_point: Some("cover"),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        buffers: &[],
-                    },
-                    primitive: wgpu::PrimitiveState::default(),
-                    depth_stencil: None,
-                    multisample: wgpu::MultisampleState::default(),
-                    fragment: Some(wgpu::FragmentState {
-                        module: shader,
-                        entry_point: Some(entry),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        targets: &[Some(wgpu::ColorTargetState {
-                            format,
-                            blend: None,
-                            write_mask: wgpu::ColorWrites::ALL,
-                        })],
-                    }),
-                    multiview_mask: None,
-                    cache: None,
-                })
-        };
+        let entries = ["cover", entry];
         self.made
             .entry((entry, format))
-            .or_insert_with(make)
+            .or_insert_with(|| {
+                let layout = Some(&self.layout);
+                flat::pipeline(gpu, layout, &self.shader, entries, format.into())
+            })
             .clone()
     }
 }
@@ -307,7 +252,7 @@ impl PostPasses {
 #[expect(clippy::cast_precision_loss, reason = "textures are not that large")]
 fn uniform(marks: &Marks, origin_px: [u32; 2], coarseness: u32) -> layout::Composite {
     let of_index = |i: usize| u32::try_from(i + 1).unwrap_or(u32::MAX);
-    // The background's id is 0: that of nothing is another.
+    // 0 is the background's id, so "none" is another number.
     let id = |object: Option<usize>| object.map_or(u32::MAX, of_index);
     layout::Composite {
         origin_px: origin_px.map(|px| px as f32),
@@ -342,29 +287,4 @@ fn screen_rect(place: &Place, view: &View, margin: f32) -> Option<[u32; 4]> {
     let max = (max + margin).ceil().clamp(DVec2::ZERO, size);
     let (min, extent) = (min.as_uvec2(), (max - min).as_uvec2());
     (extent.x > 0 && extent.y > 0).then_some([min.x, min.y, extent.x, extent.y])
-}
-
-/// Begins a pass without depths, cleared at first.
-pub(super) fn begin<'a>(
-    encoder: &'a mut wgpu::CommandEncoder,
-    view: &wgpu::TextureView,
-    is_first: bool,
-) -> wgpu::RenderPass<'a> {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("marks"),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load: if is_first {
-                    wgpu::LoadOp::Clear(wgpu::Color::BLACK)
-                } else {
-                    wgpu::LoadOp::Load
-                },
-                store: wgpu::StoreOp::Store,
-            },
-        })],
-        ..Default::default()
-    })
 }

@@ -3,6 +3,7 @@
 
 use super::{
     abilities::Numbers,
+    bindings,
     gpu::Gpu,
     layout::{Batch, LineVertex, Vertex},
     shaders::shader_module,
@@ -35,7 +36,7 @@ impl Pass {
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Drawn {
-    /// Triangles; with `Some`, only those that face the eye under matrices that mirror, or do not.
+    /// Triangles. With `Some`, only those that face the eye, under matrices that mirror (`true`) or do not.
     Triangles { culled_mirrored: Option<bool> },
     /// Spheres, which cull themselves.
     Spheres,
@@ -47,7 +48,7 @@ pub(super) enum Drawn {
     Background,
 }
 
-/// With whether a section cuts the world.
+/// What a pipeline depends on. The last is whether a section cuts the world.
 type Key = (Pass, Drawn, DepthMapping, bool);
 
 /// All pipelines that draw the scene.
@@ -133,35 +134,14 @@ impl Pipelines {
         };
         let [mesh, sphere, overlay] =
             [mesh, "sphere", "overlay"].map(|name| shader_module(gpu, name));
-        let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
-        let storage = wgpu::BufferBindingType::Storage { read_only: true };
-        let entries = [
-            (0, wgpu::BufferBindingType::Uniform),
-            (1, storage),
-            (2, storage),
-        ]
-        .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
-            binding,
-            visibility: both,
-            ty: wgpu::BindingType::Buffer {
-                ty,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        });
-        let bind_group_layout =
-            (gpu.device).create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some("scene"),
-                entries: &entries,
-            });
-        let layout = gpu
-            .device
-            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("scene"),
-                bind_group_layouts: &[Some(&bind_group_layout)],
-                immediate_size: 0,
-            });
+        let types = [
+            wgpu::BufferBindingType::Uniform,
+            wgpu::BufferBindingType::Storage { read_only: true },
+            wgpu::BufferBindingType::Storage { read_only: true },
+        ];
+        let types = types.map(bindings::buffer);
+        let (bind_group_layout, layout) =
+            bindings::layouts(gpu, "scene", wgpu::ShaderStages::VERTEX_FRAGMENT, &types);
         Self {
             bind_group_layout,
             layout,
@@ -303,7 +283,7 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
     }
 }
 
-/// Strict, so that of equal depths the first drawn stays: the lower object, the lower triangle.
+/// A strict comparison: at equal depth the first drawn stays, which is the lower object, the lower triangle.
 fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     let nearer = match depth {
         DepthMapping::Reversed => wgpu::CompareFunction::Greater,
@@ -327,7 +307,8 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
     }
 }
 
-/// An edge is as deep as its faces, and rasterised at other points of them: a pixel's slope nearer, it is before them.
+/// An edge is as deep as its faces, but rasterised at other points of them. A bias of 1.5 pixels' slope brings it
+/// before them.
 fn towards_the_eye(depth: DepthMapping) -> wgpu::DepthBiasState {
     let nearer = match depth {
         DepthMapping::Reversed => 1,

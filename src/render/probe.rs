@@ -1,7 +1,8 @@
-//! What an adapter's rasteriser does, found out by drawing a few triangles: wgpu does not tell.
+//! Measures an adapter's rasteriser by drawing a few triangles: wgpu does not report it.
 
 use super::{
     abilities::Numbers,
+    flat,
     gpu::{Gpu, GpuError},
     readback::read,
     shaders::shader_module,
@@ -12,11 +13,11 @@ use super::{
 const LANES: u32 = 8;
 const SIZE: [u32; 2] = [16, 8];
 
-/// What draws triangles, as far as that decides which pixels show what.
+/// What decides which pixels a triangle covers, and what its ids say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rasteriser {
-    /// Its grid for corners, in pixels: they are moved by at most half of that along each axis. No finer one is told apart
-    /// from the common one.
+    /// The step, in pixels, of the grid that corners are snapped to: they move by at most half of it along each axis. A
+    /// finer grid than the common one is taken for the common one.
     pub grid_px: f64,
     /// Whether ids name triangles, and not objects alone.
     pub names_triangles: bool,
@@ -38,11 +39,11 @@ impl Rasteriser {
     }
 }
 
-/// Draws with the way of numbering that `gpu` has.
+/// Draws with the numbering of `gpu`.
 ///
-/// A side that lies past a pixel's centre by a little less than half a step of a grid of 2^-bits pixel goes onto the
-/// centre where there are so few bits, and its triangle takes the pixel then: of the two on the sides of it one does,
-/// whatever the rule for centres on edges. A rasteriser that cuts digits off moves sides twice as far, and is said to have a
+/// A triangle's side lies past a pixel's centre by a little less than half a step of a grid of 2^-bits pixels. A
+/// rasteriser with so few bits snaps it onto the centre. One of the two triangles at that side then covers the pixel,
+/// whatever the rule for centres on edges. A rasteriser that truncates moves sides twice as far; it is measured as one
 /// bit less.
 pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     let name = match gpu.numbers() {
@@ -50,47 +51,13 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
         Numbers::Corners | Numbers::Objects => "probe by corner",
     };
     let module = shader_module(gpu, name);
-    let pipeline = gpu
-        .device
-        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("probe"),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[],
-            },
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("id"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(IDS.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
-    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("probe"),
-        size: wgpu::Extent3d {
-            width: SIZE[0],
-            height: SIZE[1],
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: IDS,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let pipeline = flat::pipeline(gpu, None, &module, ["vertex", "id"], IDS.into());
+    let usage = wgpu::TextureUsages::COPY_SRC;
+    let texture = flat::texture(gpu, "probe", SIZE, IDS, 1, usage, &[]);
     let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
     let mut encoder = gpu.encoder();
     {
-        let mut pass = super::outline::begin(&mut encoder, &view, true);
+        let mut pass = flat::begin(&mut encoder, &view, true);
         pass.set_pipeline(&pipeline);
         pass.draw(0..4 * LANES * 3, 0..1);
     }
@@ -99,7 +66,7 @@ pub(super) fn probe(gpu: &Gpu) -> Result<Rasteriser, GpuError> {
     Ok(found(&pixels))
 }
 
-/// What the pixels of the picture say, row by row: 1 where something is, and the number of the triangle plus 1.
+/// Evaluates the picture's pixels, row by row: 1 where a triangle is, and the triangle's number plus 1.
 fn found(pixels: &[[u32; 2]]) -> Rasteriser {
     // A pixel of a group's lane, so far along it.
     let at = |group: u32, lane: u32, along: u32| {

@@ -3,6 +3,7 @@
 use super::{
     Renderer,
     batches::DrawnShape,
+    bindings,
     composing::Draw,
     drawing::Drawing,
     gpu::{Gpu, GpuError},
@@ -29,9 +30,9 @@ pub enum Wireframe {
 }
 
 impl Renderer {
-    /// Draws colours and ids of the scene as `view` shows it, with lines that are in the colours only. Needed when
-    /// scene, view or lines changed; what the window shows then is up to [`Renderer::composite`]. At once, where
-    /// [`Renderer::advance`] does it in pieces.
+    /// Draws colours and ids of the scene as `view` shows it. Lines are in the colours only. Needed when scene, view or
+    /// lines changed; [`Renderer::composite`] then puts the picture on screen. Draws all at once; [`Renderer::advance`]
+    /// draws in pieces.
     ///
     /// With one colour sample a pixel, both come from one pass.
     ///
@@ -71,15 +72,9 @@ impl Renderer {
 
     /// Frame, objects and spheres.
     pub(super) fn bind(&self, gpu: &Gpu, scene: &SceneBuffers) -> wgpu::BindGroup {
-        let entries = [&self.frame, &scene.objects, &scene.tables().spheres];
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("scene"),
-            layout: &self.pipelines.bind_group_layout,
-            entries: &[0, 1, 2].map(|i: u32| wgpu::BindGroupEntry {
-                binding: i,
-                resource: entries[i as usize].as_entire_binding(),
-            }),
-        })
+        let buffers = [&self.frame, &scene.objects, &scene.tables().spheres];
+        let resources = buffers.map(wgpu::Buffer::as_entire_binding);
+        bindings::bind(gpu, "scene", &self.pipelines.bind_group_layout, resources)
     }
 
     /// Draws the edges of some triangles of some instances where their faces are seen.
@@ -125,8 +120,8 @@ impl Renderer {
     }
 }
 
-/// Begins a pass over the whole picture, or a piece of one: the first is cleared to "nothing there", and after the last
-/// samples are resolved.
+/// Begins a pass over the whole picture, or a piece of one. The first piece clears to "nothing there"; the last
+/// resolves samples.
 pub(super) fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     targets: &Targets,

@@ -1,9 +1,9 @@
 //! Textures back to pictures on the CPU.
 
 use super::{
-    Destination, Marks, Renderer, SceneBuffers,
+    Destination, Marks, Renderer, SceneBuffers, flat,
     gpu::{Gpu, GpuError},
-    targets::{COLOUR, COLOUR_VALUES, Targets, extent},
+    targets::{COLOUR, COLOUR_VALUES, Targets},
 };
 use crate::{
     camera::{View, Viewport},
@@ -11,7 +11,7 @@ use crate::{
 };
 use std::{ops::Range, sync::mpsc};
 
-/// How much is read at a time, if a row is not more.
+/// How much is read at a time, unless a row is more.
 const BAND_BYTES: u64 = 1 << 26;
 
 impl Targets {
@@ -87,22 +87,14 @@ impl Renderer {
         origin_px: [u32; 2],
     ) -> Result<Image<Rgb>, GpuError> {
         gpu.check_picture(window)?;
-        let texture = gpu.within_memory(|| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("picture"),
-                size: extent(window),
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: COLOUR,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-                view_formats: &[COLOUR_VALUES],
-            })
-        })?;
+        let size = [window.width(), window.height()];
+        let (usage, values) = (wgpu::TextureUsages::COPY_SRC, [COLOUR_VALUES]);
+        let texture =
+            gpu.within_memory(|| flat::texture(gpu, "picture", size, COLOUR, 1, usage, &values))?;
         let destination = Destination {
             texture: &texture,
             origin_px,
-            room_px: [window.width(), window.height()],
+            room_px: size,
             coarseness: 1,
         };
         self.composite(gpu, scene, targets, view, marks, &destination);
@@ -114,13 +106,12 @@ fn id([object, triangle]: [u32; 2]) -> Id {
     Id { object, triangle }
 }
 
-/// The values of a texture of 8-bit red, green, blue and whatever, as they are.
+/// Red, green and blue of a texture with four 8-bit channels, as stored.
 pub(crate) fn read_rgb(
     gpu: &Gpu,
     texture: &wgpu::Texture,
     viewport: Viewport,
 ) -> Result<Image<Rgb>, GpuError> {
-    // Opaque.
     let size = [viewport.width(), viewport.height()];
     let pixels = read(gpu, texture, [0, 0], size, |[r, g, b, _]: [u8; 4]| {
         [r, g, b]

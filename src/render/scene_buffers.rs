@@ -29,9 +29,9 @@ use std::{
 };
 use wgpu::BufferUsages;
 
-/// Where more objects than these change at once, rows are composed anew.
+/// If more objects than these change at once, all rows are composed again.
 const MANY: usize = 64;
-/// So many changed objects are taken over in a millisecond or two.
+/// Changed objects that are taken over at once: a millisecond or two.
 const SHARE: usize = 1 << 14;
 
 /// A scene as the GPU has it. Which triangles there are changes only with [`SceneBuffers::update`].
@@ -50,8 +50,6 @@ pub struct SceneBuffers {
     /// How many changes of the scene it has.
     changes: u64,
     meshes: MeshStore,
-    cube: MeshBuffers,
-    square: MeshBuffers,
 }
 
 impl fmt::Debug for SceneBuffers {
@@ -73,7 +71,7 @@ pub(super) struct Place {
 }
 
 impl SceneBuffers {
-    /// Takes a scene into graphics memory.
+    /// Uploads a scene.
     ///
     /// # Errors
     /// When it does not fit.
@@ -81,7 +79,7 @@ impl SceneBuffers {
         Self::upload_beside(gpu, scene, &mut MeshStore::default())
     }
 
-    /// Takes a scene into graphics memory, but for meshes that are there already; those that are not are added to them.
+    /// Uploads a scene, but not the meshes that are there already; new ones are added to these.
     ///
     /// # Errors
     /// When it does not fit.
@@ -90,81 +88,7 @@ impl SceneBuffers {
         scene: &Scene,
         meshes: &mut MeshStore,
     ) -> Result<Self, GpuError> {
-        let solids = [MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?];
-        Self::build(gpu, scene, meshes, solids)
-    }
-
-    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
-    /// stay where they are.
-    ///
-    /// # Errors
-    /// When it does not fit; the buffers are then as before.
-    pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
-        while !self.update_some(gpu, scene)? {}
-        Ok(())
-    }
-
-    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
-    /// pictures show some of the scene as it was.
-    ///
-    /// # Errors
-    /// As [`SceneBuffers::update`].
-    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
-        let Some(changed) = scene.changed_since(self.changes) else {
-            let solids = [self.cube.clone(), self.square.clone()];
-            *self = Self::build(gpu, scene, &mut self.meshes, solids)?;
-            return Ok(true);
-        };
-        let are_many = changed.len() > MANY;
-        if are_many {
-            self.seen.get_mut().forget();
-        }
-        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
-        Ok(self.changes == scene.changes())
-    }
-
-    /// Takes over what single objects are now.
-    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
-        let seen = self.seen.get_mut();
-        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
-        for change in changed {
-            let (object, visible) = (change.object, u32::from(change.visible));
-            let place = &mut self.places[object];
-            let number = place.batch;
-            let batch = &mut all.batches[number as usize];
-            let before = mem::replace(&mut self.states[object].visible, visible);
-            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
-            let mut stays = batch.twins.is_none();
-            if change.moved {
-                place.bounds_world = scene.bounds_of(object);
-                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
-                let placement = scene.objects()[object].placement;
-                stays &= all.place(scene, number, placement, bounds);
-            }
-            if are_many {
-                continue;
-            }
-            if stays {
-                seen.renew(number, &all.batches[number as usize]);
-            } else {
-                seen.forget();
-            }
-        }
-        let objects = || changed.iter().map(|change| change.object);
-        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
-            let at = first * size_of::<ObjectState>();
-            let states = bytemuck::cast_slice(&self.states[first..=last]);
-            gpu.queue.write_buffer(&self.objects, at as u64, states);
-        }
-        self.changes += changed.len() as u64;
-    }
-
-    fn build(
-        gpu: &Gpu,
-        scene: &Scene,
-        meshes: &mut MeshStore,
-        [cube, square]: [MeshBuffers; 2],
-    ) -> Result<Self, GpuError> {
+        let (cube, square) = (MeshBuffers::cube(gpu)?, MeshBuffers::square(gpu)?);
         let names_triangles = gpu.numbers() != Numbers::Objects;
         let states: Vec<ObjectState> = scene.objects().iter().map(object_state).collect();
         let (mut kinds, mut known) = (Vec::new(), HashMap::new());
@@ -173,7 +97,7 @@ impl SceneBuffers {
         let (mut rows, mut whole) = ([0, 0], Piece::default());
         for batch in scene.batches() {
             let object = &scene.objects()[batch.start];
-            // A mesh by its address, beside which cubes, squares and spheres are none.
+            // A mesh goes by its address, which is never as low as the numbers of the other shapes.
             let (address, triangles) = match &object.shape {
                 Shape::Sphere => (0, 0..0),
                 Shape::Cube => (1, 0..cube.triangles),
@@ -235,25 +159,87 @@ impl SceneBuffers {
             states,
             changes: scene.changes(),
             meshes: meshes.clone(),
-            cube,
-            square,
         })
     }
 
-    /// What drawing it once comes to, where all of it is seen.
+    /// Takes over whatever changed in the scene: visibility, colours, placements, objects. Meshes that it had before
+    /// stay where they are.
+    ///
+    /// # Errors
+    /// When it does not fit; the buffers are then as before.
+    pub fn update(&mut self, gpu: &Gpu, scene: &Scene) -> Result<(), GpuError> {
+        while !self.update_some(gpu, scene)? {}
+        Ok(())
+    }
+
+    /// A share of [`SceneBuffers::update`], where many objects changed. Returns whether that was the last: until then
+    /// pictures show some of the scene as it was.
+    ///
+    /// # Errors
+    /// As [`SceneBuffers::update`].
+    pub fn update_some(&mut self, gpu: &Gpu, scene: &Scene) -> Result<bool, GpuError> {
+        let Some(changed) = scene.changed_since(self.changes) else {
+            *self = Self::upload_beside(gpu, scene, &mut self.meshes)?;
+            return Ok(true);
+        };
+        let are_many = changed.len() > MANY;
+        if are_many {
+            self.seen.get_mut().forget();
+        }
+        self.take(gpu, scene, &changed[..changed.len().min(SHARE)], are_many);
+        Ok(self.changes == scene.changes())
+    }
+
+    /// Takes over changes of single objects.
+    fn take(&mut self, gpu: &Gpu, scene: &Scene, changed: &[Change], are_many: bool) {
+        let seen = self.seen.get_mut();
+        let mut all = self.all.write().unwrap_or_else(PoisonError::into_inner);
+        for change in changed {
+            let (object, visible) = (change.object, u32::from(change.visible));
+            let place = &mut self.places[object];
+            let number = place.batch;
+            let batch = &mut all.batches[number as usize];
+            let before = mem::replace(&mut self.states[object].visible, visible);
+            batch.shown = batch.shown.wrapping_add(visible).wrapping_sub(before);
+            let mut stays = batch.twins.is_none();
+            if change.moved {
+                place.bounds_world = scene.bounds_of(object);
+                let bounds = scene.bounds_of_batch(&scene.batches()[number as usize]);
+                let placement = scene.objects()[object].placement;
+                stays &= all.place(scene, number, placement, bounds);
+            }
+            if are_many {
+                continue;
+            }
+            if stays {
+                seen.renew(number, &all.batches[number as usize]);
+            } else {
+                seen.forget();
+            }
+        }
+        let objects = || changed.iter().map(|change| change.object);
+        if let (Some(first), Some(last)) = (objects().min(), objects().max()) {
+            let at = first * size_of::<ObjectState>();
+            let states = bytemuck::cast_slice(&self.states[first..=last]);
+            gpu.queue.write_buffer(&self.objects, at as u64, states);
+        }
+        self.changes += changed.len() as u64;
+    }
+
+    /// The work of drawing it once, with all of it in view.
     #[must_use]
     pub fn whole(&self) -> Piece {
         self.whole
     }
 
-    /// Whether what a view shows of it is known at once.
+    /// Whether it is small enough for a view's rows to be composed at once.
     #[must_use]
     pub fn is_little(&self) -> bool {
         self.is_little
     }
 
-    /// What a view shows of it, as far as that is known: all of it for somebody who waits, else more draws than are known
-    /// where some come soon.
+    /// What a view shows of it, as far as that is composed. With `waits` all of it; else more draws than the `known`,
+    /// if they come soon.
     pub(super) fn seen_in(&self, view: &View, known: usize, waits: bool) -> RefMut<'_, Seen> {
         let mut seen = self.seen.borrow_mut();
         seen.prepare(&self.all, view);
@@ -272,7 +258,7 @@ impl SceneBuffers {
         is_shown.then(|| &self.places[object])
     }
 
-    /// The draw of an object by itself, which sees to its row; `None` where it is hidden.
+    /// The draw of an object by itself, whose row is written here; `None` if it is hidden.
     pub(super) fn alone(&self, view: &View, object: usize) -> Option<Draw> {
         let place = self.shown(object)?;
         let all = read(&self.all);
@@ -288,7 +274,7 @@ impl SceneBuffers {
     }
 }
 
-/// A batch of a scene, to be seen in views.
+/// The batch of a range of objects.
 fn drawn_batch(
     scene: &Scene,
     range: &Range<usize>,

@@ -1,4 +1,4 @@
-//! The section as the fragment shaders test it: over the picture and one number that each fragment has.
+//! The section as the fragment shaders test it: by the pixel's position and one number that each fragment has.
 //!
 //! A ray's point at depth t has `n . p + c = S + t A`, where S belongs to the ray's start and A to its direction. In
 //! perspective S is one number, A is linear over the picture, and a fragment's w holds q = 1 / t: so the sign is that of
@@ -19,11 +19,11 @@ use crate::{
 };
 use glam::DVec2;
 
-/// What is within so many roundings of the plane, relatively to the test's terms, is drawn: a face in the plane shows as a
-/// whole and not in specks. A millionth of the depth.
+/// The test's slack, in roundings of its terms: what is this close to the plane is drawn, so that a face in the plane
+/// shows whole, not in specks. About a millionth of the depth.
 pub(super) const KEPT_BEFORE: f64 = 16.0;
 
-/// Coefficients beyond this say by their sign alone what is kept; products with what a picture has stay in `f32`.
+/// Coefficients are clamped to this: beyond it their sign alone decides, and products stay within `f32`.
 const LARGEST: f64 = 1e30;
 
 /// A section in the picture of a view: kept is `start + per_px . (px - middle) + per_q q >= 0`.
@@ -78,10 +78,10 @@ impl ScreenSection {
         self.start + self.per_px.dot(px - self.middle_px) + self.per_q * q
     }
 
-    /// How far off the shader's test may be at a position, by its own roundings and by what it draws before the plane.
+    /// How far off the shader's test may be at a position: by its own roundings, and by its slack.
     ///
-    /// Coefficients are rounded once, each of three products once, and three sums: 5 of U of the terms' sizes. 1 for second
-    /// order.
+    /// Coefficients are rounded once, so is each product, and three sums follow: 5 U of the terms' sizes. 1 more for
+    /// second order.
     pub fn bound(&self, px: DVec2, q: f64) -> f64 {
         let aside = (self.per_px * (px - self.middle_px)).abs();
         let terms = self.start.abs() + aside.element_sum() + (self.per_q * q).abs();

@@ -1,5 +1,5 @@
-//! What a view shows of a scene: the tables' rows, which are composed when a picture first needs them, and the draw calls
-//! that they make. Of many batches that is done beside whoever draws, who takes what is ready.
+//! What a view shows of a scene: the tables' rows, composed when a picture first needs them, and their draw calls. If
+//! batches are many, a thread composes them, and drawing takes what is ready.
 
 use super::{
     batches::{Batch, Row},
@@ -20,12 +20,12 @@ use std::{
 };
 use wgpu::BufferUsages;
 
-/// The rows of so many batches are there as soon as others would be begun.
+/// Rows of up to so many batches are composed at once, as fast as a thread is started.
 pub(super) const LITTLE: usize = 1024;
-/// For so long who draws a piece waits for something to draw.
+/// How long the drawing of a piece waits for something to draw.
 const PATIENCE: Duration = Duration::from_millis(2);
 
-/// The tables that shaders read, each with one row more for an object by itself.
+/// The tables that shaders read, each with an extra row for an object drawn by itself.
 #[derive(Clone, Debug)]
 pub(super) struct Tables {
     gpu: Gpu,
@@ -33,7 +33,7 @@ pub(super) struct Tables {
     pub triangles: wgpu::Buffer,
     /// [`layout::Sphere`] of each sphere that is.
     pub spheres: wgpu::Buffer,
-    /// The rows for an object by itself.
+    /// The extra rows.
     alone: [u32; 2],
 }
 
@@ -75,7 +75,7 @@ impl Tables {
         at
     }
 
-    /// Says which triangle the next draw of a row begins with.
+    /// Sets the triangle that the next draw of a row begins with.
     pub fn begin_at(&self, row: u32, first_triangle: u32) {
         let byte = offset_of!(layout::Batch, first_triangle);
         let at = u64::from(row) * size_of::<layout::Batch>() as u64 + byte as u64;
@@ -109,10 +109,10 @@ impl Tables {
 pub(super) struct Seen {
     pub tables: Tables,
     view: Option<View>,
-    /// As far as it is composed.
+    /// The draws composed so far.
     pub draws: Vec<Draw>,
     state: State,
-    /// Counts the views: what is composed for one before is not written any more.
+    /// Counts the views: a thread that composes for an earlier one writes no more rows.
     turn: Arc<Mutex<u64>>,
 }
 
@@ -130,7 +130,7 @@ enum News {
 }
 
 impl Seen {
-    /// Of nothing yet.
+    /// Before the first view.
     pub fn new(tables: Tables) -> Self {
         Self {
             tables,
@@ -146,7 +146,7 @@ impl Seen {
         matches!(self.state, State::Whole(_))
     }
 
-    /// Sees to the rows of a view, or begins to.
+    /// Composes the rows of a view, or begins to.
     pub fn prepare(&mut self, all: &Arc<RwLock<ToDraw>>, view: &View) {
         if self.view == Some(*view) {
             return;
@@ -185,8 +185,7 @@ impl Seen {
         self.state = State::UnderWay(news);
     }
 
-    /// Takes what was composed by now: all of it for somebody who waits, else something beyond what is known, where that
-    /// comes soon.
+    /// Takes what was composed by now. With `waits` all of it; else more draws than the `known`, if they come soon.
     pub fn take(&mut self, known: usize, waits: bool) {
         while let State::UnderWay(news) = &self.state {
             let patience = if self.draws.len() > known {
@@ -208,7 +207,7 @@ impl Seen {
         }
     }
 
-    /// What the tables hold is of no use any more.
+    /// Gives up what the tables hold.
     pub fn forget(&mut self) {
         *lock(&self.turn) += 1;
         self.view = None;
@@ -216,7 +215,7 @@ impl Seen {
         self.state = State::Nothing;
     }
 
-    /// The row of a batch; `None` where the view shows nothing of it, or less than all was composed.
+    /// The row of a batch; `None` if the view does not show it, or rows are still being composed.
     pub fn row_of(&self, batch: u32) -> Option<u32> {
         match &self.state {
             State::Whole(composer) => {
@@ -227,7 +226,7 @@ impl Seen {
         }
     }
 
-    /// A batch is another one, but of the same kind and at the same place in the order.
+    /// Updates the row of a batch that changed, but not in its kind or its place in the order.
     pub fn renew(&mut self, number: u32, batch: &Batch) {
         let State::Whole(composer) = &self.state else {
             return self.forget();
@@ -240,7 +239,7 @@ impl Seen {
     }
 }
 
-/// Who panicked while it had a lock left nothing half done.
+/// A panic under the lock leaves nothing half done.
 pub(super) fn read(all: &RwLock<ToDraw>) -> RwLockReadGuard<'_, ToDraw> {
     all.read().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,8 +1,8 @@
-//! The shaders' texts, and modules of them.
+//! The shaders' sources, and modules made of them.
 
 use super::gpu::Gpu;
 
-/// WGSL of each shader, by name: what it shares with others is already before it.
+/// WGSL of each shader by name, with the parts that it shares in front.
 pub const SHADERS: [(&str, &str); 8] = [
     (
         "mesh by primitive",

@@ -1,9 +1,9 @@
-//! A list of draws in slices of limited work.
+//! Cuts a list of draws into slices of limited work.
 
 use super::composing::Draw;
 use std::ops::Range;
 
-/// The work that an instance is, beside its triangles: about that of so many.
+/// The work of an instance besides its triangles: about that of so many triangles.
 const INSTANCE: u64 = 32;
 
 /// How much is drawn at once.
@@ -22,7 +22,7 @@ impl Piece {
         instances: u32::MAX,
     };
 
-    /// All that a draw comes to.
+    /// All the work of a draw.
     pub(super) fn of(draw: &Draw) -> Self {
         let instances = draw.instances.end - draw.instances.start;
         Self {
@@ -31,7 +31,7 @@ impl Piece {
         }
     }
 
-    /// Whether so much is done at once.
+    /// Whether `whole` fits into one piece.
     #[must_use]
     pub fn holds(&self, whole: &Self) -> bool {
         whole.work <= self.work && whole.instances <= self.instances
@@ -55,13 +55,13 @@ impl Slice {
     }
 }
 
-/// How far one has come in a list of draws.
+/// A position in a list of draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Cursor {
     draw: usize,
-    /// Of the draw's instances.
+    /// Among the draw's instances.
     instance: u32,
-    /// Of the instance's triangles.
+    /// Among the instance's triangles.
     triangle: u32,
 }
 
@@ -76,8 +76,8 @@ impl Cursor {
         self.draw
     }
 
-    /// What comes next, in order, of what is left of a piece: no more than that, but where `is_first` says that there is
-    /// nothing before it and it is too small for anything, a triangle.
+    /// The next slices, in order, that fit into what is left of a piece. If `is_first`, nothing comes before them in
+    /// the piece: then at least a triangle, fit or not.
     pub fn take(&mut self, draws: &[Draw], left: &mut Piece, is_first: bool) -> Vec<Slice> {
         let mut slices = Vec::new();
         while let Some(draw) = draws.get(self.draw)
@@ -88,8 +88,8 @@ impl Cursor {
         slices
     }
 
-    /// The next slice of a draw; `None` where too little of the piece is left, unless it is the first. Of a row of the
-    /// tables there is one at most, which says which triangle it begins with.
+    /// The next slice of a draw; `None` if too little of the piece is left, unless it is the first. A piece has at most
+    /// one partial slice of a row: the row says which triangle that begins with.
     fn slice(&mut self, draw: &Draw, left: &mut Piece, is_first: bool) -> Option<Slice> {
         let (index, all) = (self.draw, draw.shape.triangles());
         let first = draw.instances.start + self.instance;
@@ -127,7 +127,7 @@ impl Cursor {
     }
 }
 
-/// That of an instance of so many triangles.
+/// The work of an instance of these triangles.
 pub(super) fn work(triangles: &Range<u32>) -> u64 {
     INSTANCE + u64::from(triangles.end - triangles.start)
 }

@@ -33,8 +33,8 @@ pub fn sphere(space: &ViewSpace, placement: &Placement, object: u32) -> Row {
     }
 }
 
-/// Whether rays in object space keep, in `f64`, more digits than `f32` has: their origin loses the condition of the model
-/// matrix times the eye's distance in object units.
+/// Whether rays in object space keep, in `f64`, more digits than `f32` has. Their origin's error grows with the model
+/// matrix's condition number times the eye's distance in object units.
 fn f64_suffices(view: &View, placement: &Placement) -> bool {
     let size = |m: DMat3| m.x_axis.length() + m.y_axis.length() + m.z_axis.length();
     let (linear, inverse) = (placement.model().matrix3, placement.inverse_linear());
@@ -62,8 +62,8 @@ fn row<N: Number>(
         Projection::Perspective { .. } => (depth * speed, 1.0),
         Projection::Orthographic { .. } => (speed, 0.0),
     };
-    // Nearly parallel vectors cross, which is what takes the digits: the rest is rounded.
-    // With w the step to a pixel: origin n + origin_step w, direction d + direction_step w.
+    // Cross products of nearly parallel vectors cancel digits, so these are in `N`; the rest is in `f64`. With w the
+    // step to a pixel: origin n + origin_step w, direction d + direction_step w.
     let twist = n * N::from(direction_step) - d * N::from(origin_step);
     let moment = n.cross(d).narrow();
     let turn = [twist.cross(right), twist.cross(down)].map(Vector::narrow);
@@ -202,20 +202,20 @@ fn rect_px(space: &ViewSpace, placement: &Placement, center: &ViewPoint) -> Opti
             let root = (b * b - a * c).max(0.0).sqrt();
             Some([(b - root) / (a * half), (b + root) / (a * half)])
         }
-        // About the eye: it may be anywhere.
+        // The eye may be inside: the sphere may be anywhere.
         Projection::Perspective { .. } => None,
     };
     let all = [-1.0, 1.0];
     let [left, right] = ends(x, center.x, half.x).unwrap_or(all);
     let [bottom, top] = ends(y, center.y, half.y).unwrap_or(all);
     let to_px = |x, y| view.viewport.ndc_to_px(DVec2::new(x, y));
-    // A pixel wider, for what rounding took.
+    // A pixel wider, for rounding.
     let min = (to_px(left, top) - 1.0).max(DVec2::ZERO);
     let max = (to_px(right, bottom) + 1.0).min(size);
     (min.cmplt(max).all()).then_some([min, max])
 }
 
-/// What `f32` does to a sphere at a pixel, at the most.
+/// Bounds on the error of `f32` for a sphere at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounding {
     /// Of the discriminant `(o.d)^2 - d.d (o.o - r^2)` of the object-space ray, its direction as long as one unit of
@@ -234,7 +234,7 @@ pub struct Rounding {
 /// off by `e / sqrt(D)` but never by more than `sqrt(e)`; `q = b +- sqrt(D)` adds up, `c / q` and `q / a` take the
 /// relative errors of both. Square root, sum and division (of up to 2.5 units in the last place in WGSL) round as well.
 ///
-/// Infinite for a sphere so flat that `f32` does not hold its numbers; nothing for one that the picture does not show.
+/// Infinite for a sphere so flat that `f32` does not hold its numbers; 0 for one that the picture does not show.
 #[must_use]
 pub fn rounding(sphere: &Row, unit: f64, px: DVec2) -> Rounding {
     let all = |error: f64| Rounding {

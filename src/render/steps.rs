@@ -6,12 +6,12 @@ use super::{
 };
 use std::ops::Range;
 
-/// The work that a line is: about that of so many triangles.
+/// The work of a line: about that of so many triangles.
 pub(super) const LINE: u64 = 2;
 
 /// What there is to draw.
 pub(super) struct Parts<'a> {
-    /// The surfaces, and whether they are known to be all.
+    /// The surfaces, and whether the list is complete.
     pub surfaces: &'a [Draw],
     pub are_known: bool,
     /// Those whose edges are drawn.
@@ -20,7 +20,7 @@ pub(super) struct Parts<'a> {
     pub lines: usize,
 }
 
-/// How far one has come.
+/// A position in a pass.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Steps {
     surfaces: Cursor,
@@ -28,18 +28,18 @@ pub(super) struct Steps {
     line: usize,
 }
 
-/// What comes next.
+/// The next step.
 #[derive(Debug, Default)]
 pub(super) struct Step {
     pub surfaces: Vec<Slice>,
     pub edges: Vec<Slice>,
     pub lines: Range<usize>,
-    /// Nothing comes after it.
+    /// It is the last.
     pub ends: bool,
 }
 
 impl Step {
-    /// The work that it is.
+    /// Its work.
     pub fn work(&self) -> u64 {
         let slices = self.surfaces.iter().chain(&self.edges);
         slices.map(Slice::work).sum::<u64>() + LINE * self.lines.len() as u64
@@ -57,7 +57,7 @@ impl Steps {
         self.surfaces.draw()
     }
 
-    /// What comes next: no more than a piece, but something; `None` while that is not known.
+    /// The next step: within a piece, but not nothing if anything is left. `None` while that is not known.
     pub fn take(&mut self, of: &Parts<'_>, mut left: Piece) -> Option<Step> {
         let mut step = Step {
             surfaces: self.surfaces.take(of.surfaces, &mut left, true),

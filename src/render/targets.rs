@@ -1,16 +1,19 @@
 //! The textures that a picture is drawn into.
 
-use super::gpu::{Gpu, GpuError};
+use super::{
+    flat,
+    gpu::{Gpu, GpuError},
+};
 use crate::camera::Viewport;
 use wgpu::{TextureFormat, TextureUsages};
 
 /// Colours: sRGB in memory, linear in shaders.
 pub(super) const COLOUR: TextureFormat = TextureFormat::Rgba8UnormSrgb;
-/// The same values, which nobody converts.
+/// The same values, without conversion.
 pub(super) const COLOUR_VALUES: TextureFormat = TextureFormat::Rgba8Unorm;
 /// Object and triangle, each plus 1.
 pub(super) const IDS: TextureFormat = TextureFormat::Rg32Uint;
-/// Floating point, without which reversed depth is worth nothing.
+/// Floating point, which reversed depth needs.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 /// How much of a pixel is selected, or outline.
 pub(super) const MARKS: TextureFormat = TextureFormat::R8Unorm;
@@ -23,7 +26,7 @@ pub struct Targets {
     pub(super) colour: wgpu::Texture,
     pub(super) ids: wgpu::Texture,
     pub(super) colour_view: wgpu::TextureView,
-    /// As values.
+    /// Without conversion.
     pub(super) values_view: wgpu::TextureView,
     pub(super) ids_view: wgpu::TextureView,
     pub(super) depth_view: wgpu::TextureView,
@@ -40,21 +43,15 @@ impl Targets {
     /// When the adapter draws no pictures that large, or memory runs out.
     pub fn new(gpu: &Gpu, viewport: Viewport, samples: u32) -> Result<Self, GpuError> {
         gpu.check_picture(viewport)?;
-        let texture = |label, format, sample_count, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: extent(viewport),
-                mip_level_count: 1,
-                sample_count,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: usage | TextureUsages::RENDER_ATTACHMENT,
-                view_formats: if format == COLOUR && sample_count == 1 {
-                    &[COLOUR_VALUES]
-                } else {
-                    &[]
-                },
-            })
+        let size = [viewport.width(), viewport.height()];
+        let texture = |label, format, samples, usage| {
+            let is_viewed_twice = format == COLOUR && samples == 1;
+            let view_formats: &[_] = if is_viewed_twice {
+                &[COLOUR_VALUES]
+            } else {
+                &[]
+            };
+            flat::texture(gpu, label, size, format, samples, usage, view_formats)
         };
         let view =
             |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
@@ -96,13 +93,5 @@ impl Targets {
     #[must_use]
     pub fn samples(&self) -> u32 {
         self.samples
-    }
-}
-
-pub(super) fn extent(viewport: Viewport) -> wgpu::Extent3d {
-    wgpu::Extent3d {
-        width: viewport.width(),
-        height: viewport.height(),
-        depth_or_array_layers: 1,
     }
 }

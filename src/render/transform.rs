@@ -21,7 +21,7 @@ use std::ops::{Add, Mul, Range};
 /// Half a unit in the last place of 1 in `f32`: what one rounding takes, relatively.
 pub(crate) const U: f64 = 0.5 * f32::EPSILON as f64;
 
-/// What is lost at the most where a number is too small for `f32`.
+/// The most that underflow loses in `f32`.
 pub(crate) const UNDERFLOW: f64 = f32::MIN_POSITIVE as f64;
 
 /// View depth of the plane where the depth buffer stores 0, from which *measured depth* counts: far in reversed, near in
@@ -42,7 +42,7 @@ pub fn view_unit(view: &View) -> f64 {
     let lens = view.camera.lens();
     let size = match lens.projection {
         Projection::Perspective { .. } => lens.far,
-        // Between the picture's height and the depth that it shows, which may be far apart.
+        // The geometric mean of the picture's height and depth, which may be far apart.
         Projection::Orthographic { height } => height.sqrt() * (lens.far - lens.near).sqrt(),
     };
     power_of_two_below(size).recip()
@@ -58,7 +58,7 @@ pub fn frame(view: &View) -> layout::Frame {
     let [background_top, background_bottom] = look::BACKGROUND.map(crate::colour::Srgb::to_linear);
     let section = ScreenSection::of(view).map_or([0.0; 4], |section| section.numbers());
     let [right, down, section_start, section_per_q] = section;
-    // In perspective both sides of the division have the unit.
+    // In perspective the unit cancels in the division.
     let unit = if perspective { 1.0 } else { view_unit(view) };
     layout::Frame {
         ndc_per_view: (half * unit).recip().as_vec2().to_array(),
@@ -127,7 +127,7 @@ pub struct Rounding {
     unit: f64,
 }
 
-/// How far `f32` moves a point in view space along each axis, at the most, in world units.
+/// Bounds on how far `f32` moves a point in view space along each axis, in world units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ViewError {
     /// Right and up.
@@ -138,7 +138,7 @@ pub struct ViewError {
     pub measured: f64,
 }
 
-/// The larger of two bounds. NaN, which is none, counts as infinity.
+/// The larger of two bounds. NaN is no bound and counts as infinity.
 #[must_use]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
@@ -149,7 +149,7 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 }
 
 impl ViewError {
-    /// No bound: of a point that is no number.
+    /// No bound, for a point that is NaN.
     pub const UNKNOWN: Self = Self {
         aside: DVec2::INFINITY,
         depth: f64::INFINITY,
@@ -234,11 +234,11 @@ impl VertexToView {
         }
     }
 
-    /// A bound on how far `f32` arithmetic moves a vertex in view space: what its numbers are off by, and per axis the sum
-    /// of rounding errors of `position - pivot` (1), of three products and two sums (3) and of the last sum (1), each half
-    /// a unit in the last place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 3), for
-    /// any order and with or without fused operations. Nothing of that where all terms are so short that no partial sum
-    /// of them is rounded.
+    /// A bound on how far `f32` arithmetic moves a vertex in view space: what its numbers are off by, and per axis the
+    /// sum of rounding errors of `position - pivot` (1), of three products and two sums (3) and of the last sum (1),
+    /// each half a unit in the last place of what it rounds (Higham, Accuracy and Stability of Numerical Algorithms,
+    /// 2002, ch. 3), for any order and with or without fused operations. The latter is 0 if all terms are so short that
+    /// no partial sum of them is rounded.
     #[must_use]
     pub fn error_view(&self, rounding: &Rounding, position: Vec3) -> ViewError {
         let from_pivot = position.as_dvec3() - self.pivot.as_dvec3();
@@ -247,7 +247,7 @@ impl VertexToView {
         let along = |row: usize, translation: f32, off: f64| {
             let off = off + rounding.linear[row].dot(from_pivot.abs());
             let (row, translation) = (rows.col(row), f64::from(translation));
-            // What is stored below the normal numbers may be taken for 0.
+            // Subnormal numbers may be flushed to 0.
             let flushed = row
                 .abs()
                 .map(|entry| if entry < UNDERFLOW { entry } else { 0.0 });
@@ -271,7 +271,7 @@ impl VertexToView {
     }
 }
 
-/// Whether `f32` holds a number.
+/// Whether `f32` holds a number exactly.
 pub(crate) fn is_f32(value: f64) -> bool {
     f64::from(narrow(value)).to_bits() == value.to_bits()
 }
@@ -287,7 +287,7 @@ fn sums_exactly(terms: [f64; 4]) -> bool {
         return true;
     };
     let largest: f64 = terms.iter().map(|term| term.abs()).sum();
-    // Written so that NaN is refused.
+    // False for NaN.
     lowest >= i64::from(f32::MIN_EXP - 1) && largest <= times_power_of_two(1.0 / U, lowest)
 }
 

@@ -47,7 +47,7 @@ impl ViewSpace {
         }
     }
 
-    /// The view that it is of.
+    /// Its view.
     #[must_use]
     pub fn view(&self) -> &View {
         &self.view
@@ -89,8 +89,8 @@ impl ViewSpace {
         DMat3::from_cols(column(0), column(1), column(2))
     }
 
-    /// [`ViewSpace::at`], in `f64` where that is fine enough for what `f32` makes of it: where its roundings, of numbers
-    /// as large as the point's and the eye's coordinates, are nothing beside a pixel and beside steps of depth.
+    /// [`ViewSpace::at`], in `f64` where that is fine enough for `f32` results: where its rounding errors, of numbers
+    /// as large as the point's and the eye's coordinates, are far below a pixel and below a step of depth.
     pub(super) fn at_quickly(
         &self,
         placement: &Placement,

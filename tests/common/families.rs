@@ -17,7 +17,7 @@ pub struct Family {
     pub name: &'static str,
     /// Whether rays meet edges and corners exactly, not only within rounding.
     pub is_exact: bool,
-    /// Whether even plain signed volumes decide it: all numbers are so short that nothing rounds.
+    /// Whether even plain signed volumes decide it, as all numbers are so short that nothing rounds.
     pub is_short: bool,
     make: fn(&mut Random) -> Case,
 }
@@ -123,7 +123,7 @@ pub const FAMILIES: &[Family] = &[
         case(random, corners, DVec3::ZERO, start, target)
     }),
     family("close-up", |random| {
-        // So small for where they stand that the rounding of the ray's origin, seen from the file's, moves it.
+        // So small and far out that subtracting the file's origin rounds the ray's origin.
         let (origin, middle) = (
             power(random, -6.0, 0.0) * random.direction(),
             random.point(1.0),
@@ -160,7 +160,7 @@ pub const FAMILIES: &[Family] = &[
         let sign = if random.unit() < 0.5 { -1.0 } else { 1.0 };
         let target = case.triangles[0][0];
         case.ray.origin = target - 8.0 * sign * axis;
-        // The other components are zero of either sign.
+        // The other components are 0 or -0.
         case.ray.direction = sign * axis;
         case
     }),
@@ -179,7 +179,7 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 /// Four triangles about an edge a-c: two that share it, one that almost covers the first, and that one's mirror image.
-/// In any order, so that ties are won by any of them.
+/// In random order, so that any of them may win a tie.
 fn case(
     random: &mut Random,
     [a, b, c, d, e]: [DVec3; 5],
@@ -256,7 +256,7 @@ fn lattice(random: &mut Random, size: f64) -> Case {
     case
 }
 
-/// As the mesh keeps it.
+/// Rounded as the mesh stores it.
 fn stored(v: DVec3) -> DVec3 {
     v.as_vec3().as_dvec3()
 }

@@ -24,8 +24,8 @@ pub fn read(path: &Path) -> Image<Rgb> {
     Image::new(size, bytes.as_chunks().0.to_vec())
 }
 
-/// Whether two colours are more than `most` of 255 apart in a channel. Processors round a driver's shading differently, by
-/// a level: pictures are never compared byte for byte.
+/// Whether two colours are more than `most` of 255 apart in a channel. A driver's shading differs by a level between
+/// processors, so pictures are never compared byte for byte.
 pub fn apart(a: Rgb, b: Rgb, most: u8) -> bool {
     a.iter().zip(b).any(|(&a, b)| a.abs_diff(b) > most)
 }

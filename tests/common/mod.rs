@@ -1,4 +1,4 @@
-//! What tests share.
+//! Helpers that tests share.
 #![allow(dead_code, reason = "each test uses its share")]
 
 use glam::{DAffine3, DMat3, DVec3, dvec3};
@@ -91,7 +91,7 @@ impl Random {
         DVec3::from_array(std::array::from_fn(|_| self.within(-half, half)))
     }
 
-    /// A unit vector, all directions alike.
+    /// A unit vector, uniform over all directions.
     pub fn direction(&mut self) -> DVec3 {
         loop {
             let point = self.point(1.0);

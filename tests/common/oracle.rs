@@ -1,8 +1,8 @@
-//! What exact arithmetic says about rays and triangles: the truth that decisions are held against.
+//! Exact arithmetic on rays and triangles: the truth that the program's decisions are compared with.
 //!
-//! Shares nothing with the program: other integers, and another method. It meets the ray with the triangle's plane
-//! and asks on which side of each edge, within that plane, the meeting point lies; fractions stay whole by carrying
-//! their denominators along.
+//! Shares nothing with the program: it has other integers and another method. It intersects the ray with the triangle's
+//! plane, and asks on which side of each edge the point lies. Fractions become whole numbers by multiplying by their
+//! denominators.
 
 #![allow(dead_code, reason = "each test uses its share")]
 
@@ -33,7 +33,7 @@ impl Parameter {
     }
 }
 
-/// Where a ray's line meets a triangle.
+/// Where a ray's line intersects a triangle.
 #[derive(Clone, Debug)]
 pub struct Meeting {
     pub t: Parameter,
@@ -43,7 +43,7 @@ pub struct Meeting {
     pub on_edge: bool,
 }
 
-/// Where the line of `ray`, which starts at `ray.origin - vertex_origin` without rounding, meets a closed triangle.
+/// Where the line of `ray`, from exactly `ray.origin - vertex_origin` on, intersects a closed triangle.
 pub fn meet(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meeting> {
     let coordinates: Vec<f64> = [ray.origin, vertex_origin]
         .iter()
@@ -100,7 +100,7 @@ pub fn hit(ray: &Ray, vertex_origin: DVec3, corners: [DVec3; 3]) -> Option<Meeti
     (after_start && before_end).then_some(meeting)
 }
 
-/// The first of the nearest of what was hit, and its place in the list.
+/// The nearest hit, of ties the first, and its place in the list.
 pub fn nearest(hits: impl IntoIterator<Item = Option<Meeting>>) -> Option<(u32, Meeting)> {
     let hits = (0..).zip(hits).filter_map(|(i, hit)| Some((i, hit?)));
     hits.min_by(|(_, a), (_, b)| a.t.compare(&b.t))
@@ -130,7 +130,7 @@ fn least_exponent(numbers: &[f64]) -> i32 {
 /// The greatest power of two, by its exponent, of which a number other than 0 is a multiple.
 fn last_digit(number: f64) -> i32 {
     let step = number.abs().next_up() - number.abs();
-    // Neighbouring numbers differ by a power of two, of which they are multiples.
+    // The distance to the neighbouring number is a power of two, of which both are multiples.
     let steps = number.abs() / step;
     #[expect(
         clippy::cast_possible_truncation,

@@ -11,7 +11,7 @@ use sightline::{
 };
 use std::{path::Path, sync::Arc};
 
-/// The device; without one the test fails and says what to install.
+/// The device. If there is none, the test fails and says what to install.
 pub fn gpu() -> Gpu {
     Gpu::headless().unwrap_or_else(|error| panic!("{error}"))
 }

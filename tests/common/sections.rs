@@ -1,4 +1,4 @@
-//! Sections of scenes: along faces, through vertices, through the eye, along rays, across axes and anywhere.
+//! Sections of scenes: along faces, through vertices, through the eye, along rays, across axes, and at random.
 
 use crate::common::Random;
 use glam::DVec3;
@@ -8,7 +8,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// Some section of what a scene shows.
+/// A random section of what a scene shows.
 pub fn some_section(random: &mut Random, scene: &Scene, view: &View) -> Section {
     loop {
         if let Some(section) = maybe(random, scene, view) {
@@ -26,7 +26,7 @@ fn maybe(random: &mut Random, scene: &Scene, view: &View) -> Option<Section> {
     let (normal, point) = match random.below(8) {
         // Along a face.
         0 | 1 => ((b - a).cross(c - a), a),
-        // Through a vertex, across an axis or any way.
+        // Through a vertex, across an axis or in a random direction.
         2 => (DVec3::AXES[random.below(3)], a),
         3 => (DVec3::from_array([(); 3].map(|()| whole(random, 3))), b),
         // Through three vertices.
@@ -41,7 +41,7 @@ fn maybe(random: &mut Random, scene: &Scene, view: &View) -> Option<Section> {
         6 => (camera.right(), a),
         _ => (random.direction(), object.placement.model().translation),
     };
-    // Of any length; an odd one rounds.
+    // A normal of random length; an odd factor rounds.
     let length = match random.below(4) {
         0 => 1.0,
         1 => 10_f64.powf(random.within(-8.0, 8.0)),

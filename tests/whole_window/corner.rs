@@ -7,7 +7,7 @@ use sightline::{
     look,
 };
 
-/// The pixel of a picture so far from the middle of the scene's rectangle.
+/// The pixel of a picture at this offset from the middle of the scene's rectangle.
 fn beside(picture: &Image<Rgb>, [x, y]: [i32; 2]) -> Rgb {
     let [column, row] =
         [(590, x), (360, y)].map(|(middle, by): (u32, i32)| middle.strict_add_signed(by));
@@ -43,7 +43,7 @@ fn a_hit_has_a_mark_and_a_back_face_another() {
     press_key(&mut window, Modifiers::NONE, Key::N);
     assert!(pick(&window).is_some_and(|hit| !hit.front));
     let back = window.picture().expect("a picture");
-    // The ring, right of the middle and above it; what is in it.
+    // The ring, right of the middle and above it; then what is inside it.
     for ring in [[7, 0], [0, -7]] {
         assert!(!is_mark(beside(&bare, ring)));
         assert!(
@@ -80,7 +80,7 @@ fn a_click_on_an_end_of_the_cross_looks_along_its_axis() {
             window.drop_file(path);
         }
         for (name, axis) in ends {
-            // From where every end is seen.
+            // A view in which every end shows.
             press_key(&mut window, Modifiers::NONE, Key::Num9);
             let before = *window.state().view();
             click_on(&mut window, &format!("look from {name}"));
@@ -112,7 +112,7 @@ fn an_end_of_the_cross_is_lit_under_the_cursor() {
 fn the_grid_says_its_step() {
     let mut window = open(Vec::new(), 1.0);
     assert!(has_control(&window, "grid step 1"));
-    // The largest of it hidden does not change it.
+    // Hiding the largest object does not change it.
     click_on(&mut window, "Ground");
     assert_eq!(selected(&window), Some("Ground"));
     press_key(&mut window, Modifiers::SHIFT, Key::H);

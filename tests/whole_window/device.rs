@@ -1,4 +1,4 @@
-//! A device that is lost takes nothing with it.
+//! Nothing is lost with a lost device.
 
 use super::{MIDDLE, click, press_key, row, selected};
 use egui::{Key, Modifiers};

@@ -1,4 +1,5 @@
-//! A pick belongs to the view that it was made in: after the view changes, the panel says so, and what is copied repeats it.
+//! A pick belongs to the view that it was made in. After the view changes, the panel says so, and the copied command
+//! repeats that pick.
 
 use super::*;
 use egui::vec2;
@@ -19,7 +20,7 @@ fn copied(window: &mut Offscreen, key: Key) -> String {
     window.copied().expect("something copied").to_owned()
 }
 
-/// What the command says that was copied.
+/// What the copied command prints.
 fn answer(command: &str) -> String {
     let mut words = command.split_whitespace();
     assert_eq!(words.next(), Some("sightline"));
@@ -85,7 +86,7 @@ fn what_is_copied_repeats_the_pick_after_any_change_of_view() {
         assert_eq!(copied(&mut window, Key::J), json, "{name}");
         let command = copied(&mut window, Key::C);
         assert_eq!(answer(&command), json, "{name}: {command}");
-        // A click there is of the view on screen again.
+        // A click there belongs to the view on screen again.
         window.wait_s(1.0);
         click(&mut window, aside());
         assert!(!says(&window, "earlier view"), "{name}");
@@ -102,14 +103,14 @@ fn a_view_that_comes_back_is_the_pick_s_own_again() {
     assert!(says(&window, "earlier view"));
     press_key(&mut window, CTRL, Key::Z);
     assert!(!says(&window, "earlier view"));
-    // What is hidden or shown changes the planes that fit; the pick is made again in the view that results.
+    // Hiding or showing objects changes the fitted planes; the pick is made again in the new view.
     let json = copied(&mut window, Key::J);
     click_on(&mut window, "show back");
     assert!(!says(&window, "earlier view"));
     let again = copied(&mut window, Key::J);
     assert_ne!(json, again, "NDC is by other planes");
     assert_eq!(answer(&copied(&mut window, Key::C)), again);
-    // In another view it stays the first view's.
+    // In another view the pick still belongs to the first.
     press_key(&mut window, NONE, Key::Num3);
     click_on(&mut window, "show middle");
     assert!(says(&window, "earlier view"));
@@ -152,7 +153,7 @@ fn a_click_on_nothing_is_repeated_while_its_view_lasts() {
         command.contains(&format!("--at {},{}", middle.x, middle.y)),
         "{command}"
     );
-    // The clipboard keeps what it has, and somebody says why.
+    // The clipboard keeps what it has, and a message says why.
     assert_eq!(copied(&mut window, Key::J), command);
     assert!(window.messages().any(|text| text.contains("no pick")));
 }

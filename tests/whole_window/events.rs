@@ -47,7 +47,7 @@ fn a_drag_turns_and_picks_nothing() {
         .camera
         .forward()
         .angle_between(turned.camera.forward());
-    // 0.008 radians a pixel, all of the way from the press.
+    // 0.008 radians a pixel, counted from the press.
     let (yaw, pitch) = (60.0 * 0.008_f64, 25.0 * 0.008_f64);
     let expected = (yaw.cos() * pitch.cos()).acos();
     assert!((angle - expected).abs() < 1e-6, "{angle}");
@@ -113,7 +113,7 @@ fn a_double_click_on_what_is_picked_keeps_it() {
     assert_eq!((hit.object.as_str(), hit.front), ("front", true));
 }
 
-/// The lines about the picture are panels, and so is what egui gives to the nearest widget beside it.
+/// The lines around the picture belong to panels, and so does the margin that egui gives to the nearest widget.
 #[test]
 fn a_click_outside_the_picture_never_picks() {
     for scale in [1.0, 1.5] {
@@ -176,7 +176,7 @@ fn eye_to_front(window: &Offscreen) -> f64 {
 fn a_trackpad_zooms_with_two_fingers_and_by_pinching_and_pans_with_shift() {
     let (mut window, _folder) = row(1.0);
     assert!((eye_to_front(&window) - 7.5).abs() < 1e-12);
-    // As trackpads send it: many small steps, which add up to one line of a wheel.
+    // As trackpads send it: many small steps that add up to one line of a wheel.
     window.send([Event::PointerMoved(MIDDLE)]);
     window.send((0..25).map(|_| wheel(vec2(0.0, 2.0), Modifiers::NONE)));
     let near = eye_to_front(&window);
@@ -235,7 +235,7 @@ fn messages_go_one_by_one_or_all_at_once() {
         window.drop_file(folder.path().join(format!("absent {i}.obj")));
     }
     assert_eq!(window.messages().count(), 8);
-    // The cross of the first that is shown, under the button for all: the earliest three are not shown.
+    // The cross of the first message shown, under the button for all: the three oldest are not shown.
     click_on(&mut window, "dismiss");
     let left: Vec<_> = window.messages().map(str::to_owned).collect();
     assert_eq!(left.len(), 7);
@@ -275,7 +275,7 @@ fn keys_act_and_typing_does_not() {
     assert!(window.has_quit());
 }
 
-/// The panel with the matrices covers nothing of the picture, and moves under no cursor that it follows.
+/// The panel with the matrices covers nothing of the picture, and does not move while it follows the cursor.
 #[test]
 fn the_pipeline_follows_the_cursor_and_stays_still() {
     let mut window = open(Vec::new(), 1.0);

@@ -52,13 +52,13 @@ fn a_flag_that_cannot_be_is_said_and_not_used() {
     assert_eq!(window.state().name(), "row.toml");
     assert!(has(&window, "--hide") && has(&window, "near"));
     assert_eq!(window.messages().count(), 2);
-    // They were about the first scene.
+    // The flags were for the first scene.
     let next = folder.path().join("next.toml");
     std::fs::copy(&path, &next).expect("a writable folder");
     window.drop_file(next);
     assert_eq!(window.state().name(), "next.toml");
     assert_eq!(window.messages().count(), 0);
-    // A camera of the file's own that cannot be is the file's fault.
+    // An impossible camera in the file is reported as the file's fault.
     let bad = folder.path().join("bad.toml");
     std::fs::write(&bad, ROW.replace("[camera]", "[camera]\nfov = 200")).expect("writable");
     window.drop_file(bad);
@@ -116,7 +116,7 @@ fn what_is_saved_is_what_is_open_from_then_on() {
     click_on(&mut window, "Gallery");
     click_on(&mut window, "leave the gallery");
     assert_eq!(window.state().name(), "kept.toml");
-    // A name that is made by adding the ending is nobody's consent to write over that file.
+    // The user did not choose a name that we completed: a file of that name is not overwritten.
     let before = std::fs::read(&kept).expect("a file");
     key(&mut window, Key::Num7);
     window.save_as(folder.path().join("kept"));

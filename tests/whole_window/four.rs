@@ -20,7 +20,7 @@ fn rects(window: &Offscreen) -> [Rect; 4] {
     NAMES.map(|name| control(window, &format!("stage {name}")).rect)
 }
 
-/// In which of the views two pictures differ.
+/// The views in which two pictures differ.
 fn changed(a: &Image<Rgb>, b: &Image<Rgb>, rects: [Rect; 4]) -> [bool; 4] {
     // Below their headings.
     rects.map(|rect| differing(a, b, rect.with_min_y(rect.top() + 36.0).shrink(2.0)) > 60)
@@ -51,7 +51,7 @@ fn a_key_shows_four_views_with_the_matrices_and_takes_them_away() {
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(!has_control(&window, "P, row z") && !has_control(&window, "stage world"));
     assert_eq!(differing(&away(&mut window), &before, Rect::EVERYTHING), 0);
-    // Where the matrices were there before, they stay.
+    // If the matrices were open before, they stay.
     press_key(&mut window, Modifiers::NONE, Key::P);
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     press_key(&mut window, Modifiers::NONE, Key::Escape);
@@ -140,7 +140,7 @@ fn all_views_are_live_and_each_turns_alone() {
         before = now;
     }
     assert_eq!(*window.state().view(), camera);
-    // With Ctrl the scene's camera, from wherever.
+    // With Ctrl the scene's camera turns, from every view.
     let at = places[0].center();
     let pressed = |pressed| Event::PointerButton {
         pos: at,
@@ -343,7 +343,7 @@ fn a_double_click_on_nothing_makes_a_view_large_and_keeps_the_pick() {
         assert_eq!(window.state().views(), Views::Four);
         assert_eq!(kept(&window), before, "{stage:?}");
     }
-    // A single one selects nothing, as ever.
+    // A single click there selects nothing.
     window.wait_s(1.0);
     let nothing = rects(&window)[1].right_bottom() - vec2(8.0, 8.0);
     click(&mut window, nothing);
@@ -375,7 +375,7 @@ fn the_views_are_saved_alone_with_their_labels() {
             [saved.size().width(), saved.size().height()],
             [width, height]
         );
-        // The message about the picture before lies over the window, and not over the next picture.
+        // The message about the last picture lies over the window; the next picture must not show it.
         let part = shown.part([left, top], saved.size());
         let differ = (saved.pixels().iter().zip(part.pixels()))
             .filter(|(a, b)| a != b)
@@ -407,7 +407,7 @@ fn the_same_pixel_of_a_view_again_is_the_surface_behind() {
     window.wait_s(1.0);
     click(&mut window, at);
     assert_eq!(hits(&window), Some(((first + 1) % count, count)));
-    // The second one of a double click picks what shows there.
+    // The second click of a double click picks what shows there.
     double_click(&mut window, at);
     assert_eq!(hits(&window), Some((first, count)));
 }
@@ -421,10 +421,13 @@ fn the_four_views_need_no_frozen_camera() {
     assert!(window.state().frozen().is_none());
     press_key(&mut window, Modifiers::NONE, Key::T);
     let said: String = window.messages().collect();
-    assert!(said.contains("world shows the camera already"), "{said}");
+    assert!(
+        said.contains("the world view shows the camera already"),
+        "{said}"
+    );
 }
 
-/// Where there is room for one side alone, the key brings the matrices before.
+/// If there is room for one side only, the key brings the matrices to the front.
 #[test]
 fn the_key_of_the_matrices_shows_them_in_a_small_window() {
     let (mut window, _folder) = row(1.0);

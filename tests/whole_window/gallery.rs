@@ -1,4 +1,4 @@
-//! The failure gallery, by its keys: a wrong pick is seen, marked as not the default, and gone with the gallery.
+//! The failure gallery, by its keys: a wrong pick is shown, marked as not the default's, and goes with the gallery.
 
 use super::*;
 use glam::DVec3;
@@ -51,7 +51,7 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
         "{}",
         share_of(&during, BANNER)
     );
-    // Each pixel that it gets wrong is marked, as V marks them.
+    // Each pixel that the method gets wrong is marked, as V does it.
     let wrong = share_of(&during, [0xd5, 0x5e, 0x00]);
     assert!(wrong > 0.05, "{wrong}");
 
@@ -63,8 +63,8 @@ fn a_phantom_is_seen_under_a_banner_until_escape() {
     assert!(share_of(&after, BANNER) < 1e-3);
 }
 
-/// Where the right thing is picked with a wrong normal or in a wrong place, the pixels are marked as well; with Sightline's own
-/// picks none is, and the panel says which of how many scenes this is.
+/// Pixels with the right object but a wrong normal or position are marked as well. Sightline's own picks mark none. The
+/// panel says which of how many scenes this is.
 #[test]
 fn wrong_normals_and_places_are_marked() {
     const WRONG: Rgb = [0xd5, 0x5e, 0x00];
@@ -111,7 +111,7 @@ fn the_picture_is_an_odd_number_of_pixels_wide() {
     }
 }
 
-/// What was edited and left for the gallery, which asks when the window is closed.
+/// A scene that was edited and left for the gallery: closing the window asks about it.
 fn edited_and_left() -> (Offscreen, TempDir) {
     let (mut window, folder) = row(1.0);
     click(&mut window, MIDDLE);
@@ -201,7 +201,7 @@ fn esc_goes_back_step_by_step_and_out() {
     assert_eq!(window.state().name(), "row.toml");
     escape(&mut window);
     assert_eq!(window.state().name(), "row.toml");
-    // Where nothing was before, the way out is named.
+    // If nothing was open before, the way out is named.
     let mut window = open(vec![PathBuf::from("gallery:needles")], 1.0);
     escape(&mut window);
     assert!(window.state().showing().is_some());

@@ -1,4 +1,4 @@
-//! What is open is in view, or something helps; what cannot be drawn is said.
+//! What is open is in view, or a control helps; what cannot be drawn is reported.
 
 use super::*;
 use glam::DVec3;
@@ -41,7 +41,7 @@ fn files_open_whole_in_view_whatever_the_window_s_size() {
         };
         let mut window = Offscreen::open(options, px(size, 1.0), 1.0);
         assert!(is_whole(&window), "{size:?}");
-        // And after the window has got another size, until somebody moves the view.
+        // It stays whole when the window is resized, until the view is moved.
         window.resize(px([700, 720], 1.0));
         assert!(is_whole(&window), "{size:?}");
         press_key(&mut window, NONE, Key::Num3);
@@ -63,7 +63,7 @@ fn nothing_in_view_always_offers_a_way_that_helps() {
         for way in ["Frame all (A)", "A", "Reset"] {
             let (mut window, _folder) = row(1.0);
             assert!(!has_control(&window, nothing));
-            // The other plane first: both together must be planes.
+            // The other plane first: near must stay before far.
             for (plane, number) in [other, (plane, typed)] {
                 type_into(&mut window, plane, number);
                 press_key(&mut window, NONE, Key::Enter);
@@ -126,7 +126,7 @@ fn a_scene_too_large_for_the_adapter_is_said_and_the_old_one_stays() {
     assert!(window.is_at_rest());
 }
 
-/// Wider than the textures that egui assumes where nobody says what the device has.
+/// Wider than the texture limit that egui assumes by default.
 #[test]
 fn a_wide_picture_is_compared() {
     let (mut window, _folder) = row(1.0);
@@ -143,7 +143,7 @@ fn a_wide_picture_is_compared() {
     assert_eq!(eye_z(&window), 10.0_f64.to_bits());
 }
 
-/// `f32` has no number for such near planes: V says what that comes to, and what to do.
+/// `f32` cannot hold such near planes: V says what follows, and what to do.
 #[test]
 fn a_view_beyond_f32_says_what_to_do() {
     let (mut window, _folder) = row(1.0);
@@ -177,7 +177,7 @@ fn eye_z(window: &Offscreen) -> u64 {
     z.to_bits()
 }
 
-/// With Shift a point of the cursor's way is half a percent: whoever wants near to be 9 has it within one.
+/// With Shift, one point of cursor movement is half a percent: near can be set to 9 within one percent.
 #[test]
 fn near_and_far_slide_finely_with_shift() {
     for (name, plane) in [("near, slid", 0), ("far, slid", 1), ("P's near", 0)] {

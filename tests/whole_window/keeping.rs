@@ -4,7 +4,7 @@ use super::*;
 use glam::DVec3;
 use sightline::scene::{self, Object, Progress, Shape};
 
-/// Hides the cube: an edit that everybody can make by keys.
+/// Hides the cube: an edit by keys.
 fn edit(window: &mut Offscreen) {
     click(window, MIDDLE);
     assert_eq!(selected(window), Some("front"));
@@ -49,7 +49,7 @@ fn keys_and_buttons_undo_and_redo() {
     assert!(!control(&window, "Redo").is_enabled);
 }
 
-/// The Enter that takes the view away gives it back.
+/// Enter resets the view; undo brings it back.
 #[test]
 fn a_view_that_was_thrown_away_comes_back() {
     let (mut window, _folder) = row(1.0);
@@ -104,7 +104,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     assert!(!is_marked(&window), "{}", window.title());
     press_key(&mut window, CTRL, Key::Y);
 
-    // Each way to lose them asks, and staying loses nothing.
+    // Each way to lose the edits asks first; "stay" loses nothing.
     window.close();
     assert!(is_asked(&window) && !window.has_quit());
     press_key(&mut window, Modifiers::NONE, Key::Escape);
@@ -114,7 +114,7 @@ fn edits_are_marked_and_asked_about_before_they_go() {
     click_on(&mut window, "Cancel");
     window.drop_file(other.clone());
     assert!(is_asked(&window));
-    // While it is asked, other keys are nobody's.
+    // While the question is open, other keys do nothing.
     let view = *window.state().view();
     press_key(&mut window, Modifiers::NONE, Key::Num7);
     assert_eq!(*window.state().view(), view);
@@ -152,7 +152,7 @@ fn what_is_saved_first_is_closed_then() {
     assert_eq!(visible, [false, true, true]);
 }
 
-/// A save that fails lets nothing go.
+/// After a failed save nothing is closed.
 #[test]
 fn what_could_not_be_saved_is_not_closed() {
     let (mut window, folder) = row(1.0);
@@ -184,7 +184,7 @@ fn dropped_files_can_be_added() {
     assert_eq!(shown(&window), [false, true, true]);
     press_key(&mut window, CTRL, Key::Y);
     assert_eq!(shown(&window).len(), 6);
-    // With Shift at once.
+    // With Shift, it is added without a question.
     window.send([Event::ModifiersChanged(Modifiers::SHIFT)]);
     window.drop_file(other);
     assert!(!is_asked(&window));
@@ -196,7 +196,7 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     let (mut window, folder) = row(1.0);
     edit(&mut window);
     press_key(&mut window, CTRL, Key::S);
-    // The dialog is open. Meanwhile somebody goes on.
+    // While the dialog is open, the user goes on.
     press_key(&mut window, Modifiers::NONE, Key::U);
     press_key(&mut window, Modifiers::NONE, Key::Num7);
     press_key(&mut window, Modifiers::NONE, Key::P);
@@ -219,7 +219,7 @@ fn a_scene_is_saved_as_it_was_when_asked() {
     }
     assert!(!is_marked(&window), "back at what the file has");
 
-    // Or goes into the gallery: what was asked for is what is saved.
+    // Or enters the gallery: the scene from before is saved.
     press_key(&mut window, Modifiers::NONE, Key::U);
     press_key(&mut window, CTRL, Key::S);
     press_key(&mut window, Modifiers::NONE, Key::E);
@@ -256,7 +256,7 @@ fn the_demo_and_the_gallery_are_saved_with_their_meshes() {
             "{told:?}"
         );
         assert_eq!(window.state().name(), "mine.toml");
-        // Elsewhere, and all of it.
+        // The folder is moved: the scene still loads whole.
         let elsewhere = folder.path().with_extension("moved");
         std::fs::rename(folder.path(), &elsewhere).expect("ours");
         let again = scene::load(&[elsewhere.join("mine.toml")], &Progress::default());

@@ -1,4 +1,4 @@
-//! Where keys go: into a field while it is edited, else to what they are the shortcut of. Every control has a name.
+//! Where keys go: into a field while it is edited, else to their shortcut. Every control has a name.
 
 use super::*;
 use egui::vec2;
@@ -17,7 +17,7 @@ fn focused(window: &Offscreen) -> Option<&str> {
         .map(|control| control.name.as_str())
 }
 
-/// A view that Enter would throw away.
+/// A view that Enter would reset.
 fn turned() -> (Offscreen, TempDir) {
     let (mut window, folder) = row(1.0);
     drag(
@@ -38,14 +38,14 @@ fn enter_commits_a_number_and_leaves_the_view() {
     assert!((window.state().controls().fov_deg - 20.0).abs() < f64::EPSILON);
     assert_eq!(eye(&window), before, "the view is not reset");
     assert_eq!(control(&window, "fov").value, "20");
-    // Nor by leaving the search field so.
+    // Nor does leaving the search field by Enter.
     click_on(&mut window, "search");
     press_key(&mut window, NONE, Key::Enter);
     assert_eq!(eye(&window), before);
-    // Afterwards it is the shortcut again.
+    // Afterwards the key is a shortcut again.
     press_key(&mut window, NONE, Key::Enter);
     assert_eq!(eye(&window), DVec3::new(0.0, 0.0, 10.0));
-    // One step back is one number.
+    // Each number is one step of undo.
     press_key(&mut window, CTRL, Key::Z);
     press_key(&mut window, CTRL, Key::Z);
     assert!((window.state().controls().fov_deg - 45.0).abs() < f64::EPSILON);
@@ -83,7 +83,7 @@ fn arrows_step_a_number() {
         );
         assert_eq!(focused(&window), Some("fov"), "the field keeps the focus");
     }
-    // From what is typed, and never to what cannot be.
+    // Steps from the number typed, and never to an invalid one.
     type_into(&mut window, "fov", "179.5");
     press_key(&mut window, NONE, Key::ArrowUp);
     assert!((window.state().controls().fov_deg - 46.0).abs() < 1e-9);
@@ -108,7 +108,7 @@ fn shortcuts_work_from_wherever_tab_leads() {
         assert_ne!(window.state().grid(), before, "at {seen:?}");
     }
     assert_eq!(seen.len(), 6, "{seen:?}");
-    // Enter and Space are for the button that has the focus, Esc puts it down.
+    // Enter and Space press the button that has the focus; Esc takes the focus away.
     let view = *window.state().view();
     while focused(&window) != Some("Help") {
         press_key(&mut window, NONE, Key::Tab);
@@ -213,7 +213,7 @@ fn every_control_has_a_name() {
         }
     };
     check(&window);
-    // Of two windows each has a cross of its own.
+    // Each of two windows has its own close button.
     for key in [Key::Escape, Key::P, Key::H] {
         press_key(&mut window, NONE, key);
     }

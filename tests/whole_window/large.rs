@@ -1,35 +1,35 @@
-//! Something large that is added, and read again: the window answers meanwhile, and no frame does more than its share.
+//! A large file is added, and read again: the window answers meanwhile, and no frame does more than its share.
 
 use super::*;
 use egui::vec2;
 
-/// Of 405,000 triangles: even where pieces grow, some more than one.
+/// 405,000 triangles: several pieces, even after pieces have grown.
 const SIDE: u32 = 450;
-/// What is taken into graphics memory within a frame is less than this, objects and triangles.
+/// A frame uploads fewer objects and triangles than this.
 const LITTLE: usize = 20_000;
 /// In the picture, where nothing is.
 const NOTHING: Pos2 = pos2(480.0, 80.0);
 
-/// What was seen until a scene was there.
+/// What frames showed until the scene was there.
 #[derive(Debug, Default)]
 struct Seen {
     /// Frames that showed the scene before it.
     before: usize,
     /// Frames that drew some of it.
     pieces: usize,
-    /// The most that one drew.
+    /// The most that one frame drew.
     most: u64,
     drawn: u64,
 }
 
-/// The scene's picture about its middle, as it is on screen.
+/// The middle of the scene's picture on screen.
 fn middle(window: &Offscreen) -> Vec<[u8; 3]> {
     let picture = window.drawn().expect("a picture");
     let inner = (200..520).flat_map(|y| (450..730).map(move |x| (x, y)));
     inner.map(|(x, y)| picture.at(x, y)).collect()
 }
 
-/// Frames in which the mouse moves, until another scene is there and drawn. Until then there is the old picture.
+/// Draws frames with a moving mouse until a new scene is loaded and drawn. Until then the old picture must show.
 fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
     let revision = window.state().scene_revision();
     let mut seen = Seen::default();
@@ -60,7 +60,7 @@ fn watch(window: &mut Offscreen, old: &[[u8; 3]]) -> Seen {
     panic!("it comes to an end: {seen:?}");
 }
 
-/// Sees to it that what was seen is in shares.
+/// Fails unless the work was spread over frames.
 fn check(window: &Offscreen, seen: &Seen, objects: usize) {
     let whole = 2 * u64::from(SIDE * SIDE);
     assert!(seen.before > 1 && seen.drawn >= whole, "{seen:?}");

@@ -1,4 +1,4 @@
-//! How panels stand: they fold, are dragged and change sides, and the picture keeps half of the window.
+//! The layout of panels: they fold, are dragged and change sides; the picture keeps half of the window.
 
 use super::*;
 use egui::vec2;
@@ -71,7 +71,7 @@ fn a_side_is_dragged_folded_and_opened() {
         assert!((now.x - to.x).abs() < 1.0, "{now} {to}");
         drag(&mut window, PointerButton::Primary, now, at);
         assert_eq!(width(&window), before, "{edge}");
-        // All the way: it is folded, and comes back as wide as it was.
+        // Dragged all the way it folds, and comes back as wide as before.
         let far = at - vec2(outwards * at.x.min(1280.0 - at.x), 0.0);
         drag(&mut window, PointerButton::Primary, at, far);
         assert!(!control(&window, side).is_on && width(&window) > before + 100);
@@ -84,7 +84,7 @@ fn a_side_is_dragged_folded_and_opened() {
     }
 }
 
-/// Where an edge stands when the picture is so wide and the other edge stands as it does.
+/// Where an edge is if the picture has this width and the other edge stays.
 fn before_edge(window: &Offscreen, edge: &str, width: u32) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "a window's width")]
     let width = width as f32;
@@ -118,7 +118,7 @@ fn a_panel_folds_and_changes_sides() {
     );
 }
 
-/// In the row or in the menu at its end.
+/// Each tool is in the toolbar's row, or in the menu at its end.
 #[test]
 fn all_of_the_toolbar_can_be_reached_at_any_width() {
     let tools = [
@@ -168,7 +168,7 @@ fn all_of_the_toolbar_can_be_reached_at_any_width() {
     assert_ne!(window.state().grid(), before);
 }
 
-/// Wherever one looks from, no control of the panels moves.
+/// No control of the panels moves, whatever the view.
 #[test]
 fn numbers_move_nothing() {
     let (mut window, _folder) = row(1.0);
@@ -210,7 +210,7 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     window.set_theme(egui::Theme::Dark);
     assert!(light > 600 && unknown < 150, "{light} {unknown}");
     assert_eq!(panel(&mut window), unknown);
-    // Or as somebody wants them, whatever the desktop is.
+    // Or as the user sets it, whatever the desktop has.
     click_on(&mut window, "Look");
     assert_eq!(panel(&mut window), light);
     click_on(&mut window, "Look");
@@ -220,7 +220,7 @@ fn panels_are_dark_or_light_as_the_desktop_is() {
     assert_eq!(panel(&mut window), light);
 }
 
-/// What is read from the left, keys before words and numbers beside their names, is not cut off at either side.
+/// Texts that are read from the left (keys before words, numbers beside names) are not cut off at either side.
 #[test]
 fn small_windows_cut_nothing_off_at_their_sides() {
     for points in [[640, 400], [800, 600], [1000, 650], [1280, 720]] {
@@ -250,7 +250,7 @@ fn small_windows_cut_nothing_off_at_their_sides() {
     }
 }
 
-/// A panel that scrolls up and down does not scroll aside: the bar for that would lie over its last row.
+/// A panel that scrolls vertically does not scroll sideways: that bar would cover its last row.
 #[test]
 fn nothing_is_wider_than_its_panel() {
     let (mut window, _folder) = row(1.0);

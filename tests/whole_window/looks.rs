@@ -1,4 +1,4 @@
-//! What panels say: every word is explained, rows behave as rows, what is done is told.
+//! What panels say: every word has a tooltip, rows behave as rows, every action is confirmed.
 
 use super::*;
 
@@ -14,7 +14,7 @@ fn a_row_is_one_from_end_to_end() {
     click(&mut window, end);
     assert_eq!(selected(&window), Some("middle"));
     assert!(control(&window, "middle").is_on);
-    // The box at its beginning lights it too, and does not select.
+    // Its check box lights the object too, and does not select it.
     let tick = control(&window, "show back").rect.center();
     window.send([Event::PointerMoved(tick)]);
     assert_eq!(window.state().hover(), Some(2));
@@ -34,7 +34,7 @@ fn the_arrows_walk_through_the_list() {
         seen.push(selected(&window).expect("a row").to_owned());
     }
     assert_eq!(seen, ["front", "middle", "back", "back", "middle", "front"]);
-    // Only through what the search leaves.
+    // Arrow keys visit only the rows that match the search.
     type_into(&mut window, "search", "A");
     press_key(&mut window, Modifiers::NONE, Key::Enter);
     press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
@@ -43,7 +43,7 @@ fn the_arrows_walk_through_the_list() {
     assert!(has_control(&window, "No name holds \u{201c}xyz\u{201d}."));
 }
 
-/// A name that is too long keeps both its ends, and its object's name leads the pick.
+/// A name that is too long keeps both ends; the object's name leads the pick.
 #[test]
 fn the_name_leads_the_pick() {
     let (mut window, _folder) = row(1.0);
@@ -60,7 +60,7 @@ fn the_name_leads_the_pick() {
     assert_eq!(first.expect("a text").name, "front");
 }
 
-/// Whether a text is a number, or several, or a sentence, which explains by itself.
+/// Whether a text needs no tooltip: a number, several, or a sentence.
 fn is_value(text: &str) -> bool {
     if text.ends_with(['.', ':', '\u{2026}']) && text.contains(' ') {
         return true;
@@ -126,7 +126,7 @@ fn what_is_copied_or_saved_is_said_for_a_while() {
     assert!(window.messages().any(|text| text.contains("kept.toml")));
     window.wait_s(5.0);
     assert_eq!(window.messages().count(), 0);
-    // Nothing to copy is said too.
+    // "Nothing to copy" is reported too.
     press_key(&mut window, Modifiers::NONE, Key::Escape);
     press_key(&mut window, Modifiers::NONE, Key::J);
     assert!(window.messages().any(|text| text.contains("no pick")));

@@ -46,7 +46,7 @@ use tempfile::TempDir;
 
 /// The window's size in points.
 const SIZE: [u32; 2] = [1280, 720];
-/// A point of the scene's rectangle that shows its middle, whatever the scale.
+/// The point at the middle of the scene's rectangle, at any scale.
 const MIDDLE: Pos2 = pos2(590.0, 361.0);
 
 /// Three things in a row along z, the camera before them, as a scene file.
@@ -114,7 +114,7 @@ fn click(window: &mut Offscreen, at: Pos2) {
 
 /// Two clicks that follow each other quickly.
 fn double_click(window: &mut Offscreen, at: Pos2) {
-    // One that came before is none of them.
+    // An earlier click must not count as one of them.
     window.wait_s(1.0);
     let press = |pressed| button(at, PointerButton::Primary, pressed);
     let clicks = [true, false, true, false].map(press);
@@ -129,7 +129,7 @@ fn drag(window: &mut Offscreen, with: PointerButton, from: Pos2, to: Pos2) {
     window.send([button(to, with, false)]);
 }
 
-/// What can be used, or else read, by its name.
+/// The control of this name, or else the text.
 #[track_caller]
 fn control<'a>(window: &'a Offscreen, name: &str) -> &'a Control {
     let named = || {
@@ -159,10 +159,10 @@ fn click_on(window: &mut Offscreen, name: &str) {
     click(window, at);
 }
 
-/// As winit's events give it where Ctrl is the key for commands.
+/// Ctrl as winit reports it where it is the command key.
 const CTRL: Modifiers = Modifiers::CTRL.plus(Modifiers::COMMAND);
 
-/// Types into a field as a user does: in place of what stands in it.
+/// Types into a field as a user does: replaces its text.
 fn type_into(window: &mut Offscreen, name: &str, text: &str) {
     click_on(window, name);
     press_key(window, CTRL, Key::A);

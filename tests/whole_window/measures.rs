@@ -27,7 +27,7 @@ fn wall() -> (Offscreen, TempDir) {
     (window, folder)
 }
 
-/// Clicks so many pixels beside where a world point shows.
+/// Clicks at this offset in pixels from where a world point shows.
 fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
     let view = window.state().view();
     let px = view
@@ -38,7 +38,7 @@ fn click_near(window: &mut Offscreen, point: [f64; 3], aside: [f32; 2]) {
     #[expect(clippy::cast_possible_truncation, reason = "points of a window")]
     let [x, y, width] =
         [from_middle.x, from_middle.y, view.viewport.size_px().x].map(|px| px as f32);
-    // The panels of the right take as much as ever; those of the left are wider than usual.
+    // The right panels are as wide as usual, the left ones wider.
     let middle = pos2(970.0 - 0.5 * width, MIDDLE.y);
     click(window, middle + egui::vec2(x, y) + egui::Vec2::from(aside));
 }
@@ -72,7 +72,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     assert_eq!(values(&window), [20.0_f64.sqrt()]);
     let error = window.state().measuring().list[0].measured.error;
     assert!(error > 0.0 && error < 1e-15, "{error}");
-    // The diagonal is none of the file's edges; the lower side is.
+    // The diagonal is not an edge of the file; the lower side is.
     click_near(&mut window, [0.0, 0.0, 0.0], [0.0, 0.0]);
     assert_eq!(label(&window).as_deref(), Some("face 1 of Wall"));
     click_on(&mut window, "face area");
@@ -92,7 +92,7 @@ fn clicks_are_led_to_vertices_and_edges_and_measured() {
     click_on(&mut window, "copy list");
     assert_eq!(window.copied().map(|text| text.lines().count()), Some(4));
 
-    // Changes of the list are steps.
+    // Changes of the list can be undone.
     click_on(&mut window, "remove measure 2");
     assert_eq!(values(&window), [20.0_f64.sqrt(), 4.0, 8.0]);
     click_on(&mut window, "clear list");
@@ -117,7 +117,7 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert!(window.state().measuring().points.is_empty());
     assert_eq!(values(&window), [8.0]);
     assert!(window.state().measuring().is_on);
-    // It is what was there before.
+    // The list is as before.
     click_on(&mut window, "copy list");
     let copied = window.copied().expect("text");
     assert!(copied.ends_with("\tbefore the scene changed\n"), "{copied}");
@@ -132,7 +132,7 @@ fn points_of_another_scene_are_forgotten_and_the_list_is_kept() {
     assert_eq!(outdated.collect::<Vec<_>>(), [true, false]);
 }
 
-/// All that is clicked in the panel, its list left out.
+/// The panel's buttons, without its list.
 const NAMES: [&str; 8] = [
     "snap clicks",
     "distance",
@@ -144,7 +144,7 @@ const NAMES: [&str; 8] = [
     "clear list",
 ];
 
-/// Nothing that is clicked moves as points come and go, and what cannot be used says what is to be done first.
+/// No button moves as points come and go. A disabled one says what to do first.
 #[test]
 fn the_panel_stays_as_it_is_laid_out() {
     let (mut window, _folder) = wall();

@@ -16,7 +16,7 @@ fn on_an_object_it_does_what_applies_to_it() {
     assert!(!has_control(&window, "Copy the pick"), "nothing is picked");
     click_on(&mut window, "Hide it");
     assert!(!window.state().scene().objects()[0].visible);
-    // What is there now.
+    // The entries that show now.
     open_menu(&mut window, MIDDLE);
     click_on(&mut window, "Hide all others");
     let visible = |window: &Offscreen| -> Vec<_> {
@@ -65,7 +65,7 @@ fn on_nothing_it_is_about_the_view() {
     open_menu(&mut window, corner);
     click_on(&mut window, "Reset the view");
     assert_ne!(*window.state().view(), turned);
-    // A drag with the button is no click.
+    // A drag with the right button is not a click.
     drag(
         &mut window,
         PointerButton::Secondary,

@@ -4,13 +4,13 @@ use super::*;
 use egui::vec2;
 use sightline::render;
 
-/// The left top corner of the scene's rectangle, of which the middle is that of the window's room for it.
+/// The top left corner of the scene's rectangle, which is centred in the window's room for it.
 fn corner(window: &Offscreen) -> [u32; 2] {
     let size = window.state().view().viewport;
     [590 - size.width() / 2, 360 - size.height() / 2]
 }
 
-/// Pixels of the middle of the frame on the screen that are not those of the squares of two by two which they are in.
+/// In the middle of the frame on screen, the pixels that differ from the first of their 2x2 square.
 fn finer_than_squares(window: &Offscreen) -> usize {
     let (picture, [left, top]) = (window.drawn().expect("a picture"), corner(window));
     let inner = (100..400).flat_map(|y| (100..400).map(move |x| (x, y)));
@@ -45,7 +45,7 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
         is_software,
         "a moment ago"
     );
-    // A click into the coarse picture is as right as ever, and is marked there.
+    // A click into the coarse picture is exact, and is marked there.
     let bare = window.drawn().expect("a picture");
     click(&mut window, MIDDLE);
     window.draw().expect("a frame");
@@ -102,7 +102,7 @@ fn a_frame_that_looks_as_before_is_not_shown_again() {
     assert!(window.state().hover().is_some() && window.looks_different());
     window.frame(Event::PointerMoved(MIDDLE)).expect("a frame");
     assert!(!window.looks_different());
-    // The panels tell of a click in the frame that shows it.
+    // The panels report a click in the very frame that shows it.
     let before = window.drawn().expect("a picture");
     window.send([button(MIDDLE, PointerButton::Primary, true)]);
     window

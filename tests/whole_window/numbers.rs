@@ -39,7 +39,7 @@ fn file_of(text: &str) -> (Offscreen, TempDir) {
     (open(vec![path], 1.0), folder)
 }
 
-/// All that can be read.
+/// All texts that can be read.
 fn reads(window: &Offscreen, text: &str) -> bool {
     window
         .controls()
@@ -69,7 +69,7 @@ fn a_click_names_line_face_and_corners() {
     assert!(reads(&window, "2, a triangle") && !reads(&window, "1, a quad"));
 }
 
-/// One that is changed may be loaded again before anybody clicks.
+/// A changed file may be loaded again before the click.
 #[test]
 fn a_file_that_is_gone_is_said_to_be() {
     let (mut window, folder) = walls();
@@ -100,7 +100,7 @@ v 0.1 4 0
 f 5 6 7
 ";
 
-/// White pixels of the square about where a point is shown.
+/// White pixels in a square around where a point shows.
 fn rim_of_mark(window: &mut Offscreen, point: glam::DVec3) -> usize {
     window.send([Event::PointerMoved(MIDDLE)]);
     let middle = window.state().cursor().expect("the picture's middle").px;
@@ -149,7 +149,7 @@ fn what_is_gone_to_is_marked_seen_or_hidden() {
     let picked = hit(&window).expect("a triangle that has it is picked");
     assert!((picked.point_world - hidden).length() < 1e-3);
     let dashed = rim_of_mark(&mut window, hidden);
-    // From behind it is seen: the mark says so, and the panel.
+    // From behind it is visible: mark and panel say so.
     press_key(&mut window, CTRL, Key::Num1);
     assert!(reads(&window, "v 5: 0.6 0.5 0, line 8: seen at"));
     let whole = rim_of_mark(&mut window, hidden);
@@ -166,7 +166,7 @@ fn what_is_gone_to_is_marked_seen_or_hidden() {
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     assert!(reads(&window, "v 7, seen"));
     press_key(&mut window, Modifiers::NONE, Key::Num4);
-    // What cannot be gone to leaves no mark; Esc and the next pick take it away.
+    // A number that does not exist leaves no mark. Esc removes the mark, and so does the next pick.
     go(&mut window, "go to vertex", "99");
     assert_eq!(rim_of_mark(&mut window, seen), 0);
     for away in [
@@ -199,7 +199,7 @@ fn what_has_a_number_can_be_gone_to() {
     go(&mut window, "go to vertex", "3");
     assert_eq!(selected(&window), Some("Front"));
     assert!(reads(&window, "v 3: 1.1 1 2, line 3: seen at"));
-    // What is out of the picture comes into its middle, and the way back is a step.
+    // What is outside the picture is moved to its middle; undo takes that back.
     go(&mut window, "go to vertex", "5");
     let turned = *window.state().view();
     assert_ne!(turned, before);
@@ -226,7 +226,7 @@ fn what_has_a_number_can_be_gone_to() {
     }
 }
 
-/// What is said of what was gone to goes with its mark; a number that cannot be says why.
+/// The result of "go to" disappears with its mark. A number that does not exist says why.
 #[test]
 fn what_is_said_below_go_to_is_so() {
     let (mut window, _folder) = file_of(BEHIND);

@@ -22,7 +22,7 @@ shape = "cube"
 position = [0, 0, -2]
 "#;
 
-/// How many pixels have this colour, to a few levels.
+/// How many pixels have this colour, within a few levels.
 fn count_of(picture: &Image<Rgb>, colour: Rgb) -> usize {
     let is_it = |pixel: &&Rgb| (0..3).all(|i| pixel[i].abs_diff(colour[i]) <= 3);
     picture.pixels().iter().filter(is_it).count()
@@ -60,7 +60,7 @@ fn the_panel_names_them_and_the_check_marks_them() {
         line.contains(r#""in_one_place":{"count":2,"named":[{"object":"wall""#),
         "{line}"
     );
-    // Stepping on: the poster is one of them, the cube is not.
+    // The next hits: the poster is in the same place, the cube is not.
     press_key(&mut window, Modifiers::NONE, Key::N);
     assert_eq!(selected(&window), Some("poster"));
     assert!(has_control(&window, named));

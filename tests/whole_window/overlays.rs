@@ -7,7 +7,7 @@ use sightline::{
     look,
 };
 
-/// The colours about a world-space point of a picture of the window.
+/// The colours of a window's picture around a world-space point.
 fn about(window: &Offscreen, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rgb> {
     let view = window.state().view();
     let size = DVec2::new(view.viewport.width().into(), view.viewport.height().into());
@@ -25,8 +25,7 @@ fn about(window: &Offscreen, picture: &Image<Rgb>, point_world: DVec3) -> Vec<Rg
         .collect()
 }
 
-/// Whether a pixel has come more than half of the way to a colour. A line's edges are smooth: it is mixed with what lies
-/// beside it.
+/// Whether a pixel is more than halfway to a colour. A line has smooth edges, so it is mixed with what lies beside it.
 fn turned(before: &[Rgb], now: &[Rgb], wanted: Rgb) -> bool {
     let to_wanted = |colour: &Rgb| -> u32 {
         let apart = colour.iter().zip(wanted).map(|(a, b)| a.abs_diff(b));
@@ -61,7 +60,7 @@ fn each_overlay_is_where_it_belongs_and_gone_again() {
     }
 }
 
-/// Of the selection alone, where there is one.
+/// With a selection, the overlay is for that alone.
 #[test]
 fn overlays_are_about_the_selection() {
     let (mut window, _folder) = row(1.0);

@@ -1,4 +1,4 @@
-//! Panels are painted again only where they look different: the picture is that of a window which paints all of them.
+//! Panels are painted again only where they changed. The picture must equal that of a window that paints all of them.
 
 use crate::{MIDDLE, click, click_on, drag, press_key, row, type_into};
 use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};

@@ -1,5 +1,5 @@
-//! Panels as they were when somebody last looked at them (`goldens/*.png`), and README's pictures. After a wanted change,
-//! run with `SIGHTLINE_GOLDENS=write` and look at each.
+//! Compares panels with the pictures that were last approved (`goldens/*.png`), and README's pictures with the window.
+//! After a wanted change, run with `SIGHTLINE_GOLDENS=write` and look at each.
 
 use super::{
     MIDDLE, click, click_on, drag, here,
@@ -15,7 +15,7 @@ use sightline::{
 };
 use std::path::Path;
 
-/// The window in the state that is pictured, and where: left, top, width, height in points.
+/// The window in the state of the picture, and the part shown: left, top, width, height in points.
 fn shown(name: &str) -> (Offscreen, [u32; 4]) {
     let (mut window, _folder) = row(1.0);
     click(&mut window, MIDDLE);
@@ -27,7 +27,7 @@ fn shown(name: &str) -> (Offscreen, [u32; 4]) {
             window.set_theme(egui::Theme::Light);
             (window, [960, 0, 320, 720])
         }
-        // The list over the panels of the right, in the least window.
+        // The list over the right panels, in the smallest window.
         "small" => {
             window.resize(px([640, 400], 1.0));
             click_on(&mut window, "more");
@@ -62,8 +62,8 @@ fn crop(picture: &Image<Rgb>, [left, top, width, height]: [u32; 4]) -> Image<Rgb
     Image::new(px([width, height], 1.0), pixels.collect())
 }
 
-/// Fails unless a picture is what the file at `path` holds, but for `most` pixels. Drivers blend a level apart; another
-/// digit is dozens.
+/// Fails if a picture differs from the file at `path` in more than `most` pixels. Drivers blend a level apart, which
+/// does not count; a changed digit is dozens of pixels.
 fn compare(picture: &Image<Rgb>, path: &Path, most: usize) {
     if std::env::var_os("SIGHTLINE_GOLDENS").is_some_and(|what| what == "write") {
         return picture.write_png(path).expect("a writable folder");
@@ -98,8 +98,8 @@ fn panels_look_as_they_did() {
     }
 }
 
-/// Compares a picture of README's with the window that it is of: on the driver that it was made with to the pixel;
-/// others may draw edges and lines otherwise.
+/// Compares a picture in README with its window: to the pixel on the driver that made it; other drivers may draw edges
+/// and lines differently.
 fn compare_asset(name: &str, mut window: Offscreen) {
     window.send([Event::PointerGone]);
     let picture = window.picture().expect("a picture");
@@ -160,7 +160,7 @@ fn readme_shows_these_four_views() {
     compare(&picture, &path, picture.pixels().len() / 20);
 }
 
-/// They show what was loaded, whatever has become of its file: it is read once.
+/// The views show what was loaded, even if the file has changed since: it is read once.
 #[test]
 fn the_views_are_of_what_was_loaded() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! What cannot be is red until it is given up, and never longer than its field is about the same.
+//! A refused input is red until it is given up, and only as long as its field is about the same object.
 
 use super::*;
 
@@ -6,7 +6,7 @@ const NONE: Modifiers = Modifiers::NONE;
 
 type Does = fn(&mut Offscreen);
 
-/// Types what is refused, and leaves it.
+/// Types a value that is refused, and leaves the field.
 fn refused(window: &mut Offscreen, field: &str, text: &str) {
     type_into(window, field, text);
     press_key(window, NONE, Key::Enter);
@@ -53,7 +53,7 @@ fn a_red_field_says_what_is_wrong_and_what_is_in_force() {
     }
 }
 
-/// What is typed for one object is not another's.
+/// A text typed for one object does not move to another.
 #[test]
 fn a_red_field_is_of_its_own_object() {
     let (mut window, _folder) = row(1.0);
@@ -118,7 +118,7 @@ fn a_red_text_goes_with_what_it_was_typed_for() {
     }
 }
 
-/// It is neither red nor in force: that would be a lie.
+/// A refused text that has become valid must not stand there as if it were in force.
 #[test]
 fn what_has_become_possible_meanwhile_is_not_shown_as_if_in_force() {
     let (mut window, _folder) = row(1.0);

@@ -1,5 +1,5 @@
-//! From run to run, and from change to change of a file: what was opened, how panels stand, what a file holds now. And
-//! names in any script.
+//! What is remembered from run to run (recent scenes, panels), how changed files are read again, and names in any
+//! script.
 
 use super::*;
 use sightline::{colour::Srgb, scene::Shape};
@@ -39,7 +39,7 @@ fn what_was_opened_and_how_panels_stood_is_remembered() {
     );
     click_on(&mut window, "row.toml");
     assert_eq!(window.state().name(), "row.toml");
-    // What is gone is said, and offered no more.
+    // A missing file is reported, and leaves the list.
     fs::remove_file(&other).expect("it was there");
     click_on(&mut window, "Recent");
     click_on(&mut window, "other.toml");
@@ -85,7 +85,7 @@ fn a_broken_memory_is_no_obstacle() {
     }
 }
 
-/// Lets a window look at its files until something is so.
+/// Runs a window's passes until a condition on it holds.
 #[track_caller]
 fn wait_until(window: &mut Offscreen, is_so: impl Fn(&Offscreen) -> bool) {
     for _ in 0..200 {
@@ -115,7 +115,7 @@ fn a_file_that_changes_is_read_again() {
             .messages()
             .any(|text| text.contains("was read again"))
     );
-    // What is written beside and renamed, too.
+    // Also when it is written beside and renamed.
     let beside = folder.path().join("beside");
     fs::write(&beside, ROW).expect("writable");
     fs::rename(&beside, &path).expect("writable");
@@ -141,7 +141,7 @@ fn a_file_that_changes_is_read_again() {
     click_on(&mut window, "Reload, drop the edits");
     assert_eq!(window.state().scene().objects().len(), 4);
 
-    // What this program writes itself is no change.
+    // A file that this program writes does not count as changed.
     window.save_as(path);
     window.wait_s(5.0);
     thread::sleep(Duration::from_millis(800));
@@ -171,14 +171,14 @@ fn a_material_that_changes_is_read_again() {
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 255, 0]))
     });
-    // One that was not there.
+    // A file that was not there before.
     write("later.mtl", "newmtl a\nKd 0 0 1\n");
     wait_until(&mut window, |window| {
         colour(window) == Some(Srgb([0, 0, 255]))
     });
 }
 
-/// Debian's and Ubuntu's `fonts-dejavu-core` has both scripts, egui's own typefaces have neither.
+/// Debian's and Ubuntu's `fonts-dejavu-core` has both scripts; egui's own typefaces have neither.
 #[test]
 fn names_are_readable_in_scripts_that_only_the_system_has() {
     let name = "\u{540}\u{561}\u{575} \u{5e9}\u{5dc}\u{5d5}\u{5dd}";

@@ -1,4 +1,4 @@
-//! At rest a picture has smooth edges, in software too, and nobody waits for them.
+//! At rest a picture has smooth edges, in software too, and nothing waits for them.
 
 use super::*;
 use sightline::{
@@ -6,7 +6,7 @@ use sightline::{
     look, render,
 };
 
-/// Shows a frame, and what is on the screen then.
+/// Draws a frame, and reads what is on screen then.
 fn next(window: &mut Offscreen) -> Image<Rgb> {
     window.draw().expect("a frame");
     window.drawn().expect("a picture")
@@ -46,20 +46,20 @@ fn edges_get_smooth_at_rest_at_one_blow() {
         pictures[0] == *pictures.last().expect("one")
             || differing(&pictures[0], &pictures[1]) > 200
     );
-    // It is the picture that `sightline render` makes.
+    // It equals the picture of `sightline render`.
     let state = window.state();
     let gpu = render::Gpu::headless().unwrap_or_else(|error| panic!("{error}"));
     let (_, headless) = render::render(&gpu, state.scene(), state.view(), None).expect("a picture");
     let size = state.view().viewport;
     let at_rest = pictures.last().expect("one");
-    // The picture's middle is that of the window's room for it.
+    // The picture is centred in the window's room for it.
     let [left, top] = [590 - size.width() / 2, 360 - size.height() / 2];
     for (x, y) in (100..400).flat_map(|y| (100..400).map(move |x| (x, y))) {
         assert_eq!(headless.at(x, y), at_rest.at(left + x, top + y), "{x}, {y}");
     }
 }
 
-/// In a picture of many pixels, which takes some frames to get smooth.
+/// A large picture, which takes several frames to get smooth.
 #[test]
 fn what_happens_meanwhile_is_shown_at_once() {
     let (mut window, _folder) = row(2.0);
@@ -70,7 +70,7 @@ fn what_happens_meanwhile_is_shown_at_once() {
     for _ in 0..2 {
         assert!(!is_software(&window) || differing(&next(&mut window), &rough) == 0);
     }
-    // A click is right, and seen in the frame after it.
+    // A click is exact, and shown in the next frame.
     click(&mut window, MIDDLE);
     assert_eq!(selected(&window), Some("middle"));
     let clicked = next(&mut window);
@@ -82,7 +82,7 @@ fn what_happens_meanwhile_is_shown_at_once() {
     for _ in 0..2 {
         next(&mut window);
     }
-    // So is a turn, of which nothing is left of the picture before.
+    // So is a turn, which leaves nothing of the old picture.
     press_key(&mut window, Modifiers::NONE, Key::Num1);
     let turned = next(&mut window);
     assert!(differing(&turned, &clicked) > 1000);

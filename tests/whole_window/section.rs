@@ -1,4 +1,4 @@
-//! The section in the window: laid, typed, dragged, taken back, saved; what it cuts away is neither seen nor picked.
+//! The section in the window: placed, typed, dragged, undone, saved. What it cuts away is neither seen nor picked.
 
 use super::*;
 use glam::DVec3;
@@ -8,7 +8,7 @@ fn section(window: &Offscreen) -> Option<Section> {
     window.state().view().section
 }
 
-/// The cube in front cut through its middle: a click there picks its back, from within, in a colour of its own.
+/// The front cube, cut through its middle: a click there picks its back from within, which has a colour of its own.
 #[test]
 fn a_cut_solid_shows_and_picks_its_inside() {
     let (mut window, _folder) = row(1.0);
@@ -44,7 +44,7 @@ fn type_section(window: &mut Offscreen, normal: [f64; 3], offset: f64) {
         click_on(window, "section");
     }
     let names = ["section n x", "section n y", "section n z"];
-    // z first: n is 0 nowhere on the way.
+    // z first, so that n never becomes 0 in between.
     for i in [2, 1, 0] {
         type_into(window, names[i], &normal[i].to_string());
         press_key(window, Modifiers::NONE, Key::Enter);
@@ -62,7 +62,7 @@ fn it_is_laid_flipped_and_taken_back_step_by_step() {
     let mut stood = vec![None];
     click_on(&mut window, "section across x");
     stood.push(section(&window));
-    // The eye looks along -z: what is to be seen stays on the far side.
+    // The eye looks along -z: the far side is kept.
     click_on(&mut window, "section across z");
     stood.push(section(&window));
     let across = section(&window).expect("a section");
@@ -143,7 +143,7 @@ fn along_the_picked_face_and_by_three_picks() {
     let along = Section::new(DVec3::NEG_Z, 2.5).expect("a section");
     assert_eq!(section(&window), Some(along));
     press_key(&mut window, Modifiers::NONE, Key::Z);
-    // Counter-clockwise as they are seen: what lies before the face would stay.
+    // Counter-clockwise as seen: the side in front of the face would be kept.
     click_on(&mut window, "section by three points");
     for at in [pos2(560.5, 390.5), pos2(620.5, 390.5)] {
         window.wait_s(1.0);
@@ -217,7 +217,7 @@ fn esc_ends_waiting_for_picks() {
     assert_eq!(selected(&window), None);
 }
 
-/// From a scene file or a flag: the window shows the rest, and says so.
+/// An invalid section from a scene file or a flag: the window shows the scene without it, and says so.
 #[test]
 fn one_that_names_no_face_is_said_in_the_window() {
     let folder = tempfile::tempdir().expect("a folder");

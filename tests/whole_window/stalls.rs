@@ -1,9 +1,9 @@
-//! What takes long is done in pieces or beside the window, which answers meanwhile.
+//! What takes long is done in pieces or in the background; the window answers meanwhile.
 
 use super::*;
 use std::fmt::Write;
 
-/// Cells along each side of a ground that is more than is drawn in a pass in software.
+/// Cells along each side of a ground that software cannot draw in one pass.
 const SIDE: u32 = 250;
 
 /// Rolling ground of two triangles a cell.
@@ -31,7 +31,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     let in_software = window.adapter_name().contains("llvmpipe");
     press_key(&mut window, Modifiers::NONE, Key::Num3);
     let turned = *window.state().view();
-    // Not whole after its first piece, and there is nothing else to see meanwhile.
+    // It is not complete after its first piece, and there is no older picture to show.
     let anew = window.draw().expect("a frame");
     assert_eq!(anew, !in_software);
     assert_eq!(window.is_at_rest(), !in_software);
@@ -48,7 +48,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     assert!(passes > 1 || !in_software);
     let second = window.picture().expect("a picture");
     assert_ne!(first.pixels(), second.pixels());
-    // As another window has it, which was never anywhere else.
+    // It equals the picture of a window that was always in this view.
     let mut fresh = open(vec![path], 1.0);
     press_key(&mut fresh, Modifiers::NONE, Key::Num3);
     assert_eq!(*fresh.state().view(), turned);
@@ -57,7 +57,7 @@ fn a_large_scene_is_drawn_in_pieces_and_the_old_picture_stays() {
     assert_eq!(differ.count(), 0);
 }
 
-/// Cubes and balls, enough for a stage to be made beside the window.
+/// Cubes and balls, enough for a stage to be made in the background.
 pub(super) fn many(folder: &Path) -> PathBuf {
     let mut text = String::new();
     for i in 0..20_000 {
@@ -80,7 +80,7 @@ fn ndc_of_many_objects_is_made_beside_the_window() {
     window.picture().expect("a picture");
     press_key(&mut window, Modifiers::NONE, Key::Num4);
     let first = window.picture().expect("a picture");
-    // The camera goes on: the window answers at once, and NDC follows.
+    // The camera keeps moving: the window answers at once, and NDC follows.
     for _ in 0..3 {
         let key = Event::Key {
             key: Key::Num7,
@@ -112,7 +112,8 @@ fn a_large_file_is_shown_once_the_adapter_has_it() {
     assert_eq!(dropped.pixels(), fresh.pixels());
 }
 
-/// World is of the very scene of the picture, and drawn by what drew that: until it is whole, nothing stands there.
+/// The world view shares scene and targets with the camera's picture: until its own picture is complete, nothing is
+/// shown there.
 #[test]
 fn the_picture_is_not_shown_as_the_world() {
     let folder = tempfile::tempdir().expect("a folder");

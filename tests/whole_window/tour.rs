@@ -1,4 +1,4 @@
-//! The tour: each of its steps can be done, and is noticed, by what its words ask for.
+//! The tour: doing what a step's words ask for completes the step.
 
 use super::*;
 use sightline::{camera::Projection, pick, study::swap::Found, viewer::tour_text};
@@ -79,7 +79,7 @@ const DEEDS: [Deed; 22] = [
         click_on(window, "standard");
         click_object(window, "Tower");
         assert!(!has_control(window, "step done"), "the numbers are folded");
-        // Far down: folded, the panel above makes room.
+        // Far down: the panel above is folded to make room.
         click_on(window, "Camera");
         click_on(window, "Depth buffer");
         window.wait_s(1.0);
@@ -148,7 +148,7 @@ fn place_of(window: &mut Offscreen, name: &str) -> Pos2 {
     })
 }
 
-/// The middle one of the places beside the card whose pixel is such.
+/// Of the places beside the card whose pixel meets a condition, the middle one.
 fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
     let card = control(window, &task(window).expect("a step")).rect;
     window.send([Event::PointerMoved(MIDDLE)]);
@@ -174,7 +174,7 @@ fn place_where(window: &mut Offscreen, is_it: impl Fn(DVec2) -> bool) -> Pos2 {
         .expect("a place for it beside the card")
 }
 
-/// What the card asks for.
+/// The card's text.
 fn task(window: &Offscreen) -> Option<String> {
     let asks = |name: &&String| DEEDS.iter().any(|(words, _)| name.starts_with(words));
     let mut names = window.controls().iter().map(|control| &control.name);
@@ -197,7 +197,7 @@ fn each_step_can_be_done_and_is_noticed_only_then() {
         assert!(asked.starts_with(words), "{words:?}: {asked:?}");
         let place = format!("step {} of {}", at + 1, DEEDS.len());
         assert!(has_control(&window, &place), "{place}");
-        // What is not asked for is not taken for it.
+        // Other actions do not complete the step.
         press_key(&mut window, NONE, Key::G);
         window.send([Event::PointerMoved(MIDDLE)]);
         assert!(!has_control(&window, "step done"), "{words}");
@@ -214,7 +214,7 @@ fn each_step_can_be_done_and_is_noticed_only_then() {
     assert_eq!(task(&window), None, "the tour is over");
 }
 
-/// In the picture and in the four views, in large windows and small ones, and after these have got another size.
+/// In the picture and in the four views, in large windows and small ones, and after resizing.
 #[test]
 fn the_step_lies_over_no_view_and_follows_the_window() {
     let mut window = tour();
@@ -254,7 +254,7 @@ fn the_step_lies_over_no_view_and_follows_the_window() {
                 .fold(f32::INFINITY, f32::min);
             assert!(highest >= lowest, "{size:?}: below all that stands above");
             assert!(panes.iter().all(|pane| pane.height() > 70.0), "{panes:?}");
-            // From one step to the next nothing moves.
+            // Nothing moves from one step to the next.
             assert_eq!(*first.get_or_insert(panes), panes, "{size:?} {words}");
             click_on(&mut window, go);
             if task(&window).is_none() {
@@ -292,7 +292,7 @@ fn steps_are_skipped_and_gone_back_to() {
     assert_eq!(task(&window), first);
 }
 
-/// Worked by hand: n = 1, f = 10, 90 degrees; the height is the picture's own.
+/// Computed by hand: n = 1, f = 10, 90 degrees; the height is the picture's.
 #[test]
 fn the_card_works_out_the_lectures_points() {
     let mut window = tour();
@@ -358,7 +358,7 @@ fn readme_has_its_very_words() {
     assert!(readme.contains(&words(&tour_text())), "{}", tour_text());
 }
 
-/// What a step asks for in the picture is not what a drag does in the four views: the strip says so.
+/// In the four views a drag does not do what the step asks for in the picture: the strip says so.
 #[test]
 fn in_the_four_views_steps_of_the_picture_say_where_to_go() {
     let mut window = tour();

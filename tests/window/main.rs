@@ -81,9 +81,9 @@ impl Viewer {
             .args(arguments)
             .current_dir(folder)
             .env("DISPLAY", &screen.display)
-            // A desktop is what a test puts there.
+            // Tests put their own desktop there.
             .env("PATH", folder)
-            // What it remembers is not the user's.
+            // It must not touch what the user's window remembers.
             .env("XDG_STATE_HOME", folder)
             .env("WINIT_X11_SCALE_FACTOR", scale)
             .env_remove("WAYLAND_DISPLAY")
@@ -114,7 +114,7 @@ impl Viewer {
         }
     }
 
-    /// The pick that the window printed, and the command that it says makes the same.
+    /// The pick that the window printed, and the command that it names for the same pick.
     fn picked(&self) -> (String, String) {
         let printed = self
             .picks
@@ -146,7 +146,7 @@ fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
     receiver
 }
 
-/// What a shell prints for a command of ours.
+/// What a shell prints for one of our commands.
 fn shell(command: &str) -> String {
     let command = command.replacen("sightline", SIGHTLINE, 1);
     let output = Command::new("sh")
@@ -301,7 +301,7 @@ fn picks_of_a_file_s_faces_are_printed_whole() {
     );
 }
 
-/// The key V finds what `sightline verify` finds for the same view, as often as it is pressed.
+/// The key V finds what `sightline verify` finds for the same view, each time it is pressed.
 #[test]
 fn the_key_v_compares_what_is_on_screen() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -316,7 +316,7 @@ fn the_key_v_compares_what_is_on_screen() {
     assert!(folder.path().join("sightline-1.png").exists());
     for turn in [false, true] {
         if turn {
-            // Puts the comparison away, like any other view.
+            // A new view closes the comparison.
             screen.xdotool("key 9");
         }
         screen.xdotool("key v");
@@ -335,7 +335,7 @@ fn the_key_v_compares_what_is_on_screen() {
     }
 }
 
-/// winit is not told by desktops on Linux: their portal is asked whenever the window is come back to.
+/// On Linux winit is not told of the desktop's theme: the portal is asked whenever the window gets the focus.
 #[test]
 #[cfg(unix)]
 fn panels_follow_the_desktop() {
@@ -370,7 +370,7 @@ fn panels_follow_the_desktop() {
     let light = shot(1);
     assert!(light > 200, "{light}");
     is_now(1);
-    // To nobody, and back.
+    // Takes the focus away, and gives it back.
     screen.xdotool("search --maxdepth 0 .* windowfocus");
     screen.xdotool(focus);
     viewer.wait_for("the desktop is Dark");

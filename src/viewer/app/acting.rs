@@ -1,4 +1,4 @@
-//! What actions do besides changing the state: trees and comparisons.
+//! Applies actions to the state, and starts what they call for: tree builds, comparisons, snapping, printed picks.
 
 use super::program::{App, Host};
 use crate::viewer::{
@@ -8,7 +8,7 @@ use crate::viewer::{
 use std::{mem, time::Instant};
 
 impl App {
-    /// Does something to scene or view.
+    /// Applies an action to the scene or the view. A click in the picture waits while rays are slow, for want of trees.
     pub fn act(&mut self, action: Action) {
         let clicks = matches!(action, Action::Click(..));
         if clicks && !self.state.rays_are_quick() && self.state.stages().is_empty() {
@@ -48,7 +48,7 @@ impl App {
         }
     }
 
-    /// The four views, or the camera's picture again.
+    /// Switches between the four views and the camera's picture.
     pub(super) fn toggle_views(&mut self) {
         self.show_views(match self.state.views() {
             Views::Picture => Views::Four,
@@ -56,7 +56,7 @@ impl App {
         });
     }
 
-    /// Shows stages of the scene with the matrices beside them; with the picture these go where they were.
+    /// Shows these views. Stages open the matrix panel; back in the picture it closes if it was closed before.
     pub(super) fn show_views(&mut self, views: Views) {
         let (was, floating) = (self.state.views(), &mut self.floating);
         if was == Views::Picture && views != Views::Picture {
@@ -67,7 +67,7 @@ impl App {
         self.act(Action::Views(views));
     }
 
-    /// Does the click that waited for trees, unless the view is another by now.
+    /// Applies the click that waited for trees, unless the view has changed since.
     pub fn take_waiting(&mut self) {
         let (state, ready) = (&self.state, self.state.rays_are_quick());
         let waiting = self.waiting.take_if(|_| ready);

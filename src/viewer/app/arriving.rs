@@ -1,9 +1,6 @@
-//! What is made ready beside the window before it is shown: NDC, and scenes on their way into graphics memory.
+//! What background threads prepare before it is shown: the scene in NDC, and uploads to graphics memory.
 
-use super::{
-    program::{App, Arrival},
-    wake::Wake,
-};
+use super::program::{App, Arrival};
 use crate::{
     render::GpuError,
     viewer::{
@@ -14,8 +11,8 @@ use crate::{
 };
 
 impl App {
-    /// Begins to project the scene for NDC where that takes long, and takes what is there: one at a time, so that what is
-    /// shown follows a camera that goes on and on.
+    /// Takes a finished projection to NDC and begins the next if one is needed. They run one at a time, so that the
+    /// picture follows a camera that never stops.
     pub(super) fn take_projected(&mut self) {
         if let Some(made) = self.projecting.as_ref().and_then(Projecting::poll) {
             self.projecting = None;
@@ -33,27 +30,23 @@ impl App {
         if self.projecting.is_none()
             && let Some(what) = self.state.to_project()
         {
-            let wake = self.wake.clone();
-            self.projecting = Some(Projecting::start(what, self.gpu.clone(), move || {
-                wake(Wake::Look);
-            }));
+            self.projecting = Some(Projecting::start(what, self.gpu.clone(), self.waker()));
         }
     }
 
-    /// Shows what has come, when its scene is in graphics memory: at once, where that is little or nothing was drawn yet.
+    /// Uploads a loaded scene in the background, then shows it. A small scene is shown at once, and so is any before
+    /// the first frame.
     pub(super) fn arrive(&mut self, making: Making, what: Arrival) {
         match &self.gpu {
             Some((gpu, meshes)) if making.size() >= LITTLE => {
-                let wake = self.wake.clone();
-                let wake = move || wake(Wake::Look);
-                let upload = Upload::start(gpu.clone(), making, meshes.clone(), wake);
+                let upload = Upload::start(gpu.clone(), making, meshes.clone(), self.waker());
                 self.arriving = Some((upload, what));
             }
             _ => self.arrived(what, None),
         }
     }
 
-    /// Takes a scene that is in graphics memory, or does not fit.
+    /// Takes the outcome of an upload: shows the scene, or says why it does not fit.
     pub(super) fn take_uploaded(&mut self) {
         let Some(result) = self.arriving.as_ref().and_then(|(upload, _)| upload.poll()) else {
             return;
@@ -68,41 +61,36 @@ impl App {
                 self.arrived(what, made);
             }
             Err(error @ GpuError::SceneTooLarge { .. }) => self.complain(error.to_string()),
-            // What else there is to say of the device, the next picture says.
+            // The next frame reports other errors of the device.
             Err(_) => self.arrived(what, None),
         }
         self.context.request_repaint();
     }
 
-    fn arrived(&mut self, what: Arrival, made: Option<Made>) {
-        match what {
-            Arrival(loaded, paths, purpose) => {
-                match self.show_scene(*loaded, paths, purpose, made) {
-                    Ok(()) => self.build_trees(),
-                    Err(text) => self.complain(text),
-                }
-            }
+    fn arrived(&mut self, Arrival(loaded, paths, purpose): Arrival, made: Option<Made>) {
+        match self.show_scene(*loaded, paths, purpose, made) {
+            Ok(()) => self.build_trees(),
+            Err(text) => self.complain(text),
         }
     }
 
-    /// Gives up what is on its way. Returns whether there was anything.
+    /// Cancels loading and uploading. Returns whether there was anything to cancel.
     pub(super) fn stop_arriving(&mut self) -> bool {
         let was = self.underway().is_some();
         (self.loading, self.arriving) = (None, None);
         was
     }
 
-    /// What is on its way, to be told.
+    /// What is being loaded or uploaded, for the progress message.
     pub(super) fn underway(&self) -> Option<Underway> {
-        let unknown = |what| Underway {
-            what,
-            fraction: None,
-        };
         let loading = self.loading.as_ref().map(|(load, ..)| Underway {
             what: "loading",
             fraction: Some(load.fraction()),
         });
-        let arriving = self.arriving.as_ref().map(|_| unknown("getting ready"));
+        let arriving = self.arriving.as_ref().map(|_| Underway {
+            what: "getting ready",
+            fraction: None,
+        });
         loading.or(arriving)
     }
 }

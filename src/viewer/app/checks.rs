@@ -1,6 +1,6 @@
-//! Comparisons of drawn with picked: when they begin and when they go.
+//! Comparisons of the drawn ids with picks: when they begin and when they end.
 
-use super::{program::App, wake::Wake};
+use super::program::App;
 use crate::{
     camera::View,
     verify,
@@ -14,27 +14,25 @@ use crate::{
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 
 impl App {
-    /// Asks for a comparison of what will be on screen, or puts away the one that is.
+    /// Asks for a comparison of the next frame, or closes the current one.
     pub fn toggle_check(&mut self) {
         self.checking = match &self.checking {
             Checking::Wanted => Checking::Off,
-            // One that a key before this one has outdated is as good as gone.
+            // A comparison that an earlier key has outdated counts as closed.
             Checking::On(check) if check.is_about(&self.state) => Checking::Off,
             Checking::Off | Checking::On(_) => Checking::Wanted,
         };
     }
 
-    /// Begins the comparison that is asked for, once what it is about has been drawn.
+    /// Begins the comparison that was asked for, once the frame that it is about has been drawn.
     pub fn start_check(&mut self, canvas: &Canvas) {
         if !matches!(self.checking, Checking::Wanted) {
             return;
         }
         match canvas.read_ids(&self.state.to_show()) {
             Ok(Some(drawn)) => {
-                let wake = self.wake.clone();
-                let check = Check::start(&self.state, canvas.gpu.rasteriser(), drawn, move || {
-                    wake(Wake::Look);
-                });
+                let rasteriser = canvas.gpu.rasteriser();
+                let check = Check::start(&self.state, rasteriser, drawn, self.waker());
                 self.checking = Checking::On(Box::new(check));
                 self.marks = None;
                 self.context.request_repaint();
@@ -47,13 +45,13 @@ impl App {
         }
     }
 
-    /// Takes what a comparison found, and puts away one of what is no longer shown.
+    /// Takes the result of a comparison. Closes one that is about something no longer shown.
     pub fn take_checked(&mut self) {
         let Checking::On(check) = &mut self.checking else {
             return;
         };
         if !check.is_about(&self.state) {
-            // What another method gets wrong stays marked, wherever one looks from.
+            // The errors of another method stay marked: the new view is compared as well.
             self.checking = match self.state.method() {
                 Some(_) => Checking::Wanted,
                 None => Checking::Off,
@@ -61,7 +59,7 @@ impl App {
         } else if check.poll()
             && let Some(found) = &check.found
         {
-            // A pass finds out how large the result is, the next one puts it in its place.
+            // One pass measures the result, the next one lays it out.
             self.context.request_repaint();
             if self.state.method().is_none() {
                 let command = verify_command(&self.state);
@@ -72,7 +70,7 @@ impl App {
     }
 }
 
-/// The pixels in which a comparison found differences, as a texture.
+/// A texture that marks the pixels where a comparison found differences.
 pub(super) fn painted(
     context: &Context,
     state: &State,
@@ -85,7 +83,7 @@ pub(super) fn painted(
     let found = check.found.as_ref()?;
     let marks = marks.get_or_insert_with(|| {
         let image = picture_of(state.view(), found);
-        // Not by `load_texture`, which takes no more than egui's letters may.
+        // Not by `load_texture`, which refuses images larger than egui's font texture may be.
         let textures = context.tex_manager();
         let id =
             (textures.write()).alloc("differences".into(), image.into(), TextureOptions::NEAREST);

@@ -15,7 +15,7 @@ use crate::{
     },
 };
 
-/// What is of use of a text on the clipboard; the rest may be objects.
+/// The part of a clipboard's text that is used; the rest may be objects.
 #[derive(serde::Deserialize)]
 struct Clipping {
     camera: Option<CameraChoice>,
@@ -27,7 +27,7 @@ impl App {
         match command {
             Command::Act(Action::ToggleFreeze) if self.state.views() != Views::Picture => {
                 let key = "press 4 for the picture, then T";
-                self.complain(format!("world shows the camera already: {key}"));
+                self.complain(format!("the world view shows the camera already: {key}"));
             }
             Command::Act(action) => self.act(action),
             Command::OpenDialog if self.host == Host::Picture => {}
@@ -49,7 +49,7 @@ impl App {
                 self.copy(command, done);
                 if self.state.edited() {
                     self.complain(
-                        "the command gives the scene as its files have it: save it first (Ctrl+S), then copy again"
+                        "the command shows the scene as its files have it, without your edits: save first (Ctrl+S), then copy again"
                             .into(),
                     );
                 }
@@ -94,10 +94,10 @@ impl App {
             Command::Escape => self.escape(),
             Command::NextExhibit { forward } => self.open_next_exhibit(forward),
             Command::LeaveGallery if self.state.has_outside() => self.act(Action::LeaveGallery),
-            // The gallery was opened first: what the program opens by itself is all that there is outside.
+            // The gallery was opened first, so there is no scene to return to: open the demo.
             Command::LeaveGallery => self.intend(Intent::Open(Vec::new())),
             Command::ToggleCheck => {
-                // It is about the camera's picture.
+                // Only the camera's picture can be compared.
                 self.act(Action::Views(Views::Picture));
                 self.toggle_check();
             }
@@ -116,7 +116,7 @@ impl App {
         }
     }
 
-    /// Gives up the first of what can be given up.
+    /// What Esc does: ends the first of these that is active.
     fn escape(&mut self) {
         let selects_none = self.state.selection().is_none();
         if self.question.is_some() {
@@ -126,7 +126,7 @@ impl App {
         } else if self.state.measuring().is_on {
             self.act(Action::Measure(MeasureAction::Toggle));
         } else if self.stop_arriving() {
-            // What was on its way is given up.
+            // `stop_arriving` did it.
         } else if self.floating.help {
             self.floating.help = false;
         } else if self.state.method().is_some() {
@@ -148,13 +148,13 @@ impl App {
         self.say(done.into());
     }
 
-    /// Takes what the user answered.
+    /// Takes the answer of a file dialog.
     pub fn answered(&mut self, answer: Answer) {
         match answer {
             Answer::Open(paths) => self.intend(Intent::Open(paths)),
             Answer::Save(path) => self.save(path),
             Answer::NoneToOpen => self.complain(
-                "this desktop shows no file dialog: drop files on the window, or name them when starting".into(),
+                "this desktop shows no file dialog: drop files on the window, or name them on the command line".into(),
             ),
             Answer::NoneToSave => self.complain(
                 "nothing is saved: this desktop shows no file dialog; it needs an XDG desktop portal".into(),
@@ -162,9 +162,9 @@ impl App {
         }
     }
 
-    /// Takes over the camera that a text has, as a scene file writes it.
+    /// Sets the camera from a text with a scene file's `[camera]` table.
     fn paste_camera(&mut self, text: &str) -> Result<(), String> {
-        let none = "the clipboard holds no camera: Shift+C copies one, and so does the [camera] of a scene file";
+        let none = "the clipboard holds no camera: copy one with Shift+C, or copy the [camera] table of a scene file";
         let says = toml::from_str::<Clipping>(text).map_err(|_| none)?;
         let camera = Action::Camera(says.camera.ok_or(none)?);
         self.state

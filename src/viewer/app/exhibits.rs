@@ -1,16 +1,13 @@
 //! The gallery: from scene to scene, with the study's chart beside it.
 
-use super::{
-    program::{App, Purpose},
-    wake::Wake,
-};
+use super::program::{App, Purpose};
 use crate::{
     scene::gallery::{Exhibit, GALLERY},
     viewer::{jobs::Chart, model::Showing},
 };
 
 impl App {
-    /// Opens the scene of the gallery after the one on screen, or before it; the first where none is.
+    /// Opens the gallery's scene after the one on screen, or before it; the first if none is on screen.
     pub fn open_next_exhibit(&mut self, forward: bool) {
         let on_screen = |exhibit: &Exhibit| {
             (self.state.showing()).is_some_and(|showing| showing.exhibit == exhibit)
@@ -21,7 +18,7 @@ impl App {
         self.load(vec![GALLERY[next].path()], Purpose::Open);
     }
 
-    /// Takes the chart that the gallery shows, or begins it.
+    /// Takes the chart of the gallery's scene, or begins to compute it.
     pub fn take_chart(&mut self) {
         let Some(subject) = self.state.showing().and_then(Showing::subject) else {
             self.chart = None;
@@ -30,10 +27,8 @@ impl App {
         match &mut self.chart {
             Some(chart) if chart.is_of(subject) => chart.poll(),
             _ => {
-                let wake = self.wake.clone();
-                let wake = move || wake(Wake::Look);
                 let (scene, view) = (self.state.scene().clone(), *self.state.view());
-                self.chart = Some(Chart::start(subject, scene, view, wake));
+                self.chart = Some(Chart::start(subject, scene, view, self.waker()));
             }
         }
     }

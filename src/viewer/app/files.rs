@@ -1,4 +1,4 @@
-//! What is open: loading it, loading it again, adding to it, saving it.
+//! Opening, reloading, adding and saving files.
 
 use super::{
     program::{App, Arrival, Host, Purpose},
@@ -16,7 +16,7 @@ use crate::{
 use std::path::PathBuf;
 
 impl App {
-    /// Begins to load what the options name.
+    /// Starts the program, and begins to load the files that the options name.
     pub fn start(options: Options, wake: Waker, host: Host) -> Self {
         let paths = options.paths.clone();
         let mut app = Self::new(options, wake, host);
@@ -24,7 +24,7 @@ impl App {
         app
     }
 
-    /// Begins with what the options name, loaded already.
+    /// Starts the program with the files that the options name loaded already.
     pub fn start_with(loaded: Loaded, options: Options, wake: Waker, host: Host) -> Self {
         let paths = options.paths.clone();
         let mut app = Self::new(options, wake, host);
@@ -32,14 +32,13 @@ impl App {
         app
     }
 
-    /// Loads files: in place of what is shown, or beside it, once they are whole.
+    /// Begins to load files. Once all of them are loaded, they replace what is shown or are added to it.
     pub(super) fn load(&mut self, paths: Vec<PathBuf>, purpose: Purpose) {
-        let wake = self.wake.clone();
-        let wake = move || wake(Wake::Look);
-        self.loading = Some((Loading::start(paths.clone(), wake), paths, purpose));
+        let loading = Loading::start(paths.clone(), self.waker());
+        self.loading = Some((loading, paths, purpose));
     }
 
-    /// Loads the files of what is shown again; those that nothing was shown of yet as if for the first time.
+    /// Loads the files on screen again. If nothing was shown yet, opens the command line's files anew.
     pub(super) fn reload(&mut self) {
         if self.loading.is_some() {
             return;
@@ -51,7 +50,7 @@ impl App {
         }
     }
 
-    /// Takes what a load brought: the scene on screen stays until its successor is whole.
+    /// Takes the outcome of a load. The scene on screen stays until the new one is complete.
     pub(super) fn take_loaded(&mut self) {
         let Some(result) = self.loading.as_ref().and_then(|(load, ..)| load.poll()) else {
             return;
@@ -130,7 +129,7 @@ impl App {
         Ok(())
     }
 
-    /// Does what the command line says about the first scene; returns what of it cannot be, and is left out.
+    /// Applies the command line's `--hide` and camera to the first scene. Returns why either was left out.
     fn apply_flags(&self, loaded: &mut Loaded) -> Vec<String> {
         let hidden = loaded.scene.hide(&self.options.hidden);
         let hidden = hidden.map_err(|error| format!("--hide: {error}"));
@@ -145,8 +144,8 @@ impl App {
             .collect()
     }
 
-    /// Asks where to save the scene as it is now, and does what is intended once it is saved: then it is the first of the
-    /// scenes whose edits that would drop, which may be one that was left for the gallery.
+    /// Asks where to save the scene as it is now. With an intent, the scene is the first whose edits the intent would
+    /// drop, perhaps one left for the gallery; the intent is carried out after the save.
     pub(super) fn ask_where_to_save(&mut self, then: Option<Intent>) {
         let drops = then.as_ref().map(|intent| intent.drops(&self.state));
         let scene = drops.and_then(|scenes| scenes.first().copied());
@@ -159,21 +158,20 @@ impl App {
         }
     }
 
-    /// Writes the scene as it was when somebody asked where to save it.
+    /// Writes the scene as it was when the save dialog opened.
     pub(super) fn save(&mut self, path: PathBuf) {
         let asked = self.to_save.take();
         let (snapshot, then) = asked.unwrap_or_else(|| (self.state.snapshot(), None));
         match scene_file(path) {
             Ok(path) => {
-                let wake = self.wake.clone();
-                let saving = Saving::start(snapshot, path, move || wake(Wake::Look));
+                let saving = Saving::start(snapshot, path, self.waker());
                 self.saving.push((saving, then));
             }
             Err(text) => self.complain(text),
         }
     }
 
-    /// Takes what became of saving: a scene that is saved is from then on its file's.
+    /// Takes the outcome of a save. From then on the scene belongs to its new file.
     pub(super) fn take_saved(&mut self) {
         let poll = |(saving, _): &(Saving, _)| saving.poll();
         let done = self
@@ -203,8 +201,8 @@ impl App {
     }
 }
 
-/// The file to write a scene to: by its ending it will be known as one. If we add the ending ourselves, no file that has the
-/// name already is written over.
+/// The file to write a scene to: `.toml` is added to a name that lacks it. An existing file is never overwritten under
+/// a name that was completed so.
 fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
     if scene::is_scene_file(&path) {
         return Ok(path);
@@ -212,7 +210,7 @@ fn scene_file(mut path: PathBuf) -> Result<PathBuf, String> {
     path.add_extension("toml");
     if path.exists() {
         return Err(format!(
-            "{} is there already: save as that, or under another name",
+            "{} exists already: choose that very file, or another name",
             path.display()
         ));
     }

@@ -1,5 +1,5 @@
-//! The driver: what a frame is, in the one order that a window and a picture of it share. What jobs brought is taken,
-//! egui's input shown to the panels, what that asks for done, the device seen to, and the frame drawn.
+//! The driver of a frame, which windows and pictures of them share. A frame takes the results of jobs, runs the panels
+//! on egui's input, executes their commands, replaces a lost device, and draws.
 
 use super::{
     checks::painted,
@@ -20,18 +20,18 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// While nobody does anything, some letters are drawn beforehand as often as this.
+/// While the program is idle, it rasterises a few glyphs ahead this often.
 const LETTERS_EVERY: Duration = Duration::from_millis(16);
 
-/// What came of a frame.
+/// The outcome of a frame.
 pub(in crate::viewer) struct Frame {
     /// Clipboard, cursor and the like, for the system.
     pub platform: egui::PlatformOutput,
-    /// Whether the scene itself was drawn anew.
+    /// Whether a new picture of the scene is shown.
     pub drawn: Result<bool, GpuError>,
 }
 
-/// What a pass over the panels leaves to draw, and to tell the system.
+/// The outcome of a pass over the panels: what to draw, and what to tell the system.
 struct Pass {
     shapes: Vec<egui::epaint::ClippedShape>,
     pixels_per_point: f32,
@@ -40,15 +40,15 @@ struct Pass {
     /// Where the stages go within it.
     panes: Vec<(Stage, SceneRect)>,
     platform: egui::PlatformOutput,
-    /// The panels showed the state before what they asked for.
+    /// The panels show the state from before their own commands.
     is_outdated: bool,
-    /// When egui wants another.
+    /// After how long egui wants another pass.
     next_in: Duration,
 }
 
 impl App {
-    /// A frame: a pass, and another where that changed something, so that panels and scene show one state; drawn and
-    /// shown.
+    /// Runs a pass, and another if that changed something, so that panels and scene show one state. Draws and shows the
+    /// result.
     pub fn frame(&mut self, input: egui::RawInput, screen: &mut impl Screen) -> Frame {
         let start = Instant::now();
         self.take_finished();
@@ -107,8 +107,8 @@ impl App {
         }
     }
 
-    /// A pass that is not drawn. A press, the moves after it and the release are each seen in a pass of their own, however
-    /// slow frames are: of what happens within one pass egui sees only the end.
+    /// Runs a pass without drawing. A press, the moves after it and the release each get a pass of their own, however
+    /// slow frames are: within one pass, egui sees only the final state.
     pub fn pass(&mut self, input: egui::RawInput) -> egui::PlatformOutput {
         self.take_finished();
         let pass = self.run_pass(input);
@@ -118,7 +118,7 @@ impl App {
         pass.platform
     }
 
-    /// Takes what jobs have done by now.
+    /// Takes the results of jobs.
     pub fn take_finished(&mut self) {
         self.take_loaded();
         self.take_projected();
@@ -136,7 +136,7 @@ impl App {
         }
     }
 
-    /// Shows the panels to what has happened since the last pass and does what that asks for.
+    /// Runs the panels on the input since the last pass, and executes their commands.
     fn run_pass(&mut self, input: egui::RawInput) -> Pass {
         self.forget_said(input.time.unwrap_or_default());
         let dropped = input.dropped_files.iter();
@@ -146,7 +146,7 @@ impl App {
         let context = self.context.clone();
         self.notice_step(None);
         let (underway, docks) = (self.underway(), self.docks);
-        // Of the views alone a picture is taken: nothing that goes by lies over them then.
+        // A screenshot without panels shows no passing messages either.
         let is_shot = self.screenshots.wanted.is_some_and(|shot| shot.alone);
         let offers_tour = !is_shot && self.offers_tour();
         let mut none = Notices::new();
@@ -200,7 +200,7 @@ impl App {
         let acted = !commands.iter().all(idle);
         let before = (self.state.hover(), self.state.row());
         let cursor = self.state.cursor();
-        // A row lights its object only as long as the cursor rests on it.
+        // A row lights its object only while the cursor is on it.
         self.state.apply(Action::Light(None));
         for command in commands {
             let done = self.tour.map(|_| command.clone());
@@ -231,7 +231,7 @@ impl App {
         }
     }
 
-    /// Draws a pass, on another device where the one before is lost, and does what waited for it.
+    /// Draws a pass, on a new device if the old one is lost. Then does what waited for the frame.
     fn draw(&mut self, laid: &Laid, screen: &mut impl Screen) -> Result<bool, GpuError> {
         self.picture = Progress::default();
         if screen.restore()? {
@@ -260,7 +260,7 @@ impl App {
                     self.announce();
                 }
             }
-            // The scene before it is there still.
+            // The scene before it comes back.
             Err(GpuError::SceneTooLarge { .. }) if self.state.refused() => {
                 self.build_trees();
                 self.context.request_repaint();
@@ -280,27 +280,28 @@ impl App {
         drawn.map(|progress| progress.anew)
     }
 
-    /// What waited for a frame to be drawn, and what only drawing shows to be impossible.
+    /// Does what needs a drawn frame: starts comparisons, takes screenshots, and turns off a wireframe that the adapter
+    /// cannot draw.
     fn follow_up(&mut self, canvas: &mut Canvas, laid: &Laid) {
         if self.state.overlays().shows(Overlay::Wireframe) && !canvas.gpu.draws_wireframes() {
             self.act(Action::Toggle(Overlay::Wireframe));
             let adapter = canvas.gpu.adapter_name();
             self.complain(format!(
-                "{adapter} draws no edges of triangles: there is no wireframe"
+                "{adapter} cannot draw the edges of triangles: there is no wireframe"
             ));
         }
         self.start_check(canvas);
         self.take_screenshot(canvas, laid);
     }
 
-    /// Writes the frame that was just drawn, where that was asked for.
+    /// Saves the frame that was just drawn, if a screenshot was asked for.
     fn take_screenshot(&mut self, canvas: &mut Canvas, laid: &Laid) {
         let Some(Shot { alone }) = self.screenshots.wanted.take() else {
             return;
         };
         let picture = match laid.place.filter(|_| alone) {
-            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, laid, place),
-            // What is written over the views is the panels'.
+            Some(place) if laid.panes.is_empty() => canvas.picture_alone(&self.state, place),
+            // The labels over the views belong to the panels.
             Some(place) => (canvas.picture(&self.state, laid))
                 .map(|whole| whole.part(place.origin_px, place.viewport)),
             None => canvas.picture(&self.state, laid),

@@ -1,10 +1,10 @@
-//! What would drop edits is asked about first.
+//! Asks before anything that would drop edits.
 
 use super::program::{App, Purpose};
 use crate::viewer::ui::{Intent, Reply};
 
 impl App {
-    /// Does it, or asks first where it would drop edits.
+    /// Carries out an intent, or asks first if it would drop edits.
     pub(super) fn intend(&mut self, intent: Intent) {
         if intent.drops(&self.state).is_empty() {
             self.carry_out(intent);
@@ -14,7 +14,7 @@ impl App {
         }
     }
 
-    /// Does what the user answered to the question.
+    /// Acts on the user's answer to the question.
     pub(super) fn reply(&mut self, reply: Reply) {
         let Some(intent) = self.question.take() else {
             return;

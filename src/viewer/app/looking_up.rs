@@ -1,9 +1,8 @@
-//! What the files of meshes say: of the pick, and of faces and vertices that somebody goes to.
+//! Looks things up in the files of meshes: the face of a pick, and faces and vertices to go to.
 
 use super::{
     numbers::{Said, Triangle, file_of},
     program::App,
-    wake::Wake,
 };
 use crate::{
     pick::Whereabouts,
@@ -14,10 +13,9 @@ use crate::{
         ui::GoTo,
     },
 };
-use std::sync::mpsc::TryRecvError;
 
 impl App {
-    /// Asks the file about the pick, and takes what files have answered.
+    /// Asks the file about the pick, and takes the answers that have come.
     pub(super) fn take_numbers(&mut self) {
         self.print_known(ReadingAgain::poll);
         self.look_up_pick();
@@ -52,33 +50,30 @@ impl App {
                 }
             }
             (None, Some((of, file))) => {
-                let wake = self.wake.clone();
                 let question = Question::Triangle(of.2);
-                let reading = ReadingAgain::start(file, question, move || wake(Wake::Look));
+                let reading = ReadingAgain::start(file, question, self.waker());
                 self.numbers.of_pick = Some((of, reading));
             }
             (None, None) => {}
         }
     }
 
-    /// Leads a click to a vertex or an edge, where that is asked for.
+    /// Begins to snap a click to a vertex or an edge, while measuring.
     pub(super) fn snap(&mut self) {
         self.numbers.snapping = None;
         let ray = self.state.hits().filter(|_| self.state.measuring().is_on);
         if let Some(ray) = ray {
-            let wake = self.wake.clone();
             let files = self.state.source().meshes.clone();
             let scene = self.state.scene().clone();
-            let snapping =
-                Snapping::start(scene, ray.view, ray.px, files, move || wake(Wake::Look));
+            let snapping = Snapping::start(scene, ray.view, ray.px, files, self.waker());
             self.numbers.snapping = Some((scene_now(&self.state), snapping));
         }
     }
 
     fn take_snapped(&mut self) {
-        let found = match self.numbers.snapping.as_ref().map(|(_, job)| job.poll()) {
-            None | Some(Err(TryRecvError::Empty)) => return,
-            Some(found) => found.ok().flatten(),
+        let snapping = self.numbers.snapping.as_ref();
+        let Some(found) = snapping.and_then(|(_, job)| job.poll()) else {
+            return;
         };
         let of = self.numbers.snapping.take().map(|(of, _)| of);
         if let Some((snap, area)) = found.filter(|_| of == Some(scene_now(&self.state))) {
@@ -98,8 +93,7 @@ impl App {
         };
         match file_in_question(&self.state) {
             Ok(file) => {
-                let wake = self.wake.clone();
-                let reading = ReadingAgain::start(file.clone(), question, move || wake(Wake::Look));
+                let reading = ReadingAgain::start(file.clone(), question, self.waker());
                 self.numbers.going = Some((to, file, self.state.scene_revision(), reading));
             }
             Err(reason) => self.tell(reason.to_owned()),
@@ -130,7 +124,7 @@ impl App {
         self.numbers.said = Some(Said::of(&self.state, text));
     }
 
-    /// Shows and marks what was asked for; the panel says how it is seen.
+    /// Shows and marks the face or vertex that was found; the panel says how it is seen.
     fn arrive_at(&mut self, to: GoTo, file: &MeshFile, found: Found) {
         let (scene, view) = (self.state.scene(), self.state.view());
         let (of, name, places) = match (found, to) {
@@ -182,7 +176,7 @@ impl App {
     }
 }
 
-/// What changes with the scene.
+/// Revisions that change with the scene.
 fn scene_now(state: &State) -> [u64; 2] {
     [state.scene_revision(), state.visibility_revision()]
 }
@@ -210,5 +204,5 @@ fn file_in_question(state: &State) -> Result<MeshFile, &'static str> {
     };
     let file = of_selected.filter(|file| file.contents.is_some()).or(only);
     file.cloned()
-        .ok_or("there are several OBJ files: select an object of the one that is meant")
+        .ok_or("there are several OBJ files: select an object of the one you mean")
 }

@@ -16,11 +16,11 @@ pub(in crate::viewer) struct WindowPlace {
     pub size: [f64; 2],
     /// Top left corner in pixels of the desktop, where the system tells it.
     pub corner_px: Option<[i32; 2]>,
-    /// Whether it filled its screen, but for the desktop's own bars.
+    /// Whether it was maximised.
     pub maximised: bool,
 }
 
-/// All of it.
+/// All that is remembered.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(in crate::viewer) struct Memory {
@@ -34,11 +34,11 @@ pub(in crate::viewer) struct Memory {
     pub panels: Docks,
 }
 
-/// Nobody's window needs more, in bytes.
+/// The longest file that is read, in bytes.
 const MOST_BYTES: u64 = 1 << 20;
 
 impl Memory {
-    /// What a file holds; nothing where there is none, or where it is broken.
+    /// Reads a file. The default if there is none, or if it is broken.
     pub fn read(file: Option<&Path>) -> Self {
         let Some(file) = file.filter(|file| file.exists()) else {
             return Self::default();
@@ -47,18 +47,18 @@ impl Memory {
             .and_then(|text| toml::from_str(&text).map_err(|error| error.message().to_owned()))
             .unwrap_or_else(|reason| {
                 let file = file.display();
-                log::warn!("{file}: {reason}: what was remembered is not used");
+                log::warn!("{file}: {reason}: defaults are used instead");
                 Self::default()
             })
     }
 }
 
-/// What stands in a file, or why it is not read.
+/// The text of a file, or why it is not read.
 fn text_of(path: &Path) -> Result<String, String> {
     let about = fs::metadata(path).map_err(|error| error.to_string())?;
-    // A pipe or a device, which may be without end, is not even opened.
+    // A pipe or a device may never end, so it is not even opened.
     if !about.is_file() || about.len() > MOST_BYTES {
-        return Err("is no file of at most 1 MiB".to_owned());
+        return Err("is not a regular file of at most 1 MiB".to_owned());
     }
     let file = fs::File::open(path).map_err(|error| error.to_string())?;
     let mut text = String::new();
@@ -67,7 +67,7 @@ fn text_of(path: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-/// The file that a user's window is remembered in; `None` where the system has no place for it.
+/// The file that remembers a user's window; `None` where the system has no place for it.
 #[must_use]
 pub fn memory_file() -> Option<PathBuf> {
     let places = etcetera::choose_base_strategy().ok()?;

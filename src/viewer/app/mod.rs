@@ -1,4 +1,4 @@
-//! The program: what commands do, what jobs bring, and the one driver that every frame goes through.
+//! The program: executes commands, takes the results of jobs, and drives every frame.
 
 mod acting;
 mod arriving;

@@ -1,4 +1,4 @@
-//! Questions to the files of meshes, under way.
+//! Pending questions to the files of meshes, and their answers.
 
 use crate::{
     pick::{Pick, PickLine},
@@ -11,26 +11,25 @@ use crate::{
 };
 use std::collections::VecDeque;
 
-/// Which triangle: of which scene, object and mesh.
+/// A triangle: the scene's revision, the object's index, the triangle's index in the mesh.
 pub(super) type Triangle = (u64, usize, u32);
 
-/// Questions to files.
+/// Pending questions and the last answer.
 #[derive(Default)]
 pub(in crate::viewer) struct Numbers {
     /// About the pick.
     pub(super) of_pick: Option<(Triangle, ReadingAgain)>,
-    /// About what is gone to, in which file of which scene.
+    /// About the face or vertex to go to, with its file and the scene's revision.
     pub(super) going: Option<(GoTo, MeshFile, u64, ReadingAgain)>,
-    /// A click that is led to a vertex or an edge, of which state of the scene.
+    /// A click that is being snapped, with the scene's revisions.
     pub(super) snapping: Option<([u64; 2], Snapping)>,
-    /// Picks that are to be printed.
-    /// Each with the question to its file, where it has one.
+    /// Picks to be printed, each with the question to its file if it has one.
     pub(super) unprinted: VecDeque<(PickLine, Option<ReadingAgain>)>,
-    /// What came of the last way to somewhere.
+    /// What the last "go to" has found.
     pub(super) said: Option<Said>,
 }
 
-/// What is said of what was gone to, while it is so.
+/// What a "go to" has found, with the state in which that holds.
 pub(in crate::viewer) struct Said {
     text: String,
     scene: u64,
@@ -39,7 +38,7 @@ pub(in crate::viewer) struct Said {
 }
 
 impl Said {
-    /// Of the scene, the selection and the mark as they are.
+    /// A text that holds for the scene, the selection and the mark as they are now.
     pub(super) fn of(state: &State, text: String) -> Self {
         Self {
             text,
@@ -51,7 +50,7 @@ impl Said {
 }
 
 impl Numbers {
-    /// What came of the last way to somewhere, until something else is selected or marked, or the scene is another.
+    /// What the last "go to" has found, until the scene, the selection or the mark changes.
     pub fn said(&self, state: &State) -> Option<&str> {
         let said = self.said.as_ref()?;
         let now = Said::of(state, String::new());
@@ -60,14 +59,14 @@ impl Numbers {
         is_so.then_some(&said.text)
     }
 
-    /// Whether a file is to answer yet.
+    /// Whether an answer is still to come.
     pub fn is_busy(&self) -> bool {
         let is_asked = self.of_pick.is_some() || self.going.is_some();
         is_asked || self.snapping.is_some() || !self.unprinted.is_empty()
     }
 }
 
-/// The triangle of a mesh that a pick is on and the file to ask about it; `None` of what has no file, or was asked already.
+/// The mesh's triangle under a pick, and the file to ask about it; `None` if it has no file, or that was asked already.
 pub(super) fn file_of(state: &State, hit: &Pick) -> Option<(u32, MeshFile)> {
     let object = state.scene().objects().get(hit.id - 1)?;
     let Shape::Mesh { mesh, .. } = &object.shape else {

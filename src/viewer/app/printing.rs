@@ -1,6 +1,6 @@
-//! Picks as lines on stdout, each once its mesh's file has said what it has to: in the order in which they were made.
+//! Prints picks as lines on stdout, in the order of the clicks, each once its file has answered.
 
-use super::{numbers::file_of, program::App, wake::Wake};
+use super::{numbers::file_of, program::App};
 use crate::{
     json,
     pick::PickLine,
@@ -9,18 +9,17 @@ use crate::{
 use std::io::Write;
 
 impl App {
-    /// Prints a pick, as soon as all that is to be said of it is known.
+    /// Queues a pick, to be printed once its file has answered.
     pub(super) fn print(&mut self, line: PickLine) {
         let asked = line.hit.as_ref().and_then(|hit| file_of(&self.state, hit));
         let reading = asked.map(|(triangle, file)| {
-            let wake = self.wake.clone();
-            ReadingAgain::start(file, Question::Triangle(triangle), move || wake(Wake::Look))
+            ReadingAgain::start(file, Question::Triangle(triangle), self.waker())
         });
         self.numbers.unprinted.push_back((line, reading));
         self.print_known(ReadingAgain::poll);
     }
 
-    /// Prints the first of what waits, up to one whose file has not answered yet.
+    /// Prints queued picks, up to the first whose file has not answered yet.
     pub(super) fn print_known(&mut self, answer: impl Fn(&ReadingAgain) -> Option<Found>) {
         while let Some((line, reading)) = self.numbers.unprinted.front_mut() {
             if let Some(reading) = reading {
@@ -41,7 +40,7 @@ impl App {
 }
 
 impl Drop for App {
-    /// A window that is closed waits for what files have yet to say of its picks.
+    /// A window that closes waits for the files' answers about its picks.
     fn drop(&mut self) {
         self.print_known(ReadingAgain::wait);
     }

@@ -1,4 +1,4 @@
-//! The program behind the window: all that outlives frames, devices and windows, and what it says.
+//! The program behind the window: all that outlives frames, devices and windows. Its messages and its title.
 
 use super::{
     memory::Memory,
@@ -29,26 +29,26 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// How long what is done is said, in seconds.
+/// How long a confirmation is shown, in seconds.
 const SAID_S: f64 = 4.0;
 
 /// What a load is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
-    /// In place of what is shown.
+    /// To replace what is shown.
     Open,
-    /// The files of what is shown, again: view, selection and visibility stay.
+    /// To read the files on screen again: view, selection and visibility stay.
     Reload,
-    /// The same, since they have changed.
+    /// The same, because the files have changed.
     Follow,
-    /// Beside what is shown.
+    /// To add to what is shown.
     Add,
 }
 
-/// What is shown once it is in graphics memory.
+/// A loaded scene, its files and its purpose: shown once it is in graphics memory.
 pub(super) struct Arrival(pub Box<Loaded>, pub Vec<PathBuf>, pub Purpose);
 
-/// How much of the screen the window has.
+/// How much of the screen the window covers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::viewer) enum Extent {
     /// What the desktop gives it.
@@ -64,10 +64,10 @@ pub(in crate::viewer) struct Shot {
     pub alone: bool,
 }
 
-/// Screenshots that are asked for.
+/// Screenshots.
 #[derive(Default)]
 pub(in crate::viewer) struct Screenshots {
-    /// Of the next frame.
+    /// What the next frame is saved as.
     pub wanted: Option<Shot>,
     /// Where they go: the folder that the program runs in, at first.
     pub folder: PathBuf,
@@ -76,9 +76,9 @@ pub(in crate::viewer) struct Screenshots {
 /// Who shows the program.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::viewer) enum Host {
-    /// A window: the system's dialogs are asked, and the status line tells times and the adapter.
+    /// A window: it opens the system's dialogs, and its status line tells times and the adapter.
     Window,
-    /// Pictures that are compared: nobody is asked, and what differs by machine is not told.
+    /// A picture: it opens no dialogs, and shows nothing that differs between machines.
     Picture,
 }
 
@@ -90,23 +90,23 @@ pub(in crate::viewer) struct App {
     pub context: egui::Context,
     pub textures: Textures,
     pub state: State,
-    /// The device that pictures are drawn with, once one was, and the meshes that it has.
+    /// The device and the meshes on it, once a frame was drawn.
     pub(super) gpu: Option<(Gpu, MeshStore)>,
     /// The scene that is being projected for NDC.
     pub(super) projecting: Option<Projecting>,
-    /// What is on its way into graphics memory, to be shown then.
+    /// The upload under way, and what is shown after it.
     pub(super) arriving: Option<(Upload, Arrival)>,
-    /// What is there, for the next picture, and of which stage that is: of none, what the camera sees.
+    /// Finished uploads for the next frame, each with its stage; `None` is the camera's picture.
     pub(super) uploaded: Vec<(Option<Stage>, Uploaded)>,
-    /// The load under way, of which files, and what for.
+    /// The load under way, its files and its purpose.
     pub(super) loading: Option<(Loading, Vec<PathBuf>, Purpose)>,
-    /// The scene as it was when somebody asked where to save it, and what is to be done once it is saved.
+    /// The scene as it was when the save dialog opened, and what to do once it is saved.
     pub(super) to_save: Option<(Snapshot, Option<Intent>)>,
-    /// What is being written, and what is to be done then.
+    /// Saves under way, and what to do after each.
     pub(super) saving: Vec<(Saving, Option<Intent>)>,
-    /// What would drop edits, and waits for an answer.
+    /// What would drop edits, and waits for the user's answer.
     pub(super) question: Option<Intent>,
-    /// What is being built for the scene on screen.
+    /// The build of trees for the scene on screen.
     pub trees: Option<TreeBuild>,
     /// Nothing was shown yet: the first scene takes the command line's camera.
     pub first: bool,
@@ -117,15 +117,15 @@ pub(in crate::viewer) struct App {
     pub docks: Docks,
     /// What is remembered from one run to the next.
     pub memory: Memory,
-    /// What writes it down.
+    /// What writes that to its file.
     pub(super) keeping: Keeping,
-    /// The files of what is shown, as somebody else may change them.
+    /// Watches the files on screen for changes by others.
     pub(super) watching: Option<Watching>,
-    /// The system's, for names that the panels' own do not have.
+    /// The search for system typefaces that have the characters which egui's lack.
     pub(super) typefaces: Typefaces,
-    /// What panels that are not open yet are written in.
+    /// Glyphs of panels that are not open yet, rasterised ahead.
     pub letters: Letters,
-    /// Questions to the files of meshes.
+    /// Questions to the files of meshes, and their answers.
     pub(super) numbers: Numbers,
     pub filter: Filter,
     pub checking: Checking,
@@ -135,25 +135,25 @@ pub(in crate::viewer) struct App {
     pub screenshots: Screenshots,
     pub reveal_selection: bool,
     pub drag: Option<Drag>,
-    /// The scene that the log spoke of last; none for the empty one before the first.
+    /// The scene's revision that the log announced last; 0 before the first scene.
     announced: u64,
     pub host: Host,
     pub statistics: Statistics,
     /// What is to go on the clipboard.
     pub copied: Option<String>,
-    /// A click, and through which view, that waits for trees.
+    /// A click that waits for trees, and its view.
     pub(super) waiting: Option<(Action, View)>,
     pub extent: Extent,
     /// How far the scene's picture has come.
     pub picture: Progress,
-    /// Since when it rests.
+    /// Whether it moves or rests.
     pub rest: Rest,
-    /// The user is done.
+    /// The user has quit.
     pub quit: bool,
 }
 
 impl App {
-    /// With nothing to show yet.
+    /// A program with an empty scene.
     pub(super) fn new(options: Options, wake: Waker, host: Host) -> Self {
         let state = State::new(
             Loaded::default(),
@@ -227,38 +227,39 @@ impl App {
             || !self.state.scene().trees_are_built()
     }
 
-    /// Says what went wrong, to whoever looks at the window and to whoever looks at the terminal. What stands there
-    /// already is not said again.
+    /// Reports an error, in the window and in the log. A message that is on screen already is not repeated.
     pub fn complain(&mut self, text: String) {
         if self.notices.iter().any(|notice| notice.text == text) {
             return;
         }
         log::error!("{text}");
-        self.notices.push(Notice::new(text, Kind::Error));
-        self.context.request_repaint();
+        self.post(text, Kind::Error);
     }
 
-    /// Says that something is done. It goes away by itself.
+    /// Confirms that something is done. The message goes away by itself.
     pub fn say(&mut self, text: String) {
         log::info!("{text}");
         let until_s = self.context.input(|input| input.time) + SAID_S;
-        self.notices.retain(|notice| notice.text != text);
-        self.notices.push(Notice::new(text, Kind::Done { until_s }));
-        self.context.request_repaint();
+        self.post(text, Kind::Done { until_s });
         (self.wake)(Wake::RepaintAt(
             Instant::now() + Duration::from_secs_f64(SAID_S),
         ));
     }
 
-    /// Says something that is to be read.
+    /// Shows a warning, which stays until it is closed.
     pub fn remind(&mut self, text: String) {
         log::warn!("{text}");
+        self.post(text, Kind::Warning);
+    }
+
+    /// Shows a message, in place of one of the same text.
+    fn post(&mut self, text: String, kind: Kind) {
         self.notices.retain(|notice| notice.text != text);
-        self.notices.push(Notice::new(text, Kind::Warning));
+        self.notices.push(Notice::new(text, kind));
         self.context.request_repaint();
     }
 
-    /// Says what was left out of files or mended: the first few to whoever looks at the window.
+    /// Reports what was left out of files or mended: all of it in the log, the first few in the window.
     pub fn warn(&mut self, warnings: &[Warning]) {
         const SHOWN: usize = 4;
         for warning in warnings {
@@ -271,7 +272,7 @@ impl App {
         self.notices.extend(shown.chain(more).map(notice));
     }
 
-    /// Takes away what was said long enough.
+    /// Removes confirmations that have been shown long enough.
     pub(super) fn forget_said(&mut self, now_s: f64) {
         self.notices.retain(|notice| match notice.kind {
             Kind::Done { until_s } => now_s < until_s,
@@ -279,15 +280,18 @@ impl App {
         });
     }
 
-    /// Begins to build the trees of what is shown.
-    pub fn build_trees(&mut self) {
+    /// Wakes the host once a job has a result.
+    pub(super) fn waker(&self) -> impl Fn() + Send + use<> {
         let wake = self.wake.clone();
-        self.trees = Some(TreeBuild::start(self.state.scene(), move || {
-            wake(Wake::Look);
-        }));
+        move || wake(Wake::Look)
     }
 
-    /// The window's title, with a mark before it while there are edits that no file has.
+    /// Begins to build the trees of what is shown.
+    pub fn build_trees(&mut self) {
+        self.trees = Some(TreeBuild::start(self.state.scene(), self.waker()));
+    }
+
+    /// The window's title. A dot before it marks unsaved edits.
     pub fn title(&self) -> String {
         let mark = if self.state.unsaved() {
             "\u{2022} "
@@ -297,7 +301,7 @@ impl App {
         format!("{mark}{} \u{2013} Sightline", self.state.name())
     }
 
-    /// Says once that a scene is on the screen.
+    /// Logs, once for each scene, that it is on screen.
     pub fn announce(&mut self) {
         let scene = self.state.scene();
         if self.announced != self.state.scene_revision() {

@@ -1,19 +1,19 @@
-//! When something is remembered, and when it is written down.
+//! What is remembered from run to run, and when it is written.
 
 use super::program::App;
 use std::path::PathBuf;
 
-/// Scenes that are offered to be opened again.
+/// Most entries in the list of recent scenes.
 const RECENT: usize = 10;
 
 impl App {
-    /// Puts what was opened before all that was opened earlier.
+    /// Puts a scene's files first in the list of recent scenes.
     pub(super) fn remember_opened(&mut self, paths: &[PathBuf]) {
         let whole = paths.iter().map(std::path::absolute);
         let Ok(paths) = whole.collect::<Result<Vec<_>, _>>() else {
             return;
         };
-        // What is no text, TOML cannot hold.
+        // TOML cannot hold a path that is not Unicode.
         let is_file = |path: &PathBuf| path.to_str().is_some() && path.exists();
         if paths.is_empty() || !paths.iter().all(is_file) {
             return;
@@ -26,13 +26,13 @@ impl App {
         }
     }
 
-    /// Offers scenes that are gone no more.
+    /// Removes scenes whose files are gone from the list.
     pub(super) fn forget_gone(&mut self) {
         let is_there = |paths: &Vec<PathBuf>| paths.iter().all(|path| path.exists());
         self.memory.recent.retain(is_there);
     }
 
-    /// Writes all of it, before the window goes.
+    /// Writes everything before the window closes.
     pub(super) fn keep_memory(&mut self) {
         if let Some((file, text)) = self.memory_text() {
             self.keeping.keep(&file, &text);

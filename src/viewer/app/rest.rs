@@ -1,11 +1,11 @@
-//! When the picture moves, and when it rests: its edges are smooth then.
+//! Tells whether the picture moves or rests. At rest its edges get smooth.
 
 use crate::{
     camera::View,
     viewer::{model::OnScreen, screen::Motion},
 };
 
-/// A picture in which nothing has moved for so many seconds is at rest.
+/// A picture is at rest once nothing has moved in it for this many seconds.
 pub(in crate::viewer) const REST_S: f64 = 0.15;
 
 /// Since when nothing has moved.
@@ -13,15 +13,15 @@ pub(in crate::viewer) const REST_S: f64 = 0.15;
 pub(in crate::viewer) struct Rest {
     /// What is to be shown, and since when, by egui's clock in seconds.
     since_s: Option<((OnScreen, Vec<View>), f64)>,
-    /// It did not only leap there.
+    /// It got there by moving, not by one jump.
     moves: bool,
-    /// The last frame left nothing to be done but smooth edges.
+    /// The last frame left nothing to do but smooth edges.
     pub is_settled: bool,
 }
 
 impl Rest {
-    /// How what is to be shown moves. What changes while a button `is_held` moves, and so does what has changed a moment
-    /// before.
+    /// How the picture moves. A change is a move while a button `is_held`, or if the last change was less than
+    /// [`REST_S`] ago; else it is a jump.
     pub fn motion(&mut self, to_show: (OnScreen, Vec<View>), now_s: f64, is_held: bool) -> Motion {
         let before = self.since_s.as_ref();
         let before_s = before.map_or(f64::NEG_INFINITY, |(_, since_s)| *since_s);

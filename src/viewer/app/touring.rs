@@ -1,10 +1,10 @@
-//! The tour, as the program takes part in it.
+//! The program's part in the tour.
 
 use super::program::App;
 use crate::viewer::ui::{Command, Intent, Seen, TourMove};
 
 impl App {
-    /// Goes on in the tour. It begins in the demo.
+    /// Moves through the tour. To begin it opens the demo.
     pub(super) fn go_on_tour(&mut self, to: TourMove) {
         self.memory.toured = true;
         self.tour = self.tour.unwrap_or_default().after(to);
@@ -13,13 +13,13 @@ impl App {
         }
     }
 
-    /// Whether the tour is offered: to somebody who has opened nothing, and has not answered yet.
+    /// Whether the tour is offered: as long as the demo is shown and the user has not answered.
     pub(super) fn offers_tour(&self) -> bool {
         let remembers = self.options.memory.is_some();
         remembers && !self.memory.toured && self.state.is_demo()
     }
 
-    /// Looks whether the tour's step is done by now, after a command or after whatever else came about.
+    /// Checks whether the tour's step is done, after a command or any other change.
     pub(super) fn notice_step(&mut self, command: Option<&Command>) {
         let Some(tour) = &mut self.tour else { return };
         let seen = Seen {

@@ -1,6 +1,6 @@
-//! Names in any script: a typeface of the system is taken when a name first needs it.
+//! Names in any script: loads a typeface of the system when a name first needs it.
 
-use super::{program::App, wake::Wake};
+use super::program::App;
 use crate::viewer::{jobs::Typeface, ui::Letters};
 use egui::{
     FontData, FontFamily,
@@ -8,10 +8,9 @@ use egui::{
 };
 
 impl App {
-    /// Searches for what is missing, and takes what was found.
+    /// Searches the system for missing characters, and installs the typefaces found.
     pub(super) fn take_typefaces(&mut self) {
-        let wake = self.wake.clone();
-        self.typefaces.search(move || wake(Wake::Look));
+        self.typefaces.search(self.waker());
         for Typeface { name, bytes, index } in self.typefaces.poll() {
             log::info!("names are set in {name} too");
             let mut data = FontData::from_owned(bytes);
@@ -24,7 +23,7 @@ impl App {
             let families = families.map(last).to_vec();
             self.context
                 .add_font(FontInsert::new(&name, data, families));
-            // egui draws all letters anew.
+            // egui rasterises all glyphs again.
             self.letters = Letters::default();
             self.context.request_repaint();
         }
@@ -41,7 +40,7 @@ mod tests {
     };
     use std::{sync::Arc, thread, time::Duration};
 
-    /// Another typeface makes egui draw all letters anew, which takes longer than a pass may.
+    /// Another typeface makes egui rasterise all glyphs again, which takes longer than a pass may.
     #[test]
     fn what_panels_say_by_themselves_needs_no_other_typeface() {
         let stages = Stage::ALL.map(|(stage, _)| Views::One(stage));

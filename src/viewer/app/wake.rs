@@ -1,15 +1,15 @@
-//! What wakes whoever shows the program.
+//! How the host of the program is woken.
 
 use crate::viewer::jobs::Answer;
 use std::{sync::Arc, time::Instant};
 
-/// Why it is woken.
+/// Why the host is woken.
 pub(in crate::viewer) enum Wake {
-    /// A load is done, or a tree.
+    /// A job has a result.
     Look,
-    /// The dialog was answered.
+    /// A file dialog was answered.
     Answered(Answer),
-    /// egui wants a frame then.
+    /// egui wants a frame at this time.
     RepaintAt(Instant),
     /// The desktop is dark, or light.
     Desktop {
@@ -18,5 +18,5 @@ pub(in crate::viewer) enum Wake {
     },
 }
 
-/// How background work and egui wake whoever shows the program.
+/// How jobs and egui wake the host.
 pub(in crate::viewer) type Waker = Arc<dyn Fn(Wake) + Send + Sync>;

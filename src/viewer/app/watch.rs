@@ -1,14 +1,11 @@
-//! Files that somebody else changes are read again, unless that would drop edits.
+//! Reads files again when another program changes them, unless that would drop edits.
 
-use super::{
-    program::{App, Purpose},
-    wake::Wake,
-};
+use super::program::{App, Purpose};
 use crate::{scene::gallery::Exhibit, viewer::jobs::Watching};
 use std::path::PathBuf;
 
 impl App {
-    /// Watches the files of what is shown, where those are others than before.
+    /// Watches the files on screen, in place of those before.
     pub(super) fn watch(&mut self) {
         let source = self.state.source();
         let is_file = |path: &&PathBuf| !matches!(Exhibit::at(path), Ok(Some(_)));
@@ -25,19 +22,18 @@ impl App {
         files.dedup();
         self.watching = None;
         if !files.is_empty() {
-            let wake = self.wake.clone();
-            self.watching = Watching::start(files, move || wake(Wake::Look));
+            self.watching = Watching::start(files, self.waker());
         }
     }
 
-    /// Reads again what has changed.
+    /// Reads the files again after a change.
     pub(super) fn take_changed(&mut self) {
         if !self.watching.as_ref().is_some_and(Watching::poll) {
             return;
         }
         let name = self.state.name();
         if self.loading.is_some() {
-            // What is on its way is newer, or another scene.
+            // The load under way brings newer contents, or another scene.
         } else if self.state.edited() {
             self.remind(format!(
                 "{name} has changed on the disk. Your edits are kept: R reads it again"

@@ -1,4 +1,5 @@
-//! The system's clipboard, for text. egui-winit's own brings a library of image formats; without them it has Wayland's alone.
+//! The system's clipboard, for text. egui-winit's own brings a library of image formats; without that it supports
+//! Wayland alone.
 
 use egui::{Event, OutputCommand, PointerButton};
 use winit::{
@@ -6,14 +7,14 @@ use winit::{
     window::Window,
 };
 
-/// What egui-winit pastes where it has no clipboard. It pastes nothing, and says nothing of it, where that is empty.
+/// What egui-winit pastes where it has no clipboard. If this were empty, it would send no paste event.
 const STAND_IN: &str = "?";
 
 /// The clipboard of X11, Windows and macOS.
 pub(super) struct Clipboard(arboard::Clipboard);
 
 impl Clipboard {
-    /// None on Wayland, where `egui` has it, and where there is none.
+    /// `None` if there is no clipboard, and on Wayland, where egui-winit has its own.
     pub fn new(window: &Window, egui: &mut egui_winit::State) -> Option<Self> {
         let display = window.display_handle().ok()?;
         if matches!(display.as_raw(), RawDisplayHandle::Wayland(_)) {
@@ -26,7 +27,7 @@ impl Clipboard {
         Some(Self(clipboard))
     }
 
-    /// Pastes what it holds where egui-winit pastes what stands in for that.
+    /// Replaces the [`STAND_IN`] in paste events by the clipboard's text. A middle click pastes the selected text.
     pub fn paste(&mut self, events: &mut Vec<Event>) {
         let pasted = std::mem::take(events)
             .into_iter()
@@ -47,7 +48,7 @@ impl Clipboard {
         *events = pasted.flatten().collect();
     }
 
-    /// Takes the texts that egui copies.
+    /// Executes egui's commands that copy text, and removes them.
     pub fn copy(&mut self, commands: &mut Vec<OutputCommand>) {
         commands.retain(|command| {
             let done = match command {
@@ -67,7 +68,7 @@ impl Clipboard {
     }
 }
 
-/// What was selected last: the middle button pastes it on X11.
+/// The primary selection: on X11 the middle button pastes what was selected last.
 #[cfg(all(unix, not(target_os = "macos")))]
 impl Clipboard {
     fn selected_text(&mut self) -> Option<String> {
@@ -82,7 +83,7 @@ impl Clipboard {
     }
 }
 
-/// Other systems know no such thing.
+/// Other systems have no primary selection.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
 #[expect(clippy::unused_self, reason = "as on X11")]
 impl Clipboard {

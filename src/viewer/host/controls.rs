@@ -1,4 +1,4 @@
-//! What can be read and used in the window, by the names that screen readers get.
+//! The window's controls and texts, as screen readers see them.
 
 use egui::{
     Rect, Role,
@@ -9,25 +9,25 @@ use egui::{
 /// A button, a field, a text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
-    /// What it is called; of a text, what it says; empty where it has no name.
+    /// Its name; of a text, what it says. Empty if it has no name.
     pub name: String,
     /// What it is.
     pub role: Role,
-    /// What stands in it; empty where nothing can.
+    /// Its value; empty if it cannot have one.
     pub value: String,
-    /// What is said about it, as why a number cannot be; empty where nothing is.
+    /// Its description, such as why a number is refused; empty if there is none.
     pub description: String,
     /// Whether it is ticked or chosen.
     pub is_on: bool,
     /// Whether it can be used.
     pub is_enabled: bool,
-    /// Whether keys go to it.
+    /// Whether it has the keyboard focus.
     pub has_focus: bool,
     /// Where it is, in points.
     pub rect: Rect,
 }
 
-/// Those of a tree that are named or can be used, in its order.
+/// The nodes of a tree that have a name or can be used, in the tree's order.
 pub(super) fn controls(update: &TreeUpdate) -> Vec<Control> {
     let control = |(id, node): &(NodeId, Node)| {
         let value = node.value().unwrap_or_default();

@@ -1,10 +1,10 @@
-//! By what desktops know the program and its windows.
+//! How desktops recognise the program and its windows.
 
 use winit::window::{Icon, WindowAttributes};
 
 /// The name of its desktop entry, and of its icon there.
 pub const APP_ID: &str = "sightline";
-/// Its icon, as a PNG file; `assets/icon.svg`, 256 pixels wide.
+/// Its icon as a PNG file: `assets/icon.svg`, 256 pixels wide.
 pub const ICON_PNG: &[u8] = include_bytes!("../../../assets/icon.png");
 
 /// Puts name and icon on a window. Wayland takes the icon from the desktop entry.
@@ -19,7 +19,7 @@ fn named(attributes: WindowAttributes) -> WindowAttributes {
     wayland::WindowAttributesExtWayland::with_name(attributes, APP_ID, APP_ID)
 }
 
-/// Other systems name programs by their file.
+/// Other systems go by the program's file.
 #[cfg(not(all(unix, not(target_os = "macos"))))]
 fn named(attributes: WindowAttributes) -> WindowAttributes {
     attributes

@@ -1,4 +1,4 @@
-//! Who shows the program: a window, or pictures of one.
+//! The hosts of the program: a window, or pictures of one.
 
 mod clipboard;
 mod controls;

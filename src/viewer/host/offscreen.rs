@@ -28,7 +28,7 @@ use std::{
 
 /// More passes than these for one event mean that the panels never come to rest.
 const MOST_PASSES: usize = 100;
-/// Nothing that the window does beside itself takes as long as this.
+/// No job takes as long as this.
 const LONGEST_WAIT: Duration = Duration::from_mins(2);
 
 /// Seconds between two passes.
@@ -97,23 +97,26 @@ impl Offscreen {
         window
     }
 
-    /// Does what each event asks for, one after the other, and waits for what they began. Positions are points.
+    /// Runs a pass for each event, then waits for the jobs that these began. Positions are in points.
     pub fn send(&mut self, events: impl IntoIterator<Item = egui::Event>) {
         for event in events {
-            self.pass(vec![event], Vec::new());
+            let input = self.input(vec![event]);
+            self.pass(input);
         }
         self.settle();
     }
 
     /// Drops a file on the window and waits for what comes of it.
     pub fn drop_file(&mut self, path: PathBuf) {
-        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        self.begin_to_drop(path);
         self.settle();
     }
 
-    /// Drops a file on the window and waits for nothing: frames go on, and take what comes of it.
+    /// Drops a file on the window and waits for nothing: later frames take the result.
     pub fn begin_to_drop(&mut self, path: PathBuf) {
-        self.pass(Vec::new(), vec![Arc::new(Dropped(path))]);
+        let mut input = self.input(Vec::new());
+        input.dropped_files = vec![Arc::new(Dropped(path))];
+        self.pass(input);
     }
 
     /// Closes the window, as the button of its frame does.
@@ -128,7 +131,7 @@ impl Offscreen {
         self.settle();
     }
 
-    /// Lets time pass in which nothing happens.
+    /// Lets time pass without events.
     pub fn wait_s(&mut self, seconds: f64) {
         self.time_s += seconds;
         self.settle();
@@ -146,7 +149,7 @@ impl Offscreen {
         self.settle();
     }
 
-    /// Has panels told to the system's aids, as at first, or no more: then [`Offscreen::controls`] stay as they were.
+    /// Turns the accessibility tree on, as at first, or off: then [`Offscreen::controls`] stay as they were.
     pub fn tell_controls(&mut self, tells: bool) {
         if tells {
             self.app.context.enable_accesskit();
@@ -162,7 +165,7 @@ impl Offscreen {
         self.app.title()
     }
 
-    /// What can be read and used, as the system's aids are told.
+    /// The window's controls and texts, by its accessibility tree.
     #[must_use]
     pub fn controls(&self) -> &[Control] {
         &self.controls
@@ -182,31 +185,31 @@ impl Offscreen {
             .map(|Notice { text, .. }| text.as_str())
     }
 
-    /// Whether it stopped moving after what came last: nothing blinks, nothing is under way but smooth edges.
+    /// Whether it is at rest after the last event: nothing is animated, and nothing is under way but smooth edges.
     #[must_use]
     pub fn is_at_rest(&self) -> bool {
         self.at_rest && self.app.picture.behind.is_none()
     }
 
-    /// Whether the last frame shows the scene as it is to be, in whatever resolution.
+    /// Whether the last frame shows the wanted scene, in whatever resolution.
     #[must_use]
     pub fn shows_scene(&self) -> bool {
         self.app.picture.behind.is_none()
     }
 
-    /// How much the last frame drew of the scene: about so many triangles.
+    /// About how many triangles of the scene the last frame drew.
     #[must_use]
     pub fn drawn_work(&self) -> u64 {
         self.app.picture.drawn
     }
 
-    /// How many objects and triangles the last frame took into graphics memory by itself, and not a job beside it.
+    /// How many objects and triangles the last frame uploaded itself, not by a job.
     #[must_use]
     pub fn uploaded_work(&self) -> usize {
         self.app.picture.uploaded
     }
 
-    /// Whether the last frame looks different from the one before: a window shows no other.
+    /// Whether the last frame looks different from the one before: a window presents only such frames.
     #[must_use]
     pub fn looks_different(&self) -> bool {
         self.page.is_another
@@ -252,7 +255,7 @@ impl Offscreen {
         self.draw_after(vec![event])
     }
 
-    /// Draws all letters beforehand, as a window does a few at a time while nobody does anything.
+    /// Rasterises all glyphs ahead, as an idle window does a few at a time.
     pub fn draw_letters(&mut self) {
         while self.app.letters.draw_some(&self.app.context) {}
     }
@@ -264,7 +267,8 @@ impl Offscreen {
         canvas.map_or("", |canvas| canvas.gpu.adapter_name())
     }
 
-    /// Draws a frame, the scene only where it changed, as a window does. Returns whether it was drawn anew.
+    /// Draws a frame as a window does, the scene only if it changed. Returns whether a new picture of the scene is
+    /// shown.
     ///
     /// # Errors
     /// When there is no graphics adapter, or it fails.
@@ -273,20 +277,20 @@ impl Offscreen {
     }
 
     fn draw_after(&mut self, events: Vec<egui::Event>) -> Result<bool, GpuError> {
-        let input = self.input(events, Vec::new());
+        let input = self.input(events);
         let Frame { platform, drawn } = self.app.frame(input, &mut self.page);
         self.take_told(platform);
         self.at_rest = self.app.rest.is_settled;
         drawn
     }
 
-    /// A picture of all of it, at rest: its edges are smooth.
+    /// A picture of the whole window at rest: its edges are smooth.
     ///
     /// # Errors
     /// When there is no graphics adapter, or it fails.
     pub fn picture(&mut self) -> Result<Image<Rgb>, GpuError> {
         self.draw_whole()?;
-        // What the first frame began, as a comparison with what it drew.
+        // The first frame may have begun jobs, such as a comparison with what it drew.
         self.settle();
         self.draw_whole()?;
         self.drawn()
@@ -314,31 +318,22 @@ impl Offscreen {
         Ok(())
     }
 
-    /// Takes the device away, as a driver that restarts does.
+    /// Destroys the device, as a driver does that restarts.
     pub fn lose_device(&mut self) {
         if let Some(canvas) = &self.page.canvas {
             canvas.gpu.device.destroy();
-            // What is lost is known from the next poll on.
+            // The next poll reports the loss.
             let _ = canvas.gpu.wait();
         }
     }
 
-    fn pass(
-        &mut self,
-        events: Vec<egui::Event>,
-        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
-    ) {
-        let input = self.input(events, dropped);
+    fn pass(&mut self, input: egui::RawInput) {
         let platform = self.app.pass(input);
         self.take_told(platform);
     }
 
     /// egui's input, a frame later than the one before.
-    fn input(
-        &mut self,
-        events: Vec<egui::Event>,
-        dropped: Vec<Arc<dyn egui::DroppedFile + Send + Sync>>,
-    ) -> egui::RawInput {
+    fn input(&mut self, events: Vec<egui::Event>) -> egui::RawInput {
         self.time_s += FRAME_S;
         #[expect(clippy::cast_precision_loss, reason = "windows are not that large")]
         let [width, height] = [self.page.size.width(), self.page.size.height()]
@@ -350,7 +345,6 @@ impl Offscreen {
             )),
             time: Some(self.time_s),
             events,
-            dropped_files: dropped,
             system_theme: self.theme,
             ..egui::RawInput::default()
         };
@@ -359,7 +353,7 @@ impl Offscreen {
         input
     }
 
-    /// Takes what a window would tell the system.
+    /// Takes what a window would hand to the system.
     fn take_told(&mut self, platform: egui::PlatformOutput) {
         for command in platform.commands {
             if let egui::OutputCommand::CopyText(text) = command {
@@ -371,19 +365,20 @@ impl Offscreen {
         }
     }
 
-    /// Passes until nothing moves and nothing is under way.
+    /// Runs passes until nothing moves and nothing is under way.
     pub(super) fn settle(&mut self) {
         let start = Instant::now();
         for _ in 0..MOST_PASSES {
             while self.app.is_busy() && start.elapsed() < LONGEST_WAIT {
                 match self.wakes.recv_timeout(Duration::from_millis(5)) {
                     Ok(Wake::Answered(answer)) => self.app.answered(answer),
-                    // A test says itself how the desktop is.
+                    // Tests set the theme themselves.
                     Ok(Wake::Look | Wake::RepaintAt(_) | Wake::Desktop { .. }) | Err(_) => {}
                 }
                 self.app.take_finished();
             }
-            self.pass(Vec::new(), Vec::new());
+            let input = self.input(Vec::new());
+            self.pass(input);
             self.at_rest = !self.app.context.has_requested_repaint() && !self.app.is_busy();
             if self.at_rest {
                 break;

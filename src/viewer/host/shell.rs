@@ -34,7 +34,7 @@ impl Shell {
             Some(size) => {
                 attributes.with_inner_size(PhysicalSize::new(size.width(), size.height()))
             }
-            None => stood(attributes, remembered, event_loop),
+            None => restored(attributes, remembered, event_loop),
         };
         let window = event_loop.create_window(marked(attributes));
         let window = Arc::new(window.map_err(|error| ViewerError::no_display(&error))?);
@@ -58,7 +58,7 @@ impl Shell {
         })
     }
 
-    /// What has happened since egui was told last.
+    /// The input since the last call.
     pub fn input(&mut self) -> egui::RawInput {
         let mut input = self.egui.take_egui_input(&self.window);
         if let Some(clipboard) = &mut self.clipboard {
@@ -75,8 +75,8 @@ impl Shell {
         self.egui.handle_platform_output(&self.window, asked);
     }
 
-    /// Where the window stands, to be remembered; as it was `before` while it fills its screen.
-    pub fn stands(&self, before: Option<WindowPlace>) -> Option<WindowPlace> {
+    /// The window's size and place, to be remembered. While it fills the screen, those `before`.
+    pub fn place(&self, before: Option<WindowPlace>) -> Option<WindowPlace> {
         let maximised = self.window.is_maximized();
         if maximised || self.window.fullscreen().is_some() {
             return before.map(|place| WindowPlace { maximised, ..place });
@@ -93,7 +93,7 @@ impl Shell {
         })
     }
 
-    /// Fills the screen with the window, or no more.
+    /// Enters or leaves full screen.
     pub fn fill_screen(&self, wanted: bool) {
         if self.window.fullscreen().is_some() != wanted {
             let whole = wanted.then_some(Fullscreen::Borderless(None));
@@ -102,8 +102,8 @@ impl Shell {
     }
 }
 
-/// Where the window stood when it was closed last, as far as a screen is there still.
-fn stood(
+/// Restores the size and place that the window had when it was closed last. The place only if a screen is still there.
+fn restored(
     attributes: WindowAttributes,
     remembered: Option<WindowPlace>,
     event_loop: &ActiveEventLoop,

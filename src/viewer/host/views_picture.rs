@@ -14,8 +14,9 @@ use crate::{
 };
 use glam::DVec2;
 
-/// A picture of `size` pixels of what was loaded of the files that `options` name, as a window shows it without panels: stages
-/// with all that is written on them. The pixel at `pick`, where that is given, is clicked in the camera's own picture, of that size too.
+/// A picture of `size` pixels of a loaded scene, with the views and files that `options` name, as a window shows it
+/// without panels: stages have their labels. If `pick` is given, that pixel of the camera's own picture, of the same
+/// size, is clicked first.
 ///
 /// # Errors
 /// When there is no graphics adapter, or it fails.

@@ -1,4 +1,4 @@
-//! The event loop's side: events in, frames out.
+//! The window's event loop: events in, frames out.
 
 use super::shell::Shell;
 use crate::viewer::{
@@ -53,7 +53,7 @@ pub fn run(options: Options) -> Result<(), ViewerError> {
 /// Whether there is a display for it.
 ///
 /// # Errors
-/// When there is none. Not to be asked in a process that has a window.
+/// When there is none. Not to be called in a process that has a window.
 pub fn display() -> Result<(), ViewerError> {
     let event_loop = EventLoop::<()>::with_user_event().build();
     event_loop
@@ -66,14 +66,14 @@ struct Program {
     app: App,
     /// The window, once the event loop runs.
     shell: Option<Shell>,
-    /// It was asked to draw by itself.
+    /// The program itself has requested a redraw.
     asked: bool,
     /// Why it could not be opened, for the caller of [`run`].
     failed: Option<ViewerError>,
 }
 
 impl Program {
-    /// Shows egui what has happened since the last pass, without drawing.
+    /// Runs a pass on the input since the last one, without drawing.
     fn pass(&mut self, event_loop: &ActiveEventLoop) {
         let Some(shell) = &mut self.shell else { return };
         let asked = self.app.pass(shell.input());
@@ -151,7 +151,7 @@ impl ApplicationHandler<Wake> for Program {
             }
             Wake::RepaintAt(time) if time <= Instant::now() => self.request_redraw(),
             Wake::RepaintAt(time) => match event_loop.control_flow() {
-                // Something comes before that.
+                // An earlier frame is due already.
                 ControlFlow::WaitUntil(sooner) if sooner < time => {}
                 _ => event_loop.set_control_flow(ControlFlow::WaitUntil(time)),
             },
@@ -169,7 +169,7 @@ impl ApplicationHandler<Wake> for Program {
                 return self.request_redraw();
             }
             WindowEvent::RedrawRequested => {
-                // What nobody here asked for, the system does: the window was covered.
+                // The program did not ask, so the system did: the window was covered.
                 if !mem::take(&mut self.asked) {
                     shell.surface.expose();
                 }
@@ -178,19 +178,19 @@ impl ApplicationHandler<Wake> for Program {
             WindowEvent::Occluded(false) => shell.surface.expose(),
             WindowEvent::Resized(PhysicalSize { width, height }) => {
                 shell.surface.resize(*width, *height);
-                self.app.memory.window = shell.stands(self.app.memory.window);
+                self.app.memory.window = shell.place(self.app.memory.window);
             }
-            // Whoever changes the desktop's look comes back from somewhere else.
+            // Whoever changes the desktop's theme does so in another window.
             WindowEvent::Focused(true) if shell.window.theme().is_none() => {
                 let wake = Arc::clone(&self.app.wake);
                 ask_darkness(move |is_dark| wake(Wake::Desktop { is_dark }));
             }
             WindowEvent::Moved(_) => {
-                self.app.memory.window = shell.stands(self.app.memory.window);
+                self.app.memory.window = shell.place(self.app.memory.window);
             }
             _ => {}
         }
-        // A press and a release are each seen in a pass of their own: see `App::pass`.
+        // A press and a release each get a pass of their own: see `App::pass`.
         let is_button = matches!(event, WindowEvent::MouseInput { .. });
         if is_button {
             self.pass(event_loop);

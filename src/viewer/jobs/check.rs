@@ -22,7 +22,7 @@ use std::{
 pub(in crate::viewer) enum Checking {
     #[default]
     Off,
-    /// Asked for: it begins once the frame that it is about has been drawn.
+    /// Asked for. The check begins once its frame has been drawn.
     Wanted,
     On(Box<Check>),
 }
@@ -30,15 +30,15 @@ pub(in crate::viewer) enum Checking {
 /// A check under way or done. It is about what was on screen when it began, and goes when that changes.
 pub(in crate::viewer) struct Check {
     of: OnScreen,
-    /// The method of others that picks.
+    /// The other method that picks; `None` for this program's own picks.
     method: Option<Swap>,
     cancelled: Arc<AtomicBool>,
     result: Receiver<Checked>,
-    /// What it came to, once that is there.
+    /// The result, once it is there.
     pub found: Option<Checked>,
 }
 
-/// What a check came to.
+/// The result of a check.
 pub(in crate::viewer) struct Checked {
     /// What differs.
     pub report: Report,
@@ -77,7 +77,7 @@ impl Check {
             };
             if !stopped() {
                 let report = verify::compare(&scene, &of.view, rasteriser, &drawn, &picked);
-                // The receiver is gone when the view has changed; then nobody wants what was found.
+                // The receiver is gone if the view has changed: then nobody wants the result.
                 let _ = sender.send(Checked {
                     report,
                     in_one_place,
@@ -94,7 +94,7 @@ impl Check {
         }
     }
 
-    /// Takes what it found when that is there; returns whether it has just come.
+    /// Takes the result. Returns whether it has just come.
     pub fn poll(&mut self) -> bool {
         let Ok(found) = self.result.try_recv() else {
             return false;
@@ -115,8 +115,8 @@ impl Check {
     }
 }
 
-/// What a method picks; nothing where that is the right thing in a place, or with a normal, that anybody sees to be wrong: such
-/// pixels are marked as those are where it picks nothing.
+/// What a method picks. Nothing if the position or the normal of its hit is visibly wrong: such a pixel is marked like
+/// one where the method misses.
 fn right_place(compared: &Compared) -> Option<SceneHit> {
     let is_off = matches!(compared.fault(), Some(Fault::Off(by)) if by.shows());
     compared.theirs.filter(|_| !is_off).map(|found| found.hit)

@@ -1,4 +1,4 @@
-//! Whether a desktop is light or dark, where the window is not told, as on Linux: its settings portal knows.
+//! Asks the settings portal whether the desktop is light or dark: on Linux, windows are not told.
 //! (`org.freedesktop.portal.Settings`, version 1: `color-scheme` is 1 for dark, 2 for light, 0 for either.)
 
 use std::{
@@ -34,7 +34,7 @@ const ASKERS: [&[&str]; 2] = [
     ],
 ];
 
-/// Asks beside the window whether the desktop is dark; calls `tell` if it answers.
+/// Asks in the background whether the desktop is dark; calls `tell` if it answers.
 pub(in crate::viewer) fn ask_darkness(tell: impl FnOnce(bool) + Send + 'static) {
     thread::spawn(move || {
         if let Some(is_dark) = ASKERS.into_iter().find_map(answer) {
@@ -51,7 +51,7 @@ fn answer(asker: &[&str]) -> Option<bool> {
     is_dark(&String::from_utf8_lossy(&output.stdout))
 }
 
-/// What `v v u 1` or `(<<uint32 1>>,)` says.
+/// Reads an answer such as `v v u 1` or `(<<uint32 1>>,)`.
 fn is_dark(answer: &str) -> Option<bool> {
     let mut words = answer.split(|c: char| !c.is_ascii_alphanumeric());
     match words.rfind(|word| !word.is_empty())? {

@@ -1,4 +1,4 @@
-//! Asking for files.
+//! File dialogs.
 
 use std::{
     path::{Path, PathBuf},
@@ -6,22 +6,22 @@ use std::{
     time::Instant,
 };
 
-/// An answer faster than this, in seconds, is no person's: there is no dialog on this desktop.
+/// Nobody cancels a dialog faster than this, in seconds: this desktop shows none.
 const FASTEST_ANSWER_S: f64 = 0.3;
 
-/// What came of asking for files.
+/// The answer of a file dialog.
 pub(in crate::viewer) enum Answer {
     /// Open these.
     Open(Vec<PathBuf>),
     /// Save to this one.
     Save(PathBuf),
-    /// Nobody could be asked which to open.
+    /// No dialog could be shown to open files.
     NoneToOpen,
-    /// Nobody could be asked where to save.
+    /// No dialog could be shown to save a file.
     NoneToSave,
 }
 
-/// Asks for files to open; calls `answered` unless the user thinks better of it.
+/// Asks for files to open; calls `answered` unless the user cancels.
 pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'static) {
     let dialog = rfd::AsyncFileDialog::new()
         .set_title("Open")
@@ -33,7 +33,7 @@ pub(in crate::viewer) fn open_dialog(answered: impl FnOnce(Answer) + Send + 'sta
     });
 }
 
-/// Asks for a file to save the scene to, and suggests one; calls `answered` unless the user thinks better of it.
+/// Asks for a file to save the scene to, and suggests one; calls `answered` unless the user cancels.
 pub(in crate::viewer) fn save_dialog(
     suggested: &Path,
     answered: impl FnOnce(Answer) + Send + 'static,
@@ -43,7 +43,7 @@ pub(in crate::viewer) fn save_dialog(
         .set_title("Save scene")
         .add_filter("Scenes", &["toml"])
         .set_file_name(name.to_string_lossy());
-    // Portals want a whole path.
+    // Portals want an absolute path.
     if let Some(folder) = std::path::absolute(suggested)
         .ok()
         .as_deref()
@@ -56,7 +56,7 @@ pub(in crate::viewer) fn save_dialog(
     });
 }
 
-/// Waits for the answer beside the window.
+/// Waits for the answer in the background.
 fn answer<T: Send + 'static>(
     dialog: impl Future<Output = Option<T>> + Send + 'static,
     answered: impl FnOnce(Answer) + Send + 'static,

@@ -1,4 +1,4 @@
-//! A small file that is kept from run to run: written whole, beside the window.
+//! Writes a small file that is kept from run to run: atomically, in the background.
 
 use crate::replace::replace;
 use std::{
@@ -8,24 +8,24 @@ use std::{
     thread,
 };
 
-/// Writes the file. What was said before never comes after what was said later, however long it took.
+/// Writes the file. An older text never replaces a newer one, however slow its thread is.
 #[derive(Default)]
 pub(in crate::viewer) struct Keeping {
-    said: u64,
+    latest: u64,
     written: Arc<Mutex<u64>>,
 }
 
 impl Keeping {
-    /// Writes it; a folder that is not there yet is made.
+    /// Writes it now, and makes its folder if there is none.
     pub fn keep(&mut self, path: &Path, text: &str) {
-        self.said += 1;
-        write_unless_later(&self.written, self.said, path, text);
+        self.latest += 1;
+        write_unless_later(&self.written, self.latest, path, text);
     }
 
-    /// Writes it in its own time.
+    /// Writes it in the background.
     pub fn keep_beside(&mut self, path: PathBuf, text: String) {
-        self.said += 1;
-        let (written, number) = (Arc::clone(&self.written), self.said);
+        self.latest += 1;
+        let (written, number) = (Arc::clone(&self.written), self.latest);
         thread::spawn(move || write_unless_later(&written, number, &path, &text));
     }
 }
@@ -60,7 +60,7 @@ mod tests {
             keeping.keep_beside(path.clone(), "before".into());
             keeping.keep(&path, &i.to_string());
         }
-        // Threads that are late find the lock taken by nobody, and their number too low.
+        // Late threads get the lock, and find their number too low.
         while Arc::strong_count(&keeping.written) > 1 {
             thread::yield_now();
         }

@@ -1,9 +1,9 @@
-//! What is large is freed beside the window.
+//! Frees large data in the background.
 
 use super::uploading::LITTLE;
 use std::thread;
 
-/// Gives up what comes to so many objects and triangles.
+/// Drops something of this `size` in objects and triangles: in the background if it is large.
 pub(in crate::viewer) fn let_go(what: impl Send + 'static, size: usize) {
     if size >= LITTLE {
         thread::spawn(move || drop(what));

@@ -1,59 +1,42 @@
-//! Files in the background: the window answers while they load.
+//! Loads files in the background.
 
+use super::job::Job;
 use crate::scene::{self, Detail, LoadError, Loaded, Progress};
-use std::{
-    path::PathBuf,
-    sync::{
-        Arc,
-        mpsc::{Receiver, TryRecvError, channel},
-    },
-    thread,
-};
+use std::{path::PathBuf, sync::Arc};
 
 /// A load under way. Dropping it cancels it.
 pub(in crate::viewer) struct Loading {
     progress: Arc<Progress>,
-    result: Receiver<Result<Loaded, LoadError>>,
+    job: Job<Result<Loaded, LoadError>>,
 }
 
 impl Loading {
     /// Loads `paths` as one scene; calls `wake` when done.
     pub fn start(paths: Vec<PathBuf>, wake: impl FnOnce() + Send + 'static) -> Self {
         let progress = Arc::new(Progress::default());
-        let (sender, result) = channel();
         let shared = Arc::clone(&progress);
-        thread::spawn(move || {
-            let loaded = scene::load_with(&paths, &shared, Detail::Drawn);
-            // The receiver is gone when the load was cancelled; then nobody wants the result.
-            let _ = sender.send(loaded);
-            wake();
-        });
-        Self { progress, result }
+        let load = move || scene::load_with(&paths, &shared, Detail::Drawn);
+        let job = Job::start(load, wake);
+        Self { progress, job }
     }
 
-    /// One that is over: what it brought.
+    /// A load that is done already.
     pub fn done(loaded: Loaded) -> Self {
-        let (sender, result) = channel();
-        // It has its receiver.
-        let _ = sender.send(Ok(loaded));
         Self {
             progress: Arc::default(),
-            result,
+            job: Job::done(Ok(loaded)),
         }
     }
 
-    /// What is done, in [0, 1].
+    /// The share that is done, in [0, 1].
     pub fn fraction(&self) -> f32 {
         self.progress.fraction()
     }
 
     /// The scene or why there is none, once there is either.
     pub fn poll(&self) -> Option<Result<Loaded, LoadError>> {
-        match self.result.try_recv() {
-            Ok(result) => Some(result),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Err(scene::Cancelled.into())),
-        }
+        let result = self.job.poll()?;
+        Some(result.unwrap_or_else(|_| Err(scene::Cancelled.into())))
     }
 }
 

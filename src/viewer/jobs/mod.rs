@@ -1,8 +1,9 @@
-//! What takes long, each a thread and a receiver: it knows no window, and who began it is told when it is done.
+//! What takes long. Each job is a thread and a receiver. It knows no window, and wakes its caller when it is done.
 
 mod check;
 mod desktop;
 mod dialogs;
+mod job;
 mod keeping;
 mod letting_go;
 mod loading;

@@ -1,61 +1,51 @@
-//! The scene in NDC, made and taken into graphics memory beside the window.
+//! Makes the scene in NDC and uploads it, in the background.
 
+use super::{job::Job, uploading::Uploaded};
 use crate::{
     camera::View,
     render::{Gpu, MeshStore},
     scene::Scene,
     viewer::model::{ProjectedOf, projected},
 };
-use std::{
-    sync::mpsc::{Receiver, TryRecvError, channel},
-    thread,
-};
-
-use super::uploading::Uploaded;
+use std::sync::mpsc::RecvError;
 
 /// A scene that is being projected.
-pub(in crate::viewer) struct Projecting(Receiver<InNdc>);
+pub(in crate::viewer) struct Projecting(Job<InNdc>);
 
 /// A scene in NDC.
 pub(in crate::viewer) struct InNdc {
     pub scene: Scene,
     pub of: ProjectedOf,
-    /// Of a device that works and has room for it.
+    /// `None` without a device that works and has room for it.
     pub uploaded: Option<Uploaded>,
 }
 
 impl Projecting {
-    /// Begins with a scene, the view that its matrices are of, and what to call the result, for a device and the meshes that
-    /// it has; calls `wake` when done.
+    /// Begins to project a scene by a view's matrices; `of` identifies the result. Uploads it to the device, if there
+    /// is one, with its meshes. Calls `wake` when done.
     pub fn start(
         (scene, through, of): (Scene, View, ProjectedOf),
         on: Option<(Gpu, MeshStore)>,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let (sender, result) = channel();
-        thread::spawn(move || {
+        let project = move || {
             let made = projected(&scene, &through);
             made.build_trees();
-            // Only who shows it may still have the scene: it can be changed in place.
+            // Dropped early: only a sole owner can change a scene in place.
             drop(scene);
             let uploaded =
                 on.and_then(|(gpu, meshes)| Uploaded::new(&gpu, &made, meshes, None).ok());
-            // The receiver is gone with the window.
-            let _ = sender.send(InNdc {
+            InNdc {
                 scene: made,
                 of,
                 uploaded,
-            });
-            wake();
-        });
-        Self(result)
+            }
+        };
+        Self(Job::start(project, wake))
     }
 
-    /// The scene, once it is there; an error where it never will be.
-    pub fn poll(&self) -> Option<Result<InNdc, TryRecvError>> {
-        match self.0.try_recv() {
-            Err(TryRecvError::Empty) => None,
-            result => Some(result),
-        }
+    /// The scene, once it is there; an error if it never will be.
+    pub fn poll(&self) -> Option<Result<InNdc, RecvError>> {
+        self.0.poll()
     }
 }

@@ -1,21 +1,16 @@
-//! A mesh's file, read again in the background: that of a large one may be slow to come.
+//! Reads a mesh's file again in the background, to answer a question about it.
 
+use super::job::Job;
 use crate::scene::{
     MeshFile, Progress,
     obj::{Again, FaceInFile, InFile, VertexInFile},
 };
-use std::{
-    sync::{
-        Arc,
-        mpsc::{Receiver, channel},
-    },
-    thread,
-};
+use std::sync::Arc;
 
-/// What is asked of a file.
+/// A question to a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum Question {
-    /// Where a triangle of its mesh is from.
+    /// Where a triangle of its mesh comes from.
     Triangle(u32),
     /// A face by its number.
     Face(usize),
@@ -23,17 +18,17 @@ pub(in crate::viewer) enum Question {
     Vertex(usize),
 }
 
-/// What it says, or why it does not.
+/// The answer, or why there is none.
 pub(in crate::viewer) enum Found {
     Triangle(InFile),
     Face(Result<FaceInFile, String>),
     Vertex(Result<VertexInFile, String>),
 }
 
-/// A question under way. Dropping it gives it up.
+/// A question under way. Dropping it cancels it.
 pub(in crate::viewer) struct ReadingAgain {
     progress: Arc<Progress>,
-    result: Receiver<Found>,
+    job: Job<Found>,
 }
 
 impl ReadingAgain {
@@ -41,11 +36,10 @@ impl ReadingAgain {
     pub fn start(file: MeshFile, question: Question, wake: impl FnOnce() + Send + 'static) -> Self {
         let progress = Arc::new(Progress::default());
         let shared = Arc::clone(&progress);
-        let (sender, result) = channel();
-        thread::spawn(move || {
+        let ask = move || {
             let contents = file.contents.clone().unwrap_or_default();
             let mut again = Again::new(&file.path, &contents, &file.mesh, &shared);
-            let found = match question {
+            match question {
                 Question::Triangle(triangle) => Found::Triangle(again.in_file(triangle)),
                 Question::Face(number) => {
                     Found::Face(again.face(number).map_err(|error| error.to_string()))
@@ -53,22 +47,20 @@ impl ReadingAgain {
                 Question::Vertex(number) => {
                     Found::Vertex(again.vertex(number).map_err(|error| error.to_string()))
                 }
-            };
-            // The receiver is gone when the question was given up.
-            let _ = sender.send(found);
-            wake();
-        });
-        Self { progress, result }
+            }
+        };
+        let job = Job::start(ask, wake);
+        Self { progress, job }
     }
 
     /// The answer, once it is there.
     pub fn poll(&self) -> Option<Found> {
-        self.result.try_recv().ok()
+        self.job.poll()?.ok()
     }
 
     /// The answer, waited for; `None` where none will come.
     pub fn wait(&self) -> Option<Found> {
-        self.result.recv().ok()
+        self.job.wait()
     }
 }
 

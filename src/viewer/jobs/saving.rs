@@ -1,17 +1,14 @@
-//! A scene on its way into files: the window answers while they are written.
+//! Writes a scene to its files in the background.
 
+use super::job::Job;
 use crate::{
     scene::{self, MeshFile},
     viewer::model::Snapshot,
 };
-use std::{
-    path::PathBuf,
-    sync::mpsc::{Receiver, TryRecvError, channel},
-    thread,
-};
+use std::path::PathBuf;
 
-/// A scene that is being saved. It is written to its end, whoever waits for it.
-pub(in crate::viewer) struct Saving(Receiver<Result<Saved, String>>);
+/// A save under way. Dropping it does not cancel it.
+pub(in crate::viewer) struct Saving(Job<Result<Saved, String>>);
 
 /// A scene that was saved.
 pub(in crate::viewer) struct Saved {
@@ -25,29 +22,22 @@ pub(in crate::viewer) struct Saved {
 impl Saving {
     /// Begins; calls `wake` when done.
     pub fn start(snapshot: Snapshot, path: PathBuf, wake: impl FnOnce() + Send + 'static) -> Self {
-        let (sender, result) = channel();
-        thread::spawn(move || {
+        let save = move || {
             let written = scene::save(&path, &snapshot.scene, &snapshot.camera, &snapshot.meshes);
-            let saved = written
+            written
                 .map_err(|error| error.to_string())
                 .map(|meshes| Saved {
                     snapshot,
                     path,
                     meshes,
-                });
-            // The receiver goes with the program.
-            let _ = sender.send(saved);
-            wake();
-        });
-        Self(result)
+                })
+        };
+        Self(Job::start(save, wake))
     }
 
     /// The outcome, once there is one.
     pub fn poll(&self) -> Option<Result<Saved, String>> {
-        match self.0.try_recv() {
-            Ok(result) => Some(result),
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Err("saving failed".to_owned())),
-        }
+        let result = self.0.poll()?;
+        Some(result.unwrap_or_else(|_| Err("saving failed".to_owned())))
     }
 }

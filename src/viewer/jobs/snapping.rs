@@ -1,5 +1,6 @@
-//! Where a click is led to, found in the background: files are read again for it, and areas of large objects summed.
+//! Snaps a click in the background: for that it reads files again, and sums the areas of large objects.
 
+use super::job::Job;
 use crate::{
     camera::View,
     pick::{
@@ -10,21 +11,15 @@ use crate::{
     viewer::model::Measuring,
 };
 use glam::DVec2;
-use std::{
-    sync::{
-        Arc,
-        mpsc::{Receiver, TryRecvError, channel},
-    },
-    thread,
-};
+use std::sync::Arc;
 
-/// Where a click was led to, and the area of the object there.
-type Led = Option<(Snap, Option<Measured>)>;
+/// Where a click snapped to, and the area of the object there.
+type Snapped = Option<(Snap, Option<Measured>)>;
 
-/// A click on its way. Dropping it gives it up.
+/// A click that is being snapped. Dropping it cancels that.
 pub(in crate::viewer) struct Snapping {
     progress: Arc<Progress>,
-    result: Receiver<Led>,
+    job: Job<Snapped>,
 }
 
 impl Snapping {
@@ -38,25 +33,22 @@ impl Snapping {
     ) -> Self {
         let progress = Arc::new(Progress::default());
         let shared = Arc::clone(&progress);
-        let (sender, result) = channel();
-        thread::spawn(move || {
+        let find = move || {
             let mut files = FilesAgain::new(&scene, &files, &shared);
             let mut faces = |object, triangle| files.face_of(object, triangle);
             let snap = Snap::at(&scene, &view, px, Measuring::RADIUS_PX, &mut faces);
-            let found = snap.map(|snap| {
+            snap.map(|snap| {
                 let area = Some(object_area(&scene.objects()[snap.id - 1]));
                 (snap, area)
-            });
-            // The receiver is gone when the click was given up.
-            let _ = sender.send(found);
-            wake();
-        });
-        Self { progress, result }
+            })
+        };
+        let job = Job::start(find, wake);
+        Self { progress, job }
     }
 
-    /// Where it is led to, `None` where nothing is there; an error as long as that is not known.
-    pub fn poll(&self) -> Result<Led, TryRecvError> {
-        self.result.try_recv()
+    /// Where the click snapped to, once that is known; `Some(None)` if nothing is near.
+    pub fn poll(&self) -> Option<Snapped> {
+        Some(self.job.poll()?.ok().flatten())
     }
 }
 

@@ -1,5 +1,6 @@
-//! The study's chart of what breaks, beside the window.
+//! Computes the study's chart of what breaks, in the background.
 
+use super::job::Job;
 use crate::{
     camera::View,
     scene::Scene,
@@ -8,16 +9,12 @@ use crate::{
         gallery::{self, Break},
     },
 };
-use std::{
-    sync::mpsc::{Receiver, channel},
-    thread,
-};
 
-/// The study's chart of what breaks, as its background work brings it.
+/// A chart of what breaks, done or under way.
 pub(in crate::viewer) struct Chart {
     of: &'static Break,
-    result: Receiver<Vec<Row>>,
-    /// What it shows, once that is there.
+    job: Job<Vec<Row>>,
+    /// Its rows, once they are there.
     pub rows: Option<Vec<Row>>,
 }
 
@@ -29,27 +26,21 @@ impl Chart {
         view: View,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let (sender, result) = channel();
-        thread::spawn(move || {
-            // The receiver is gone when another chart is wanted by now.
-            let _ = sender.send(gallery::rows(of, &scene, view));
-            wake();
-        });
         Self {
             of,
-            result,
+            job: Job::start(move || gallery::rows(of, &scene, view), wake),
             rows: None,
         }
     }
 
     /// Takes the chart when it is there.
     pub fn poll(&mut self) {
-        if let Ok(rows) = self.result.try_recv() {
+        if let Some(Ok(rows)) = self.job.poll() {
             self.rows = Some(rows);
         }
     }
 
-    /// Whether it shows what breaks of this step on this scene in this family.
+    /// Whether it is the chart of this break.
     pub fn is_of(&self, subject: &Break) -> bool {
         let key = |of: &Break| (of.exhibit, of.step, of.family);
         key(self.of) == key(subject)

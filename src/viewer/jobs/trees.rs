@@ -1,4 +1,4 @@
-//! Trees over meshes, and what the first move of an object needs: made beside the window.
+//! Builds trees over meshes, and what the first move of an object needs, in the background.
 
 use crate::scene::Scene;
 use std::{
@@ -9,8 +9,7 @@ use std::{
     thread,
 };
 
-/// Trees of a scene's meshes that are being built beside the window; picks try every triangle until they are there.
-/// Dropping it stops the work.
+/// A build of a scene's trees. Until they are there, picks try every triangle. Dropping it stops the work.
 pub(in crate::viewer) struct TreeBuild {
     stop: Arc<AtomicBool>,
 }

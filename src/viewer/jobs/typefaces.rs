@@ -1,16 +1,13 @@
-//! Typefaces of the system, for what the panels' own do not have.
+//! Finds typefaces of the system for characters that egui's own lack.
 
+use super::job::Job;
 use skrifa::{FontRef, MetadataProvider};
 use std::{
     collections::BTreeSet,
-    sync::{
-        Arc, Mutex,
-        mpsc::{Receiver, TryRecvError, channel},
-    },
-    thread,
+    sync::{Arc, Mutex},
 };
 
-/// Characters that no typeface has so far; shared with whoever lays text out.
+/// Characters that no typeface in use has; shared with the layout of text.
 #[derive(Clone, Default)]
 pub(in crate::viewer) struct Missing(Arc<Mutex<BTreeSet<char>>>);
 
@@ -31,25 +28,25 @@ impl Missing {
     }
 }
 
-/// A typeface as its file has it.
+/// A typeface, with the bytes of its file.
 pub(in crate::viewer) struct Typeface {
     pub name: String,
     pub bytes: Vec<u8>,
-    /// Which of the file's.
+    /// Its index in the file.
     pub index: u32,
 }
 
-/// The search for typefaces, a part of it at a time.
+/// The search for typefaces, one search at a time.
 #[derive(Default)]
 pub(in crate::viewer) struct Typefaces {
     pub missing: Missing,
-    /// What was searched for once is not searched for again.
+    /// Characters that were searched for already.
     known: BTreeSet<char>,
-    search: Option<Receiver<Vec<Typeface>>>,
+    search: Option<Job<Vec<Typeface>>>,
 }
 
 impl Typefaces {
-    /// Begins to search for what is missing, where that is news; calls `wake` when done.
+    /// Begins to search for characters that were not missing before; calls `wake` when done.
     pub fn search(&mut self, wake: impl FnOnce() + Send + 'static) {
         if self.search.is_some() {
             return;
@@ -60,24 +57,16 @@ impl Typefaces {
             return;
         }
         self.known.extend(&wanted);
-        let (sender, found) = channel();
-        thread::spawn(move || {
-            // The receiver goes with the window.
-            let _ = sender.send(search(wanted));
-            wake();
-        });
-        self.search = Some(found);
+        self.search = Some(Job::start(move || search(wanted), wake));
     }
 
     /// What was found, once the search is over.
     pub fn poll(&mut self) -> Vec<Typeface> {
-        match self.search.as_ref().map(Receiver::try_recv) {
-            None | Some(Err(TryRecvError::Empty)) => Vec::new(),
-            Some(found) => {
-                self.search = None;
-                found.unwrap_or_default()
-            }
-        }
+        let Some(found) = self.search.as_ref().and_then(Job::poll) else {
+            return Vec::new();
+        };
+        self.search = None;
+        found.unwrap_or_default()
     }
 
     /// Whether anything was missing so far.
@@ -92,8 +81,8 @@ impl Typefaces {
     }
 }
 
-/// The system's typefaces that have these characters: first the one that has most of them, upright and of ordinary weight
-/// where there is a choice.
+/// Typefaces of the system that have these characters: each time the one with most of those left. Of equals, an
+/// upright, proportional one of regular weight.
 fn search(mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     let mut system = fontdb::Database::new();
     system.load_system_fonts();
@@ -132,7 +121,7 @@ fn search(mut wanted: BTreeSet<char>) -> Vec<Typeface> {
     found
 }
 
-/// Those of `wanted` that a typeface has.
+/// The characters of `wanted` that a typeface has.
 fn held(bytes: &[u8], index: u32, wanted: &BTreeSet<char>) -> BTreeSet<char> {
     let Ok(face) = FontRef::from_index(bytes, index) else {
         return BTreeSet::new();

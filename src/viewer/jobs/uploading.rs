@@ -1,27 +1,24 @@
-//! A scene on its way into graphics memory: the window answers while it gets there.
+//! Uploads a scene to graphics memory in the background.
 
+use super::job::Job;
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
     scene::{Scene, SceneKey},
     viewer::model::Made,
 };
-use std::{
-    sync::mpsc::{Receiver, TryRecvError, channel},
-    thread,
-};
 
-/// What is made, and taken into graphics memory.
+/// What to upload, and how it is made.
 pub(in crate::viewer) enum Making {
-    /// A scene that is there.
+    /// A scene as it is.
     Scene(Scene),
-    /// A scene with the objects of another after its own.
+    /// A scene, with the objects of another after its own.
     With(Scene, Scene),
-    /// What a scene's files hold now.
+    /// A scene, and what its files hold now.
     Again(Scene, Scene),
 }
 
 impl Making {
-    /// The objects and triangles that there are.
+    /// Objects and triangles in all.
     pub fn size(&self) -> usize {
         match self {
             Self::Scene(scene) => scene.size(),
@@ -39,21 +36,21 @@ impl Making {
     }
 }
 
-/// Below so many objects and triangles a scene is there, or gone, as soon as a job would have begun.
+/// A scene with fewer objects and triangles is uploaded, or freed, as fast as a job is started.
 pub(in crate::viewer) const LITTLE: usize = 20_000;
 
 /// A scene in graphics memory.
 pub(in crate::viewer) struct Uploaded {
     pub key: SceneKey,
     pub buffers: SceneBuffers,
-    /// Its meshes, and those that were there before.
+    /// Its meshes and earlier ones.
     pub meshes: MeshStore,
-    /// The scene, where it was made.
+    /// The scene, if the job made it.
     pub made: Option<Made>,
 }
 
 impl Uploaded {
-    /// Takes a scene there, but for meshes that are there already.
+    /// Uploads a scene, but not the meshes that are there already.
     ///
     /// # Errors
     /// When it does not fit.
@@ -73,41 +70,35 @@ impl Uploaded {
     }
 }
 
-/// A scene on its way there.
+/// An upload under way.
 pub(in crate::viewer) struct Upload {
     gpu: Gpu,
-    result: Receiver<Result<Uploaded, GpuError>>,
+    job: Job<Result<Uploaded, GpuError>>,
 }
 
 impl Upload {
-    /// Begins, with what a device has already; calls `wake` when done.
+    /// Begins; `meshes` are on the device already. Calls `wake` when done.
     pub fn start(
         gpu: Gpu,
         making: Making,
         meshes: MeshStore,
         wake: impl FnOnce() + Send + 'static,
     ) -> Self {
-        let (sender, result) = channel();
         let device = gpu.clone();
-        thread::spawn(move || {
+        let upload = move || {
             let (scene, made) = making.make();
-            let uploaded = Uploaded::new(&device, &scene, meshes, made);
-            // Only who shows it may still have the scene: it can be changed in place.
-            drop(scene);
-            // The receiver is gone when nobody wants the scene any more.
-            let _ = sender.send(uploaded);
-            wake();
-        });
-        Self { gpu, result }
+            Uploaded::new(&device, &scene, meshes, made)
+        };
+        let job = Job::start(upload, wake);
+        Self { gpu, job }
     }
 
-    /// The outcome, once there is one: none where the device was lost, which the next picture finds out too.
+    /// The outcome, once there is one: `Ok(None)` if the device was lost, which the next frame finds out too.
     pub fn poll(&self) -> Option<Result<Option<Uploaded>, GpuError>> {
-        let result = match self.result.try_recv() {
-            Ok(result) => result.map(Some),
-            Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => Ok(None),
-        };
-        Some(if self.gpu.is_lost() { Ok(None) } else { result })
+        let result = self.job.poll()?;
+        Some(match result {
+            Ok(result) if !self.gpu.is_lost() => result.map(Some),
+            _ => Ok(None),
+        })
     }
 }

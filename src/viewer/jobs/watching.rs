@@ -1,4 +1,4 @@
-//! Files on the disk that somebody else may change.
+//! Watches files that other programs may change.
 
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::{
@@ -10,7 +10,7 @@ use std::{
     time::{Duration, SystemTime},
 };
 
-/// So long nothing happens to a file that is written to its end.
+/// A file that nothing has happened to for this long counts as completely written.
 const QUIET: Duration = Duration::from_millis(300);
 
 /// When a file was changed last and how long it is; `None` while it is not there.
@@ -24,7 +24,7 @@ pub(in crate::viewer) struct Watching {
 }
 
 impl Watching {
-    /// Watches files; calls `wake` whenever one of them is another than before. `None` where the system cannot watch.
+    /// Watches files; calls `wake` whenever one of them has changed. `None` if the system cannot watch.
     pub fn start(files: Vec<PathBuf>, wake: impl Fn() + Send + 'static) -> Option<Self> {
         let (told, events) = channel();
         let mut watcher = notify::recommended_watcher(move |event| {
@@ -32,21 +32,22 @@ impl Watching {
             let _ = told.send(event);
         })
         .ok()?;
-        // Of a file that is replaced only its folder tells.
+        // When a file is replaced, only its folder gets the event.
         let folders: BTreeSet<_> = files.iter().filter_map(|file| folder_of(file)).collect();
         for folder in folders {
             if let Err(error) = watcher.watch(folder, RecursiveMode::NonRecursive) {
                 log::info!("{}: {error}: not watched", folder.display());
             }
         }
-        // As they are now, and not when the thread gets to it.
+        // As they are now, before the thread runs.
         let mut known = stamps(&files);
         let (sender, changed) = channel();
         thread::spawn(move || {
             while events.recv().is_ok() {
                 while events.recv_timeout(QUIET).is_ok() {}
                 let now = stamps(&files);
-                // What is gone may be on its way back; what never was, as an MTL file, need not come.
+                // A file that is gone may come back at once; one that was never there, perhaps an MTL file, is not
+                // waited for.
                 let mut both = known.iter().zip(&now);
                 let is_whole = both.all(|(known, now)| known.is_none() || now.is_some());
                 if is_whole && now != known {
@@ -64,7 +65,7 @@ impl Watching {
         })
     }
 
-    /// Whether a file has changed since this was asked last.
+    /// Whether a file has changed since the last call.
     pub fn poll(&self) -> bool {
         self.changed.try_iter().count() > 0
     }

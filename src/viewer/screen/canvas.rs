@@ -1,4 +1,4 @@
-//! What is drawn: the scene's picture with its marks, and the panels over it, onto any texture.
+//! The frame: the scene's picture with its marks and the panels over it, drawn onto any texture.
 
 use super::{
     panels_picture::PanelsPicture,
@@ -10,7 +10,7 @@ use super::{
 use crate::{
     camera::{View, Viewport},
     image::{Id, Image, Rgb},
-    render::{Gpu, GpuError, MeshStore, Renderer, read_rgb},
+    render::{Gpu, GpuError, MeshStore, Renderer, flat, read_rgb},
     viewer::{
         jobs::{Uploaded, let_go},
         model::{OnScreen, Stage, State, Subject},
@@ -19,31 +19,32 @@ use crate::{
 use egui_wgpu::ScreenDescriptor;
 use wgpu::TextureFormat;
 
-/// All that one device draws, and what it has drawn already.
+/// Everything that one device draws, and what it has drawn already.
 pub(in crate::viewer) struct Canvas {
     pub gpu: Gpu,
-    /// What it draws onto: values as they are, viewed as sRGB where the scene goes in.
+    /// The page's format: values are stored as they are; the scene is drawn through an sRGB view.
     pub format: TextureFormat,
     renderer: Renderer,
-    /// Of the scene itself: what its camera sees, or the world with that in it.
+    /// The camera's picture, or the world stage.
     scene: ScenePicture,
-    /// Of the object, view and NDC stages, once they were asked for.
+    /// Pictures of the object, view and NDC stages, while any is shown.
     stages: Option<Box<[ScenePicture; 3]>>,
     panels: PanelsPicture,
-    /// The frame, which stays: only what changes in it is drawn again.
+    /// The frame. It is kept, and only what changes in it is drawn again.
     page: wgpu::Texture,
     size: Viewport,
-    /// It is another than the one that was shown last.
+    /// The page differs from what was presented last.
     pub unshown: bool,
     /// What the page shows of the scene, and where.
     shown: Vec<(SceneRect, Option<Look>)>,
 }
 
 /// One frame, laid out.
+#[derive(Clone)]
 pub(in crate::viewer) struct Laid {
     /// Where the scene goes; `None` where there is no room for it.
     pub place: Option<SceneRect>,
-    /// Which stages go where within it, in place of the scene's picture; none where that shows.
+    /// Where each stage goes within it; empty while the camera's picture is shown.
     pub panes: Vec<(Stage, SceneRect)>,
     /// The panels' triangles.
     pub primitives: Vec<egui::ClippedPrimitive>,
@@ -55,13 +56,13 @@ pub(in crate::viewer) struct Laid {
 
 /// Where frames go: the surface of a window, or a picture in memory.
 pub(in crate::viewer) trait Screen {
-    /// Sees to a device that works. Returns whether it is another one than before, which has none of egui's textures.
+    /// Replaces a lost device. Returns whether the device is new: then it has none of egui's textures.
     ///
     /// # Errors
-    /// When there is no device to be had.
+    /// When no device can be had.
     fn restore(&mut self) -> Result<bool, GpuError>;
 
-    /// What its device draws with; `None` before there is one.
+    /// The device's canvas; `None` before there is a device.
     fn canvas(&mut self) -> Option<&mut Canvas>;
 
     /// Draws and shows a frame. Returns how far the scene's picture has come.
@@ -93,7 +94,7 @@ impl Canvas {
         self.scene.read_ids(&self.gpu, wanted)
     }
 
-    /// Takes a scene that is in graphics memory, and is to be shown next: as a stage, or as the camera's picture.
+    /// Takes an uploaded scene that is to be shown next, as a stage or, with `None`, as the camera's picture.
     pub fn take_uploaded(&mut self, stage: Option<Stage>, uploaded: Uploaded) {
         self.scene.scenes.meshes = uploaded.meshes.clone();
         let (picture, ..) = self.picture_of(stage, 1.0);
@@ -105,12 +106,12 @@ impl Canvas {
         self.scene.scenes.meshes.clone()
     }
 
-    /// What is on screen of the scene.
+    /// What the scene's picture on screen shows.
     pub fn on_screen(&self) -> Option<OnScreen> {
         self.scene.on_screen()
     }
 
-    /// Takes what came and went among egui's textures.
+    /// Applies the changes of egui's textures.
     pub fn take_textures(&mut self, textures: &mut egui::TexturesDelta) {
         self.panels.take_textures(&self.gpu, textures);
     }
@@ -155,13 +156,8 @@ impl Canvas {
             pixels_per_point: laid.pixels_per_point,
         };
         let mut painted = self.panels.update(&self.gpu, &laid.primitives, &screen);
-        let moved = |shown: &[(SceneRect, Option<Look>)]| {
-            !shown
-                .iter()
-                .map(|(place, _)| place)
-                .eq(places.iter().map(|(_, place)| place))
-        };
-        let is_moved = moved(&self.shown);
+        let before = self.shown.iter().map(|(place, _)| place);
+        let is_moved = before.ne(places.iter().map(|(_, place)| place));
         if is_new || is_moved {
             painted = vec![[[0, 0], screen.size_in_pixels]];
         }
@@ -185,14 +181,14 @@ impl Canvas {
         }
         self.shown = looks;
         if self.gpu.is_software() {
-            // The frame time that is shown is the frame's, then, and not that of handing it over.
+            // Else the frame time on display would be that of the submission only.
             self.gpu.wait()?;
         }
         self.gpu.check()?;
         progress
     }
 
-    /// The picture of a stage, or of the scene, what draws it, and the meshes that are there.
+    /// The picture of a stage, or with `None` the camera's; what draws it; the uploaded meshes.
     fn picture_of(
         &mut self,
         stage: Option<Stage>,
@@ -215,7 +211,7 @@ impl Canvas {
         (&mut stages[stage], brush, meshes)
     }
 
-    /// Shows the page on a texture of its format.
+    /// Copies the page onto a texture of its format.
     pub fn show(&mut self, onto: &wgpu::Texture) {
         self.unshown = false;
         if onto.usage().contains(wgpu::TextureUsages::COPY_DST) {
@@ -242,9 +238,7 @@ impl Canvas {
     pub fn picture(&mut self, state: &State, laid: &Laid) -> Result<Image<Rgb>, GpuError> {
         let rested = Laid {
             motion: Motion::Rests,
-            primitives: laid.primitives.clone(),
-            panes: laid.panes.clone(),
-            ..*laid
+            ..laid.clone()
         };
         self.smooth_picture(self.size, state, &rested)
     }
@@ -256,19 +250,12 @@ impl Canvas {
     pub fn picture_alone(
         &mut self,
         state: &State,
-        laid: &Laid,
         place: SceneRect,
     ) -> Result<Image<Rgb>, GpuError> {
-        let origin = place.origin_px;
-        let moved = |place: SceneRect| SceneRect {
-            origin_px: [0, 1].map(|axis| place.origin_px[axis].saturating_sub(origin[axis])),
-            ..place
-        };
+        let origin_px = [0, 0];
         let bare = Laid {
-            place: Some(moved(place)),
-            panes: (laid.panes.iter())
-                .map(|(stage, place)| (*stage, moved(*place)))
-                .collect(),
+            place: Some(SceneRect { origin_px, ..place }),
+            panes: Vec::new(),
             primitives: Vec::new(),
             pixels_per_point: place.pixels_per_point,
             motion: Motion::Rests,
@@ -306,7 +293,7 @@ impl Canvas {
     }
 }
 
-/// What is drawn, and where: stages, or else the scene's picture.
+/// What is drawn, and where: stages, or else the camera's picture.
 fn places(laid: &Laid) -> Vec<(Option<Stage>, SceneRect)> {
     if laid.panes.is_empty() {
         return laid.place.map(|place| (None, place)).into_iter().collect();
@@ -315,7 +302,7 @@ fn places(laid: &Laid) -> Vec<(Option<Stage>, SceneRect)> {
     panes.map(|(stage, place)| (Some(*stage), *place)).collect()
 }
 
-/// What the picture at a place is of.
+/// What the picture at a place shows.
 fn subject(state: &State, stage: Option<Stage>, place: SceneRect) -> Option<Subject<'_>> {
     let subject = match stage {
         Some(stage) => state.pane_subject(stage)?,
@@ -333,21 +320,8 @@ fn subject(state: &State, stage: Option<Stage>, place: SceneRect) -> Option<Subj
 /// A texture of this size that can be drawn onto, copied and read.
 fn page(gpu: &Gpu, size: Viewport, format: TextureFormat) -> wgpu::Texture {
     use wgpu::TextureUsages as Usages;
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("page"),
-        size: wgpu::Extent3d {
-            width: size.width(),
-            height: size.height(),
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: Usages::RENDER_ATTACHMENT
-            | Usages::TEXTURE_BINDING
-            | Usages::COPY_SRC
-            | Usages::COPY_DST,
-        view_formats: &[format.add_srgb_suffix()],
-    })
+    let size = [size.width(), size.height()];
+    let usage = Usages::TEXTURE_BINDING | Usages::COPY_SRC | Usages::COPY_DST;
+    let view_formats = [format.add_srgb_suffix()];
+    flat::texture(gpu, "page", size, format, 1, usage, &view_formats)
 }

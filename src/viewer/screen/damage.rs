@@ -1,4 +1,4 @@
-//! Where one frame's panels look different from the last one's.
+//! Finds where one frame's panels look different from the last frame's.
 
 use super::place::PixelRect;
 use egui::{
@@ -6,11 +6,11 @@ use egui::{
     epaint::{Mesh, Primitive, Vertex},
 };
 
-/// Rectangles in points outside of which both frames' primitives paint the same, none where nothing differs; everything
-/// where that is not worth finding out. They may overlap.
+/// Rectangles in points. Outside of them both frames paint the same. None if nothing differs; everything if that is not
+/// worth finding out. They may overlap.
 ///
-/// A primitive's triangles are compared in order, one by one where there are as many as before. Where there are not, those
-/// that both begin and end with are the same, so that text of another length differs by its own extent.
+/// A primitive's triangles are compared in order, one by one if there are as many as before. If not, the triangles that
+/// both begin with and end with are left out, so that text of another length damages only itself.
 pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> Vec<Rect> {
     if before.len() != now.len() {
         return vec![Rect::EVERYTHING];
@@ -20,11 +20,11 @@ pub(super) fn damage(before: &[ClippedPrimitive], now: &[ClippedPrimitive]) -> V
     each.filter(|rect| !rect.is_negative()).collect()
 }
 
-/// Rectangles of pixels, each as its first and the one past its last, that cover others and do not overlap.
+/// Merges rectangles of pixels until none of them overlap.
 pub(super) fn disjoint(rects: impl IntoIterator<Item = PixelRect>) -> Vec<PixelRect> {
     let mut all: Vec<PixelRect> = Vec::new();
     for mut rect in rects {
-        // What it grows by may overlap what it did not before.
+        // As it grows, it may overlap further ones.
         while let Some(at) = all.iter().position(|other| overlap(other, &rect)) {
             let other = all.swap_remove(at);
             for axis in 0..2 {
@@ -137,7 +137,7 @@ mod tests {
         let more = [(at(0.0), RED), (at(20.0), RED), (at(40.0), RED)];
         assert_eq!(of(&few, &more), at(20.0));
         assert_eq!(of(&more, &few), at(20.0));
-        // Of equal ones it does not matter which is new: the place is painted twice.
+        // Of two equal squares, either may be the new one.
         let twice = [(at(0.0), RED), (at(0.0), RED)];
         assert_eq!(of(&twice[..1], &twice), at(0.0));
     }

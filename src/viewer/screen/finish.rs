@@ -5,22 +5,22 @@ use crate::{
     render::Piece,
 };
 
-/// Where so much is to be drawn, triangles take longer than pixels.
+/// With more work than this, triangles take longer than pixels.
 const MUCH: u64 = 50_000;
 
 /// How good a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Finish {
-    /// Of lower resolution: so many of the window's pixels, along each side, are one.
+    /// Of lower resolution: each pixel covers this many of the window's along each side.
     Coarse(u32),
-    /// Its ids are those of the window's pixels.
+    /// Of the window's resolution, so its ids are exact.
     Rough,
     /// Its edges are smooth, too.
     Smooth,
 }
 
 impl Finish {
-    /// That of a picture that moves, of a scene that comes to so much.
+    /// The finish of a moving picture of a scene with this much work.
     pub fn coarse(scene: Piece) -> Self {
         Self::Coarse(if scene.work > MUCH { 3 } else { 2 })
     }
@@ -33,7 +33,7 @@ impl Finish {
         }
     }
 
-    /// Whether ids are those of the window's pixels.
+    /// Whether its ids are those of the window's pixels.
     pub fn is_exact(self) -> bool {
         self >= Self::Rough
     }

@@ -71,7 +71,7 @@ fn frustum(view: &View) -> Vec<Line> {
             colour: look::CAMERA,
         })
         .collect();
-    // From where the rays start to the near plane, where there is room between the two.
+    // From where the rays start, the eye or its plane, to the near plane.
     let camera = &view.camera;
     lines.extend(corners[..4].iter().map(|&corner| Line {
         from: match camera.lens().projection {

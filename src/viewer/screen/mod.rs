@@ -1,4 +1,4 @@
-//! What is drawn: the scene where it changed, lines about it, the panels over it, and where frames go.
+//! Draws frames: the scene where it changed, lines about it, the panels over it. And the surface that shows them.
 
 mod box_edges;
 mod canvas;

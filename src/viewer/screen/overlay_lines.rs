@@ -116,7 +116,7 @@ fn normals(object: &Object) -> Box<dyn Iterator<Item = Line> + '_> {
                 let [a, b, c] = mesh.corners(triangle);
                 let world = [a, b, c].map(|corner| placement.point_to_world(corner));
                 let area = 0.5 * (world[1] - world[0]).cross(world[2] - world[0]).length();
-                // As long as its face is wide, about.
+                // About as long as its face is wide.
                 line((a + b + c) / 3.0, (b - a).cross(c - a), 0.7 * area.sqrt())
             }))
         }

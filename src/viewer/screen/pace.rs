@@ -1,4 +1,4 @@
-//! How much of a picture is drawn in a pass: what takes a tenth of a second at the most, by what pieces took before.
+//! Decides how much of a picture is drawn in a pass: at most a tenth of a second of work, judged by earlier pieces.
 
 use crate::{
     camera::Viewport,
@@ -9,24 +9,24 @@ use std::{
     time::Instant,
 };
 
-/// What drawing may take of a pass, in seconds, with room for what comes after it.
+/// How long the drawing of a pass may take, in seconds; leaves time for what comes after it.
 const LONGEST_S: f64 = 0.08;
-/// Work that is within that on slow adapters of the two kinds, at first.
+/// First guess of the work that fits, for slow adapters of each kind.
 const SOFTWARE_WORK: u64 = 120_000;
 const HARDWARE_WORK: u64 = 4_000_000;
-/// The least that pieces come down to.
+/// No piece is limited to less than this.
 const LEAST_WORK: u64 = 10_000;
 
-/// Pixels of a band of smooth rows: drawn in software in some hundredths of a second.
+/// Pixels of a band that is smoothed at once: a few hundredths of a second in software.
 const SMOOTH_PIXELS: u64 = 1 << 17;
-/// The work of a smooth piece is so many times that of another.
+/// A smooth piece takes this many times the work of another.
 const SMOOTH_COSTS: u64 = 4;
 
-/// What pieces took, and what they may be.
+/// Learns from the times of pieces how large they may be.
 #[derive(Debug)]
 pub(super) struct Pace {
     work: u64,
-    /// What is drawn is waited for in every pass: when it is done is known at once, and not only when somebody asks.
+    /// Every pass waits for what it draws: the time of completion is exact, not that of the next poll.
     is_waited_for: bool,
     under_way: Option<Piecework>,
 }
@@ -36,9 +36,9 @@ pub(super) struct Pace {
 struct Piecework {
     work: u64,
     begun: Instant,
-    /// For how long it was known not to be done, in seconds.
+    /// How long after its start it was last seen unfinished, in seconds.
     longer_than_s: f64,
-    /// After how many seconds it was known to be done.
+    /// How long after its start it was reported done, in seconds.
     done_s: Arc<Mutex<Option<f64>>>,
 }
 
@@ -56,7 +56,7 @@ impl Pace {
         }
     }
 
-    /// How much there may be in a piece.
+    /// The limit of a piece.
     pub fn most(&self) -> Piece {
         Piece {
             work: self.work,
@@ -64,7 +64,7 @@ impl Pace {
         }
     }
 
-    /// How much there may be in a smooth piece.
+    /// The limit of a smooth piece.
     pub fn most_smooth(&self) -> Piece {
         Piece {
             work: self.work / SMOOTH_COSTS,
@@ -72,8 +72,8 @@ impl Pace {
         }
     }
 
-    /// In how many bands a picture is made smooth, each of which draws the whole scene: in one where that takes many
-    /// pieces by itself.
+    /// In how many bands a picture is smoothed. Each band draws the whole scene; if that alone takes several pieces,
+    /// there is one band.
     pub fn bands(&self, viewport: Viewport, scene: Piece) -> u32 {
         let pixels = u64::from(viewport.width()) * u64::from(viewport.height());
         let by_work = self.most_smooth().work / scene.work.max(1);
@@ -81,12 +81,12 @@ impl Pace {
         u32::try_from(bands).unwrap_or(u32::MAX)
     }
 
-    /// Whether the adapter has drawn all pieces: more would only wait, and what is shown after them too.
+    /// Whether the adapter has drawn all pieces. If not, more would only queue up, and delay what is shown after them.
     pub fn is_free(&mut self, gpu: &Gpu) -> bool {
         let Some(piece) = &mut self.under_way else {
             return true;
         };
-        // What is wrong with the device, the next frame finds out.
+        // The next frame reports errors of the device.
         let _ = gpu.device.poll(wgpu::PollType::Poll);
         let Some(done_s) = piece.done_s.lock().map_or(None, |mut done| done.take()) else {
             piece.longer_than_s = piece.begun.elapsed().as_secs_f64();
@@ -122,7 +122,7 @@ impl Pace {
         });
     }
 
-    /// Less where a piece took too long; more where one that was nearly as large as may be was done in no time.
+    /// Lowers the limit after a slow piece; doubles it after a fast one of more than half the limit.
     fn learn(&mut self, work: u64, [at_least_s, at_most_s]: [f64; 2]) {
         if at_least_s > LONGEST_S {
             #[expect(
@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(pace.most().work, LEAST_WORK);
         pace.learn(LEAST_WORK, [0.0, 0.01]);
         assert_eq!(pace.most().work, 2 * LEAST_WORK);
-        // Little that is done soon says nothing of much, nor does what was asked for late.
+        // A small fast piece says nothing about large ones; nor does one that was polled late.
         pace.learn(LEAST_WORK / 2, [0.0, 0.001]);
         pace.learn(2 * LEAST_WORK, [0.0, 30.0]);
         assert_eq!(pace.most().work, 2 * LEAST_WORK);

@@ -6,17 +6,14 @@ use super::{
     place::{PixelRect, SceneRect},
     tiles::Tiles,
 };
-use crate::render::{Gpu, shader_module};
+use crate::render::{Gpu, bindings::bind, flat, shader_module};
 use egui::{
     ClippedPrimitive, Pos2, Rect, TextureId, TexturesDelta,
     epaint::{ImageDelta, Primitive},
 };
 use egui_wgpu::{Renderer, RendererOptions, ScreenDescriptor};
 use std::mem;
-use wgpu::{
-    BlendState, CommandEncoder, LoadOp, RenderPass, RenderPipeline, TextureFormat,
-    TextureViewDescriptor,
-};
+use wgpu::{BlendState, RenderPipeline, TextureFormat, TextureViewDescriptor};
 
 /// egui's renderer and what it has painted.
 pub(super) struct PanelsPicture {
@@ -29,7 +26,7 @@ pub(super) struct PanelsPicture {
     stale: Vec<TextureId>,
 }
 
-/// A picture, premultiplied with its alpha, and what was painted there.
+/// The picture, with premultiplied alpha, and what was painted there.
 struct Kept {
     texture: wgpu::Texture,
     view: wgpu::TextureView,
@@ -37,41 +34,20 @@ struct Kept {
     size_px: [u32; 2],
     pixels_per_point: f32,
     primitives: Vec<ClippedPrimitive>,
-    /// Where there is any of it.
+    /// Where it is not empty.
     tiles: Tiles,
 }
 
 impl PanelsPicture {
-    /// For frames of this format, as values are.
+    /// For frames of this format, without conversion to sRGB.
     pub fn new(gpu: &Gpu, format: TextureFormat) -> Self {
         let shader = shader_module(gpu, "panels");
-        let pipeline = |fragment: &str, blend: Option<BlendState>| {
-            gpu.device
-                .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                    label: Some(fragment),
-                    layout: None,
-                    vertex: wgpu::VertexState {
-                        module: &shader,
-                        entry_point: Some("cover"),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        buffers: &[],
-                    },
-                    fragment: Some(wgpu::FragmentState {
-                        module: &shader,
-                        entry_point: Some(fragment),
-                        compilation_options: wgpu::PipelineCompilationOptions::default(),
-                        targets: &[Some(wgpu::ColorTargetState {
-                            format,
-                            blend,
-                            write_mask: wgpu::ColorWrites::ALL,
-                        })],
-                    }),
-                    primitive: wgpu::PrimitiveState::default(),
-                    depth_stencil: None,
-                    multisample: wgpu::MultisampleState::default(),
-                    multiview_mask: None,
-                    cache: None,
-                })
+        let pipeline = |fragment, blend| {
+            let target = wgpu::ColorTargetState {
+                blend,
+                ..format.into()
+            };
+            flat::pipeline(gpu, None, &shader, ["cover", fragment], target)
         };
         Self {
             renderer: Renderer::new(&gpu.device, format, RendererOptions::default()),
@@ -83,13 +59,14 @@ impl PanelsPicture {
         }
     }
 
-    /// Takes what came and went among egui's textures. What goes may still be in the next frame, and is freed after it.
+    /// Applies the changes of egui's textures. A dropped texture may still be in the next frame, and is freed after it.
     pub fn take_textures(&mut self, gpu: &Gpu, textures: &mut TexturesDelta) {
         for id in mem::take(&mut self.stale) {
             self.renderer.free_texture(&id);
         }
         for (id, deltas) in mem::take(&mut textures.set) {
-            // A part brings new letters, which nothing shows yet. Of a whole texture all may look different.
+            // A partial update brings new glyphs, which nothing shows yet. After a whole one, anything may look
+            // different.
             if deltas.iter().any(ImageDelta::is_whole) {
                 self.kept = None;
             }
@@ -127,7 +104,7 @@ impl PanelsPicture {
         });
         let rects = disjoint(changed.into_iter().filter_map(|rect| pixels(rect, screen)));
         if rects.is_empty() {
-            // What was painted says the same already.
+            // What was painted before looks the same.
             return rects;
         }
         let corner = |px: [u32; 2]| {
@@ -145,7 +122,7 @@ impl PanelsPicture {
         self.renderer
             .update_buffers(&gpu.device, &gpu.queue, &mut encoder, &painted, screen);
         {
-            let mut pass = pass(&mut encoder, &kept.view, LoadOp::Load).forget_lifetime();
+            let mut pass = flat::begin(&mut encoder, &kept.view, false).forget_lifetime();
             pass.set_pipeline(&self.empty);
             for &[min, max] in &rects {
                 pass.set_scissor_rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
@@ -159,7 +136,7 @@ impl PanelsPicture {
         rects
     }
 
-    /// Copies pixels of the picture as they are, over whatever is there.
+    /// Copies pixels of the picture onto a texture, without blending.
     pub fn copy(&self, gpu: &Gpu, onto: &wgpu::Texture, rects: &[PixelRect]) {
         let Some(kept) = &self.kept else { return };
         let mut encoder = gpu.encoder();
@@ -178,13 +155,13 @@ impl PanelsPicture {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Draws the picture over what a place shows, where there is something in it.
+    /// Blends the picture over a place, where it is not empty.
     pub fn draw_over(&self, gpu: &Gpu, onto: &wgpu::Texture, place: SceneRect) {
         let Some(kept) = &self.kept else { return };
         let mut encoder = gpu.encoder();
         {
             let view = onto.create_view(&TextureViewDescriptor::default());
-            let mut pass = pass(&mut encoder, &view, LoadOp::Load);
+            let mut pass = flat::begin(&mut encoder, &view, false);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &kept.bindings, &[]);
             for [x, y, width, height] in kept.tiles.runs(place) {
@@ -195,13 +172,13 @@ impl PanelsPicture {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Draws a whole frame, onto what cannot be copied to.
+    /// Draws a whole frame onto a texture that cannot be copied to.
     pub fn draw_page(&self, gpu: &Gpu, page: &wgpu::Texture, onto: &wgpu::Texture) {
         let mut encoder = gpu.encoder();
         {
             let [page, onto] =
                 [page, onto].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
-            let mut pass = pass(&mut encoder, &onto, LoadOp::Clear(wgpu::Color::BLACK));
+            let mut pass = flat::begin(&mut encoder, &onto, true);
             pass.set_pipeline(&self.over);
             pass.set_bind_group(0, &bindings(gpu, &self.over, &page), &[]);
             pass.draw(0..3, 0..1);
@@ -218,29 +195,17 @@ impl Kept {
         format: TextureFormat,
         screen: &ScreenDescriptor,
     ) -> Self {
-        let [width, height] = screen.size_in_pixels;
-        let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("panels"),
-            size: wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                | wgpu::TextureUsages::TEXTURE_BINDING
-                | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let (size_px, usage) = (
+            screen.size_in_pixels,
+            wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        );
+        let texture = flat::texture(gpu, "panels", size_px, format, 1, usage, &[]);
         let view = texture.create_view(&TextureViewDescriptor::default());
         Self {
             bindings: bindings(gpu, over, &view),
             view,
             texture,
-            size_px: screen.size_in_pixels,
+            size_px,
             pixels_per_point: screen.pixels_per_point,
             primitives: Vec::new(),
             tiles: Tiles::default(),
@@ -249,34 +214,9 @@ impl Kept {
 }
 
 fn bindings(gpu: &Gpu, over: &RenderPipeline, picture: &wgpu::TextureView) -> wgpu::BindGroup {
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("panels"),
-        layout: &over.get_bind_group_layout(0),
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource: wgpu::BindingResource::TextureView(picture),
-        }],
-    })
-}
-
-fn pass<'a>(
-    encoder: &'a mut CommandEncoder,
-    view: &wgpu::TextureView,
-    load: LoadOp<wgpu::Color>,
-) -> RenderPass<'a> {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("panels"),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load,
-                store: wgpu::StoreOp::Store,
-            },
-        })],
-        ..wgpu::RenderPassDescriptor::default()
-    })
+    let resource = wgpu::BindingResource::TextureView(picture);
+    let layout = over.get_bind_group_layout(0);
+    bind(gpu, "panels", &layout, [resource])
 }
 
 /// The part of a primitive within a clip; `None` where none of it is.
@@ -292,7 +232,7 @@ fn within(primitive: &ClippedPrimitive, clip: Rect) -> Option<ClippedPrimitive> 
     })
 }
 
-/// The pixels that a rectangle in points touches, as their least and their end; `None` of none.
+/// The pixels that a rectangle in points touches; `None` if there are none.
 fn pixels(rect: Rect, screen: &ScreenDescriptor) -> Option<PixelRect> {
     if rect.is_negative() {
         return None;

@@ -65,8 +65,8 @@ impl SceneRect {
         Pos2::new(points.x as f32, points.y as f32)
     }
 
-    /// A position in points as a position within the rectangle in pixels. The pointer's own pixels went through
-    /// `f32` points and back: what is off by that rounding is put right.
+    /// A position in points as a position within the rectangle in pixels. The pointer's pixels came through `f32`
+    /// points; rounding to 1/64 pixel removes that error.
     pub fn to_px(self, position: Pos2) -> DVec2 {
         const STEPS: f64 = 64.0;
         let scale = f64::from(self.pixels_per_point);

@@ -5,22 +5,22 @@ use std::time::Duration;
 /// How far the picture has come in a pass.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::viewer) struct Progress {
-    /// Whether another picture of the scene is shown than before.
+    /// Whether a new picture of the scene is shown.
     pub anew: bool,
-    /// How soon another pass is needed, while it is not yet the one that is wanted.
+    /// How soon another pass is needed; `None` once the wanted picture is shown.
     pub behind: Option<Duration>,
-    /// Whether its scene is on its way into graphics memory still.
+    /// Whether its scene is still being uploaded.
     pub is_coming: bool,
-    /// Whether it is, but for its edges, which are not smooth yet: another pass is needed once it rests.
+    /// Whether the wanted picture is shown without smooth edges: at rest it needs another pass.
     pub rough: bool,
     /// About so many triangles were drawn.
     pub drawn: u64,
-    /// So many objects and triangles were taken into graphics memory by the pass itself.
+    /// Objects and triangles that the pass itself uploaded.
     pub uploaded: usize,
 }
 
 impl Progress {
-    /// That of two pictures together.
+    /// The progress of two pictures together.
     pub fn and(self, other: Self) -> Self {
         Self {
             anew: self.anew || other.anew,

@@ -1,4 +1,4 @@
-//! The picture of the scene: what is on screen of it, what is being drawn in pieces to come after that, and when.
+//! The picture of the scene: the one on screen, and the next one, which is drawn in pieces.
 
 use super::{
     finish::Finish,
@@ -19,14 +19,14 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// No further piece is begun in a pass that has worked for as long as this.
+/// A pass that has worked for this long begins no further piece.
 const WORKED: Duration = Duration::from_millis(4);
-/// Triangles with their edges are so many times the work of triangles.
+/// Triangles with their edges take this many times the work of triangles.
 const EDGES_COST: u64 = 4;
-/// For so long nothing is asked of an adapter that draws: to ask at once would only keep a processor busy.
+/// How soon a busy adapter is polled again. To poll at once would only keep a processor busy.
 const WAIT: Duration = Duration::from_millis(4);
 
-/// What draws all pictures.
+/// What every picture is drawn with.
 pub(super) struct Brush<'a> {
     pub gpu: &'a Gpu,
     pub renderer: &'a mut Renderer,
@@ -39,38 +39,38 @@ pub(super) struct ScenePicture {
     pub scenes: ScenesOnGpu,
     shown: Option<Picture>,
     next: Option<UnderWay>,
-    /// Of pictures before, for those that come.
+    /// Targets of earlier pictures, to be used again.
     spare: Vec<Targets>,
-    /// Of coarse pictures, and of others.
+    /// For coarse pictures, and for others.
     paces: [Pace; 2],
-    /// Counts what is shown.
+    /// Counts the changes of what is shown.
     changes: u64,
 }
 
-/// A picture that is whole.
+/// A finished picture.
 struct Picture {
     targets: Targets,
     of: Drawn,
     finish: Finish,
 }
 
-/// What is seen of a scene's picture: that of the same looks the same.
+/// What a scene's picture looks like: two of equal looks are the same to the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look {
     change: u64,
     marks: Marks,
 }
 
-/// A picture that is not.
+/// An unfinished picture.
 struct UnderWay {
     drawing: Drawing,
     of: Drawn,
     /// `None` where only the selection or smooth colours are drawn, onto the picture that is shown.
     targets: Option<Targets>,
-    /// Little enough for one pass.
+    /// Small enough for one pass.
     at_once: bool,
     finish: Finish,
-    /// It is the picture that is shown, but better: nobody waits for it.
+    /// It only improves the picture that is shown: nobody waits for it.
     refines: bool,
 }
 
@@ -100,9 +100,9 @@ impl ScenePicture {
         shown.map(|shown| shown.targets.read_ids(gpu)).transpose()
     }
 
-    /// Brings the picture nearer to what the state wants: all the way where that is little, else by a piece. What is begun
-    /// is finished first, unless the scene is another by now. While it goes, it may be coarse; where it rests it gets
-    /// exact and then smooth edges, which nothing waits for.
+    /// Brings the picture nearer to what the state wants: all the way if that is little work, else by a piece. A
+    /// picture once begun is finished first, unless the scene has changed. A moving picture may be coarse. At rest it
+    /// gets exact, and then its edges get smooth; nothing waits for these.
     pub fn advance(
         &mut self,
         brush: &mut Brush,
@@ -193,7 +193,7 @@ impl ScenePicture {
         }
         let at_once = most.holds(&whole) && scene.buffers.is_little();
         if at_once {
-            // Nothing is shown between the beginning and the end.
+            // No frame shows the old picture in between.
             self.spare
                 .extend(self.shown.take().map(|shown| shown.targets));
         }
@@ -208,7 +208,7 @@ impl ScenePicture {
         Ok(())
     }
 
-    /// Targets of a size, of those that are spare where there are such. Of others only those stay that fit a window.
+    /// Targets of a size, from the spare ones if possible. If none fit, only spare ones of the window's size are kept.
     fn targets(
         &mut self,
         gpu: &Gpu,
@@ -248,8 +248,8 @@ impl ScenePicture {
         });
     }
 
-    /// Draws on. Returns whether another picture of the scene is shown than before, and whether nothing could be drawn,
-    /// since the adapter has not done yet what it is to; and how much was drawn.
+    /// Draws the next pieces. Returns whether a new picture of the scene is shown, whether the picture waits for a busy
+    /// adapter, and how much was drawn.
     fn proceed(&mut self, brush: &mut Brush) -> Result<([bool; 2], u64), GpuError> {
         let gpu = brush.gpu;
         let (start, mut anew, mut done) = (Instant::now(), false, 0);
@@ -263,7 +263,7 @@ impl ScenePicture {
             let piece = if next.at_once {
                 Piece::WHOLE
             } else if is_smooth {
-                // One a pass: nobody waits for it, and it makes everybody wait.
+                // One a pass: nobody waits for it, but it delays everything else.
                 if mem::replace(&mut smooths, true) || !is_free {
                     break;
                 }
@@ -297,18 +297,19 @@ impl ScenePicture {
             if is_whole {
                 anew |= self.finish();
             } else if progress == 0 && piece != Piece::WHOLE {
-                // What is to be drawn is being composed.
+                // The rows to be drawn are still being composed.
                 break;
             }
         }
-        // What smooth pieces take says nothing of others.
+        // The time of smooth pieces says nothing about others.
         if done > 0 && !smooths {
             self.paces[of].began(gpu, done);
         }
         Ok(([anew, !is_free && self.next.is_some()], done))
     }
 
-    /// What was under way is drawn: it is shown, or the selection comes next. Returns whether the scene is shown anew.
+    /// Ends what was under way: shows it, or goes on to the selection. Returns whether a new picture of the scene is
+    /// shown.
     fn finish(&mut self) -> bool {
         let (Some(mut next), Some(scene)) = (self.next.take(), &self.scenes.now) else {
             return false;
@@ -342,13 +343,13 @@ impl ScenePicture {
         }
     }
 
-    /// What is to be seen of the picture; `None` where there is none. The camera's picture is none of the stage that shows the
+    /// The picture's look; `None` if there is no picture. The camera's picture does not stand in for a stage of the
     /// same scene, nor the reverse.
     pub fn look(&self, subject: &Subject) -> Option<Look> {
         let is_alike = |shown: &&Picture| shown.of.is_of_stage() == subject.lesson.is_some();
         let shown = self.shown.as_ref().filter(is_alike)?;
         let scene = self.scenes.now.as_ref()?;
-        // Objects of one scene are none of another's.
+        // An object's index holds in its own scene only.
         let is_of_scene = |of: &u64| *of == scene.revision;
         let hover = Some(subject.revision).filter(is_of_scene);
         let selection = Some(shown.of.revision).filter(is_of_scene);
@@ -361,7 +362,7 @@ impl ScenePicture {
         })
     }
 
-    /// Puts the picture into its place on a page.
+    /// Draws the picture into its place on a page.
     pub fn composite(
         &self,
         brush: &mut Brush,

@@ -1,5 +1,5 @@
-//! Scenes in graphics memory: the one that is shown, some before it, and one that is to come. What is much gets there beside
-//! the window.
+//! Scenes in graphics memory: the one that is shown, a few before it, and the next. Large ones are uploaded in the
+//! background.
 
 use crate::{
     render::{Gpu, GpuError, MeshStore, SceneBuffers},
@@ -10,7 +10,7 @@ use crate::{
     },
 };
 
-/// Those of the gallery, and what was open before it.
+/// Earlier scenes that are kept: one of the gallery, and what was open before it.
 const MOST_BEFORE: usize = 2;
 
 /// A scene on the GPU and which one it is.
@@ -21,26 +21,26 @@ pub(super) struct OnGpu {
     visibility: u64,
 }
 
-/// A scene on its way, as it was when it began.
+/// An upload under way, and the scene's revisions when it began.
 struct Coming {
     revision: u64,
     visibility: u64,
     upload: Upload,
 }
 
-/// All that are there.
+/// The scenes of one picture in graphics memory.
 #[derive(Default)]
 pub(super) struct ScenesOnGpu {
-    /// The picture's, once it was uploaded.
+    /// The scene on screen, once it was uploaded.
     pub now: Option<OnGpu>,
-    /// What came ahead of its scene.
+    /// An upload that was done ahead.
     ready: Option<Uploaded>,
     coming: Option<Coming>,
     /// Scenes before this one, as long as they may come back; the latest first.
     before: Vec<OnGpu>,
-    /// Their meshes.
+    /// The meshes of all pictures.
     pub meshes: MeshStore,
-    /// The scene that does not fit, and why: it is not tried again.
+    /// The revision of a scene that does not fit, and why: it is not tried again.
     unfit: Option<(u64, GpuError)>,
 }
 
@@ -50,7 +50,7 @@ impl ScenesOnGpu {
         self.ready = Some(uploaded);
     }
 
-    /// Gives up what cannot come back.
+    /// Drops scenes that cannot come back.
     pub fn forget_unused(&mut self) {
         let is_unused = |before: &mut OnGpu| !before.key.is_in_use();
         let unused: Vec<OnGpu> = self.before.extract_if(.., is_unused).collect();
@@ -60,8 +60,8 @@ impl ScenesOnGpu {
         }
     }
 
-    /// Sees to a picture's scene, as it is now. Returns how many objects and triangles were taken there for that; `None`
-    /// while it, or what changed in it, is on its way.
+    /// Uploads a picture's scene, or what changed in it. Returns how many objects and triangles this call uploaded;
+    /// `None` while the upload is under way.
     ///
     /// # Errors
     /// When it does not fit.
@@ -99,7 +99,7 @@ impl ScenesOnGpu {
         Ok(Some(taken))
     }
 
-    /// Has a scene taken there beside the window; `None` until it is.
+    /// Uploads a scene in the background; `None` until that is done.
     fn come(&mut self, gpu: &Gpu, subject: &Subject) -> Result<Option<OnGpu>, GpuError> {
         let is_it = |coming: &Coming| coming.revision == subject.revision;
         let coming = self.coming.take().filter(is_it).unwrap_or_else(|| {
@@ -125,12 +125,12 @@ impl ScenesOnGpu {
         }))
     }
 
-    /// What drawing all of them once comes to.
+    /// The work of drawing all of them once.
     pub fn work(&self) -> usize {
         work(self.now.iter().chain(&self.before))
     }
 
-    /// The buffers of a scene that came ahead of it, or stayed from before.
+    /// The buffers of a scene that was uploaded ahead, or was kept from before.
     fn known(&mut self, scene: &Scene) -> Option<SceneBuffers> {
         let ready = self.ready.take().filter(|ready| ready.key.is_of(scene));
         if let Some(ready) = ready {

@@ -1,4 +1,4 @@
-//! The window's surface: where frames go, and what brings it back when it, or the whole device, is lost.
+//! The window's surface: presents frames, and is made again when it or the whole device is lost.
 
 use super::{
     canvas::{Canvas, Laid, Screen},
@@ -45,7 +45,7 @@ impl Surface {
         Ok(surface)
     }
 
-    /// What the window shows may be gone.
+    /// Presents the page again: what the window shows may be lost.
     pub fn expose(&mut self) {
         self.canvas.unshown = true;
     }
@@ -132,7 +132,7 @@ fn create(
     surface.map_err(|_| Gpu::no_window(instance))
 }
 
-/// How the surface shows frames: sRGB values as they are, in step with the screen.
+/// How the surface shows frames: sRGB values as they are, with vsync.
 fn configuration(
     gpu: &Gpu,
     surface: &wgpu::Surface,

@@ -1,4 +1,4 @@
-//! What stands around the scene: a floor grid with the world's axes on it.
+//! Lines around the scene: a floor grid with the world's axes, and the box of NDC.
 
 use super::{box_edges::edges, frozen::pixel_grid};
 use crate::{
@@ -13,12 +13,12 @@ use glam::{DVec2, DVec3};
 
 /// Lines to each side of the middle, at the most.
 const LINES: f64 = 40.0;
-/// The middle and the border of the grid are at multiples of so many steps: they stay where they are when something small
-/// is moved.
+/// The middle and the border of the grid are at multiples of this many steps, so that they stay when something small
+/// moves.
 const BLOCK: f64 = 10.0;
 
-/// The step of the grid in world units: a power of ten that shows about ten lines over the scene, all of it, whatever is
-/// hidden; `None` while there is no grid.
+/// The step of the grid in world units: the power of ten that shows about ten lines across the whole scene, hidden
+/// objects included. `None` while there is no grid.
 pub(in crate::viewer) fn grid_step(state: &State) -> Option<f64> {
     (state.grid()).then(|| step(state.scene().bounds().radius()))?
 }
@@ -29,10 +29,10 @@ fn step(radius: f64) -> Option<f64> {
     step.is_normal().then_some(step)
 }
 
-/// A square grid through the origin, about all of `bounds_world`, and the two axes that run in it. It is seen from `eye`:
-/// it lies a little behind its plane, so that a floor of the scene in that plane does not fight with it. About what lies
-/// too far from the origin for that many lines it is near that instead, at multiples of its step. Seen edge on, when it
-/// would be a line across what it cuts, there is none.
+/// A square grid through the origin around all of `bounds_world`, with the two world axes in its plane. Seen from
+/// `eye`, it lies a little behind that plane, so that a floor of the scene there does not z-fight with it. If the
+/// bounds are too far from the origin for [`LINES`], it lies near the bounds instead, at multiples of its step. Seen
+/// edge on, it is left out.
 pub(super) fn floor(bounds_world: &Aabb, up_axis: UpAxis, eye: DVec3) -> Vec<Line> {
     let frame = up_axis.frame();
     let [right, up, front] = [frame.x_axis, frame.y_axis, frame.z_axis];

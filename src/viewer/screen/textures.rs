@@ -1,8 +1,8 @@
-//! egui's textures, kept for the device that may come after this one.
+//! egui's textures, kept for a device that may replace this one.
 
 use egui::TexturesDelta;
 
-/// All of egui's textures, and those of them that no canvas was given yet.
+/// All of egui's textures, and the changes that no canvas has taken yet.
 #[derive(Default)]
 pub(in crate::viewer) struct Textures {
     all: TexturesDelta,
@@ -10,19 +10,19 @@ pub(in crate::viewer) struct Textures {
 }
 
 impl Textures {
-    /// What a pass made and gave up.
+    /// Adds the changes of a pass.
     pub fn append(&mut self, delta: TexturesDelta) {
         self.all.append(delta.clone());
         self.all.free.clear();
         self.news.append(delta);
     }
 
-    /// What a canvas is to take from here.
+    /// The changes for a canvas to take.
     pub fn news(&mut self) -> &mut TexturesDelta {
         &mut self.news
     }
 
-    /// A new device has none: all are news again.
+    /// A new device has no textures: all of them are changes again.
     pub fn renew(&mut self) {
         self.news.clear();
         self.news.append(self.all.clone());

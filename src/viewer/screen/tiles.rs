@@ -1,4 +1,4 @@
-//! Where panels lie over the picture, by tiles: only there they have to be drawn over it.
+//! Which tiles of the window have panels: only these are drawn over the picture.
 
 use super::place::SceneRect;
 use egui::{ClippedPrimitive, Color32, Rect, epaint::Primitive};
@@ -16,7 +16,7 @@ pub(super) struct Tiles {
 }
 
 impl Tiles {
-    /// Those under the triangles of a frame.
+    /// The tiles under a frame's triangles.
     pub fn under(primitives: &[ClippedPrimitive], screen: &ScreenDescriptor) -> Self {
         let [columns, rows] = screen.size_in_pixels.map(|px| px.div_ceil(SIDE) as usize);
         let mut tiles = Self {
@@ -66,7 +66,7 @@ impl Tiles {
         }
     }
 
-    /// What is painted within a place, in runs of tiles: left, top, width and height in pixels.
+    /// The painted tiles of a place in horizontal runs: left, top, width and height in pixels.
     pub fn runs(&self, place: SceneRect) -> Vec<[u32; 4]> {
         let [left, top] = place.origin_px;
         let [right, bottom] = [left + place.viewport.width(), top + place.viewport.height()];

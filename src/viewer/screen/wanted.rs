@@ -7,18 +7,18 @@ use crate::{
     viewer::model::{Frozen, Lesson, OnScreen, Overlay, Overlays, Subject},
 };
 
-/// How what is to be shown of the scene moves.
+/// How the scene's picture moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::viewer) enum Motion {
     /// Nobody moves it: it may get smooth edges.
     Rests,
-    /// It has another place at one blow, or had a moment ago.
+    /// It jumped to another view, now or a moment ago.
     Leapt,
-    /// It is on its way: a coarse picture will do.
+    /// It keeps moving: a coarse picture will do.
     Goes,
 }
 
-/// All that colours and ids depend on, and then the selection, on which its outline depends.
+/// All that colours and ids depend on, and the selection, on which only its outline depends.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Drawn {
     pub view: View,
@@ -26,14 +26,14 @@ pub(super) struct Drawn {
     visibility: u64,
     grid: Option<UpAxis>,
     frozen: Option<Frozen>,
-    /// What is drawn with the scene, about which object, and whether the trees that it may show are there.
+    /// Overlays within the scene, the selection that they are for, and whether trees are built, which they may show.
     overlays: Option<(Overlays, Option<usize>, bool)>,
     lesson: Option<Lesson>,
     pub selection: Option<usize>,
 }
 
 impl Drawn {
-    /// The picture that there is to be.
+    /// The wanted picture.
     pub fn wanted(subject: &Subject) -> Self {
         let Subject {
             overlays,
@@ -58,7 +58,7 @@ impl Drawn {
         self.lesson.is_some()
     }
 
-    /// Without what is drawn over colours and ids.
+    /// The same without the selection.
     pub fn unmarked(self) -> Self {
         Self {
             selection: None,

@@ -7,7 +7,7 @@ use super::{
 };
 use std::cmp::Ordering;
 
-/// A corner and two sides from it: a triangle, or a parallelogram about its middle.
+/// A corner and the two sides from it: a triangle, or a parallelogram centred on the corner.
 pub struct Flat {
     corner: Vector,
     sides: [Vector; 2],
@@ -39,7 +39,7 @@ impl Flat {
         if along.is_zero() {
             return None;
         }
-        // Seen from the corner; times `scale`, which the shares have to be divided by and t has not.
+        // Relative to the corner, and times `scale`: the shares have to be divided by it, t has not.
         let from_corner = minus(&line.origin, &times(&line.scale, &self.corner));
         let moment = cross(&line.direction, &from_corner);
         let [a, b] = &self.sides;
@@ -61,7 +61,7 @@ impl Flat {
 }
 
 impl Crossing {
-    /// The determinant in the shares' unit, in which it is one whole side.
+    /// The determinant times the shares' scale: a share as large as this is one whole side.
     fn whole(&self, line: &Line) -> Dyadic {
         &self.determinant * &line.scale
     }
@@ -86,7 +86,7 @@ impl Crossing {
         Some((on_border, weights.map(|weight| weight.over(&whole))))
     }
 
-    /// In a parallelogram about its corner, half a side to each side: whether on its border.
+    /// In a parallelogram centred on its corner, half a side each way: whether on its border.
     pub fn in_parallelogram(&self, line: &Line) -> Option<bool> {
         let whole = self.whole(line);
         let mut on_border = false;

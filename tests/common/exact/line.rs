@@ -1,4 +1,4 @@
-//! The ray through a position, by the numbers that a camera holds.
+//! The ray through a position, from the numbers that a camera holds.
 
 use super::{
     number::{Dyadic, Vector, dot, minus, plus, times, vector},
@@ -88,7 +88,7 @@ impl Line {
             .into()
     }
 
-    /// The largest coordinate of where it starts and of the point at `t`, over the direction's: in units of `t`.
+    /// The largest coordinate of the start and of the point at `t`, divided by the direction's: in units of `t`.
     pub fn reach(&self, t: &Parameter) -> f64 {
         let rounded = |v: &Vector| DVec3::from(v.each_ref().map(|c| c.over(&self.scale)));
         let start = rounded(&self.origin).abs().max_element();
@@ -96,7 +96,7 @@ impl Line {
         size / rounded(&self.direction).abs().max_element()
     }
 
-    /// How far the point at `t` is from another, as nearly as `f64` has it.
+    /// How far the point at `t` is from another, rounded to `f64`.
     pub fn distance(&self, from: DVec3, t: &Parameter) -> f64 {
         let seen = minus(&self.origin, &times(&self.scale, &vector(from)));
         let [x, y, z] = t.rounded_point(&seen, &self.direction, &self.scale);

@@ -1,5 +1,5 @@
-//! The oracle: what whole picks are, by exact arithmetic and brute force. It shares no code with the program; `exact_picks`
-//! holds it to cases that are known by hand.
+//! The oracle: whole picks by exact arithmetic and brute force. It shares no code with the program. `exact_picks`
+//! checks it against cases worked out by hand.
 
 #![allow(dead_code, reason = "each test uses its share")]
 

@@ -69,7 +69,7 @@ impl Dyadic {
         self
     }
 
-    /// The greatest exponent of two that is not above its size; 0 for zero.
+    /// The exponent of the greatest power of two up to its size; 0 for zero.
     pub fn magnitude(&self) -> i64 {
         let (_, digits) = self.digits.clone().into_parts();
         if digits.is_zero() {
@@ -90,7 +90,7 @@ impl Dyadic {
         })
     }
 
-    /// The root's multiple of `2^-places` that is next below it, of a number that is not negative.
+    /// The root of a number that is at least 0, rounded down to a multiple of `2^-places`.
     pub fn root_below(&self, places: i64) -> Self {
         let by = self.exponent + 2 * places;
         let digits = UBig::try_from(self.digits.clone()).expect("not negative");
@@ -121,7 +121,7 @@ impl Dyadic {
 /// The nearest `f64` to `digits * 2^exponent` and, if `more`, a little above it; of two equally near the even one.
 fn nearest(digits: &UBig, exponent: i64, more: bool) -> f64 {
     let length = bits(digits);
-    // Of the smallest numbers fewer digits are kept.
+    // Subnormal numbers keep fewer digits.
     let kept = 53.min(length + exponent + 1074);
     if length == 0 || kept < 0 {
         return 0.0;
@@ -229,7 +229,7 @@ impl Neg for &Dyadic {
     }
 }
 
-/// Three of them: a point or a direction.
+/// Three numbers: a point or a direction.
 pub type Vector = [Dyadic; 3];
 
 pub fn vector(numbers: impl Into<[f64; 3]>) -> Vector {

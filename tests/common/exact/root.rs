@@ -1,9 +1,9 @@
-//! Where along a ray something lies: a fraction, or a root of a quadratic with such coefficients.
+//! A ray parameter: a fraction, or a root of a quadratic with rational coefficients.
 
 use super::number::{Dyadic, Vector};
 use std::cmp::Ordering;
 
-/// `(p + sign * sqrt(r)) / q` with `r` not negative and `q` above 0.
+/// `(p + sign * sqrt(r)) / q` with `r` at least 0 and `q` above 0.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     p: Dyadic,
@@ -30,7 +30,7 @@ impl Parameter {
         }
     }
 
-    /// `(p + sign * sqrt(r)) / q`; `r` is not negative and `q` is above 0.
+    /// `(p + sign * sqrt(r)) / q`; `r` is at least 0 and `q` is above 0.
     pub fn root(p: Dyadic, sign: i8, r: Dyadic, q: Dyadic) -> Self {
         assert!(r.sign().is_ge() && q.sign().is_gt());
         Self { p, sign, r, q }
@@ -90,7 +90,7 @@ impl Parameter {
     }
 }
 
-/// Of `rational` plus both roots, by squaring.
+/// The sign of `rational` plus both roots, by squaring.
 fn sign_of_sum(rational: &Dyadic, [a, b]: &[(i8, Dyadic); 2]) -> Ordering {
     let of_root = |(sign, r): &(i8, Dyadic)| {
         if r.is_zero() {
@@ -170,7 +170,7 @@ fn rounded(rational: Dyadic, roots: [(i8, Dyadic); 2], q: &Dyadic) -> f64 {
     let Some(largest) = left.iter().map(|(_, r)| r.magnitude()).max() else {
         return rational.over(q);
     };
-    // What is left is irrational, so it is not on the border between two `f64`s.
+    // What is left is irrational, so it never lies halfway between two `f64`s.
     let mut places = 70 - largest / 2;
     let mut more = 64;
     loop {

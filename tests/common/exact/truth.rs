@@ -1,5 +1,5 @@
-//! What exact arithmetic says that a position shows: every hit of its ray on every shape, by brute force, from the
-//! numbers that camera, placements and meshes hold. Nothing here asks the program to compute.
+//! The exact truth of what a position shows: every hit of its ray on every shape, by brute force, from the numbers that
+//! camera, placements and meshes hold. The program computes nothing here.
 
 use super::{
     flat::{Flat, faces},
@@ -61,7 +61,7 @@ impl World {
         Self(visible.map(|(i, object)| Placed::of(i, object)).collect())
     }
 
-    /// All hits of the whole line, from whichever side, in no order.
+    /// All hits of the whole line, from either side, in no order.
     pub fn line_hits(&self, line: &Line) -> Vec<Hit> {
         let mut hits = Vec::new();
         for placed in &self.0 {
@@ -222,8 +222,8 @@ impl Placed {
     }
 }
 
-/// Entry and exit of a convex solid whose faces were met, in the order of axes: of each the first face that is met there
-/// from the right side. One entry where both coincide.
+/// Entry and exit of a convex solid, from the faces met in the order of axes. Each is the first such face met from the
+/// right side. A single entry if both coincide.
 fn ends(met: &[Hit]) -> Vec<Hit> {
     let Some(first) = met.iter().min_by(|a, b| a.t.compare(&b.t)).cloned() else {
         return Vec::new();
