@@ -1,8 +1,7 @@
-//! Numbers that know no rounding, for truth: shares no code with any method.
+//! Exact arithmetic for truth; it shares no code with any method.
 //!
 //! A binary floating-point number is a dyadic rational, so sums and products of such numbers are exact with enough
-//! digits. Decisions are signs of such sums. Values that need a quotient or a root get 320 bits, whose last one lies
-//! 260 bits below what an `f64` can tell.
+//! digits. Decisions are signs of such sums. Quotients and roots get 320 bits, 267 more than an `f64` has.
 
 use super::real::V3;
 use dashu_float::{FBig, round::mode::HalfEven};
@@ -16,15 +15,15 @@ const BITS: usize = 320;
 
 type Float = FBig<HalfEven, 2>;
 
-/// A real number: sums, differences, products and comparisons are exact, quotients and roots good to 320 bits.
+/// A real number: sums, differences, products and comparisons are exact, quotients and roots have 320 bits.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Exact(Float);
 
 impl Exact {
-    /// The number that a finite `f64` stands for.
+    /// The exact value of a finite `f64`.
     ///
     /// # Panics
-    /// For NaN and infinities, which are no numbers: workloads have none.
+    /// For NaN and infinities; workloads have none.
     #[must_use]
     pub fn new(value: f64) -> Self {
         let float = Float::try_from(value).expect("workloads are finite");
@@ -43,7 +42,7 @@ impl Exact {
         self.0.clone().with_precision(BITS).value().to_f64().value()
     }
 
-    /// Below, at or above 0.
+    /// The number compared with 0.
     #[must_use]
     pub fn sign(&self) -> Ordering {
         self.0.cmp(&Float::ZERO)
@@ -55,7 +54,7 @@ impl Exact {
         self.sign() == Ordering::Equal
     }
 
-    /// The larger of it and its negative.
+    /// The magnitude.
     #[must_use]
     pub fn abs(self) -> Self {
         if self.sign() == Ordering::Less {
@@ -65,10 +64,10 @@ impl Exact {
         }
     }
 
-    /// The square root of what is not negative, to 320 bits.
+    /// The square root, to 320 bits.
     ///
     /// # Panics
-    /// When it is negative.
+    /// For a negative number.
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let root = self.0.clone().with_precision(BITS).value().sqrt();
@@ -113,12 +112,15 @@ impl Neg for Exact {
     }
 }
 
-/// A vector of such numbers.
+/// A vector of exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exact3(pub [Exact; 3]);
 
 impl Exact3 {
-    /// The vector that finite `f64`s stand for.
+    /// The exact value of a finite vector.
+    ///
+    /// # Panics
+    /// For NaN and infinities.
     pub fn new(v: V3<f64>) -> Self {
         Self(v.array().map(Exact::new))
     }
@@ -165,8 +167,8 @@ impl Sub for &Exact3 {
     }
 }
 
-/// The angle between two directions in radians. Small ones, where it matters, are good to all digits that an `f64`
-/// has. Directions that are no numbers are infinitely wrong.
+/// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for an
+/// answer that is 0 or not finite.
 #[must_use]
 pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
     if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {

@@ -1,5 +1,4 @@
-//! Random numbers for workloads: the same on every machine, from integer arithmetic and correctly rounded operations
-//! only.
+//! Random numbers for workloads: by integer arithmetic and correctly rounded operations only, so the same on every machine.
 
 use super::real::V3;
 
@@ -48,7 +47,7 @@ impl Random {
         low + (high - low) * self.unit()
     }
 
-    /// Uniform among the integers from `low` to `high`.
+    /// Uniform among the integers from `low` to `high`, both included.
     pub fn integer(&mut self, low: i32, high: i32) -> i32 {
         let span = u64::from(high.abs_diff(low)) + 1;
         // The remainder is below the span, which fits.
@@ -65,7 +64,7 @@ impl Random {
         if self.bits() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// A number between two powers of ten, each decade alike.
+    /// A number between two powers of ten: each decade is equally likely, and uniform.
     pub fn decades(&mut self, low: i32, high: i32) -> f64 {
         power_of_ten(self.integer(low, high - 1)) * self.within(1.0, 10.0)
     }
@@ -76,7 +75,7 @@ impl Random {
         V3::new(coordinate(), coordinate(), coordinate())
     }
 
-    /// A vector of about length 1, all directions alike.
+    /// A vector of about length 1; all directions are equally likely.
     pub fn direction(&mut self) -> V3<f64> {
         loop {
             let point = self.point(1.0);
@@ -97,7 +96,7 @@ impl Random {
         }
     }
 
-    /// In random order (Fisher & Yates).
+    /// Puts items into random order (Fisher & Yates).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             items.swap(last, self.below(last + 1));
@@ -105,7 +104,7 @@ impl Random {
     }
 }
 
-/// The `f64` nearest to a power of ten. `powi` need not be the same number on every machine; reading decimals is.
+/// The `f64` nearest to a power of ten. `powi` may differ between machines, parsing does not.
 fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! Runs the study: every method of every step over every workload, held against truth and timed.
+//! Runs the study: every method of every step over every workload, compared with the truth and timed.
 
 use super::{
     methods::{Visitor, each_step, registry},
@@ -16,11 +16,11 @@ use std::iter;
 pub struct Effort {
     /// Cases at each value of each family's parameter.
     pub cases: usize,
-    /// Whole picks at each value: truth looks at every triangle.
+    /// The same for whole picks, which are fewer: truth tests every triangle.
     pub picks: usize,
     /// Rounds of timing; 0 for none.
     pub rounds: usize,
-    /// Where random numbers start: the same seed gives the same verdicts on every machine.
+    /// Of the random numbers: the same seed gives the same verdicts on every machine.
     pub seed: u64,
 }
 
@@ -51,7 +51,7 @@ pub struct Row {
     pub method: &'static str,
     /// Its precision.
     pub precision: Precision,
-    /// Whether it is what this program does.
+    /// Whether Sightline picks by it.
     pub ours: bool,
     /// The family.
     pub family: &'static str,
@@ -61,29 +61,29 @@ pub struct Row {
     pub value: f64,
     /// How many cases.
     pub cases: usize,
-    /// Hits that it did not find.
+    /// Hits that it missed.
     pub missed: usize,
-    /// Hits that are none.
+    /// Misses that it called hits.
     pub phantoms: usize,
     /// Hits on something else than the nearest.
     pub others: usize,
-    /// How many of these are ties: off by nothing at all.
+    /// How many of the missed and the phantoms are ties: the ray passes exactly through an edge or an outline.
     pub ties: usize,
     /// How far the worst wrong decision was off, in the step's unit.
     pub worst_wrong: f64,
-    /// The values' middle error, where the decision was right.
+    /// The values' median error, where the decision was right.
     pub median_error: f64,
     /// The error that one value of a thousand exceeds.
     pub p999_error: f64,
     /// The values' worst error, where the decision was right.
     pub worst_error: f64,
-    /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
+    /// For Sightline's method: the largest ratio of an error to its bound; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
     pub bound: Option<f64>,
-    /// Where another method is faster and no more often wrong: what the difference buys.
+    /// What the method offers in return where another is faster and no more often wrong.
     pub reason: Option<&'static str>,
-    /// How long it took for these cases, where it was timed.
+    /// Its time for one of these cases, where it was timed.
     pub time: Option<Time>,
 }
 
@@ -115,7 +115,7 @@ impl Row {
         }
     }
 
-    /// What tells methods of a step apart.
+    /// Name and precision: unique within a step.
     pub(super) fn method_key(&self) -> (&'static str, Precision) {
         (self.method, self.precision)
     }
@@ -126,7 +126,7 @@ impl Row {
         self.missed + self.phantoms + self.others
     }
 
-    /// The same in per cent.
+    /// The share of wrong decisions in per cent.
     #[must_use]
     pub fn wrong_percent(&self) -> f64 {
         100.0 * rate(self.wrong(), self.cases)
@@ -155,7 +155,7 @@ impl Report {
         own.filter(move |row| row.step.key == step)
     }
 
-    /// The general workloads' rows, and those of a scene's own rays where there are any.
+    /// Two reports: the general workloads', and that of a scene's own rays; `None` where there are no such rows.
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
         let part = |is_own: bool| {
@@ -170,10 +170,10 @@ impl Report {
     }
 }
 
-/// The family that a scene's own rays make.
+/// The name of the family that a scene's own rays form.
 pub const SCENE: &str = "this scene";
 
-/// Runs it. `progress` is told how much of the whole is done, from 0 to 1, and of which step.
+/// Runs the study. `progress` gets the share that is done, from 0 to 1, and the name of the current step.
 pub fn run(
     effort: Effort,
     scene: Option<&SceneRays>,
@@ -209,7 +209,7 @@ struct Workload<'a, C> {
     family: &'static str,
     parameter: &'static str,
     value: f64,
-    /// At most so many of its cases, always the same ones first.
+    /// Makes at most so many of its cases, always the same ones first.
     make: Box<dyn Fn(usize) -> Vec<C> + Sync + 'a>,
 }
 
@@ -237,7 +237,7 @@ impl Run<'_> {
         })
     }
 
-    /// Sets the times of a workload's rows: of the cases that were judged, or as many of them as do.
+    /// Times the methods on the first [`TIMED`](Case::TIMED) of a workload's cases, and sets its rows' times.
     fn timed<C: Case>(&self, work: &Workload<'_, C>, rows: &mut [Row]) {
         const ROUNDS_OF_SLOW: usize = 11;
         let rounds = if C::SLOW {
@@ -257,7 +257,7 @@ impl Run<'_> {
     }
 }
 
-/// Every family's, and that of a scene's own rays.
+/// Every family's workloads, and last that of a scene's own rays.
 fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Workload<'_, C>> {
     let families = C::FAMILIES.iter();
     let own = scene.map(|scene| Workload {
@@ -293,7 +293,7 @@ fn workloads<'a, C: Case>(
     })
 }
 
-/// What every method of a step does in the family of this name: the rows that [`run`] has for it.
+/// The rows that [`run`] has for one family of a step, untimed.
 pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
     let named = C::FAMILIES.iter().filter(|family| family.name == name);
     named
@@ -302,13 +302,13 @@ pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
         .collect()
 }
 
-/// What every method of a step does on a scene's own rays: the family [`SCENE`].
+/// The rows that [`run`] has for the family [`SCENE`] of a step, untimed.
 pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
     let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
     own.map_or_else(Vec::new, |work| judge(&work))
 }
 
-/// Every method's answers to the cases of one workload.
+/// A row for each method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let cases = (work.make)(usize::MAX);
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
@@ -351,7 +351,7 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     rows.collect()
 }
 
-/// Infinite where both are: that is no bound.
+/// The ratio of an error to its bound; infinite where both are infinite, as such a bound bounds nothing.
 fn share(found: f64, bound: f64) -> f64 {
     let share = if found == 0.0 { 0.0 } else { found / bound };
     if share.is_nan() { f64::INFINITY } else { share }

@@ -1,4 +1,4 @@
-//! The study as people read it: a table a step.
+//! The study as text: a table for each step.
 
 use super::{
     methods::{
@@ -10,7 +10,7 @@ use super::{
 };
 use std::fmt::Write;
 
-/// Every step's table.
+/// The tables of every step.
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
     let [general, own] = report.split().map(Option::unwrap_or_default);
@@ -105,7 +105,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
         cells
     }));
     let columns = rows[0].len();
-    // What could not be run here.
+    // Methods that cannot run on this machine.
     let known = |method: &MethodInfo| {
         let mut known = summaries.iter().map(|summary| summary.method.method_key());
         known.any(|known| known == method.key())
@@ -126,7 +126,7 @@ fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) 
     text.push('\n');
 }
 
-/// Rows of cells, words to the left and numbers to the right.
+/// Rows of cells in columns: words aligned to the left, numbers to the right.
 fn aligned(text: &mut String, rows: &[Vec<String>]) {
     let lengths = |column: usize| rows.iter().map(move |row| row[column].chars().count());
     for row in rows {
@@ -143,7 +143,7 @@ fn aligned(text: &mut String, rows: &[Vec<String>]) {
     }
 }
 
-/// What is said below a table: how fast files are read, and what Sightline's buys where others are faster.
+/// The lines below a table: how fast files are read, and what a method offers where others are faster.
 fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     if step == FileCase::ABOUT {
         for summary in summaries {
@@ -161,7 +161,7 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     }
 }
 
-/// The fastest method that does what a picture shows: no wrong decision, and values good to a twentieth of a pixel, a
+/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a pixel, a
 /// quarter of a degree or a ten-thousandth.
 fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let most = match step.error_unit {
@@ -182,7 +182,7 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     ))
 }
 
-/// Where the worst was found; nothing where nothing was.
+/// Family and parameter of a row; empty where the figure found there is 0.
 fn place(row: &Row, found: f64) -> String {
     if found == 0.0 {
         String::new()
