@@ -37,7 +37,7 @@ pub struct Time {
 const FEW: usize = 32;
 /// The first-level cache holds twice as much: the cases, and the copy that brings them there.
 const CACHED_BYTES: usize = 16 << 10;
-/// The least time that is told from the loop's own.
+/// Shorter times are lost in the loop's own.
 const LEAST_NS: f64 = 0.1;
 
 /// Times each method of a step over the same cases, in the registry's order; `None` for a method that cannot run here. A

@@ -1,5 +1,5 @@
-//! The nearest surface on a pixel's ray in a whole scene, decided without rounding for the stored numbers of camera,
-//! placements and vertices.
+//! The nearest surface on a pixel's ray in a whole scene, by exact arithmetic on the stored numbers of camera, placements and
+//! vertices.
 
 use super::Picked;
 use crate::{
@@ -11,19 +11,19 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
-/// A pixel's ray, times the picture's height: nothing is divided, and nothing rounds.
+/// A pixel's ray, times the picture's height: so no division rounds.
 struct Sight {
     line: Line,
     height: Exact,
 }
 
-/// A ray in an object's space, times the model's determinant and the picture's height.
+/// A ray in an object's space, times `det`: the model's determinant times the picture's height.
 struct Local {
     line: Line,
     det: Exact,
 }
 
-/// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
+/// The nearest hit within the ray's interval on a visible side; of equal ones the lower object, then the lower triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
     let sight = Sight::new(view, px);
     let ray = sight.rounded(view);
@@ -97,7 +97,7 @@ fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
     triangles[triangle as usize].map(|i| V3::from(positions[i as usize].map(f64::from)))
 }
 
-/// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.
+/// A filter: false where the ray certainly misses a box's bounding sphere, grown by a thousandth.
 fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     let center = bounds.center() - ray.origin;
     let along = ray.direction.normalize();
@@ -105,8 +105,8 @@ fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
 }
 
-/// Whether no `f64` volume has certainly another sign than the others: leaves out what is certainly missed. Corners are
-/// in the world, relative to the ray's origin and off by no more than `grain`.
+/// A filter: false where two `f64` volumes certainly differ in sign, so that the triangle is missed. Corners are in the world,
+/// relative to the ray's origin, with errors up to `grain`.
 fn near_triangle(direction: DVec3, corners: [DVec3; 3], grain: f64) -> bool {
     let [a, b, c] = corners;
     let size = a.length() + b.length() + c.length();
@@ -142,7 +142,7 @@ impl Sight {
         }
     }
 
-    /// For what leaves out what is certainly missed.
+    /// The ray in `f64`, for the filters.
     fn rounded(&self, view: &View) -> Ray {
         let lens = view.camera.lens();
         let rounded =
@@ -174,17 +174,18 @@ impl Local {
         }
     }
 
-    /// A point of the object as the ray's numbers count.
+    /// A point of the object, scaled as the ray is.
     fn point(&self, at: &Exact3) -> Exact3 {
         at.times(&self.det)
     }
 
-    /// The same for a length.
+    /// A length, scaled as the ray is.
     fn length(&self, of: f64) -> Exact {
         (&Exact::new(of) * &self.det).abs()
     }
 
-    /// A mirrored object's ray is turned about here: what has an outward normal by its corners is seen from the other side.
+    /// The meeting with the side corrected: a negative determinant turns the ray about, so it sees the other side of a
+    /// surface whose corners give its normal.
     fn turned(&self, at: Meeting) -> Meeting {
         let front = at.front != (self.det.sign() == Ordering::Less);
         Meeting { front, ..at }

@@ -1,5 +1,5 @@
-//! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
-//! what counts is the direction. What is the same for all pixels of a picture is made before.
+//! From a pixel to a ray: the answer is its start and direction. In perspective the start is the eye, and only the direction
+//! is judged. What all pixels of a picture share is computed beforehand.
 
 mod unproject;
 mod workloads;
@@ -21,15 +21,15 @@ use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_le
 /// A camera and its picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<T> {
-    /// Where the eye stands.
+    /// The eye's position.
     pub eye: V3<T>,
     /// What it looks at: `eye + length * forward`, rounded.
     pub target: V3<T>,
-    /// How far away that is.
+    /// The distance from eye to target.
     pub length: T,
     /// Unit vectors R, U and F.
     pub axes: [V3<T>; 3],
-    /// Half the picture's height: at depth 1 in perspective, tan(fov / 2); in world units where rays are parallel.
+    /// Half the picture's height: in perspective at depth 1, tan(fov / 2); in world units where rays are parallel.
     pub tan: T,
     /// Whether all rays run along F, as in an orthographic picture.
     pub parallel: bool,
@@ -43,7 +43,7 @@ pub struct Picture<T> {
     pub size: [T; 2],
 }
 
-/// A position in a picture, with what methods make once for the picture.
+/// A position in a picture, with what methods compute once for the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel<T> {
     /// The camera.
@@ -52,11 +52,11 @@ pub struct Pixel<T> {
     pub px: [T; 2],
     /// 2 over the size.
     per_px: [T; 2],
-    /// The picture's middle in the world, and from there to its right and its upper end.
+    /// The picture's middle in the world, and the vectors from there to its right and its upper edge.
     course: [V3<T>; 3],
-    /// R and U as long as half the picture is wide and high.
+    /// R and U times half the picture's width and height.
     basis: [V3<T>; 2],
-    /// What programs unproject by.
+    /// The matrices for unprojection.
     inverse: Inverses<T>,
 }
 
@@ -75,12 +75,12 @@ impl Sight {
         Self { from, along }
     }
 
-    /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
+    /// The ray between a view's near and far plane; `None` where it is not finite or does not run forward.
     pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
         let [origin, direction] = [self.from, self.along].map(DVec3::from);
         let depth_per_t = direction.dot(camera.forward());
         let lens = camera.lens();
-        // In perspective rays start at the eye, whatever that is in the method's precision.
+        // In perspective the start is the eye, rounded to the method's precision: its depth is 0.
         let start = if lens.is_orthographic() {
             camera.to_view(origin).z
         } else {
@@ -96,21 +96,21 @@ impl Sight {
     }
 }
 
-/// One pixel, as each kind of method wants it.
+/// One pixel, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct PixelCase {
     /// Rounded to `f32`.
     pub narrow: Pixel<f32>,
     /// As given.
     pub wide: Pixel<f64>,
-    /// Vectors of equal lengths along R, U and F without any rounding.
+    /// Vectors of equal lengths exactly along R, U and F.
     pub exact_axes: [V3<f64>; 3],
-    /// The picture's rays as this program's.
+    /// The picture's rays for Sightline's methods.
     pub rays: PixelRays,
 }
 
 impl PixelCase {
-    /// The case of a position in pixels; the size is in whole ones.
+    /// The case of a position in pixels. The picture's size is in whole pixels.
     pub fn new(picture: Picture<f64>, px: [f64; 2], exact_axes: [V3<f64>; 3]) -> Self {
         let narrow = Picture {
             eye: V3::<f32>::of(picture.eye),
@@ -165,7 +165,7 @@ impl PixelCase {
         Self::new(picture, px.to_array(), axes)
     }
 
-    /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
+    /// The width of a pixel in the picture's middle: in radians; in world units where rays are parallel.
     fn px_angle(&self) -> f64 {
         2.0 * self.wide.picture.tan / self.wide.picture.size[1]
     }
@@ -282,14 +282,14 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// Over a point in the world, from which the eye is then taken off again.
+/// By a point of the picture in the world, minus the eye.
 pub fn course<T: Real>(pixel: &Pixel<T>) -> Sight {
     let [sx, sy] = pixel.ndc();
     let [middle, right, up] = pixel.course;
     pixel.towards(middle + right * sx + up * sy)
 }
 
-/// With directions only.
+/// By a sum of directions.
 pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     let [sx, sy] = pixel.ndc();
     let [right, up] = pixel.basis;
@@ -301,7 +301,7 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     Sight::new(eye, axes[2] + aside)
 }
 
-/// How far a parallel ray runs beside the true one where the camera's target is, in world units.
+/// The distance between a parallel ray and the true one at the target's depth, in world units.
 fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
     let pixel = &case.wide.picture;
     let numbers = [answer.from, answer.along].map(V3::array);
@@ -319,20 +319,20 @@ fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
     let there = &start + &along.times(&way);
     let scale = &Exact::new(pixel.size[0]) * &Exact::new(pixel.size[1]);
     let off = &there.times(&scale) - truth;
-    // Along F it may be wherever it likes.
+    // An offset along F is no error.
     let deep = &off.dot(&forward) / &forward.dot(&forward);
     let off = &off - &forward.times(&deep);
     (&off.length() / &scale).to_f64()
 }
 
-/// Bound of the eye basis in `f64`.
+/// Bound of the eye basis in `f64`, with u = 2^-53.
 ///
-/// Parallel rays: the shares of R and U as below, in world units; the sum with the eye rounds by u of what it is in
-/// each coordinate; and F, within 2u of its direction, runs aside by that much of the way to the target.
+/// Perspective: the axes are given within 2u, the position in the picture and the half extents within 6u; products and sums
+/// add 6u. Together that is below 20u for each of the shares 1, half the width and half the height at depth 1, in three
+/// coordinates. It is divided by the sum's length.
 ///
-/// With u = 2^-53: axes that are given within 2u, a position in the picture and half extents within 6u, products and sums by 6u
-/// more: together below 20u for each of the shares 1, half the width and half the height at depth 1, in three coordinates; the
-/// sum's length divides them.
+/// Parallel rays: the same for the shares of R and U, in world units. The sum with the eye rounds each coordinate by u. F is
+/// within 2u of its direction, so it is off by that share of the distance to the target.
 fn bound(case: &PixelCase) -> f64 {
     let (pixel, px) = (&case.wide.picture, case.wide.px);
     if pixel.parallel {
