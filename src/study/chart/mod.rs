@@ -21,7 +21,7 @@ pub use stability::family;
 use super::run::Report;
 use picture::Picture;
 
-/// What each chart's file is made of.
+/// What most charts import.
 mod prelude {
     pub use super::{
         axis::{Axis, NEVER, Panel},
@@ -34,7 +34,7 @@ mod prelude {
     pub use crate::study::prelude::*;
 }
 
-/// Each chart of a report with its file's stem.
+/// The charts of a report, each with its file's stem.
 #[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
     let [general, own] = report.split();

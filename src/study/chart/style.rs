@@ -1,4 +1,4 @@
-//! How methods look: a colour and a shape a formula, hollow in `f32`, filled in `f64`; this program's is a black star.
+//! How methods look: each formula has a colour and a shape, hollow in `f32`, filled in `f64`; Sightline's is a black star.
 
 use super::{
     page::distinct,
@@ -15,13 +15,13 @@ pub struct Style {
     pub precision: Precision,
     /// Its colour.
     pub colour: Colour,
-    /// Its points.
+    /// The shape of its points.
     pub shape: Shape,
-    /// Whether it is this program's.
+    /// Whether it is Sightline's.
     pub ours: bool,
 }
 
-/// Styles for a step's methods, in their order.
+/// The styles of a step's methods, in their order.
 pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> {
     let others = methods.clone().filter(|row| !row.ours);
     let names = distinct(others.map(|row| row.method));
@@ -46,13 +46,13 @@ impl Style {
         self.precision == Precision::F32 && !self.ours
     }
 
-    /// A data point.
+    /// Draws a data point.
     pub fn point(&self, picture: &mut Picture, at: [f64; 2], radius: f64) {
         picture.point(at, self.shape, radius, self.colour, !self.is_faint());
     }
 }
 
-/// A line a formula, from the top left.
+/// Draws a legend from a top left corner: a line for each formula, `step` apart.
 pub fn legend<'a>(
     picture: &mut Picture,
     styles: impl Iterator<Item = &'a Style>,
