@@ -1,5 +1,5 @@
-//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree but
-//! for how a ray is asked.
+//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree
+//! except for the arguments of `rtcIntersect1`.
 #![allow(unsafe_code, reason = "a library in C++")]
 
 use crate::{
@@ -35,11 +35,11 @@ struct RayHit {
     triangle: u32,
     geometry: u32,
     instance: u32,
-    /// Of Embree 4 only, which writes it.
+    /// Embree 4 only, which writes it.
     instance_primitive: u32,
 }
 
-/// What Embree 3 asks a ray with. Embree 4 has arguments in its place, which may be left out.
+/// An argument of Embree 3's `rtcIntersect1`. Embree 4 has optional arguments in its place.
 #[repr(C)]
 struct Context {
     flags: u32,
@@ -53,7 +53,7 @@ extern "C" fn monitor(memory: Handle, bytes: isize, _: bool) -> bool {
     true
 }
 
-/// Medium quality, or medium with its robust mode.
+/// Embree with medium build quality, with or without its robust mode.
 pub struct Embree {
     library: &'static Library,
     version: Version,
@@ -66,7 +66,7 @@ enum Version {
     Three,
 }
 
-/// Both kinds of each version that is found, the newer first.
+/// Both modes of each installed version, the newer version first.
 pub fn installed() -> Vec<Embree> {
     let four = std::env::var("EMBREE4").unwrap_or_else(|_| "libembree4.so.4".into());
     let versions = [
@@ -124,7 +124,7 @@ impl Rival for Embree {
         const UINT3: i32 = 0x5003;
         const FLOAT3: i32 = 0x9003;
         let library = self.library;
-        // It may read four bytes beyond the last vertex.
+        // Embree may read four bytes beyond the last vertex.
         let mut positions = sample.positions.clone();
         positions.push([0.0; 3]);
         let mut scene = EmbreeScene {
@@ -210,7 +210,7 @@ impl Rival for Embree {
     }
 }
 
-/// A scene with what it was made from.
+/// A scene with the buffers that it shares.
 struct EmbreeScene {
     library: &'static Library,
     version: Version,

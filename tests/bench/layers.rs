@@ -1,5 +1,5 @@
-//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of whole picks, with
-//! everything that a record says, and of what lies in one place with it.
+//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of the nearest hit, of
+//! a whole pick's record, of what lies in one place with it, and of all hits in order.
 #![expect(clippy::cast_precision_loss, reason = "counts are small")]
 
 use glam::{DAffine3, DVec2, DVec3};
@@ -96,7 +96,7 @@ fn median(mut run: impl FnMut()) -> f64 {
     times[ROUNDS / 2]
 }
 
-/// In a plane, about the z axis, turned by an angle.
+/// A triangle at a depth about the z axis, turned by an angle.
 fn triangle(z: f32, turned: f32) -> [[f32; 3]; 3] {
     [0.0, 2.1, 4.2].map(|angle| {
         let (sin, cos) = (angle + turned).sin_cos();

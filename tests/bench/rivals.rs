@@ -1,4 +1,4 @@
-//! Who is measured, each behind the same two questions.
+//! The measured libraries behind two traits: how to build a tree, and how to find nearest hits with it.
 
 use crate::{
     embree,
@@ -37,7 +37,7 @@ pub trait Built {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]);
 }
 
-/// All that there are; Embree, where it is installed, comes behind Sightline.
+/// All rivals; Embree, where it is installed, comes right after Sightline.
 pub fn all() -> Vec<Box<dyn Rival>> {
     let mut all: Vec<Box<dyn Rival>> = vec![Box::new(Sightline)];
     for embree in embree::installed() {
@@ -106,7 +106,7 @@ enum ObvhsTree {
 }
 
 impl ObvhsTree {
-    /// Which triangle is in each place.
+    /// The index of the triangle in each place of the tree's order.
     fn order(&self) -> &[u32] {
         match self {
             Self::Eight(tree) => &tree.primitive_indices,
@@ -115,7 +115,7 @@ impl ObvhsTree {
     }
 }
 
-/// A tree and its triangles in its order.
+/// A tree, and the triangles in the tree's order.
 struct ObvhsBuilt(ObvhsTree, Vec<RtTriangle>);
 
 impl Rival for Obvhs {
@@ -161,7 +161,7 @@ impl Built for ObvhsBuilt {
     }
 }
 
-/// tinybvh's tree of eight for processors, which its crate has only where the whole program is compiled for AVX2.
+/// tinybvh's tree of eight for CPUs, which its crate has only where the whole program is compiled for AVX2.
 #[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
 struct TinyBvh;
 
@@ -187,7 +187,7 @@ impl Rival for TinyBvh {
             let wide = tinybvh_rs::mbvh::BVH::new(&two);
             tinybvh_rs::bvh8_cpu::BVH::new(&wide).expect("leaves of four")
         });
-        // C++ allocates by itself.
+        // Its C++ allocations are not counted.
         let cost = Cost {
             memory: None,
             ..cost
@@ -233,7 +233,7 @@ impl Built for TriMesh {
             let asked = parry3d::query::Ray::new(narrow(ray.origin), narrow(ray.direction));
             let hit = self.cast_local_ray_and_get_normal(&asked, f32::INFINITY, false);
             *answer = hit.and_then(|hit| match hit.feature {
-                // Back faces are counted on from the last front.
+                // Indices of back faces come after those of front faces.
                 FeatureId::Face(face) => Some((f64::from(hit.time_of_impact), face % count)),
                 _ => None,
             });

@@ -1,4 +1,4 @@
-//! Truth and workloads are right on what hands can check.
+//! Truth and workloads are right on cases that can be checked by hand.
 
 use sightline::study::{
     exact::{Exact, Exact3, angle},
@@ -116,7 +116,7 @@ fn truth_agrees_with_hand_cases() {
         [true, false, false, true]
     );
 
-    // An object moved by (0, 0, 5) and doubled: its ray comes back onto the world's, or one unit of space beside it.
+    // An object moved by (0, 0, 5) and doubled: its ray, back in the world, is the world's ray or one unit beside it.
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
     let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
     let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));
@@ -175,7 +175,7 @@ fn cases_are_the_same_numbers_for_both_precisions() {
 
 #[test]
 fn random_numbers_are_the_same_everywhere() {
-    // Known by heart: a change of the generator changes every workload.
+    // Fixed here because a change of the generator changes every workload.
     let mut random = Random::named(1, &["triangle", "ordinary"]);
     let numbers: [i32; 4] = std::array::from_fn(|_| random.integer(0, 999));
     assert_eq!(numbers, [51, 621, 584, 805]);

@@ -1,5 +1,5 @@
-//! The study: truth is right on cases that hands can do, methods break where they are known to, what this program does
-//! stays within its derived bounds, and the same seed says the same.
+//! The study: truth is right on cases that can be checked by hand, methods break where they are known to, Sightline's methods
+//! stay within their derived bounds, and the same seed gives the same report.
 #![cfg(feature = "window")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
@@ -99,7 +99,7 @@ fn what_this_program_does_stays_within_its_bounds() {
     }
 }
 
-/// A bound that is infinite, or that nothing comes near, would hold whatever happens.
+/// Bounds are tight: an infinite bound, or one that no error comes near, would prove nothing.
 #[test]
 fn bounds_of_values_say_something() {
     for step in report().steps() {

@@ -1,4 +1,4 @@
-//! What README says of the study is what it is. Figures that depend on a machine's speed are not held here.
+//! README's statements about the study are true, except figures that depend on a machine's speed.
 
 use sightline::{
     scene::gallery::GALLERY,
@@ -10,7 +10,7 @@ use sightline::{
     },
 };
 
-/// Whether README says this, wherever its lines break.
+/// Whether README has these words, across line breaks.
 fn says(words: &str) -> bool {
     let text = include_str!("../../README.md");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -36,7 +36,7 @@ fn it_counts_scenes_and_cases() {
     assert!(says(&cases), "{cases}");
 }
 
-/// The workload of the whole study that is worst for it.
+/// README's figure is that of the worst workload.
 #[test]
 fn it_says_how_much_moeller_trumbore_gets_wrong() {
     let rows = AnyStep::of::<TriangleCase>().rows("exactly through edges", Effort::FULL);

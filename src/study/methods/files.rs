@@ -31,7 +31,8 @@ pub enum Read {
     Mesh(Arc<Mesh>),
 }
 
-const TOBJ: &str = "tobj 4, load_obj_buf, as its default build stores numbers: in f32 from the grid's origin";
+const TOBJ: &str =
+    "tobj 4, load_obj_buf, as its default build stores numbers: in f32 from the grid's origin";
 const TOBJ_F64: &str = "tobj 4 with use_f64, minus the first vertex: in f32 across the site";
 const OURS: &str = "scene::obj, through tobj in f64, minus the middle: in f32 across half the site";
 

@@ -12,7 +12,8 @@ const PRESS: &str =
     "Press et al., Numerical Recipes, 5.6: the root that does not cancel, the other from c / q";
 const HEARN: &str = "Hearn & Baker; Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019";
 
-const OURS: &str = "geometry::sphere: the line's moment as a filter with an error bound, else exactly";
+const OURS: &str =
+    "geometry::sphere: the line's moment as a filter with an error bound, else exactly";
 
 impl Case for SphereCase {
     type Answer = Option<f64>;

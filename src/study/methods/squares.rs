@@ -116,8 +116,7 @@ impl SquareCase {
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
 
-const OURS: &str =
-    "geometry::square, under a model matrix: undivided, as a filter with an error bound, else exactly";
+const OURS: &str = "geometry::square, under a model matrix: undivided, as a filter with an error bound, else exactly";
 
 impl Case for SquareCase {
     type Answer = Option<f64>;
