@@ -89,18 +89,18 @@ fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     let px = total(chain, px);
     let unmoved = total(chain, |step| step.px - step.px_by_origin[0]);
     let per_unit = total(chain, |step| step.px_by_origin[1]);
-    let here = format!("it is {} from it now", number(now));
+    let here = format!("the eye is {} units from it now", number(now));
     if px > budget_px {
         return format!(
-            "It holds nowhere: the picture asks for more than f64 has, or its eye touches a surface; {here}."
+            "No distance from the world's origin is near enough: the picture needs more digits than f64 has, or its eye touches a surface; {here}."
         );
     }
     if per_unit == 0.0 {
-        return format!("It holds however far the eye is from the world's origin; {here}.");
+        return format!("That holds at any distance from the world's origin; {here}.");
     }
     let most = (budget_px - unmoved) / per_unit;
     format!(
-        "It holds until the eye is {} units from the world's origin, objects with it; {here}.",
+        "That holds until eye and objects are {} units from the world's origin; {here}.",
         number(0.95 * most)
     )
 }
@@ -133,7 +133,7 @@ fn savings(report: &Report, steps: &[Estimate]) -> String {
         "saves nothing".to_owned()
     };
     format!(
-        "f32 in place of f64 {amount}, each step done once, of the {} ns that a pick takes here: {verdict}.",
+        "With each step done once, f32 in place of f64 {amount} of the {} ns that a pick takes here: {verdict}.",
         number(pick.ns)
     )
 }
@@ -144,7 +144,7 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
     let share = estimates.filter_map(|step| Some(measured(report, step)? / step.px));
     let share = share.fold(0.0, f64::max);
     format!(
-        "Sample: {} pixels, of which {} hit, and {} whole picks. What these methods were off by is at most {} % of what is said above.",
+        "Sample: {} pixels, of which {} hit, and {} whole picks. The measured errors are at most {} % of these bounds.",
         cases("ray"),
         cases("object-space"),
         cases("pick"),

@@ -156,7 +156,7 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     }
     for summary in summaries {
         if let Some(reason) = summary.method.reason {
-            let _ = writeln!(text, "  {} buys: {reason}", summary.method.method);
+            let _ = writeln!(text, "  {} offers: {reason}", summary.method.method);
         }
     }
 }

@@ -43,7 +43,7 @@ fn recorded() -> Vec<Line> {
 }
 
 #[test]
-fn each_star_is_on_the_front_or_says_what_it_buys() {
+fn each_star_is_on_the_front_or_says_what_it_offers() {
     let ours: Vec<Line> = recorded().into_iter().filter(|line| line.ours).collect();
     assert_eq!(ours.len(), report().steps().len());
     for Line {
