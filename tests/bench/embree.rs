@@ -5,7 +5,7 @@
 use crate::{
     memory::{Cost, Count},
     meshes::Sample,
-    rivals::{Answer, Built, Rival},
+    rivals::{Answer, Closest, Rival},
 };
 use libloading::{Library, Symbol};
 use sightline::geometry::Ray;
@@ -54,7 +54,7 @@ extern "C" fn monitor(memory: Handle, bytes: isize, _: bool) -> bool {
 }
 
 /// Embree with medium build quality, with or without its robust mode.
-pub struct Embree {
+struct Embree {
     library: &'static Library,
     version: Version,
     robust: bool,
@@ -67,7 +67,7 @@ enum Version {
 }
 
 /// Both modes of each installed version, the newer version first.
-pub fn installed() -> Vec<Embree> {
+pub fn installed() -> Vec<Rival> {
     let four = std::env::var("EMBREE4").unwrap_or_else(|_| "libembree4.so.4".into());
     let versions = [
         (
@@ -85,10 +85,13 @@ pub fn installed() -> Vec<Embree> {
         let library = names.find_map(|name| unsafe { Library::new(name) }.ok())?;
         // Never unloaded: its threads outlive its scenes.
         let library: &_ = Box::leak(Box::new(library));
-        Some([false, true].map(|robust| Embree {
-            library,
-            version,
-            robust,
+        Some([false, true].map(|robust| {
+            let embree = Embree {
+                library,
+                version,
+                robust,
+            };
+            Rival::new(embree.name(), move |sample| embree.build(sample))
         }))
     });
     each.flatten().collect()
@@ -104,7 +107,7 @@ macro_rules! call {
     }};
 }
 
-impl Rival for Embree {
+impl Embree {
     fn name(&self) -> &'static str {
         match (self.version, self.robust) {
             (Version::Four, false) => "Embree 4",
@@ -114,7 +117,7 @@ impl Rival for Embree {
         }
     }
 
-    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+    fn build(&self, sample: &Sample) -> (Closest, Cost) {
         type Monitor = extern "C" fn(Handle, isize, bool) -> bool;
         const MEDIUM: i32 = 1;
         const ROBUST: i32 = 4;
@@ -206,7 +209,8 @@ impl Rival for Embree {
             seconds,
             memory: Some(scene.memory.held_and_peak()),
         };
-        (Box::new(scene), cost)
+        let closest = move |rays: &[Ray], answers: &mut [Answer]| scene.closest(rays, answers);
+        (Box::new(closest), cost)
     }
 }
 
@@ -221,7 +225,7 @@ struct EmbreeScene {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Built for EmbreeScene {
+impl EmbreeScene {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
         type By3 = unsafe extern "C" fn(Handle, *mut Context, *mut RayHit);
         type By4 = unsafe extern "C" fn(Handle, *mut RayHit, Handle);

@@ -15,7 +15,7 @@ mod rivals;
 
 use memory::Cost;
 use meshes::Sample;
-use rivals::{Answer, Built, Rival};
+use rivals::{Answer, Closest, Rival};
 use sightline::geometry::{Aabb, Mesh, Ray, Sides};
 use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
 
@@ -46,10 +46,10 @@ fn main() -> ExitCode {
         .collect();
     let generated = meshes::generated(files.is_empty());
     let rivals = rivals::all();
-    let reference = usize::from(rivals[1].name().starts_with("Embree"));
+    let reference = usize::from(rivals[1].name.starts_with("Embree"));
     println!(
         "ratios to {}, {} rays a pass",
-        rivals[reference].name(),
+        rivals[reference].name,
         SIDE * SIDE
     );
     let mut all = Vec::new();
@@ -72,7 +72,7 @@ fn main() -> ExitCode {
             let ratios = all.iter().map(|rows| of(&rows[i]) / of(&rows[reference]));
             print!(" {:width$.2}", geometric_mean(ratios));
         };
-        print!("{:16}", rival.name());
+        print!("{:16}", rival.name);
         for kind in 0..3 {
             mean(&|row| row.nanoseconds[kind], 10);
         }
@@ -93,7 +93,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
+fn measure(sample: &Sample, rivals: &[Rival]) -> Vec<Row> {
     let truth = Mesh::new(sample.data()).expect("a mesh");
     let bounds = truth.part_bounds(0);
     let rays = [
@@ -101,10 +101,10 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
         rays::camera(&bounds, SIDE, false),
         rays::from_all_around(&bounds, (SIDE * SIDE) as usize),
     ];
-    let mut built: Vec<(Box<dyn Built>, Cost)> = rivals.iter().map(|r| r.build(sample)).collect();
+    let mut built: Vec<(Closest, Cost)> = rivals.iter().map(|r| (r.build)(sample)).collect();
     for _ in 1..BUILDS {
         for (rival, (_, cost)) in rivals.iter().zip(&mut built) {
-            cost.seconds = cost.seconds.min(rival.build(sample).1.seconds);
+            cost.seconds = cost.seconds.min((rival.build)(sample).1.seconds);
         }
     }
     let mut rows: Vec<Row> = built
@@ -122,7 +122,7 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
         for _ in 0..PASSES {
             for (i, (tree, _)) in built.iter().enumerate() {
                 let start = Instant::now();
-                tree.closest(rays, &mut answers[i]);
+                tree(rays, &mut answers[i]);
                 seconds[i].push(start.elapsed().as_secs_f64());
             }
         }
@@ -169,7 +169,7 @@ fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], row
     }
 }
 
-fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &Row) {
+fn print(sample: &Sample, rivals: &[Rival], rows: &[Row], reference: &Row) {
     #[expect(clippy::cast_precision_loss, reason = "a count")]
     let millions = sample.triangles.len() as f64 / 1e6;
     println!("\n{}: {} triangles", sample.name, sample.triangles.len());
@@ -178,7 +178,7 @@ fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &R
         "", "incoherent ns", "coherent ns", "all around ns", "wrong", "build ms", "MB", "peak MB"
     );
     for (rival, row) in rivals.iter().zip(rows) {
-        print!("{:16}", rival.name());
+        print!("{:16}", rival.name);
         for kind in 0..3 {
             let (own, other) = (row.nanoseconds[kind], reference.nanoseconds[kind]);
             print!(" {own:11.0} ({:.2})", own / other);
