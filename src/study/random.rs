@@ -1,6 +1,7 @@
 //! Random numbers for workloads: by integer arithmetic and correctly rounded operations only, so the same on every machine.
 
 use super::real::V3;
+use glam::DVec2;
 
 /// A generator (xorshift64*, Vigna 2016).
 #[derive(Clone, Debug)]
@@ -57,6 +58,12 @@ impl Random {
     /// An index below `count`, which is not 0.
     pub fn below(&mut self, count: usize) -> usize {
         usize::try_from((self.bits() >> 16) % (count.max(1) as u64)).unwrap_or(0)
+    }
+
+    /// The centre of a random pixel of a picture.
+    pub fn pixel(&mut self, size_px: DVec2) -> DVec2 {
+        let mut centre = |side: f64| (self.unit() * side).floor() + 0.5;
+        DVec2::new(centre(size_px.x), centre(size_px.y))
     }
 
     /// -1 or 1.

@@ -144,8 +144,6 @@ impl Row {
 pub struct Report {
     /// By step, family, value, method.
     pub rows: Vec<Row>,
-    /// Whether a scene's own rays, the family [`SCENE`], are among the rows.
-    pub has_scene: bool,
 }
 
 impl Report {
@@ -161,10 +159,7 @@ impl Report {
         let part = |is_own: bool| {
             let mut rows = self.rows.clone();
             rows.retain(|row| (row.family == SCENE) == is_own);
-            (!rows.is_empty()).then_some(Self {
-                rows,
-                has_scene: is_own,
-            })
+            (!rows.is_empty()).then_some(Self { rows })
         };
         [part(false), part(true)]
     }
@@ -185,10 +180,7 @@ pub fn run(
         progress,
         steps: registry().chunk_by(|a, b| a.step == b.step).count(),
         done: 0,
-        report: Report {
-            has_scene: scene.is_some(),
-            ..Report::default()
-        },
+        report: Report::default(),
     };
     each_step(&mut run);
     run.report

@@ -1,14 +1,10 @@
 //! A scene's own camera and rays as workloads: they tell which method the scene needs.
 
-use super::{
-    methods::picks::{PickWorld, gpu},
-    random::Random,
-};
+use super::{methods::picks::PickWorld, random::Random};
 use crate::{
     camera::{Projection, View},
     geometry::{Placement, Ray},
     pick::{self, SceneHit},
-    render,
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
@@ -28,14 +24,10 @@ pub struct SceneRays {
 impl SceneRays {
     /// Rays through `count` random pixels of a scene's view.
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
-        let ids = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
-        let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));
+        let world = Arc::new(PickWorld::new(scene, view));
         let mut random = Random::named(seed, &["scene"]);
-        let size = view.viewport;
-        let mut inside = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
-        let at: Vec<DVec2> = (0..count)
-            .map(|_| DVec2::new(inside(size.width()), inside(size.height())))
-            .collect();
+        let pixels = (0..count).map(|_| random.pixel(view.viewport.size_px()));
+        let at: Vec<DVec2> = pixels.collect();
         let hit = |px: &DVec2| {
             let ray = *view.ray(*px);
             Some((ray, pick::closest(&world.scene, ray, view.sides)?))

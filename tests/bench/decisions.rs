@@ -41,18 +41,18 @@ fn main() {
     let record = |px: &DVec2| pick::pick(scene, view, *px);
     let mut kinds = doubt::kinds();
     kinds.push((
-        "a ray of the demo: what is hit",
+        "a ray of the demo: what is hit".to_owned(),
         Box::new(|| time(&positions, nearest)),
     ));
     kinds.push((
-        "a pick of the demo: the whole record",
+        "a pick of the demo: the whole record".to_owned(),
         Box::new(|| time(&few, record)),
     ));
     report(&kinds);
 }
 
 /// A timed kind: its name, and a pass over its inputs, which returns the nanoseconds for one input.
-type Kind<'a> = (&'static str, Box<dyn Fn() -> f64 + 'a>);
+type Kind<'a> = (String, Box<dyn Fn() -> f64 + 'a>);
 
 /// The mean time for one input, in nanoseconds, in a pass over all inputs after another that warms up.
 fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
@@ -82,7 +82,7 @@ fn report(kinds: &[Kind]) {
         times[ROUNDS / 2]
     });
     let medians: Vec<f64> = medians.collect();
-    let one = kinds.iter().position(|(name, _)| *name == doubt::UNIT);
+    let one = kinds.iter().position(|(name, _)| name == doubt::UNIT);
     let one = medians[one.expect("a kind of that name")];
     for ((name, _), median) in kinds.iter().zip(&medians) {
         println!("{name:52} {median:9.0} ns {:9.1}", median / one);

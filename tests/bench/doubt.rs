@@ -47,42 +47,33 @@ const TRIANGLES: [(&str, bool, Make); 6] = [
     ("triangle, exact, the longest numbers", false, long_triangle),
 ];
 
-const SOLIDS: [(&str, Make); 6] = [
-    ("square, exact, short numbers", |random| {
-        short_solid(random, Shape::Square)
-    }),
-    ("square, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Square)
-    }),
-    ("cube, exact, short numbers", |random| {
-        short_solid(random, Shape::Cube)
-    }),
-    ("cube, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Cube)
-    }),
-    ("sphere, exact, short numbers", |random| {
-        short_solid(random, Shape::Sphere)
-    }),
-    ("sphere, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Sphere)
-    }),
+const SOLIDS: [(&str, Shape); 3] = [
+    ("square", Shape::Square),
+    ("cube", Shape::Cube),
+    ("sphere", Shape::Sphere),
+];
+
+/// Makes a random case of a solid.
+type MakeSolid = fn(&mut Random, Shape) -> Case;
+
+const RAYS_AT_SOLIDS: [(&str, MakeSolid); 2] = [
+    ("short numbers", short_solid),
+    ("a pixel's ray, any model matrix", placed_solid),
 ];
 
 /// All kinds, in this order.
 pub fn kinds() -> Vec<Kind<'static>> {
     let triangles = TRIANGLES.into_iter().map(|(name, settled, make)| {
         let cases = cases(make, |case| is_in_doubt(case) != settled);
-        (
-            name,
-            Box::new(move || triangle_pass(&cases)) as Box<dyn Fn() -> f64>,
-        )
+        let pass: Box<dyn Fn() -> f64> = Box::new(move || triangle_pass(&cases));
+        (name.to_owned(), pass)
     });
-    let solids = SOLIDS.into_iter().map(|(name, make)| {
-        let cases = cases(make, is_exact);
-        (
-            name,
-            Box::new(move || solid_pass(&cases)) as Box<dyn Fn() -> f64>,
-        )
+    let solids = SOLIDS.into_iter().flat_map(|(solid, shape)| {
+        RAYS_AT_SOLIDS.map(|(rays, make)| {
+            let cases = cases(|random| make(random, shape.clone()), is_exact);
+            let pass: Box<dyn Fn() -> f64> = Box::new(move || solid_pass(&cases));
+            (format!("{solid}, exact, {rays}"), pass)
+        })
     });
     triangles.chain(solids).collect()
 }
@@ -111,7 +102,7 @@ fn solid_pass(cases: &[Case]) -> f64 {
 }
 
 /// The first [`CASES`] cases that are wanted; at least one of twenty must be.
-fn cases(make: Make, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
+fn cases(make: impl Fn(&mut Random) -> Case, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
     let mut random = Random::new(13);
     let made = (0..20 * CASES).map(|_| make(&mut random));
     let cases: Vec<Case> = made.filter(is_wanted).take(CASES).collect();
@@ -261,6 +252,10 @@ fn lattice_ray(random: &mut Random, through: DVec3) -> WorldRay<'static> {
             break direction;
         }
     };
+    ray_to(through, direction)
+}
+
+fn ray_to(through: DVec3, direction: DVec3) -> WorldRay<'static> {
     let ray = Ray {
         origin: through - 8.0 * direction,
         direction,
@@ -343,13 +338,7 @@ fn short_solid(random: &mut Random, shape: Shape) -> Case {
     let ray = match shape {
         Shape::Sphere => {
             let direction = lattice_ray(random, DVec3::ZERO).direction.with_x(0.0);
-            let ray = Ray {
-                origin: dvec3(0.5, 0.0, 0.0) - 8.0 * direction,
-                direction,
-                t_min: 0.0,
-                t_max: 64.0,
-            };
-            ray.into()
+            ray_to(dvec3(0.5, 0.0, 0.0), direction)
         }
         _ => lattice_ray(random, rim(&shape, DVec3::ZERO, eighths)),
     };

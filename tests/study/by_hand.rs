@@ -1,5 +1,6 @@
 //! Truth and workloads are right on cases that can be checked by hand.
 
+use glam::dvec2;
 use sightline::study::{
     exact::{Exact, Exact3, angle},
     methods::{
@@ -108,7 +109,7 @@ fn truth_agrees_with_hand_cases() {
     assert!((beside / 1e-9 - 1.0).abs() < 1e-6, "{beside}");
 
     let clip = |depth: f64| {
-        let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
+        let case = ClipCase::new(0.5, 0.8, 8.0, dvec2(300.5, 200.5), depth).expect("a camera");
         case.truth()
     };
     assert_eq!(

@@ -142,7 +142,6 @@ fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
     };
     let report = Report {
         rows: vec![row(0), row(1)],
-        has_scene: false,
     };
     let text = study::summary_csv(&report);
     cells(text.lines().nth(2).expect("two methods"))

@@ -39,7 +39,7 @@ pub struct ClipCase {
 impl ClipCase {
     /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080 pixels, with the camera at the origin.
     #[must_use]
-    pub fn new(tan: f64, near: f64, far: f64, px: [f64; 2], depth: f64) -> Option<Self> {
+    pub fn new(tan: f64, near: f64, far: f64, px: DVec2, depth: f64) -> Option<Self> {
         let lens = Lens {
             projection: Projection::Perspective {
                 fov_y: 2.0 * tan.atan(),
@@ -50,7 +50,7 @@ impl ClipCase {
         };
         let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, lens).ok()?;
         let viewport = Viewport::new(1920, 1080).ok()?;
-        let ray = camera.ray(viewport, DVec2::from(px));
+        let ray = camera.ray(viewport, px);
         Some(Self::of_camera(&camera, *ray, depth))
     }
 
@@ -156,8 +156,7 @@ fn make(random: &mut Random, tan: f64, off: Range<f64>) -> ClipCase {
 fn on_plane(random: &mut Random, tan: f64, off: f64) -> ClipCase {
     let (near, far) = (1.0, 100.0);
     loop {
-        let px = [random.unit() * 1920.0, random.unit() * 1080.0];
-        let px = px.map(|at| at.floor() + 0.5);
+        let px = random.pixel(DVec2::new(1920.0, 1080.0));
         let plane = if random.sign() < 0.0 { near } else { far };
         let depth = plane * (1.0 + off);
         if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {

@@ -25,9 +25,9 @@ pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
     let camera = &view.camera;
     let projection_view = camera.projection(view.viewport).as_mat4() * camera.view().as_mat4();
     let inverse = projection_view.inverse();
-    let ndc = view.viewport.px_to_ndc(px).as_vec2();
+    let ndc = view.viewport.px_to_ndc(px);
     let lens = camera.lens();
-    let on_plane = |depth: f64| inverse.project_point3(ndc.extend(narrow(lens.ndc_depth(depth))));
+    let on_plane = |depth: f64| inverse.project_point3(ndc.extend(lens.ndc_depth(depth)).as_vec3());
     let [near, far] = [lens.near, lens.far].map(on_plane);
     let along = far - near;
     let ray = Ray {
@@ -67,9 +67,4 @@ pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Triangle
         front: determinant > 0.0,
         barycentric: [1.0 - v - w, v, w].map(f64::from),
     })
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the usual way")]
-fn narrow(value: f64) -> f32 {
-    value as f32
 }

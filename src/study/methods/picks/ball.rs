@@ -4,11 +4,11 @@ use super::{PickCase, PickWorld};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{Mesh, MeshData, Placement, Sides},
-    render::{self, Gpu},
+    render::Gpu,
     scene::{Object, Scene, Shape},
     study::prelude::*,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::sync::{Arc, OnceLock};
 
 /// The ball's distances from the world's origin, in its radii.
@@ -21,10 +21,7 @@ pub const FAMILIES: &[Family<PickCase>] = &[Family::new(
     &OFFSETS,
     |random, offset| {
         let world = ball_world(offset);
-        let size = world.view.viewport;
-        let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
-        let px = DVec2::new(at(size.width()), at(size.height()));
-        PickCase::new(&world, px)
+        PickCase::new(&world, random.pixel(world.view.viewport.size_px()))
     },
 )];
 
@@ -38,8 +35,7 @@ fn ball_world(offset: f64) -> Arc<PickWorld> {
         .unwrap_or(0);
     let world = WORLDS[index].get_or_init(|| {
         let (scene, view) = ball_scene(offset);
-        let ids = gpu().and_then(|gpu| render::render(gpu, &scene, &view, None).ok());
-        Arc::new(PickWorld::new(&scene, view, ids.map(|(ids, _)| ids)))
+        Arc::new(PickWorld::new(&scene, view))
     });
     Arc::clone(world)
 }

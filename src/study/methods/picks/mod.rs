@@ -15,7 +15,7 @@ use crate::{
     geometry::{Mesh, Sides},
     image::{Id, Image},
     pick::{self, SceneHit},
-    render::{Renderer, SceneBuffers, Targets},
+    render::{self, Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
     study::prelude::*,
 };
@@ -65,15 +65,16 @@ impl Flat {
 }
 
 impl PickWorld {
-    /// Copies the scene and builds trees over one of the copies.
-    pub fn new(scene: &Scene, view: View, ids: Option<Image<Id>>) -> Self {
+    /// Copies the scene, builds trees over one of the copies, and draws it where there is a graphics adapter.
+    pub fn new(scene: &Scene, view: View) -> Self {
         let with_trees = copy(scene);
         with_trees.build_trees();
+        let drawn = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
         Self {
             scene: with_trees,
             treeless: copy(scene),
             view,
-            ids,
+            ids: drawn.map(|(ids, _)| ids),
             flat: (0..)
                 .zip(scene.objects())
                 .filter(|(_, object)| object.visible)

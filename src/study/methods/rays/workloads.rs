@@ -2,6 +2,7 @@
 
 use super::{Picture, PixelCase};
 use crate::study::prelude::*;
+use glam::DVec2;
 
 /// What a family may change of an ordinary camera.
 #[derive(Clone, Copy)]
@@ -69,8 +70,7 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
     let eye = narrow3(random.direction() * camera.eye);
     let height = camera.height;
     let width = (height * 16.0 / 9.0).round();
-    let middle = |random: &mut Random, side: f64| (random.unit() * side).floor() + 0.5;
-    let px = [middle(random, width), middle(random, height)];
+    let px = random.pixel(DVec2::new(width, height)).to_array();
     let picture = Picture {
         eye,
         target: eye + axes[2] * camera.length,
