@@ -96,6 +96,7 @@ mod prelude {
         truth::{self, Line, UNIT, UNIT_F32},
     };
     pub(in crate::study) use super::{
+        random::two_to,
         step::{about, both, family},
         truth::{cross_sizes, relative},
     };

@@ -82,6 +82,12 @@ impl Random {
         V3::new(coordinate(), coordinate(), coordinate())
     }
 
+    /// Each coordinate a whole number from `-most` to `most`.
+    pub fn lattice_point(&mut self, most: i32) -> V3<f64> {
+        let mut whole = || f64::from(self.integer(-most, most));
+        V3::new(whole(), whole(), whole())
+    }
+
     /// A vector of about length 1; all directions are equally likely.
     pub fn direction(&mut self) -> V3<f64> {
         loop {
@@ -109,6 +115,13 @@ impl Random {
             items.swap(last, self.below(last + 1));
         }
     }
+}
+
+/// Two to a whole number of bits, at most 30.
+pub(super) const fn two_to(bits: f64) -> i32 {
+    #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
+    let bits = bits as i32;
+    1 << bits
 }
 
 /// The `f64` nearest to a power of ten. `powi` may differ between machines, parsing does not.

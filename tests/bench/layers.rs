@@ -37,9 +37,8 @@ fn main() {
     }
     for count in [16_000, 100_000] {
         let square = |i: usize| {
-            let model = DAffine3::from_translation(DVec3::Z * (i as f64 / count as f64));
-            let placement = Placement::new(model).expect("invertible");
-            Object::new("square", Shape::Square, placement)
+            let at = DVec3::Z * (i as f64 / count as f64);
+            object(Shape::Square, DAffine3::from_translation(at))
         };
         line(
             &format!("{count} squares"),
@@ -49,9 +48,8 @@ fn main() {
     for count in [1_000, 16_000] {
         let square = |i: usize| {
             let side = 1.0 + i as f64 / count as f64;
-            let model = DAffine3::from_scale(DVec3::new(side, side, 1.0));
-            let placement = Placement::new(model).expect("invertible");
-            Object::new("square", Shape::Square, placement)
+            let scale = DVec3::new(side, side, 1.0);
+            object(Shape::Square, DAffine3::from_scale(scale))
         };
         line(
             &format!("{count} squares of one plane"),
@@ -71,12 +69,8 @@ fn main() {
     }
     for count in [1_000, 10_000] {
         let cube = |i: usize| {
-            let model = DAffine3::from_scale(DVec3::splat(0.5 + 0.5 * i as f64 / count as f64));
-            Object::new(
-                "cube",
-                Shape::Cube,
-                Placement::new(model).expect("invertible"),
-            )
+            let scale = DVec3::splat(0.5 + 0.5 * i as f64 / count as f64);
+            object(Shape::Cube, DAffine3::from_scale(scale))
         };
         line(
             &format!("{count} nested cubes"),
@@ -94,6 +88,11 @@ fn median(mut run: impl FnMut()) -> f64 {
     });
     times.sort_by(f64::total_cmp);
     times[ROUNDS / 2]
+}
+
+fn object(shape: Shape, model: DAffine3) -> Object {
+    let placement = Placement::new(model).expect("invertible");
+    Object::new("solid", shape, placement)
 }
 
 /// A triangle at a depth about the z axis, turned by an angle.

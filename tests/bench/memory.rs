@@ -43,36 +43,28 @@ pub struct Cost {
 
 /// Runs `work` and measures its cost.
 pub fn cost_of<T>(work: impl FnOnce() -> T) -> (T, Cost) {
-    let before = COUNTING.0.now.load(Ordering::Relaxed);
-    COUNTING.0.peak.store(before, Ordering::Relaxed);
+    let before = COUNT.now.load(Ordering::Relaxed);
+    COUNT.peak.store(before, Ordering::Relaxed);
     let start = Instant::now();
     let made = work();
     let seconds = start.elapsed().as_secs_f64();
-    let memory = COUNTING.0.held_and_peak().map(|bytes| bytes - before);
-    (
-        made,
-        Cost {
-            seconds,
-            memory: Some(memory),
-        },
-    )
+    let memory = Some(COUNT.held_and_peak().map(|bytes| bytes - before));
+    (made, Cost { seconds, memory })
 }
 
-struct Counting(Count);
-
 #[global_allocator]
-static COUNTING: Counting = Counting(Count::new());
+static COUNT: Count = Count::new();
 
 // SAFETY: every call goes to the system's allocator; only sizes are counted.
-unsafe impl GlobalAlloc for Counting {
+unsafe impl GlobalAlloc for Count {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        self.0.add(layout.size().cast_signed());
+        self.add(layout.size().cast_signed());
         // SAFETY: the caller's promise.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        self.0.add(-layout.size().cast_signed());
+        self.add(-layout.size().cast_signed());
         // SAFETY: the caller's promise.
         unsafe { System.dealloc(block, layout) }
     }

@@ -29,16 +29,6 @@ struct Tile {
     colours: Vec<Colour>,
 }
 
-impl Tile {
-    fn new(name: &'static str, precision: Precision, colours: Vec<Colour>) -> Self {
-        Self {
-            name,
-            precision,
-            colours,
-        }
-    }
-}
-
 /// The chart.
 pub fn chart() -> Picture {
     let tiles = tiles();
@@ -95,8 +85,11 @@ fn tiles() -> Vec<Tile> {
     let mut tiles: Vec<Tile> = Vec::new();
     for (precision, cases) in &all {
         let so = cases.iter().map(|(_, truth)| truth.map_or(MISS, |_| HIT));
-        let colours = so.collect();
-        tiles.push(Tile::new(TRUTH, *precision, colours));
+        tiles.push(Tile {
+            name: TRUTH,
+            precision: *precision,
+            colours: so.collect(),
+        });
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.info.ours);
@@ -106,8 +99,11 @@ fn tiles() -> Vec<Tile> {
         let said = cases.iter();
         let said = said.map(|(case, truth)| colour(case, *truth, method));
         let info = method.info;
-        let name = if info.ours { "Sightline" } else { info.name };
-        Tile::new(name, info.precision, said.collect())
+        Tile {
+            name: if info.ours { "Sightline" } else { info.name },
+            precision: info.precision,
+            colours: said.collect(),
+        }
     }));
     tiles
 }

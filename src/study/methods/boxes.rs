@@ -252,14 +252,12 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
 
 /// A ray of whole numbers over a power of two, exactly through an edge or a corner.
 fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 20")]
-    let limit = 1_i32 << bits as i32;
+    let limit = two_to(bits);
     let half = f64::from(limit);
     let along = f64::from(random.integer(-2, 2)) * 0.5 * half;
     let mut target = [half * random.sign(), half * random.sign(), along];
     target.rotate_left(random.below(3));
-    let mut whole = || f64::from(random.integer(-limit, limit));
-    let step = V3::new(whole(), whole(), whole());
+    let step = random.lattice_point(limit);
     let step = if step == V3::new(0.0, 0.0, 0.0) {
         V3::new(1.0, 0.0, 0.0)
     } else {

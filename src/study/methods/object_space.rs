@@ -60,22 +60,20 @@ impl PlacedCase {
     #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
         let placement = super::placement(linear, translation)?;
-        Some(Self::placed(ray, placement, px))
+        let ray = super::from_start(ray[0], ray[1]);
+        Some(Self::of_object(&placement, &ray, px))
     }
 
     /// The case of a world-space ray and an object's placement.
     pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        Self::placed([ray.origin.into(), ray.direction.into()], *placement, px)
-    }
-
-    fn placed(ray: [V3<f64>; 2], placement: Placement, px: f64) -> Self {
         let model = placement.model();
         let (linear, translation) = (model.matrix3.into(), model.translation.into());
+        let ray = [ray.origin, ray.direction].map(V3::from);
         Self {
             narrow: Placed::new(ray.map(V3::of), M3::of(&linear), V3::of(translation)),
             wide: Placed::new(ray, linear, translation),
             ray: super::from_start(ray[0], ray[1]).into(),
-            placement,
+            placement: *placement,
             px,
         }
     }

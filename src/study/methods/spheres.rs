@@ -215,8 +215,7 @@ fn close(random: &mut Random, ratio: f64) -> SphereCase {
 /// Let u, v, w be whole vectors of one length n at right angles. The line through `(h w + k u) / n` along u passes the origin
 /// at the distance h; k is chosen so that the point is whole.
 fn touching(random: &mut Random, bits: f64) -> SphereCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
-    let h = f64::from(1_i32 << bits as i32);
+    let h = f64::from(two_to(bits));
     loop {
         let [w, u, _] = super::rays::turned(random, 3);
         let n = u.length();

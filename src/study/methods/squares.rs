@@ -90,24 +90,19 @@ impl SquareCase {
     ) -> Option<Self> {
         let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
         let ray = super::from_start(origin, direction);
-        Some(Self::placed(placement, ray, px))
+        Some(Self::of_object(&placement, &ray, px))
     }
 
     /// The case of a square and a ray in the world.
     pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        let from_start = super::from_start(ray.origin.into(), ray.direction.into());
-        Self::placed(*placement, from_start, px)
-    }
-
-    fn placed(placement: Placement, ray: Ray, px: f64) -> Self {
         let model = placement.model();
         let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
         let [o, d, middle] = [ray.origin, ray.direction, model.translation].map(V3::from);
         Self {
             narrow: RaySquare::new(V3::of(o), V3::of(d), V3::of(middle), sides.map(V3::of)),
             wide: RaySquare::new(o, d, middle, sides),
-            ray: ray.into(),
-            placement,
+            ray: super::from_start(o, d).into(),
+            placement: *placement,
             px,
         }
     }
@@ -209,8 +204,7 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
 /// Whole vectors at right angles, each over the power of two that makes it about 1 long.
 fn sides(random: &mut Random) -> [V3<f64>; 2] {
     loop {
-        let mut whole = || f64::from(random.integer(-15, 15));
-        let [a, b] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let [a, b] = [(); 2].map(|()| random.lattice_point(15));
         let across = a.cross(b);
         if across.dot(across) > 0.0 {
             return [a, across].map(|side| side * (1.0 / power_of_two_below(side.length())));
@@ -239,12 +233,10 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
 
 /// A ray of whole numbers over a power of two, exactly through a side or a corner.
 fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
-    let limit = 1_i32 << bits as i32;
+    let limit = two_to(bits);
     loop {
         let [u, v] = sides(random);
-        let mut whole = || f64::from(random.integer(-limit, limit));
-        let [middle, step] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let [middle, step] = [(); 2].map(|()| random.lattice_point(limit));
         let along = f64::from(random.integer(-2, 2)) * 0.25;
         let (x, y) = (0.5 * random.sign(), along);
         let target = middle + u * x + v * y;

@@ -115,19 +115,14 @@ fn mixed_weights(random: &mut Random) -> [f64; 3] {
 
 /// Integer corners, and a ray from an integer point that meets the middle of an edge or a corner exactly, at t = 1/2.
 fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 22")]
-    let limit = (1_i32 << bits as i32) - 1;
-    let corner = |random: &mut Random| {
-        let mut c = || f64::from(random.integer(-limit, limit));
-        V3::new(c(), c(), c())
-    };
+    let limit = two_to(bits) - 1;
     loop {
-        let corners = [corner(random), corner(random), corner(random)];
+        let corners = [(); 3].map(|()| random.lattice_point(limit));
         let (p, q) = (corners[0], corners[1]);
         // Twice the middle of an edge, or twice a corner.
         let target = if random.sign() < 0.0 { p + q } else { p + p };
         // In whole numbers: `origin + direction / 2` is `target / 2`.
-        let origin = corner(random);
+        let origin = random.lattice_point(limit);
         let direction = target - origin - origin;
         let exact = narrow3(direction) == direction;
         let normal = (q - p).cross(corners[2] - p);
