@@ -6,6 +6,8 @@
 use super::real::V3;
 use dashu_float::{FBig, round::mode::HalfEven};
 use std::{
+    array,
+    borrow::Borrow,
     cmp::Ordering,
     ops::{Add, Div, Mul, Neg, Sub},
 };
@@ -75,35 +77,36 @@ impl Exact {
     }
 }
 
-impl Add for &Exact {
-    type Output = Exact;
-    fn add(self, o: Self) -> Exact {
-        Exact(&self.0 + &o.0)
-    }
+/// An operator on two values, each owned or borrowed.
+macro_rules! operator {
+    ($type:ident, $trait:ident $name:ident |$a:ident, $b:ident| $result:expr) => {
+        impl<B: Borrow<$type>> $trait<B> for &$type {
+            type Output = $type;
+            fn $name(self, other: B) -> $type {
+                let ($a, $b): (&$type, &$type) = (self, other.borrow());
+                $type($result)
+            }
+        }
+
+        impl<B: Borrow<$type>> $trait<B> for $type {
+            type Output = Self;
+            fn $name(self, other: B) -> Self {
+                $trait::$name(&self, other)
+            }
+        }
+    };
 }
 
-impl Sub for &Exact {
-    type Output = Exact;
-    fn sub(self, o: Self) -> Exact {
-        Exact(&self.0 - &o.0)
-    }
-}
-
-impl Mul for &Exact {
-    type Output = Exact;
-    fn mul(self, o: Self) -> Exact {
-        Exact(&self.0 * &o.0)
-    }
-}
-
-/// To 320 bits.
-impl Div for &Exact {
-    type Output = Exact;
-    fn div(self, o: Self) -> Exact {
-        let [a, b] = [self, o].map(|number| number.0.clone().with_precision(BITS).value());
-        Exact((a / b).with_precision(0).value())
-    }
-}
+operator!(Exact, Add add |a, b| &a.0 + &b.0);
+operator!(Exact, Sub sub |a, b| &a.0 - &b.0);
+operator!(Exact, Mul mul |a, b| &a.0 * &b.0);
+// To 320 bits.
+operator!(Exact, Div div |a, b| {
+    let [a, b] = [a, b].map(|number| number.0.clone().with_precision(BITS).value());
+    (a / b).with_precision(0).value()
+});
+operator!(Exact3, Add add |a, b| array::from_fn(|i| &a.0[i] + &b.0[i]));
+operator!(Exact3, Sub sub |a, b| array::from_fn(|i| &a.0[i] - &b.0[i]));
 
 impl Neg for Exact {
     type Output = Self;
@@ -129,14 +132,14 @@ impl Exact3 {
     #[must_use]
     pub fn dot(&self, o: &Self) -> Exact {
         let [a, b] = [&self.0, &o.0];
-        &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+        &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
     }
 
     /// Vector product.
     #[must_use]
     pub fn cross(&self, o: &Self) -> Self {
         let [a, b] = [&self.0, &o.0];
-        let entry = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
+        let entry = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
         Self([entry(1, 2), entry(2, 0), entry(0, 1)])
     }
 
@@ -153,20 +156,6 @@ impl Exact3 {
     }
 }
 
-impl Add for &Exact3 {
-    type Output = Exact3;
-    fn add(self, o: Self) -> Exact3 {
-        Exact3(std::array::from_fn(|i| &self.0[i] + &o.0[i]))
-    }
-}
-
-impl Sub for &Exact3 {
-    type Output = Exact3;
-    fn sub(self, o: Self) -> Exact3 {
-        Exact3(std::array::from_fn(|i| &self.0[i] - &o.0[i]))
-    }
-}
-
 /// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for an
 /// answer that is 0 or not finite.
 #[must_use]
@@ -175,9 +164,9 @@ pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
         return f64::INFINITY;
     }
     let answer = Exact3::new(V3::from(answer));
-    let lengths = &truth.length() * &answer.length();
-    let sin = (&truth.cross(&answer).length() / &lengths).to_f64();
-    let cos = (&truth.dot(&answer) / &lengths).to_f64();
+    let lengths = truth.length() * answer.length();
+    let sin = (truth.cross(&answer).length() / &lengths).to_f64();
+    let cos = (truth.dot(&answer) / lengths).to_f64();
     if cos > 0.0 && sin < 1e-8 {
         sin
     } else {

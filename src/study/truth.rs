@@ -48,7 +48,7 @@ impl Line {
     fn plane(&self, normal: &Exact3, point: &Exact3) -> Option<Meeting> {
         let fall = normal.dot(&self.direction);
         (!fall.is_zero()).then(|| Meeting {
-            t: &normal.dot(point) / &fall,
+            t: normal.dot(point) / &fall,
             front: fall.sign() == Ordering::Less,
         })
     }
@@ -56,13 +56,13 @@ impl Line {
     /// Where it meets a triangle, by the signs of three volumes.
     #[must_use]
     pub fn triangle(&self, corners: [Exact3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners.map(|corner| &corner - &self.origin);
+        let [a, b, c] = corners.map(|corner| corner - &self.origin);
         let volumes = [b.cross(&c), c.cross(&a), a.cross(&b)].map(|side| self.direction.dot(&side));
         let none_is = |excluded: Ordering| volumes.iter().all(|volume| volume.sign() != excluded);
         if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) {
             return None;
         }
-        self.plane(&(&b - &a).cross(&(&c - &a)), &a)
+        self.plane(&(b - &a).cross(&(c - &a)), &a)
     }
 
     /// Where it enters and leaves a sphere about the origin. A touching ray does both at one point, neither from the front.
@@ -70,17 +70,17 @@ impl Line {
     pub fn sphere(&self, radius: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin, &self.direction);
         let (a, b) = (d.dot(d), -o.dot(d));
-        let c = &o.dot(o) - &(radius * radius);
-        let discriminant = &(&b * &b) - &(&a * &c);
+        let c = o.dot(o) - radius * radius;
+        let discriminant = &b * &b - &a * c;
         if discriminant.sign() == Ordering::Less {
             return Vec::new();
         }
         let root = discriminant.sqrt();
         let at = |numerator: Exact, front: bool| Meeting {
-            t: &numerator / &a,
+            t: numerator / &a,
             front,
         };
-        vec![at(&b - &root, !root.is_zero()), at(&b + &root, false)]
+        vec![at(&b - &root, !root.is_zero()), at(b + root, false)]
     }
 
     /// Where it meets the faces of a cube about the origin. A face within which the ray runs is skipped: its rim belongs to
@@ -94,7 +94,7 @@ impl Line {
                 let way = &plane - &o[axis];
                 // Without the quotient: |o + t d| <= half at t = way / d.
                 let is_within = |other: usize| {
-                    let at = &(&o[other] * &d[axis]) + &(&way * &d[other]);
+                    let at = &o[other] * &d[axis] + &way * &d[other];
                     at.abs() <= (half * &d[axis]).abs()
                 };
                 if is_within((axis + 1) % 3) && is_within((axis + 2) % 3) {
@@ -116,7 +116,7 @@ impl Line {
         let fall = normal.dot(&self.direction).abs();
         let is_within = |side: &Exact3| {
             let place = r.dot(&self.direction.cross(side)).abs();
-            &Exact::int(2) * &place <= fall
+            Exact::int(2) * place <= fall
         };
         if !is_within(u) || !is_within(v) {
             return None;
@@ -152,7 +152,7 @@ pub fn edge_angle(origin: V3<f64>, direction: V3<f64>, corners: &[V3<f64>]) -> f
 /// How far a ray passes from a segment, in radians seen from its origin.
 pub(super) fn segment_angle(o: V3<f64>, d: V3<f64>, from: V3<f64>, to: V3<f64>) -> f64 {
     let start = Exact3::new(o);
-    let [exact_p, exact_q] = [from, to].map(|end| &Exact3::new(end) - &start);
+    let [exact_p, exact_q] = [from, to].map(|end| Exact3::new(end) - &start);
     let (p, q) = (from - o, to - o);
     let side = p.cross(q);
     // Whether the direction, projected onto the plane of p and q, lies between them.

@@ -125,7 +125,7 @@ impl Case for ClipCase {
     fn judge(&self, truth: &bool, answer: &bool) -> Verdict {
         let off = |plane: f64| {
             let plane = &Exact::new(plane);
-            (&(&Exact::new(self.depth) - plane) / plane).abs().to_f64()
+            ((Exact::new(self.depth) - plane) / plane).abs().to_f64()
         };
         let off = || off(self.wide.near).min(off(self.wide.far));
         match (truth, answer) {

@@ -78,8 +78,8 @@ impl Case for FileCase {
                 return f64::INFINITY;
             };
             let off = |axis: usize| {
-                let kept = &Exact::new(kept[0][axis]) + &Exact::new(kept[1][axis]);
-                let mm = &(&kept * &Exact::int(1000)) - &Exact::int(given[axis]);
+                let kept = Exact::new(kept[0][axis]) + Exact::new(kept[1][axis]);
+                let mm = kept * Exact::int(1000) - Exact::int(given[axis]);
                 mm.abs().to_f64()
             };
             off(0).max(off(1)).max(off(2))

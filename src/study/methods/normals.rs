@@ -105,7 +105,7 @@ impl Case for NormalCase {
         let columns = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
         let [x, y, z] = Exact3::new(case.normal).0;
-        let normal = &columns[0].times(&x) + &(&columns[1].times(&y) + &columns[2].times(&z));
+        let normal = columns[0].times(&x) + columns[1].times(&y) + columns[2].times(&z);
         if mirrors {
             normal.times(&Exact::int(-1))
         } else {

@@ -197,24 +197,24 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     let [x, y, z] = case.linear.0.map(Exact3::new);
     let to_world = |v: V3<f64>| {
         let [a, b, c] = Exact3::new(v).0;
-        &x.times(&a) + &(&y.times(&b) + &z.times(&c))
+        x.times(&a) + y.times(&b) + z.times(&c)
     };
     let d = Exact3::new(case.direction);
-    let to_object = &Exact3::new(case.translation) - &Exact3::new(case.origin);
-    let (start, step) = (&to_world(local[0]) + &to_object, to_world(local[1]));
+    let to_object = Exact3::new(case.translation) - Exact3::new(case.origin);
+    let (start, step) = (to_world(local[0]) + &to_object, to_world(local[1]));
     // The transformed ray's point at the object's depth: `start + s step`, whose product with d is `to_object . d`.
     let fall = step.dot(&d);
     if fall.is_zero() {
         return f64::INFINITY;
     }
-    let s = &(&to_object - &start).dot(&d) / &fall;
-    let point = &start + &step.times(&s);
+    let s = (to_object - &start).dot(&d) / fall;
+    let point = start + step.times(&s);
     let off = point.cross(&d).length();
     let along = point.dot(&d).abs();
     if along.is_zero() {
         return f64::INFINITY;
     }
-    (&off / &along).to_f64()
+    (off / along).to_f64()
 }
 
 /// Three vectors of about length 1 at right angles: a rotation, half of the time mirrored.

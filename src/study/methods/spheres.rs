@@ -142,9 +142,9 @@ pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
     let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
     let (moment, r) = (o.cross(&d), Exact::new(Sphere::RADIUS));
     let r2 = &r * &r;
-    let off = (&(&moment.dot(&moment) / &d.dot(&d)) - &r2).to_f64();
+    let off = (moment.dot(&moment) / d.dot(&d) - &r2).to_f64();
     let distance = ray.origin.cross(ray.direction).length() / ray.direction.length();
-    let tangent = (&o.dot(&o) - &r2).to_f64().max(0.0).sqrt();
+    let tangent = (o.dot(&o) - r2).to_f64().max(0.0).sqrt();
     (off / (distance + Sphere::RADIUS) / tangent).abs()
 }
 

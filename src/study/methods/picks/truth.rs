@@ -72,11 +72,9 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
                 for triangle in range.clone() {
                     let corners = corners(mesh, triangle);
                     let apart = corners.map(|at| from_eye + model.matrix3 * DVec3::from(at));
+                    let exactly = |corner| local.point(&(exact(origin) + Exact3::new(corner)));
                     if near_triangle(ray.direction, apart, grain)
-                        && let Some(at) =
-                            local.line.triangle(corners.map(|corner| {
-                                local.point(&(&exact(origin) + &Exact3::new(corner)))
-                            }))
+                        && let Some(at) = local.line.triangle(corners.map(exactly))
                     {
                         consider(local.turned(at), Some(triangle - range.start));
                     }
@@ -126,15 +124,15 @@ impl Sight {
         let [eye, right, up, forward] =
             [camera.eye(), camera.right(), camera.up(), camera.forward()].map(exact);
         let size = view.viewport.size_px();
-        let [x, y] = [px.x, px.y].map(|at| &Exact::int(2) * &Exact::new(at));
+        let [x, y] = [px.x, px.y].map(|at| Exact::int(2) * Exact::new(at));
         let [width, height] = [size.x, size.y].map(Exact::new);
-        let aside = &right.times(&(&x - &width)) + &up.times(&(&height - &y));
+        let aside = right.times(&(x - width)) + up.times(&(&height - y));
         let aside = aside.times(&Exact::new(camera.half_height()));
         let (eye, forward) = (eye.times(&height), forward.times(&height));
         let (origin, direction) = if camera.lens().is_orthographic() {
-            (&eye + &aside, forward)
+            (eye + aside, forward)
         } else {
-            (eye, &forward + &aside)
+            (eye, forward + aside)
         };
         Self {
             line: Line { origin, direction },
@@ -164,13 +162,13 @@ impl Local {
         let rows = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let adjugate = |v: &Exact3| Exact3(rows.each_ref().map(|row| row.dot(v)));
         let Sight { line, height } = sight;
-        let from = &line.origin - &exact(model.translation).times(height);
+        let from = &line.origin - exact(model.translation).times(height);
         Self {
             line: Line {
                 origin: adjugate(&from),
                 direction: adjugate(&line.direction),
             },
-            det: &a.dot(&rows[0]) * height,
+            det: a.dot(&rows[0]) * height,
         }
     }
 
@@ -181,7 +179,7 @@ impl Local {
 
     /// A length, scaled as the ray is.
     fn length(&self, of: f64) -> Exact {
-        (&Exact::new(of) * &self.det).abs()
+        (Exact::new(of) * &self.det).abs()
     }
 
     /// The meeting with the side corrected: a negative determinant turns the ray about, so it sees the other side of a

@@ -218,14 +218,14 @@ impl Case for PixelCase {
         let [x, y] = px.map(Exact::new);
         let two = Exact::int(2);
         let tan = Exact::new(pixel.tan);
-        let across = &(&(&two * &x) - &width) * &(&height * &(&Exact::new(pixel.aspect) * &tan));
-        let along = &(&height - &(&two * &y)) * &(&width * &tan);
+        let across = (&two * x - &width) * &height * Exact::new(pixel.aspect) * &tan;
+        let along = (&height - two * y) * &width * tan;
         let straight = if pixel.parallel {
             Exact::int(0)
         } else {
-            &width * &height
+            width * height
         };
-        &forward.times(&straight) + &(&right.times(&across) + &up.times(&along))
+        forward.times(&straight) + right.times(&across) + up.times(&along)
     }
 
     fn judge(&self, truth: &Exact3, answer: &Sight) -> Verdict {
@@ -309,20 +309,20 @@ fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
         return f64::INFINITY;
     }
     let forward = Exact3::new(case.exact_axes[2]);
-    let start = &Exact3::new(answer.from) - &Exact3::new(pixel.eye);
+    let start = Exact3::new(answer.from) - Exact3::new(pixel.eye);
     let along = Exact3::new(answer.along);
     let fall = along.dot(&forward);
     if fall.is_zero() {
         return f64::INFINITY;
     }
-    let way = &(&Exact::new(pixel.length) * &forward.length()) / &fall;
-    let there = &start + &along.times(&way);
-    let scale = &Exact::new(pixel.size[0]) * &Exact::new(pixel.size[1]);
-    let off = &there.times(&scale) - truth;
+    let way = Exact::new(pixel.length) * forward.length() / fall;
+    let there = start + along.times(&way);
+    let scale = Exact::new(pixel.size[0]) * Exact::new(pixel.size[1]);
+    let off = there.times(&scale) - truth;
     // An offset along F is no error.
-    let deep = &off.dot(&forward) / &forward.dot(&forward);
-    let off = &off - &forward.times(&deep);
-    (&off.length() / &scale).to_f64()
+    let deep = off.dot(&forward) / forward.dot(&forward);
+    let off = off - forward.times(&deep);
+    (off.length() / scale).to_f64()
 }
 
 /// Bound of the eye basis in `f64`, with u = 2^-53.
