@@ -88,8 +88,9 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     const RAYS: usize = 6000;
     let camera = &view.camera;
     let px = px_angle(&view, camera.eye().distance(camera.target()));
-    let mut rows = of.step.rows(of.family, Effort::QUICK);
-    for row in &mut rows {
+    let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
+    let mut rows = of.step.rows(of.family, Effort::QUICK, Some(&own));
+    for row in rows.iter_mut().filter(|row| row.family != SCENE) {
         if row.step.wrong_unit == "px" {
             row.worst_wrong *= PX / px;
         }
@@ -97,10 +98,6 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
             row.worst_error *= PX / px;
         }
     }
-    rows.extend(
-        of.step
-            .of_scene(&SceneRays::new(scene, view, RAYS, Effort::QUICK.seed)),
-    );
     rows
 }
 

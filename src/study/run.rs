@@ -285,19 +285,11 @@ fn workloads<'a, C: Case>(
     })
 }
 
-/// The rows that [`run`] has for one family of a step, untimed.
-pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
-    let named = C::FAMILIES.iter().filter(|family| family.name == name);
-    named
-        .flat_map(|family| workloads(family, effort))
-        .flat_map(|work| judge(&work))
-        .collect()
-}
-
-/// The rows that [`run`] has for the family [`SCENE`] of a step, untimed.
-pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
-    let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
-    own.map_or_else(Vec::new, |work| judge(&work))
+/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed.
+pub fn family<C: Case>(name: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
+    let mut workloads = all_workloads::<C>(effort, scene);
+    workloads.retain(|work| [name, SCENE].contains(&work.family));
+    workloads.iter().flat_map(judge).collect()
 }
 
 /// A row for each method's answers to the cases of one workload.

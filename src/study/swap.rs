@@ -50,8 +50,7 @@ pub struct AnyStep {
     pub about: About,
     methods: fn() -> Vec<MethodInfo>,
     pick: fn(usize, &Click<'_>) -> Option<Found>,
-    rows: fn(&str, Effort) -> Vec<Row>,
-    of_scene: fn(&SceneRays) -> Vec<Row>,
+    rows: fn(&str, Effort, Option<&SceneRays>) -> Vec<Row>,
 }
 
 impl AnyStep {
@@ -63,7 +62,6 @@ impl AnyStep {
             methods: || C::methods().map(|method| method.info).collect(),
             pick: |method, click| C::pick(click, C::methods().nth(method)?.run),
             rows: run::family::<C>,
-            of_scene: run::of_scene::<C>,
         }
     }
 
@@ -73,16 +71,10 @@ impl AnyStep {
         (self.methods)()
     }
 
-    /// The rows of all its methods in one of its families.
+    /// The rows of all its methods in one of its families, and on a scene's own rays.
     #[must_use]
-    pub fn rows(self, family: &str, effort: Effort) -> Vec<Row> {
-        (self.rows)(family, effort)
-    }
-
-    /// The rows of all its methods on a scene's own rays.
-    #[must_use]
-    pub fn of_scene(self, rays: &SceneRays) -> Vec<Row> {
-        (self.of_scene)(rays)
+    pub fn rows(self, family: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
+        (self.rows)(family, effort, scene)
     }
 }
 

@@ -39,7 +39,7 @@ fn it_counts_scenes_and_cases() {
 /// README's figure is that of the worst workload.
 #[test]
 fn it_says_how_much_moeller_trumbore_gets_wrong() {
-    let rows = AnyStep::of::<TriangleCase>().rows("exactly through edges", Effort::FULL);
+    let rows = AnyStep::of::<TriangleCase>().rows("exactly through edges", Effort::FULL, None);
     let mut wrong = 0.0_f64;
     for row in rows {
         if (row.method, row.precision) == ("Moeller-Trumbore", F32) {
