@@ -4,7 +4,7 @@
 use super::{
     methods::{
         BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
-        TriangleCase, rays::Sight,
+        TriangleCase, rays::PixelRay,
     },
     prelude::*,
     run,
@@ -178,7 +178,7 @@ fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
 }
 
 impl Step for PixelCase {
-    fn pick(click: &Click<'_>, run: fn(&Self) -> Sight) -> Option<Found> {
+    fn pick(click: &Click<'_>, run: fn(&Self) -> PixelRay) -> Option<Found> {
         let Click { scene, view, .. } = click;
         let mut ray = run(&Self::of_view(view, click.px)).ray(view)?;
         if !view.camera.lens().is_orthographic() {

@@ -139,7 +139,7 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
             .position(|name| *name == point.row.method)
             .unwrap_or(0)
     };
-    let mut places = Places::new(panel.from, [panel.to[0], band - 2.0]);
+    let mut places = LabelPlaces::new(panel.from, [panel.to[0], band - 2.0]);
     let placed = points.iter().map(|point| {
         let colour = COLOURS[position(&names, point) % COLOURS.len()];
         let colour = if point.row.ours { [0; 3] } else { colour };
@@ -221,7 +221,7 @@ fn bars(
     panel: &Panel,
     band: f64,
     (point, at, colour): &Placed<'_>,
-    places: &mut Places,
+    places: &mut LabelPlaces,
 ) {
     let y = |wrong: f64| if wrong > 0.0 { panel.y.at(wrong) } else { band };
     let [_, middle, apart, worst] = point.wrong;

@@ -4,7 +4,7 @@ use super::picture::{Anchor, Colour, INK, Picture, text_width};
 
 /// The parts of a frame that are taken.
 #[derive(Clone, Debug)]
-pub struct Places {
+pub struct LabelPlaces {
     /// The frame: left, top, right, bottom.
     frame: [f64; 4],
     /// Areas of labels and points, which nothing may cover.
@@ -16,7 +16,7 @@ pub struct Places {
 /// Font size of the labels.
 const SIZE: f64 = 16.0;
 
-impl Places {
+impl LabelPlaces {
     /// A frame in which nothing is taken.
     pub fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
         Self {

@@ -72,7 +72,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
     }
     // Sightline's first: it stays in its place, and points under it move aside.
     points.sort_by_key(|point| !point.style.ours);
-    let mut taken = Places::new(panel.from, panel.to);
+    let mut taken = LabelPlaces::new(panel.from, panel.to);
     for point in &points {
         let (colour, at) = (point.style.colour, panel.at(point.x, point.y));
         let bar = point.quartiles.map(|x| panel.at(x, point.y));

@@ -1,6 +1,6 @@
 //! A chart as a list of marks, drawn as SVG and pixels by `plotters`.
 
-use super::{outlines::outlines, page::count};
+use super::{page::count, point_shapes::outlines};
 use num_traits::ToPrimitive;
 use plotters::{
     coord::Shift,

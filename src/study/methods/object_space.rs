@@ -3,7 +3,7 @@
 
 use super::WITH_BOUNDS;
 use crate::{
-    geometry::{LocalRay as PickRay, Placement, Ray, WorldRay},
+    geometry::{LocalRay, Placement, Ray, WorldRay},
     study::prelude::*,
 };
 use std::hint::black_box;
@@ -85,10 +85,10 @@ const RELATIVE: &str = "the translation first: inverse(A) (o - T)";
 const OURS: &str = "geometry::Placement::ray_to_object";
 
 /// Origin and direction in object space.
-type LocalRay = [V3<f64>; 2];
+type ObjectSpaceRay = [V3<f64>; 2];
 
 impl Case for PlacedCase {
-    type Answer = LocalRay;
+    type Answer = ObjectSpaceRay;
     type Truth = ();
     const ABOUT: About = about!(
         "Ray into object space" "object-space", off by "px", wrong by "";
@@ -105,7 +105,7 @@ impl Case for PlacedCase {
             }),
             Method::new(WITH_BOUNDS, F64, "geometry::Placement::local_ray", |c| {
                 let placed = black_box(c.placement.local_ray(&c.ray));
-                of(PickRay::from(&placed).ray)
+                of(LocalRay::from(&placed).ray)
             }),
             Method::ours(F64, OURS, |c| of(&c.placement.ray_to_object(&c.ray))),
         ],
@@ -134,7 +134,7 @@ impl Case for PlacedCase {
 
     fn truth(&self) {}
 
-    fn judge(&self, (): &(), answer: &LocalRay) -> Verdict {
+    fn judge(&self, (): &(), answer: &ObjectSpaceRay) -> Verdict {
         Verdict::Right(aside(&self.wide, answer) / self.px)
     }
 
@@ -163,12 +163,12 @@ impl Case for PlacedCase {
     }
 }
 
-fn of(ray: &Ray) -> LocalRay {
+fn of(ray: &Ray) -> ObjectSpaceRay {
     [ray.origin.into(), ray.direction.into()]
 }
 
 /// Through the inverse of the whole matrix, whose translation is `-inverse(A) T`.
-pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> LocalRay {
+pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> ObjectSpaceRay {
     let direction = case.inverse.apply(case.direction);
     let direction = if normalise {
         direction.normalize()
@@ -180,7 +180,7 @@ pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> LocalRay {
 }
 
 /// The translation is subtracted first.
-pub fn relative<T: Real>(case: &Placed<T>) -> LocalRay {
+pub fn relative<T: Real>(case: &Placed<T>) -> ObjectSpaceRay {
     let origin = case.inverse.apply(case.origin - case.translation);
     [origin.wide(), case.inverse.apply(case.direction).wide()]
 }

@@ -132,11 +132,10 @@ impl Case for PacketCase {
         let mut worst = 0.0_f64;
         for (i, (truth, answer)) in truth.iter().zip(answer).enumerate() {
             let off = || self.wide.ray(i).edge_angle() / PX;
-            match (truth, answer) {
-                (Some(truth), Some(answer)) => worst = worst.max(relative(*truth, *answer)),
-                (None, None) => {}
-                (Some(_), None) => return Verdict::Missed(off()),
-                (None, Some(_)) => return Verdict::Phantom(off()),
+            match truth::decide(*truth, *answer, relative, off) {
+                Verdict::Right(error) => worst = worst.max(error),
+                Verdict::Agreed => {}
+                wrong => return wrong,
             }
         }
         Verdict::Right(worst)

@@ -7,7 +7,7 @@ pub(super) use ball::icosahedron;
 pub use ball::{ball_scene, gpu};
 
 use super::{
-    rays::{PixelCase, Sight, course, far_less_near},
+    rays::{PixelCase, PixelRay, course, far_less_near},
     triangles::{RayTriangle, areas, moeller_trumbore},
 };
 use crate::{
@@ -252,10 +252,10 @@ impl PickCase {
     }
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
-    fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
+    fn cast_f32(&self, pixel_ray: PixelRay, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
         let sides = self.world.view.sides;
-        let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
-        let world = sight.ray(&self.world.view)?;
+        let (origin, direction) = (V3::<f32>::of(pixel_ray.from), V3::of(pixel_ray.along));
+        let world = pixel_ray.ray(&self.world.view)?;
         let mut best: Option<(f64, usize, Option<u32>)> = None;
         for (index, object) in &self.world.flat {
             let triangles = match object {

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
 /// A pixel's ray, times the picture's height: so no division rounds.
-struct Sight {
+struct ExactRay {
     line: Line,
     height: Exact,
 }
@@ -25,8 +25,8 @@ struct Local {
 
 /// The nearest hit within the ray's interval on a visible side; of equal ones the lower object, then the lower triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
-    let sight = Sight::new(view, px);
-    let ray = sight.rounded(view);
+    let exact_ray = ExactRay::new(view, px);
+    let ray = exact_ray.rounded(view);
     let t_min = Exact::new(ray.t_min);
     let t_max = ray.t_max.is_finite().then(|| Exact::new(ray.t_max));
     let mut best: Option<(Exact, usize, Option<u32>)> = None;
@@ -34,7 +34,7 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
         if !object.visible || !may_hit(&scene.bounds_of(index), &ray) {
             continue;
         }
-        let local = Local::new(&object.placement, &sight);
+        let local = Local::new(&object.placement, &exact_ray);
         let mut consider = |Meeting { t, front }: Meeting, triangle: Option<u32>| {
             let shown = front || view.sides == Sides::Both;
             let nearer = best.as_ref().is_none_or(|(known, _, _)| t < *known);
@@ -117,7 +117,7 @@ fn exact(v: DVec3) -> Exact3 {
     Exact3::new(V3::from(v))
 }
 
-impl Sight {
+impl ExactRay {
     /// `eye + t (F + a)` or `eye + a + t F`, with `a = (h / H) ((2 px - W) R + (H - 2 py) U)`.
     fn new(view: &View, px: DVec2) -> Self {
         let camera = &view.camera;
@@ -155,13 +155,13 @@ impl Sight {
 }
 
 impl Local {
-    fn new(placement: &Placement, sight: &Sight) -> Self {
+    fn new(placement: &Placement, exact_ray: &ExactRay) -> Self {
         let model = placement.model();
         let m = model.matrix3;
         let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis].map(exact);
         let rows = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let adjugate = |v: &Exact3| Exact3(rows.each_ref().map(|row| row.dot(v)));
-        let Sight { line, height } = sight;
+        let ExactRay { line, height } = exact_ray;
         let from = &line.origin - exact(model.translation).times(height);
         Self {
             line: Line {

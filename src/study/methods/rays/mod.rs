@@ -62,14 +62,14 @@ pub struct Pixel<T> {
 
 /// A ray in the world.
 #[derive(Clone, Copy, Debug)]
-pub struct Sight {
+pub struct PixelRay {
     /// Where it starts.
     pub from: V3<f64>,
     /// Where it goes; any length.
     pub along: V3<f64>,
 }
 
-impl Sight {
+impl PixelRay {
     fn new<T: Real>(from: V3<T>, along: V3<T>) -> Self {
         let (from, along) = (from.wide(), along.wide());
         Self { from, along }
@@ -180,7 +180,7 @@ const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P
 const OURS: &str = "geometry::PixelRays::rounded: eye basis, by steps of a pixel";
 
 impl Case for PixelCase {
-    type Answer = Sight;
+    type Answer = PixelRay;
     type Truth = Exact3;
     const ABOUT: About = about!(
         "Ray from pixel" "ray", off by "px", wrong by "";
@@ -228,7 +228,7 @@ impl Case for PixelCase {
         forward.times(&straight) + right.times(&across) + up.times(&along)
     }
 
-    fn judge(&self, truth: &Exact3, answer: &Sight) -> Verdict {
+    fn judge(&self, truth: &Exact3, answer: &PixelRay) -> Verdict {
         let error = if self.wide.picture.parallel {
             aside(self, truth, answer)
         } else {
@@ -242,8 +242,8 @@ impl Case for PixelCase {
     }
 }
 
-fn of(ray: &Ray) -> Sight {
-    Sight::new(V3::from(ray.origin), ray.direction.into())
+fn of(ray: &Ray) -> PixelRay {
+    PixelRay::new(V3::from(ray.origin), ray.direction.into())
 }
 
 impl<T: Real> Pixel<T> {
@@ -273,24 +273,24 @@ impl<T: Real> Pixel<T> {
     }
 
     /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
-    fn towards(&self, point: V3<T>) -> Sight {
+    fn towards(&self, point: V3<T>) -> PixelRay {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
-            return Sight::new(point, axes[2]);
+            return PixelRay::new(point, axes[2]);
         }
-        Sight::new(eye, point - eye)
+        PixelRay::new(eye, point - eye)
     }
 }
 
 /// By a point of the picture in the world, minus the eye.
-pub fn course<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [middle, right, up] = pixel.course;
     pixel.towards(middle + right * sx + up * sy)
 }
 
 /// By a sum of directions.
-pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [right, up] = pixel.basis;
     let aside = right * sx + up * sy;
@@ -298,11 +298,11 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     if pixel.picture.parallel {
         return pixel.towards(eye + aside);
     }
-    Sight::new(eye, axes[2] + aside)
+    PixelRay::new(eye, axes[2] + aside)
 }
 
 /// The distance between a parallel ray and the true one at the target's depth, in world units.
-fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
+fn aside(case: &PixelCase, truth: &Exact3, answer: &PixelRay) -> f64 {
     let pixel = &case.wide.picture;
     let numbers = [answer.from, answer.along].map(V3::array);
     if !numbers.as_flattened().iter().all(|c| c.is_finite()) {

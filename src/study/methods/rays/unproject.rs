@@ -1,6 +1,6 @@
 //! From a pixel to a ray by unprojection: through the inverse of a projection matrix.
 
-use super::{Picture, Pixel, Sight};
+use super::{Picture, Pixel, PixelRay};
 use crate::study::real::{Real, V3};
 use glam::{DMat4, DVec4, Mat4, Vec4};
 
@@ -28,20 +28,20 @@ impl<T: Real> Pixel<T> {
 }
 
 /// Along the line from the pixel's point on the near plane to that on the far plane; in perspective it starts at the eye.
-pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let matrix = pixel.inverse.projection_view;
     let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
     let Picture { eye, parallel, .. } = pixel.picture;
-    Sight::new(if parallel { near } else { eye }, far - near)
+    PixelRay::new(if parallel { near } else { eye }, far - near)
 }
 
 /// Through the pixel's point on the near plane.
-pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     pixel.towards(pixel.unprojected(pixel.inverse.projection_view, T::zero()))
 }
 
 /// First into view space, then into the world; parallel rays start in the eye's plane.
-pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn as_three<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let (picture, parallel) = (pixel.picture, pixel.picture.parallel);
     let (eye, [right, up, forward]) = (picture.eye, picture.axes);
     let depth = if parallel {
@@ -54,14 +54,14 @@ pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
     if parallel {
         return pixel.towards(world);
     }
-    Sight::new(eye, (world - eye).normalize())
+    PixelRay::new(eye, (world - eye).normalize())
 }
 
 /// From the near plane towards NDC depth `f32::EPSILON`, almost the far end.
-pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let depths = [T::one(), T::of(f64::from(f32::EPSILON))];
     let [near, far] = depths.map(|z| pixel.unprojected(pixel.inverse.composed, z));
-    Sight::new(near, (far - near).normalize())
+    PixelRay::new(near, (far - near).normalize())
 }
 
 /// [`Inverses`] in one precision.
