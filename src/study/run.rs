@@ -231,12 +231,7 @@ impl Run<'_> {
 
     /// Times the methods on the first [`TIMED`](Case::TIMED) of a workload's cases, and sets its rows' times.
     fn timed<C: Case>(&self, work: &Workload<'_, C>, rows: &mut [Row]) {
-        const ROUNDS_OF_SLOW: usize = 11;
-        let rounds = if C::SLOW {
-            self.effort.rounds.min(ROUNDS_OF_SLOW)
-        } else {
-            self.effort.rounds
-        };
+        let rounds = self.effort.rounds.min(C::MOST_ROUNDS);
         let cases = (work.make)(C::TIMED);
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);

@@ -228,10 +228,10 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     type Truth;
     /// Names and units.
     const ABOUT: About;
-    /// Whether answers take so long that fewer cases and rounds are timed.
-    const SLOW: bool = false;
     /// How many cases of a workload are timed; 0 for steps that simulate hardware.
-    const TIMED: usize = if Self::SLOW { 24 } else { 512 };
+    const TIMED: usize = 512;
+    /// At most so many rounds are timed.
+    const MOST_ROUNDS: usize = usize::MAX;
     /// How many cases of a workload are judged.
     #[must_use]
     fn count(effort: Effort) -> usize {

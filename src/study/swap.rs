@@ -28,7 +28,7 @@ pub struct Found {
     pub normal_world: DVec3,
 }
 
-/// A position in a view of a scene, with this program's ray through it.
+/// A position in a view of a scene, with Sightline's ray through it.
 #[derive(Debug)]
 pub struct Click<'a> {
     scene: &'a Scene,

@@ -38,7 +38,7 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The chart: of the steps whose answers are off by pixels.
+/// The chart, of the steps whose errors are in pixels.
 pub fn chart(report: &Report) -> Picture {
     let mut steps = report.steps();
     steps.retain(|step| [step.wrong_unit, step.error_unit].contains(&"px"));

@@ -10,7 +10,7 @@ pub fn chart(report: &Report, title: &str) -> Picture {
     if report.rows.iter().all(|row| row.time.is_none()) {
         steps.clear();
     }
-    // Rows are apart by the longest legend.
+    // So far apart that the longest legend fits between two rows.
     let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.method)).len();
     let apart = 310.0 + 16.5 * count(steps.iter().map(formulas).max().unwrap_or(0));
     let height = 92.0 + apart * count(steps.len().div_ceil(5));

@@ -51,7 +51,7 @@ pub enum Shape {
     Wedge,
     /// Two crossing bars.
     Cross,
-    /// Five points: this program's.
+    /// Five points: Sightline's.
     Star,
 }
 

@@ -43,8 +43,8 @@ impl Case for FileCase {
         "Reading a file" "file", off by "mm", wrong by "";
         "an OBJ file of 250 kB in memory: its triangles as graphics cards take them, in f32 about one point"
     );
-    const SLOW: bool = true;
     const TIMED: usize = 3;
+    const MOST_ROUNDS: usize = 11;
     const METHODS: Methods<Self> = &[&[
         Method::new("tobj", F32, TOBJ, |c| c.tobj(|_| [0.0; 3])),
         Method::new("tobj, about the first vertex", F64, TOBJ_F64, |c| {

@@ -20,8 +20,7 @@ pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
 }
 
 /// The world-space ray from the near to the far plane; `None` where the inverse has no finite answer.
-#[must_use]
-pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
+fn ray(view: &View, px: DVec2) -> Option<Ray> {
     let camera = &view.camera;
     let projection_view = camera.projection(view.viewport).as_mat4() * camera.view().as_mat4();
     let inverse = projection_view.inverse();
@@ -40,7 +39,7 @@ pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
 }
 
 /// Moeller & Trumbore's test in `f32`, without culling and without an epsilon.
-pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     let ray = &ray.ray;
     let [a, b, c] = corners.map(DVec3::as_vec3);
     let (origin, direction): (Vec3, Vec3) = (ray.origin.as_vec3(), ray.direction.as_vec3());

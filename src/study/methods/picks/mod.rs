@@ -140,7 +140,8 @@ impl Case for PickCase {
         "Whole pick" "pick", off by "", wrong by "";
         "a click on a scene that is ready to be picked from: object and triangle"
     );
-    const SLOW: bool = true;
+    const TIMED: usize = 24;
+    const MOST_ROUNDS: usize = 11;
 
     fn count(effort: Effort) -> usize {
         effort.picks

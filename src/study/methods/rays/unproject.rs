@@ -87,7 +87,7 @@ macro_rules! inverses {
                     <$vector>::new(0.0, 0.0, offset, 1.0 - w_from_z),
                 )
             };
-            // glam asserts that a matrix has an inverse; of others, NaN.
+            // glam asserts that a matrix is invertible; for a singular one the answer is NaN.
             let inverse = |matrix: $matrix| {
                 let determinant = matrix.determinant();
                 if determinant == 0.0 || !determinant.is_finite() {
