@@ -111,7 +111,7 @@ fn savings(report: &Report, steps: &[Estimate]) -> String {
     const WORTH: f64 = 0.05;
     let ns = |step: &Estimate, precision: Precision| {
         let mut rows = report.of_scene(step.step);
-        let row = rows.find(|row| row.method_key() == (step.method, precision))?;
+        let row = rows.find(|row| row.key() == (step.method, precision))?;
         Some(row.time?.ns)
     };
     let saved = steps
@@ -156,7 +156,7 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
     let mut rows = report.of_scene(step.step);
-    let row = rows.find(|row| row.method_key() == (step.method, step.precision))?;
+    let row = rows.find(|row| row.key() == (step.method, step.precision))?;
     Some(if step.is_of_shape() {
         row.worst_wrong
     } else {

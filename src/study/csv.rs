@@ -47,7 +47,7 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     let ns = |ns: Option<f64>| ns.map_or(String::new(), nanoseconds);
     vec![
         row.step.key.to_owned(),
-        row.method.to_owned(),
+        row.name.to_owned(),
         row.precision.to_string(),
         row.ours.to_string(),
         ns(summary.ns()),
@@ -80,7 +80,7 @@ fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
 fn verdict(row: &Row) -> [String; 20] {
     [
         row.step.key.to_owned(),
-        row.method.to_owned(),
+        row.name.to_owned(),
         row.precision.to_string(),
         row.ours.to_string(),
         row.family.to_owned(),

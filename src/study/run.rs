@@ -4,12 +4,12 @@ use super::{
     methods::{Visitor, each_step, registry},
     random::Random,
     scene_rays::SceneRays,
-    step::{About, Case, Family, Method, MethodInfo, Precision, Verdict},
+    step::{Case, Family, Method, MethodInfo, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
 };
 use crate::geometry::shares::on_all_cores;
-use std::iter;
+use std::{iter, ops::Deref};
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,14 +45,8 @@ impl Effort {
 /// What a method did at one value of one family's parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The step.
-    pub step: About,
     /// The method.
-    pub method: &'static str,
-    /// Its precision.
-    pub precision: Precision,
-    /// Whether Sightline picks by it.
-    pub ours: bool,
+    pub info: MethodInfo,
     /// The family.
     pub family: &'static str,
     /// Its parameter.
@@ -81,22 +75,16 @@ pub struct Row {
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
     pub bound: Option<f64>,
-    /// What the method offers in return where another is faster and no more often wrong.
-    pub reason: Option<&'static str>,
     /// Its time for one of these cases, where it was timed.
     pub time: Option<Time>,
 }
 
 impl Row {
     /// A method before its first case.
-    fn new<C>(method: &MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
-        let bound = method.ours.then_some(0.0);
+    fn new<C>(info: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+        let bound = info.ours.then_some(0.0);
         Self {
-            step: method.step,
-            method: method.name,
-            precision: method.precision,
-            ours: method.ours,
-            reason: method.reason,
+            info,
             family: work.family,
             parameter: work.parameter,
             value: work.value,
@@ -115,11 +103,6 @@ impl Row {
         }
     }
 
-    /// Name and precision: unique within a step.
-    pub(super) fn method_key(&self) -> (&'static str, Precision) {
-        (self.method, self.precision)
-    }
-
     /// How many decisions were wrong.
     #[must_use]
     pub fn wrong(&self) -> usize {
@@ -136,6 +119,13 @@ impl Row {
     #[must_use]
     pub fn wrong_percent_within(&self) -> [f64; 2] {
         interval(self.wrong(), self.cases).map(|share| 100.0 * share)
+    }
+}
+
+impl Deref for Row {
+    type Target = MethodInfo;
+    fn deref(&self) -> &MethodInfo {
+        &self.info
     }
 }
 
@@ -237,7 +227,7 @@ impl Run<'_> {
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
             let mut own = rows.iter_mut();
-            if let Some(row) = own.find(|row| row.method_key() == method.info.key()) {
+            if let Some(row) = own.find(|row| row.info == method.info) {
                 row.time = time;
             }
         }
@@ -294,7 +284,7 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let can_run = |method: &&Method<C>| cases.first().is_some_and(|case| case.can_run(method));
     let methods = C::methods().filter(can_run);
     let rows = methods.map(|method| {
-        let mut row = Row::new(&method.info, work, cases.len());
+        let mut row = Row::new(method.info, work, cases.len());
         let mut errors = Vec::with_capacity(cases.len());
         for (case, truth) in iter::zip(&cases, &truths) {
             let verdict = case.judge(truth, &(method.run)(case));

@@ -131,8 +131,8 @@ impl Report {
     pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
         let mut methods: Vec<Summary<'_>> = Vec::new();
         for row in self.of_step(step) {
-            let key = row.method_key();
-            let known = methods.iter_mut().find(|of| of.method.method_key() == key);
+            let key = row.key();
+            let known = methods.iter_mut().find(|of| of.method.key() == key);
             if let Some(known) = known {
                 known.rows.push(row);
             } else {

@@ -23,7 +23,7 @@ fn long_arithmetic_decides_right() {
         ("exact everywhere", Exact),
     ] {
         let own = report().rows.iter().filter(|row| {
-            (row.step.key, row.method, row.precision) == ("triangle", method, precision)
+            (row.step.key, row.name, row.precision) == ("triangle", method, precision)
         });
         let wrong: Vec<_> = own.clone().filter(|row| row.wrong() > 0).collect();
         assert!(wrong.is_empty(), "{wrong:?}");
@@ -35,7 +35,7 @@ fn long_arithmetic_decides_right() {
 #[test]
 fn every_triangle_test_does_what_is_ordinary() {
     let ordinary = report().rows.iter().filter(|row| {
-        (row.step.key, row.family) == ("triangle", "ordinary") && !row.method.starts_with("areas")
+        (row.step.key, row.family) == ("triangle", "ordinary") && !row.name.starts_with("areas")
     });
     let mut methods = 0;
     for row in ordinary {

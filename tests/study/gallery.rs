@@ -59,7 +59,7 @@ fn each_scene_breaks_its_method_and_not_ours() {
             *rows.find(|row| wanted(row)).expect("a row")
         };
         let scene = broken.exhibit;
-        let bad = row(&|row| (row.method, row.precision) == (broken.method, broken.precision));
+        let bad = row(&|row| row.key() == (broken.method, broken.precision));
         let wrong = if bad.wrong() > 0 {
             bad.wrong_percent()
         } else {
@@ -151,7 +151,7 @@ fn the_chart_matches_the_picture() {
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
         let own = rows
             .iter()
-            .filter(|row| (row.method, row.precision) == (broken.method, broken.precision));
+            .filter(|row| row.key() == (broken.method, broken.precision));
         let (here, family): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.family == SCENE);
         // Between the family's figures just before and after the scene's value, with slack as the worst of many cases varies.
         let figure = |row: &Row| {
@@ -204,9 +204,7 @@ fn others_that_are_as_good_are_named() {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
-        let good: Vec<_> = gallery::as_good(&rows)
-            .map(|row| (row.method, row.precision))
-            .collect();
+        let good: Vec<_> = gallery::as_good(&rows).map(|row| row.key()).collect();
         assert!(
             !good.contains(&(broken.method, broken.precision)),
             "{broken:?}: {good:?}"
@@ -260,7 +258,7 @@ fn parallel_rays_are_studied_too() {
         }
         let worst = |method: &str, precision| {
             let mut rays = rows("ray").into_iter();
-            let row = rays.find(|row| (row.method, row.precision) == (method, precision));
+            let row = rays.find(|row| row.key() == (method, precision));
             row.expect("a row").worst_error
         };
         // Far out, methods that hold a world point in f32 lose it; in f64 they do not.

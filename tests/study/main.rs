@@ -34,8 +34,7 @@ fn report() -> &'static Report {
 /// A method's rows in a family, by the parameter's value.
 fn rows(step: &str, method: &str, precision: Precision, family: &str) -> Vec<&'static Row> {
     let wanted = |row: &&Row| {
-        (row.step.key, row.method, row.precision) == (step, method, precision)
-            && row.family == family
+        (row.step.key, row.name, row.precision) == (step, method, precision) && row.family == family
     };
     let rows: Vec<_> = report().rows.iter().filter(wanted).collect();
     assert!(!rows.is_empty(), "{method} {precision} has no {family}");
@@ -138,7 +137,7 @@ fn csv_parses_back() {
         assert_eq!(cells.len(), COLUMNS.split(',').count(), "{line}");
         assert_eq!(
             (cells[0].as_str(), cells[1].as_str()),
-            (row.step.key, row.method)
+            (row.step.key, row.name)
         );
         assert_eq!(cells[6].parse(), Ok(row.value), "{line}");
         assert_eq!(cells[8].parse(), Ok(row.missed), "{line}");

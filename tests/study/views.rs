@@ -118,7 +118,7 @@ fn what_is_cut_and_culled_is_studied_right() {
         }
         let pick = |method: &str| {
             let mut rows = report.rows.iter();
-            rows.find(|row| (row.step.key, row.family, row.method) == ("pick", SCENE, method))
+            rows.find(|row| (row.step.key, row.family, row.name) == ("pick", SCENE, method))
                 .expect("a row")
         };
         // The courses' test loses hits, but finds none where nothing is.

@@ -48,7 +48,7 @@ impl<'a> Point<'a> {
         if self.row.ours {
             "Sightline"
         } else {
-            self.row.method
+            self.row.name
         }
     }
 }
@@ -107,7 +107,7 @@ pub fn chart(report: &Report) -> Picture {
 /// The names of the formulas that are never wrong.
 fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
     let never = points.iter().filter(|point| point.is_never_wrong());
-    distinct(never.map(|point| point.row.method))
+    distinct(never.map(|point| point.row.name))
 }
 
 /// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at its end, with their
@@ -132,11 +132,11 @@ type Placed<'a> = (&'a Point<'a>, [f64; 2], Colour);
 /// Draws a panel's points, which are in order of time.
 fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     let never = never(points);
-    let names = distinct(points.iter().map(|point| point.row.method));
+    let names = distinct(points.iter().map(|point| point.row.name));
     let position = |names: &[&str], point: &Point<'_>| {
         names
             .iter()
-            .position(|name| *name == point.row.method)
+            .position(|name| *name == point.row.name)
             .unwrap_or(0)
     };
     let mut places = LabelPlaces::new(panel.from, [panel.to[0], band - 2.0]);
@@ -154,7 +154,7 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
         bars(picture, panel, band, each, &mut places);
     }
     for (i, (point, at, colour)) in placed.iter().enumerate() {
-        let is_pair = |(other, ..): &&Placed<'_>| other.row.method == point.row.method;
+        let is_pair = |(other, ..): &&Placed<'_>| other.row.name == point.row.name;
         if let Some((_, other, _)) = placed[i + 1..].iter().find(is_pair) {
             picture.line(vec![*at, *other], *colour, 3, false);
         }

@@ -28,7 +28,7 @@ impl<'a> Block<'a> {
         Self {
             step,
             families: distinct(rows.iter().map(|row| row.family)),
-            methods: distinct(rows.iter().map(|row| row.method)),
+            methods: distinct(rows.iter().map(|row| row.name)),
             rows,
         }
     }
@@ -127,7 +127,7 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
                 .rows
                 .iter()
                 .copied()
-                .filter(|row| (row.family, row.method) == (*family, *method));
+                .filter(|row| (row.family, row.name) == (*family, *method));
             let (narrow, others): (Vec<&Row>, Vec<&Row>) =
                 own.partition(|row| row.precision == Precision::F32);
             for (rows, x) in [(narrow, x), (others, x + HALF)] {

@@ -11,7 +11,7 @@ pub fn chart(report: &Report, title: &str) -> Picture {
         steps.clear();
     }
     // So far apart that the longest legend fits between two rows.
-    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.method)).len();
+    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.name)).len();
     let apart = 310.0 + 16.5 * count(steps.iter().map(formulas).max().unwrap_or(0));
     let height = 92.0 + apart * count(steps.len().div_ceil(5));
     let mut picture = page(height, title, &[line]);

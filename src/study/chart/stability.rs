@@ -74,7 +74,7 @@ fn under([left, top]: [f64; 2]) -> [f64; 2] {
 }
 
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
-    distinct(rows.iter().map(|row| row.method))
+    distinct(rows.iter().map(|row| row.name))
 }
 
 /// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` are the
@@ -132,7 +132,7 @@ fn panel(
     let mut ordered: Vec<&Style> = styles.iter().collect();
     ordered.sort_by_key(|style| (is_wide(style), style.ours));
     for style in ordered {
-        let is_own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
+        let is_own = |row: &&&Row| row.key() == (style.name, style.precision);
         let points = rows.iter().filter(is_own);
         let points = points.map(|row| panel.at(row.value, measure.at(row)));
         let points: Vec<[f64; 2]> = points.collect();

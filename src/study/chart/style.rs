@@ -24,13 +24,13 @@ pub struct Style {
 /// The styles of a step's methods, in their order.
 pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> {
     let others = methods.clone().filter(|row| !row.ours);
-    let names = distinct(others.map(|row| row.method));
+    let names = distinct(others.map(|row| row.name));
     let style = |row: &Row| {
-        let index = names.iter().position(|known| *known == row.method);
+        let index = names.iter().position(|known| *known == row.name);
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
         let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
         Style {
-            name: row.method,
+            name: row.name,
             precision: row.precision,
             colour,
             shape,
