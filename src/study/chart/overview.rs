@@ -71,7 +71,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         picture.line(steps, [0xaa, 0xaa, 0xaa], 2, false);
     }
     // Sightline's first: it stays in its place, and points under it move aside.
-    points.sort_by_key(|point| !point.style.ours);
+    points.sort_by_key(|point| !point.style.info.ours);
     let mut taken = LabelPlaces::new(panel.from, panel.to);
     for point in &points {
         let (colour, at) = (point.style.colour, panel.at(point.x, point.y));
@@ -90,7 +90,7 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         picture.text(at, Anchor::Left, 14.0, INK, words);
         at[1] += 20.0;
     }
-    points.sort_by_key(|point| point.style.ours);
+    points.sort_by_key(|point| point.style.info.ours);
     legend(picture, points.iter().map(|point| &point.style), at, 16.5);
 }
 

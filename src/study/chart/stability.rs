@@ -128,15 +128,15 @@ fn panel(
     let is_first = |row: &&&Row| row.value.to_bits() == first.value.to_bits();
     let styles = styles(rows.iter().filter(is_first).copied());
     // Sightline's covers all others except the wide one.
-    let is_wide = |style: &Style| wide == Some((style.name, style.precision));
+    let is_wide = |style: &Style| wide == Some(style.info.key());
     let mut ordered: Vec<&Style> = styles.iter().collect();
-    ordered.sort_by_key(|style| (is_wide(style), style.ours));
+    ordered.sort_by_key(|style| (is_wide(style), style.info.ours));
     for style in ordered {
-        let is_own = |row: &&&Row| row.key() == (style.name, style.precision);
+        let is_own = |row: &&&Row| row.key() == style.info.key();
         let points = rows.iter().filter(is_own);
         let points = points.map(|row| panel.at(row.value, measure.at(row)));
         let points: Vec<[f64; 2]> = points.collect();
-        let width = match (is_wide(style), style.ours) {
+        let width = match (is_wide(style), style.info.ours) {
             (true, _) => 5,
             (false, true) => 3,
             (false, false) => 2,

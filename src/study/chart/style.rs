@@ -4,21 +4,20 @@ use super::{
     page::distinct,
     picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape},
 };
-use crate::study::{run::Row, step::Precision};
+use crate::study::{
+    run::Row,
+    step::{MethodInfo, Precision},
+};
 
 /// How a method is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// The method.
-    pub name: &'static str,
-    /// Its precision.
-    pub precision: Precision,
+    pub info: MethodInfo,
     /// Its colour.
     pub colour: Colour,
     /// The shape of its points.
     pub shape: Shape,
-    /// Whether it is Sightline's.
-    pub ours: bool,
 }
 
 /// The styles of a step's methods, in their order.
@@ -30,11 +29,9 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
         let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
         Style {
-            name: row.name,
-            precision: row.precision,
+            info: row.info,
             colour,
             shape,
-            ours: row.ours,
         }
     };
     methods.map(style).collect()
@@ -43,7 +40,7 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
 impl Style {
     /// Whether its line is dashed and its points are hollow.
     pub fn is_faint(&self) -> bool {
-        self.precision == Precision::F32 && !self.ours
+        self.info.precision == Precision::F32 && !self.info.ours
     }
 
     /// Draws a data point.
@@ -59,7 +56,7 @@ pub fn legend<'a>(
     [x, mut y]: [f64; 2],
     step: f64,
 ) {
-    let looks = styles.map(|style| (style.name, style.shape, style.colour));
+    let looks = styles.map(|style| (style.info.name, style.shape, style.colour));
     for (name, shape, colour) in distinct(looks) {
         picture.point([x, y], shape, 5.0, colour, true);
         picture.text([x + 13.0, y], Anchor::Left, 14.0, INK, name);
