@@ -115,17 +115,10 @@ pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
 
 /// Every method that a scene of the gallery can be picked by: first those that break on it, then the others of their steps.
 pub fn swaps(exhibit: &str) -> Vec<Swap> {
-    let mut swaps: Vec<Swap> = breaks_on(exhibit).filter_map(Break::swap).collect();
-    for known in breaks_on(exhibit) {
-        let all = (0..known.step.methods().len()).map(|method| Swap {
-            step: known.step,
-            method,
-        });
-        for swap in all.filter(|swap| !swap.info().ours) {
-            if !swaps.contains(&swap) {
-                swaps.push(swap);
-            }
-        }
-    }
-    swaps
+    let broken = breaks_on(exhibit).filter_map(Break::swap);
+    let all = breaks_on(exhibit).flat_map(|known| {
+        let step = known.step;
+        (0..step.methods().len()).map(move |method| Swap { step, method })
+    });
+    distinct(broken.chain(all.filter(|swap| !swap.info().ours)))
 }

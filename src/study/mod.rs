@@ -92,7 +92,7 @@ mod prelude {
             Precision::{self, F32, F64},
             Verdict,
         },
-        summary::Summary,
+        summary::{Summary, distinct},
         truth::{self, Line, UNIT, UNIT_F32},
     };
     pub(in crate::study) use super::{

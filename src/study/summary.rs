@@ -113,13 +113,22 @@ pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     sorted.get(rank.max(1) - 1).copied().unwrap_or(0.0)
 }
 
+/// Each item once, in order; for few items.
+pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut known = Vec::new();
+    for one in all {
+        if !known.contains(&one) {
+            known.push(one);
+        }
+    }
+    known
+}
+
 impl Report {
     /// The steps that have rows, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<About> {
-        let mut steps: Vec<About> = self.rows.iter().map(|row| row.step).collect();
-        steps.dedup();
-        steps
+        distinct(self.rows.iter().map(|row| row.step))
     }
 
     /// The rows of a step.

@@ -27,7 +27,7 @@ mod prelude {
         axis::{Axis, NEVER, Panel},
         labels::LabelPlaces,
         measure::Measure,
-        page::{ROWS_APART, WIDTH, count, distinct, page, places, small},
+        page::{ROWS_APART, WIDTH, count, page, places, small},
         picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
         style::{Style, legend, styles},
     };

@@ -38,17 +38,6 @@ pub fn small([left, top]: [f64; 2], frame: [f64; 2], xs: &[f64], ys: &[f64]) -> 
     Panel::new([from, top], [to, top + PLOT_HEIGHT], xs, ys)
 }
 
-/// Each item once, in order; for few items.
-pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
-    let mut known = Vec::new();
-    for one in all {
-        if !known.contains(&one) {
-            known.push(one);
-        }
-    }
-    known
-}
-
 /// A count as a floating-point number.
 pub fn count(of: usize) -> f64 {
     u32::try_from(of).map_or(0.0, f64::from)

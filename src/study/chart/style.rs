@@ -1,12 +1,10 @@
 //! How methods look: each formula has a colour and a shape, hollow in `f32`, filled in `f64`; Sightline's is a black star.
 
-use super::{
-    page::distinct,
-    picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape},
-};
+use super::picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape};
 use crate::study::{
     run::Row,
     step::{MethodInfo, Precision},
+    summary::distinct,
 };
 
 /// How a method is drawn.
