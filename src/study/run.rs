@@ -46,7 +46,7 @@ impl Effort {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// The method.
-    pub info: MethodInfo,
+    pub method: MethodInfo,
     /// The family.
     pub family: &'static str,
     /// Its parameter.
@@ -81,10 +81,10 @@ pub struct Row {
 
 impl Row {
     /// A method before its first case.
-    fn new<C>(info: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
-        let bound = info.ours.then_some(0.0);
+    fn new<C>(method: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+        let bound = method.ours.then_some(0.0);
         Self {
-            info,
+            method,
             family: work.family,
             parameter: work.parameter,
             value: work.value,
@@ -125,7 +125,7 @@ impl Row {
 impl Deref for Row {
     type Target = MethodInfo;
     fn deref(&self) -> &MethodInfo {
-        &self.info
+        &self.method
     }
 }
 
@@ -227,7 +227,7 @@ impl Run<'_> {
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
             let mut own = rows.iter_mut();
-            if let Some(row) = own.find(|row| row.info == method.info) {
+            if let Some(row) = own.find(|row| row.method == method.info) {
                 row.time = time;
             }
         }

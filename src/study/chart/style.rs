@@ -27,7 +27,7 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
         let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
         Style {
-            info: row.info,
+            info: row.method,
             colour,
             shape,
         }
