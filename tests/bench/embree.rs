@@ -5,7 +5,7 @@
 use crate::{
     memory::{Cost, Count},
     meshes::Sample,
-    rivals::{Answer, Closest, Rival},
+    rivals::{Answer, Built, Rival},
 };
 use libloading::{Library, Symbol};
 use sightline::geometry::Ray;
@@ -117,7 +117,7 @@ impl Embree {
         }
     }
 
-    fn build(&self, sample: &Sample) -> (Closest, Cost) {
+    fn build(&self, sample: &Sample) -> Built {
         type Monitor = extern "C" fn(Handle, isize, bool) -> bool;
         const MEDIUM: i32 = 1;
         const ROBUST: i32 = 4;

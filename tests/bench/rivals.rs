@@ -24,14 +24,17 @@ pub type Answer = Option<(f64, u32)>;
 /// Finds one answer a ray.
 pub type Closest = Box<dyn Fn(&[Ray], &mut [Answer])>;
 
+/// A tree, by what it finds, and the cost of its build.
+pub type Built = (Closest, Cost);
+
 /// A library, by how it builds a tree.
 pub struct Rival {
     pub name: &'static str,
-    pub build: Box<dyn Fn(&Sample) -> (Closest, Cost)>,
+    pub build: Box<dyn Fn(&Sample) -> Built>,
 }
 
 impl Rival {
-    pub fn new(name: &'static str, build: impl Fn(&Sample) -> (Closest, Cost) + 'static) -> Self {
+    pub fn new(name: &'static str, build: impl Fn(&Sample) -> Built + 'static) -> Self {
         let build = Box::new(build);
         Self { name, build }
     }
@@ -85,7 +88,7 @@ fn one_by_one(closest: impl Fn(&Ray) -> Answer + 'static) -> Closest {
     })
 }
 
-fn sightline(sample: &Sample) -> (Closest, Cost) {
+fn sightline(sample: &Sample) -> Built {
     let mesh = Mesh::new(sample.data()).expect("a mesh");
     let ((), cost) = cost_of(|| mesh.build_tree());
     let closest = one_by_one(move |ray| {
@@ -114,7 +117,7 @@ fn obvhs_ray(ray: &Ray) -> obvhs::ray::Ray {
 
 /// tinybvh's tree of eight for CPUs, which its crate has only where the whole program is compiled for AVX2.
 #[cfg(all(feature = "tinybvh", target_feature = "avx2"))]
-fn tinybvh(sample: &Sample) -> (Closest, Cost) {
+fn tinybvh(sample: &Sample) -> Built {
     use tinybvh_rs::Intersector;
     let corner = |i: u32| {
         let [x, y, z] = sample.positions[i as usize];
@@ -140,7 +143,7 @@ fn tinybvh(sample: &Sample) -> (Closest, Cost) {
     (closest, Cost { memory, ..cost })
 }
 
-fn parry(sample: &Sample) -> (Closest, Cost) {
+fn parry(sample: &Sample) -> Built {
     let vertices = sample.positions.iter().map(|&p| Vector::from(p));
     let (vertices, triangles): (Vec<_>, _) = (vertices.collect(), sample.triangles.clone());
     let (mesh, cost) = cost_of(|| TriMesh::new(vertices, triangles).expect("a mesh"));

@@ -15,7 +15,7 @@ mod rivals;
 
 use memory::Cost;
 use meshes::Sample;
-use rivals::{Answer, Closest, Rival};
+use rivals::{Answer, Built, Rival};
 use sightline::geometry::{Aabb, Mesh, Ray, Sides};
 use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
 
@@ -101,7 +101,7 @@ fn measure(sample: &Sample, rivals: &[Rival]) -> Vec<Row> {
         rays::camera(&bounds, SIDE, false),
         rays::from_all_around(&bounds, (SIDE * SIDE) as usize),
     ];
-    let mut built: Vec<(Closest, Cost)> = rivals.iter().map(|r| (r.build)(sample)).collect();
+    let mut built: Vec<Built> = rivals.iter().map(|r| (r.build)(sample)).collect();
     for _ in 1..BUILDS {
         for (rival, (_, cost)) in rivals.iter().zip(&mut built) {
             cost.seconds = cost.seconds.min((rival.build)(sample).1.seconds);
