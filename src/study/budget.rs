@@ -1,4 +1,4 @@
-//! No more than a scene needs: which precision each step needs for a pick to stay within so many pixels.
+//! Which precision each step needs for picks on a scene to stay within an error in pixels.
 
 use super::{
     estimates::{Estimate, estimates},
@@ -7,7 +7,7 @@ use super::{
 };
 use crate::camera::View;
 
-/// The five lines that `--budget` prints. `report` is of the scene's own rays, timed.
+/// The five lines that `--budget` prints. `report` is a timed run over the scene's own rays.
 #[must_use]
 pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) -> String {
     let [narrow, wide] = [F32, F64].map(|precision| estimates(rays, view, report, precision));
@@ -22,7 +22,7 @@ pub fn budget(rays: &SceneRays, view: &View, report: &Report, budget_px: f64) ->
     lines.join("\n") + "\n"
 }
 
-/// The error of a pick: its ray, its way into an object, and the worst of the shapes that it may meet there.
+/// The error of a pick: that of its ray, of its way into object space, and of the worst shape's test.
 fn total(chain: &[Estimate], of: fn(&Estimate) -> f64) -> f64 {
     let (shapes, steps): (Vec<&Estimate>, Vec<&Estimate>) =
         chain.iter().partition(|step| step.is_of_shape());
@@ -34,7 +34,7 @@ fn px(estimate: &Estimate) -> f64 {
     estimate.px
 }
 
-/// All in `f32`, and what adds most in `f64` until the whole is within the budget.
+/// Starts with every step in `f32` and moves the one with the largest error to `f64` until the total is within the budget.
 fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate> {
     let mut chain = narrow.to_vec();
     while total(&chain, px) > budget_px {
@@ -50,7 +50,7 @@ fn chain(narrow: &[Estimate], wide: &[Estimate], budget_px: f64) -> Vec<Estimate
     chain
 }
 
-/// A number of pixels, rounded up.
+/// A number of pixels with two digits, 5 % larger, so that rounding does not make it smaller.
 fn pixels(px: f64) -> String {
     if px.is_finite() {
         format!("{} px", number(px * 1.05))
@@ -83,35 +83,35 @@ fn largest(chain: &[Estimate], narrow: &[Estimate], wide: &[Estimate]) -> String
     format!("{most}All in f32: {narrow}; all in f64: {wide}; Sightline decides exactly.")
 }
 
-/// How far the whole scene can be moved until the chain is over the budget.
+/// How far the whole scene can move from the world's origin before the chain exceeds the budget.
 fn reach(chain: &[Estimate], view: &View, budget_px: f64) -> String {
     let now = view.camera.eye().length();
     let px = total(chain, px);
     let unmoved = total(chain, |step| step.px - step.px_by_origin[0]);
     let per_unit = total(chain, |step| step.px_by_origin[1]);
-    let here = format!("it is {} from it now", number(now));
+    let here = format!("the eye is {} units from it now", number(now));
     if px > budget_px {
         return format!(
-            "It holds nowhere: the picture asks for more than f64 has, or its eye touches a surface; {here}."
+            "No distance from the world's origin is near enough: the picture needs more digits than f64 has, or its eye touches a surface; {here}."
         );
     }
     if per_unit == 0.0 {
-        return format!("It holds however far the eye is from the world's origin; {here}.");
+        return format!("That holds at any distance from the world's origin; {here}.");
     }
     let most = (budget_px - unmoved) / per_unit;
     format!(
-        "It holds until the eye is {} units from the world's origin, objects with it; {here}.",
+        "That holds until eye and objects are {} units from the world's origin; {here}.",
         number(0.95 * most)
     )
 }
 
-/// What is left of a pick's time.
+/// How much time the chain's steps save in `f32`, beside the time of a whole pick.
 fn savings(report: &Report, steps: &[Estimate]) -> String {
-    /// A share that anybody would notice.
+    /// The least share of a pick's time that counts.
     const WORTH: f64 = 0.05;
     let ns = |step: &Estimate, precision: Precision| {
         let mut rows = report.of_scene(step.step);
-        let row = rows.find(|row| row.method_key() == (step.method, precision))?;
+        let row = rows.find(|row| row.key() == (step.method, precision))?;
         Some(row.time?.ns)
     };
     let saved = steps
@@ -133,18 +133,18 @@ fn savings(report: &Report, steps: &[Estimate]) -> String {
         "saves nothing".to_owned()
     };
     format!(
-        "f32 in place of f64 {amount}, each step done once, of the {} ns that a pick takes here: {verdict}.",
+        "With each step done once, f32 in place of f64 {amount} of the {} ns that a pick takes here: {verdict}.",
         number(pick.ns)
     )
 }
 
-/// How much was looked at, and how far the methods were off there.
+/// The size of the sample, and how near the measured errors come to the estimates.
 fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) -> String {
     let cases = |step| report.of_scene(step).next().map_or(0, |row| row.cases);
     let share = estimates.filter_map(|step| Some(measured(report, step)? / step.px));
     let share = share.fold(0.0, f64::max);
     format!(
-        "Sample: {} pixels, of which {} hit, and {} whole picks. What these methods were off by is at most {} % of what is said above.",
+        "Sample: {} pixels, of which {} hit, and {} whole picks. The measured errors are at most {} % of these bounds.",
         cases("ray"),
         cases("object-space"),
         cases("pick"),
@@ -152,11 +152,11 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
     )
 }
 
-/// What a method was off by on the scene's own rays, in pixels.
+/// The error that was measured of an estimate's method on the scene's own rays, in pixels.
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
     let mut rows = report.of_scene(step.step);
-    let row = rows.find(|row| row.method_key() == (step.method, step.precision))?;
+    let row = rows.find(|row| row.key() == (step.method, step.precision))?;
     Some(if step.is_of_shape() {
         row.worst_wrong
     } else {

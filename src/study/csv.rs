@@ -1,9 +1,9 @@
-//! The study as tables for programs: one line a method at each value of each parameter, and one a method.
+//! The study as CSV: one table with a line for each method at each value of each parameter, one with a line for each method.
 
 use super::{prelude::*, timing::processor};
 use std::fmt::Write;
 
-/// The header of [`csv`]. All but the last five columns are the same for a seed on every machine.
+/// The header of [`csv`]. All columns but the last five are the same for a seed on every machine.
 pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,value,cases,missed,phantoms,others,wrong_percent,\
                            worst_wrong,wrong_unit,median_error,p999_error,worst_error,error_unit,ties,wrong_percent_high,ns,ns_low,\
                            ns_high,ns_learnt,processor";
@@ -12,8 +12,8 @@ pub const COLUMNS: &str = "step,method,precision,sightlines,family,parameter,val
 pub const SUMMARY_COLUMNS: &str = "step,method,precision,ours,ordinary_ns,worst_ns,wrong_rate,wrong_rate_high,median_error,\
                                    p999_error,worst_error,on_front,reason";
 
-/// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose square
-/// roots or tangents differ in the last bit agree; a value that is no number is `inf`.
+/// The whole report: RFC 4180 with a header line. Measured numbers have two digits, so that machines whose tangents differ
+/// in the last bit agree; the error of a value that is NaN is `inf`.
 #[must_use]
 pub fn csv(report: &Report) -> String {
     let rows = report.rows.iter().map(|row| {
@@ -29,8 +29,8 @@ pub fn csv(report: &Report) -> String {
     lines(COLUMNS, rows)
 }
 
-/// A line a method over all of the report's workloads: time and `median_error` are those of the ordinary one, errors those of
-/// the worst. `on_front`: no method that is at most as wrong is more than a tenth faster.
+/// A line for each method over all of the report's workloads. Time and `median_error` are those of the ordinary workload, the
+/// other errors those of the worst. `on_front`: no method that is at most as wrong is more than a tenth faster.
 #[must_use]
 pub fn summary_csv(report: &Report) -> String {
     let steps = report.steps().into_iter();
@@ -47,7 +47,7 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     let ns = |ns: Option<f64>| ns.map_or(String::new(), nanoseconds);
     vec![
         row.step.key.to_owned(),
-        row.method.to_owned(),
+        row.name.to_owned(),
         row.precision.to_string(),
         row.ours.to_string(),
         ns(summary.ns()),
@@ -80,7 +80,7 @@ fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
 fn verdict(row: &Row) -> [String; 20] {
     [
         row.step.key.to_owned(),
-        row.method.to_owned(),
+        row.name.to_owned(),
         row.precision.to_string(),
         row.ours.to_string(),
         row.family.to_owned(),

@@ -1,22 +1,24 @@
-//! What a plain floating-point method of each step adds to a pick's error, in pixels: upper bounds over a scene's own rays.
+//! Upper bounds, over a scene's own rays, of the error in pixels that a floating-point method of each step adds to a pick.
 //!
-//! With u half an ulp of 1, in `f32` or `f64`. One method a step is sound: what it gets wrong is no further off than some
-//! roundings. The first two steps' bounds are those of what this program does ([`super::methods`]), which count roundings of
-//! the same formulas and are proportional to u; an object's and the eye's coordinates are rounded to `f32` beside. A shape's
-//! decision is that of a ray which passes this far aside:
+//! Each step has one sound method: it is wrong by a few roundings at most. Let u be half an ulp of 1 in the method's
+//! precision. For the first two steps the bounds are those of Sightline's methods ([`super::methods`]): they count the
+//! roundings of the same formulas and are proportional to u. In `f32`, the rounded coordinates of object and eye add to that.
+//! A shape's test decides as for a ray that passes this far aside:
 //!
-//! * sphere, Hearn & Baker: the way to the centre's foot 8u, what is left 2u, both of the distance; the radius 4u;
-//! * box: two slabs' crossings, 5u each of the distance and a side;
-//! * square: 12u of the way to its furthest corner, and in `f32` 2u of the world's coordinates;
-//! * triangle, Woop: a corner's sheared coordinates 8u, the edge function 6u, of the furthest corner; the ray's start 2u.
+//! * sphere, Hearn & Baker: 8u of the distance for the line's point nearest to the centre, 2u of the distance for the rest;
+//!   4u for the radius;
+//! * box: 5u of the distance and a side for each of two slabs;
+//! * square: 12u of the distance to its furthest corner, and in `f32` 2u of the world coordinates;
+//! * triangle, Woop: 8u for a corner's sheared coordinates and 6u for the edge function, both of the furthest corner's
+//!   distance; 2u for the ray's start.
 //!
-//! Seen from the eye that is as large as the nearest edge is near.
+//! Divided by the distance of the nearest edge, this is an angle at the eye.
 
 use super::{methods::TriangleCase, prelude::*, scene_rays::px_angle};
 use crate::{camera::View, scene::Shape};
 use glam::DVec3;
 
-/// The sound method of each step: by the step's key.
+/// Each step's key, and its sound method.
 pub(super) const SOUND: [(&str, &str); 6] = [
     ("ray", "eye basis"),
     ("object-space", "inverse(A) (o - T)"),
@@ -26,30 +28,30 @@ pub(super) const SOUND: [(&str, &str); 6] = [
     ("square", "N . (S - o)"),
 ];
 
-/// What a method adds to the error.
+/// What a method adds to a pick's error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// Key of the step.
     pub step: &'static str,
     /// The method.
     pub method: &'static str,
-    /// In which precision.
+    /// Its precision.
     pub precision: Precision,
-    /// In pixels, at most; infinite where it can be off by anything.
+    /// An upper bound in pixels; infinite where there is none.
     pub px: f64,
-    /// The part of it that grows with the distance from the world's origin, and what that adds for each unit that eye and
-    /// objects are moved further away.
+    /// The part of `px` that grows with the distance from the world's origin, and its growth for each unit that eye and
+    /// objects move further away.
     pub px_by_origin: [f64; 2],
 }
 
 impl Estimate {
-    /// Whether a pick does this step on one of several kinds of shapes.
+    /// Whether the step is the test of one kind of shape.
     pub(super) fn is_of_shape(&self) -> bool {
         !["ray", "object-space"].contains(&self.step)
     }
 }
 
-/// The estimates for the steps that a scene's rays take. `report` is of these rays.
+/// The estimates for the steps that a scene's rays take. `report` is a run over these rays.
 #[must_use]
 pub fn estimates(
     rays: &SceneRays,
@@ -72,7 +74,7 @@ pub fn estimates(
         };
         let own = match step {
             "ray" => bound(step),
-            // The matrix is rounded, too.
+            // The matrix is rounded as well.
             "object-space" => 1.25 * bound(step),
             "triangle" => triangles(rays, u),
             _ => shapes(rays, step, u),
@@ -90,7 +92,7 @@ pub fn estimates(
     taken.map(of).collect()
 }
 
-/// Parallel rays start at places in the world.
+/// The eye's rounded coordinates; they matter only where parallel rays start at world positions.
 fn eye(view: &View, u: f64) -> [f64; 2] {
     let camera = &view.camera;
     let distance = camera.eye().distance(camera.target());
@@ -102,7 +104,7 @@ fn eye(view: &View, u: f64) -> [f64; 2] {
     }
 }
 
-/// Rays' and objects' own origins.
+/// The rounded world coordinates of rays and objects.
 fn places(rays: &SceneRays, u: f64) -> [f64; 2] {
     let each = rays.objects().map(|(ray, object, hit)| {
         let place = object.placement.model().translation;
@@ -145,7 +147,7 @@ fn shapes(rays: &SceneRays, step: &str, u: f64) -> f64 {
         .map(|(placement, ray, px)| {
             let from = placement.ray_to_object(&ray).origin;
             let off = match step {
-                // The outline is as far as a tangent is long; from within there is none.
+                // The outline is a tangent's length away; from inside there is none.
                 "sphere" if from.length() <= 0.5 => 0.0,
                 "sphere" => 14.0 * from.length() / (from.length_squared() - 0.25).sqrt(),
                 "box" => 10.0 * (from.length() + 1.0) / nearest_edge(from),
@@ -169,13 +171,13 @@ fn triangles(rays: &SceneRays, u: f64) -> f64 {
     each.fold(0.0, f64::max)
 }
 
-/// From a point to the furthest of some corners.
+/// The distance from a point to the furthest corner.
 fn furthest(from: DVec3, corners: &[DVec3]) -> f64 {
     let distances = corners.iter().map(|corner| corner.distance(from));
     distances.fold(0.0, f64::max)
 }
 
-/// From a point to the nearest of a polygon's edges.
+/// The distance from a point to the nearest edge of a polygon.
 fn nearest(from: DVec3, corners: &[DVec3]) -> f64 {
     let ends = corners.iter().zip(corners.iter().cycle().skip(1));
     let edge = |(a, b): (&DVec3, &DVec3)| {
@@ -186,7 +188,7 @@ fn nearest(from: DVec3, corners: &[DVec3]) -> f64 {
     ends.map(edge).fold(f64::INFINITY, f64::min)
 }
 
-/// From a point to the nearest edge of the unit cube.
+/// The distance from a point to the nearest edge of the unit cube.
 fn nearest_edge(from: DVec3) -> f64 {
     let past = from.abs() - 0.5;
     let [x, y, z] = past.to_array();

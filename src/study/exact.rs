@@ -1,12 +1,13 @@
-//! Numbers that know no rounding, for truth: shares no code with any method.
+//! Exact arithmetic for truth; it shares no code with any method.
 //!
 //! A binary floating-point number is a dyadic rational, so sums and products of such numbers are exact with enough
-//! digits. Decisions are signs of such sums. Values that need a quotient or a root get 320 bits, whose last one lies
-//! 260 bits below what an `f64` can tell.
+//! digits. Decisions are signs of such sums. Quotients and roots get 320 bits, 267 more than an `f64` has.
 
 use super::real::V3;
 use dashu_float::{FBig, round::mode::HalfEven};
 use std::{
+    array,
+    borrow::Borrow,
     cmp::Ordering,
     ops::{Add, Div, Mul, Neg, Sub},
 };
@@ -16,15 +17,15 @@ const BITS: usize = 320;
 
 type Float = FBig<HalfEven, 2>;
 
-/// A real number: sums, differences, products and comparisons are exact, quotients and roots good to 320 bits.
+/// A real number: sums, differences, products and comparisons are exact, quotients and roots have 320 bits.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Exact(Float);
 
 impl Exact {
-    /// The number that a finite `f64` stands for.
+    /// The exact value of a finite `f64`.
     ///
     /// # Panics
-    /// For NaN and infinities, which are no numbers: workloads have none.
+    /// For NaN and infinities; workloads have none.
     #[must_use]
     pub fn new(value: f64) -> Self {
         let float = Float::try_from(value).expect("workloads are finite");
@@ -43,7 +44,7 @@ impl Exact {
         self.0.clone().with_precision(BITS).value().to_f64().value()
     }
 
-    /// Below, at or above 0.
+    /// The number compared with 0.
     #[must_use]
     pub fn sign(&self) -> Ordering {
         self.0.cmp(&Float::ZERO)
@@ -55,7 +56,7 @@ impl Exact {
         self.sign() == Ordering::Equal
     }
 
-    /// The larger of it and its negative.
+    /// The magnitude.
     #[must_use]
     pub fn abs(self) -> Self {
         if self.sign() == Ordering::Less {
@@ -65,10 +66,10 @@ impl Exact {
         }
     }
 
-    /// The square root of what is not negative, to 320 bits.
+    /// The square root, to 320 bits.
     ///
     /// # Panics
-    /// When it is negative.
+    /// For a negative number.
     #[must_use]
     pub fn sqrt(&self) -> Self {
         let root = self.0.clone().with_precision(BITS).value().sqrt();
@@ -76,35 +77,36 @@ impl Exact {
     }
 }
 
-impl Add for &Exact {
-    type Output = Exact;
-    fn add(self, o: Self) -> Exact {
-        Exact(&self.0 + &o.0)
-    }
+/// An operator on two values, each owned or borrowed.
+macro_rules! operator {
+    ($type:ident, $trait:ident $name:ident |$a:ident, $b:ident| $result:expr) => {
+        impl<B: Borrow<$type>> $trait<B> for &$type {
+            type Output = $type;
+            fn $name(self, other: B) -> $type {
+                let ($a, $b): (&$type, &$type) = (self, other.borrow());
+                $type($result)
+            }
+        }
+
+        impl<B: Borrow<$type>> $trait<B> for $type {
+            type Output = Self;
+            fn $name(self, other: B) -> Self {
+                $trait::$name(&self, other)
+            }
+        }
+    };
 }
 
-impl Sub for &Exact {
-    type Output = Exact;
-    fn sub(self, o: Self) -> Exact {
-        Exact(&self.0 - &o.0)
-    }
-}
-
-impl Mul for &Exact {
-    type Output = Exact;
-    fn mul(self, o: Self) -> Exact {
-        Exact(&self.0 * &o.0)
-    }
-}
-
-/// To 320 bits.
-impl Div for &Exact {
-    type Output = Exact;
-    fn div(self, o: Self) -> Exact {
-        let [a, b] = [self, o].map(|number| number.0.clone().with_precision(BITS).value());
-        Exact((a / b).with_precision(0).value())
-    }
-}
+operator!(Exact, Add add |a, b| &a.0 + &b.0);
+operator!(Exact, Sub sub |a, b| &a.0 - &b.0);
+operator!(Exact, Mul mul |a, b| &a.0 * &b.0);
+// To 320 bits.
+operator!(Exact, Div div |a, b| {
+    let [a, b] = [a, b].map(|number| number.0.clone().with_precision(BITS).value());
+    (a / b).with_precision(0).value()
+});
+operator!(Exact3, Add add |a, b| array::from_fn(|i| &a.0[i] + &b.0[i]));
+operator!(Exact3, Sub sub |a, b| array::from_fn(|i| &a.0[i] - &b.0[i]));
 
 impl Neg for Exact {
     type Output = Self;
@@ -113,12 +115,15 @@ impl Neg for Exact {
     }
 }
 
-/// A vector of such numbers.
+/// A vector of exact numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exact3(pub [Exact; 3]);
 
 impl Exact3 {
-    /// The vector that finite `f64`s stand for.
+    /// The exact value of a finite vector.
+    ///
+    /// # Panics
+    /// For NaN and infinities.
     pub fn new(v: V3<f64>) -> Self {
         Self(v.array().map(Exact::new))
     }
@@ -127,14 +132,14 @@ impl Exact3 {
     #[must_use]
     pub fn dot(&self, o: &Self) -> Exact {
         let [a, b] = [&self.0, &o.0];
-        &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+        &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
     }
 
     /// Vector product.
     #[must_use]
     pub fn cross(&self, o: &Self) -> Self {
         let [a, b] = [&self.0, &o.0];
-        let entry = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
+        let entry = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
         Self([entry(1, 2), entry(2, 0), entry(0, 1)])
     }
 
@@ -151,31 +156,17 @@ impl Exact3 {
     }
 }
 
-impl Add for &Exact3 {
-    type Output = Exact3;
-    fn add(self, o: Self) -> Exact3 {
-        Exact3(std::array::from_fn(|i| &self.0[i] + &o.0[i]))
-    }
-}
-
-impl Sub for &Exact3 {
-    type Output = Exact3;
-    fn sub(self, o: Self) -> Exact3 {
-        Exact3(std::array::from_fn(|i| &self.0[i] - &o.0[i]))
-    }
-}
-
-/// The angle between two directions in radians. Small ones, where it matters, are good to all digits that an `f64`
-/// has. Directions that are no numbers are infinitely wrong.
+/// The angle between two directions in radians. Small angles, which matter, have all digits of an `f64`. Infinite for an
+/// answer that is 0 or not finite.
 #[must_use]
 pub fn angle(truth: &Exact3, answer: [f64; 3]) -> f64 {
     if !answer.iter().all(|c| c.is_finite()) || answer.iter().all(|c| *c == 0.0) {
         return f64::INFINITY;
     }
     let answer = Exact3::new(V3::from(answer));
-    let lengths = &truth.length() * &answer.length();
-    let sin = (&truth.cross(&answer).length() / &lengths).to_f64();
-    let cos = (&truth.dot(&answer) / &lengths).to_f64();
+    let lengths = truth.length() * answer.length();
+    let sin = (truth.cross(&answer).length() / &lengths).to_f64();
+    let cos = (truth.dot(&answer) / lengths).to_f64();
     if cos > 0.0 && sin < 1e-8 {
         sin
     } else {

@@ -1,4 +1,4 @@
-//! What breaks on which scene of the gallery: the one list that tests, study and window read.
+//! Which method breaks on which scene of the gallery: the list that tests and window read.
 
 use super::{
     methods::{
@@ -22,12 +22,12 @@ pub struct Break {
     pub method: &'static str,
     /// Its precision.
     pub precision: Precision,
-    /// The step's family that makes worse what breaks it here.
+    /// The step's family whose parameter stresses the method as the scene does.
     pub family: &'static str,
-    /// Its parameter's value on the scene.
+    /// The parameter's value on the scene.
     pub value: f64,
-    /// The least that goes wrong over the scene's own rays: in per cent of decisions, or where these are all right the worst
-    /// error of a value in the step's unit.
+    /// A lower bound of what goes wrong on the scene's own rays: in per cent of decisions; where all decisions are right, the
+    /// worst error of a value in the step's unit.
     pub least: f64,
 }
 
@@ -41,7 +41,7 @@ impl Break {
     }
 }
 
-/// A break as a line of a table: the step's case, the scene, the method, the family at its value, the least that goes wrong.
+/// A break as one line: the step's case, the scene, the method, the family at its value, the least that goes wrong.
 macro_rules! broken {
     ($case:ty: $exhibit:literal, $method:literal $precision:ident, $family:literal $value:expr, $least:expr) => {
         Break {
@@ -56,7 +56,7 @@ macro_rules! broken {
     };
 }
 
-/// What breaks where.
+/// Every known break.
 pub static BREAKS: [Break; 13] = [
     broken!(TriangleCase: "far_facets", "Moeller-Trumbore" F32, "far away" 5e5, 2.0),
     broken!(PixelCase: "far_from_the_origin", "target + sx H + sy V - eye" F32,
@@ -81,16 +81,17 @@ pub fn breaks_on(exhibit: &str) -> impl Iterator<Item = &'static Break> {
     BREAKS.iter().filter(move |known| known.exhibit == exhibit)
 }
 
-/// What the methods of a break's step do in its family, seen as a view of the scene sees it, and on that view's own rays,
-/// which are the family [`SCENE`]. In per cent, degrees and parts of a depth nothing depends on the view.
+/// The rows of all methods of a break's step, in the break's family and on the view's own rays (the family [`SCENE`]). Errors
+/// in pixels are those of the view; per cent, degrees and parts of a depth do not depend on it.
 #[must_use]
 pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
-    // One column of a window's pixels is seen.
+    // Enough that some go through the one column of pixels on which `along_a_face` breaks.
     const RAYS: usize = 6000;
     let camera = &view.camera;
     let px = px_angle(&view, camera.eye().distance(camera.target()));
-    let mut rows = of.step.rows(of.family, Effort::QUICK);
-    for row in &mut rows {
+    let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
+    let mut rows = of.step.rows(of.family, Effort::QUICK, Some(&own));
+    for row in rows.iter_mut().filter(|row| row.family != SCENE) {
         if row.step.wrong_unit == "px" {
             row.worst_wrong *= PX / px;
         }
@@ -98,15 +99,11 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
             row.worst_error *= PX / px;
         }
     }
-    rows.extend(
-        of.step
-            .of_scene(&SceneRays::new(scene, view, RAYS, Effort::QUICK.seed)),
-    );
     rows
 }
 
-/// Methods of others whose mistakes cannot be seen on the scene: every decision is right, and no value is off by half a
-/// pixel, a degree or a ten-thousandth.
+/// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error is
+/// below half a pixel, a degree or a ten-thousandth.
 pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     let least = |row: &Row| match row.step.error_unit {
         "px" => 0.5,
@@ -117,19 +114,12 @@ pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
     own.filter(move |row| row.wrong() == 0 && row.worst_error < least(row))
 }
 
-/// Every method that a scene of the gallery can be picked by: those that break on it, then the others of their steps.
+/// Every method that a scene of the gallery can be picked by: first those that break on it, then the others of their steps.
 pub fn swaps(exhibit: &str) -> Vec<Swap> {
-    let mut swaps: Vec<Swap> = breaks_on(exhibit).filter_map(Break::swap).collect();
-    for known in breaks_on(exhibit) {
-        let all = (0..known.step.methods().len()).map(|method| Swap {
-            step: known.step,
-            method,
-        });
-        for swap in all.filter(|swap| !swap.info().ours) {
-            if !swaps.contains(&swap) {
-                swaps.push(swap);
-            }
-        }
-    }
-    swaps
+    let broken = breaks_on(exhibit).filter_map(Break::swap);
+    let all = breaks_on(exhibit).flat_map(|known| {
+        let step = known.step;
+        (0..step.methods().len()).map(move |method| Swap { step, method })
+    });
+    distinct(broken.chain(all.filter(|swap| !swap.info().ours)))
 }

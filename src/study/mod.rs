@@ -1,5 +1,5 @@
-//! Speed against accuracy: the known methods for each step of a pick, over workloads that stress them, held against
-//! exact truth and timed.
+//! Speed against accuracy: runs the known methods for each step of a pick over workloads that stress them, compares their
+//! answers with exact truth, and times them.
 //!
 //! ```text
 //! methods (the registry), their workloads -> run -> Report -> table, csv, chart
@@ -7,49 +7,49 @@
 //! a scene, often of the gallery + swap (a method) -> a pick with the method's mistakes
 //! ```
 //!
-//! A step of a pick is one file or folder under [`methods`]: its methods, its workloads (seeded families with one parameter
-//! each) and what is so, by numbers that know no rounding ([`exact`], [`truth`]), which share no code with any method. To
-//! add a method is to add an entry to its step's list: tests, tables and charts then have it.
+//! Each step is one file or folder under [`methods`]: its methods, its workloads (seeded families with one parameter each)
+//! and its truth, from exact arithmetic ([`exact`], [`truth`]) that shares no code with any method. To add a method, add an
+//! entry to its step's list: tests, tables and charts read that list.
 //!
-//! All numbers of a workload come from additions, products, quotients and square roots, which every machine rounds alike, and
-//! are then rounded to `f32`, but for a camera's axes and what they make: the same seed is the same workload everywhere, and
-//! methods of both precisions get it.
+//! Workloads use only sums, products, quotients and square roots, which every machine rounds alike: one seed gives one
+//! workload everywhere. The results are rounded to `f32`, so that methods of both precisions get the same numbers; only a
+//! camera's axes, and what is computed from them, stay `f64`.
 //!
 //! # What the charts teach
 //!
-//! **Precision is not what is slow.** In one chart of speed against error the same formula in `f32` and in `f64` stands
-//! at the same place on the time axis, nine powers of ten apart on the other. On a processor that does both in
-//! hardware, one ray at a time, `f32` saves next to nothing; it pays where many are done at once.
+//! **Precision is not slow.** In a chart of speed against error, a formula takes the same time in `f32` and in `f64`, and its
+//! errors are nine powers of ten apart. A processor with both in hardware saves next to nothing by `f32` on single rays;
+//! `f32` pays where many rays are computed at once.
 //!
-//! **Coordinates lose more than formulas do.** Most of what goes wrong happens before any shape is met. A ray that is
-//! made by way of a point in the world, or through the inverse of a matrix that holds the eye's position, loses as many
-//! digits as the eye is far from the origin. The same ray as a sum of directions loses none. So: subtract first
-//! what is large and alike (eye, translation, centre), and only then multiply.
+//! **Coordinates lose more than formulas do.** Most digits are lost before any shape is tested. A ray made from a point in
+//! the world, or by the inverse of a matrix that holds the eye's position, loses more digits the further the eye is from
+//! the origin. The same ray as a sum of directions loses none. So: first subtract what is large and alike (eye,
+//! translation, centre), then multiply.
 //!
-//! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so in a part of all
-//! hits; the others fall through. A tolerance mends the middle of triangles and moves their edges. Signs need no
-//! tolerance: on which side of an edge a ray passes is one sign, the same for both triangles that share the edge.
+//! **A test for equality is a test of rounding.** Three areas that should add up to a fourth do so for only some of the
+//! hits; the rest are lost. A tolerance finds hits in a triangle's middle again and moves its edges. Signs need no
+//! tolerance: the side of an edge on which a ray passes is one sign, the same for both triangles at the edge.
 //!
-//! **A mesh leaks where two of its triangles disagree.** A ray at an edge may miss both by a rounding each. Tests that take
-//! one number for the edge, whichever triangle asks, close it; at a corner it takes more.
+//! **A mesh leaks where two of its triangles disagree.** Each of them may miss a ray at their edge by a rounding. A test that
+//! computes one number for the edge, whichever triangle asks, closes it; a corner needs more.
 //!
-//! **Rounding decides at edges, exact arithmetic does not.** In `f64` the wrong decisions that are left are ties: rays
-//! exactly through an edge, as whole-number coordinates make them. A bound on the rounding says when a sign is
-//! certain; where it is not, exact arithmetic settles it. That is so rare that it costs next to nothing.
+//! **Rounding fails at edges, exact arithmetic does not.** In `f64` only ties are still decided wrongly: rays exactly
+//! through an edge, as whole-number coordinates make them. A bound on the rounding says when a sign is certain. Where it is
+//! not, exact arithmetic decides, so rarely that it costs next to nothing.
 //!
 //! **Subtract squares late.** `b^2 - 4ac` loses a far sphere's outline; the distance of the centre from the line keeps
-//! it. For the same reason a surface that is seen edge-on has a poor distance in any form: there the question itself
-//! is sharp, and only digits help.
+//! it. A surface seen edge-on has a poor distance by any formula: that problem is ill-conditioned, and only more digits
+//! help.
 //!
-//! **Infinity is a number, not-a-number is not.** A box test without branches is right for rays along an axis until
-//! one starts on a face: `0 * inf`. The order of the comparison then decides what happens.
+//! **Infinity can be compared, NaN cannot.** A box test without branches is right for rays along an axis until
+//! one starts on a face: `0 * inf` is NaN. Then the order of the operands decides.
 //!
-//! **Near and far are planes.** A test on the distance makes spheres of them, and the corners of a wide picture pay.
+//! **Near and far are planes.** A test on the distance makes spheres of them and is wrong in a wide picture's corners.
 //!
-//! **Half of a depth buffer is empty.** Standard depth spends its numbers on the first few units before the eye.
-//! Reversed, the same 32 bits are as good at any distance as an `f32` can be.
+//! **Half of a depth buffer is empty.** Standard depth spends most of its numbers on the first few units before the eye.
+//! Reversed, the same 32 bits are as precise at any distance as an `f32` can be.
 //!
-//! **A whole pick is as good as its worst step**, and a tree is worth more time than all of the above together.
+//! **A whole pick is only as good as its worst step**, and a tree saves more time than all of the above together.
 
 mod budget;
 pub mod chart;
@@ -79,7 +79,7 @@ pub use scene_rays::SceneRays;
 pub use table::table;
 pub use timing::{Time, processor};
 
-/// What the files of the study are made of.
+/// What most files of the study import.
 mod prelude {
     pub use super::{
         exact::{self, Exact, Exact3},
@@ -92,10 +92,11 @@ mod prelude {
             Precision::{self, F32, F64},
             Verdict,
         },
-        summary::Summary,
+        summary::{Summary, distinct},
         truth::{self, Line, UNIT, UNIT_F32},
     };
     pub(in crate::study) use super::{
+        random::two_to,
         step::{about, both, family},
         truth::{cross_sizes, relative},
     };

@@ -1,7 +1,7 @@
-//! Random numbers for workloads: the same on every machine, from integer arithmetic and correctly rounded operations
-//! only.
+//! Random numbers for workloads: by integer arithmetic and correctly rounded operations only, so the same on every machine.
 
 use super::real::V3;
+use glam::DVec2;
 
 /// A generator (xorshift64*, Vigna 2016).
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ impl Random {
         low + (high - low) * self.unit()
     }
 
-    /// Uniform among the integers from `low` to `high`.
+    /// Uniform among the integers from `low` to `high`, both included.
     pub fn integer(&mut self, low: i32, high: i32) -> i32 {
         let span = u64::from(high.abs_diff(low)) + 1;
         // The remainder is below the span, which fits.
@@ -60,12 +60,18 @@ impl Random {
         usize::try_from((self.bits() >> 16) % (count.max(1) as u64)).unwrap_or(0)
     }
 
+    /// The centre of a random pixel of a picture.
+    pub fn pixel(&mut self, size_px: DVec2) -> DVec2 {
+        let mut centre = |side: f64| (self.unit() * side).floor() + 0.5;
+        DVec2::new(centre(size_px.x), centre(size_px.y))
+    }
+
     /// -1 or 1.
     pub fn sign(&mut self) -> f64 {
         if self.bits() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// A number between two powers of ten, each decade alike.
+    /// A number between two powers of ten: each decade is equally likely, and uniform.
     pub fn decades(&mut self, low: i32, high: i32) -> f64 {
         power_of_ten(self.integer(low, high - 1)) * self.within(1.0, 10.0)
     }
@@ -76,7 +82,13 @@ impl Random {
         V3::new(coordinate(), coordinate(), coordinate())
     }
 
-    /// A vector of about length 1, all directions alike.
+    /// Each coordinate a whole number from `-most` to `most`.
+    pub fn lattice_point(&mut self, most: i32) -> V3<f64> {
+        let mut whole = || f64::from(self.integer(-most, most));
+        V3::new(whole(), whole(), whole())
+    }
+
+    /// A vector of about length 1; all directions are equally likely.
     pub fn direction(&mut self) -> V3<f64> {
         loop {
             let point = self.point(1.0);
@@ -97,7 +109,7 @@ impl Random {
         }
     }
 
-    /// In random order (Fisher & Yates).
+    /// Puts items into random order (Fisher & Yates).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             items.swap(last, self.below(last + 1));
@@ -105,7 +117,14 @@ impl Random {
     }
 }
 
-/// The `f64` nearest to a power of ten. `powi` need not be the same number on every machine; reading decimals is.
+/// Two to a whole number of bits, at most 30.
+pub(super) const fn two_to(bits: f64) -> i32 {
+    #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
+    let bits = bits as i32;
+    1 << bits
+}
+
+/// The `f64` nearest to a power of ten. `powi` may differ between machines, parsing does not.
 fn power_of_ten(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! `f32` and `f64` under one name, so that a method is written once and studied in both.
+//! `f32` and `f64` under one trait, so that a method is written once and studied in both.
 
 use glam::{DMat3, DVec3};
 use num_traits::Float;
@@ -34,7 +34,7 @@ impl Real for f64 {
     }
 }
 
-/// The `f32` nearest to a value, as `f64`: workloads give methods of both kinds the very same numbers.
+/// The `f32` nearest to a value, as `f64`: workloads give methods of both precisions the same numbers.
 #[must_use]
 pub fn narrow(value: f64) -> f64 {
     f32::of(value).wide()
@@ -46,7 +46,7 @@ pub fn narrow3(v: V3<f64>) -> V3<f64> {
     V3::<f32>::of(v).wide()
 }
 
-/// A vector of either kind.
+/// A vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct V3<T> {
     /// First coordinate.
@@ -57,7 +57,7 @@ pub struct V3<T> {
     pub z: T,
 }
 
-/// What sums and products are made of: hardware numbers, pairs of them, or several side by side.
+/// A number with sums and products: `f32`, `f64`, a pair of `f64`, or eight numbers side by side.
 pub trait Ring:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
@@ -98,20 +98,20 @@ impl<T: Ring> V3<T> {
         [self.x, self.y, self.z]
     }
 
-    /// In numbers of another kind, coordinate by coordinate.
+    /// Each coordinate converted.
     pub fn map<U>(self, of: impl Fn(T) -> U) -> V3<U> {
         V3::new(of(self.x), of(self.y), of(self.z))
     }
 }
 
 impl<T: Real> V3<T> {
-    /// Rounded, coordinate by coordinate, from `f64`.
+    /// Each coordinate rounded from `f64`.
     #[must_use]
     pub fn of(v: V3<f64>) -> Self {
         Self::new(T::of(v.x), T::of(v.y), T::of(v.z))
     }
 
-    /// In `f64`: exact.
+    /// The same in `f64`: exact.
     pub fn wide(self) -> V3<f64> {
         V3::new(self.x.wide(), self.y.wide(), self.z.wide())
     }
@@ -202,7 +202,7 @@ impl From<DMat3> for M3<f64> {
 }
 
 impl<T: Real> M3<T> {
-    /// Rounded, entry by entry, from `f64`.
+    /// Each entry rounded from `f64`.
     pub fn of(m: &M3<f64>) -> Self {
         Self(m.0.map(V3::of))
     }
@@ -212,14 +212,14 @@ impl<T: Real> M3<T> {
         self.0[0] * v.x + self.0[1] * v.y + self.0[2] * v.z
     }
 
-    /// Rows become columns.
+    /// The transpose.
     #[must_use]
     pub fn transpose(&self) -> Self {
         let row = |i: usize| V3::new(self.0[0][i], self.0[1][i], self.0[2][i]);
         Self([row(0), row(1), row(2)])
     }
 
-    /// The cofactors: `det * inverse transpose`, with no division.
+    /// The cofactors: `det * inverse transpose`, without a division.
     #[must_use]
     pub fn cofactors(&self) -> Self {
         let [a, b, c] = self.0;
@@ -231,7 +231,7 @@ impl<T: Real> M3<T> {
         self.0[0].dot(self.0[1].cross(self.0[2]))
     }
 
-    /// Inverse by cofactors and determinant; not finite where there is none.
+    /// Inverse by cofactors and determinant; not finite for a singular matrix.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let scale = T::one() / self.determinant();

@@ -1,26 +1,26 @@
-//! Runs the study: every method of every step over every workload, held against truth and timed.
+//! Runs the study: every method of every step over every workload, compared with the truth and timed.
 
 use super::{
     methods::{Visitor, each_step, registry},
     random::Random,
     scene_rays::SceneRays,
-    step::{About, Case, Family, Method, MethodInfo, Precision, Verdict},
+    step::{Case, Family, Method, MethodInfo, Verdict},
     summary::{interval, quantile, rate},
     timing::{self, Time},
 };
 use crate::geometry::shares::on_all_cores;
-use std::iter;
+use std::{iter, ops::Deref};
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Cases at each value of each family's parameter.
     pub cases: usize,
-    /// Whole picks at each value: truth looks at every triangle.
+    /// The same for whole picks, which are fewer: truth tests every triangle.
     pub picks: usize,
     /// Rounds of timing; 0 for none.
     pub rounds: usize,
-    /// Where random numbers start: the same seed gives the same verdicts on every machine.
+    /// Of the random numbers: the same seed gives the same verdicts on every machine.
     pub seed: u64,
 }
 
@@ -45,14 +45,8 @@ impl Effort {
 /// What a method did at one value of one family's parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The step.
-    pub step: About,
     /// The method.
-    pub method: &'static str,
-    /// Its precision.
-    pub precision: Precision,
-    /// Whether it is what this program does.
-    pub ours: bool,
+    pub method: MethodInfo,
     /// The family.
     pub family: &'static str,
     /// Its parameter.
@@ -61,42 +55,36 @@ pub struct Row {
     pub value: f64,
     /// How many cases.
     pub cases: usize,
-    /// Hits that it did not find.
+    /// Hits that it missed.
     pub missed: usize,
-    /// Hits that are none.
+    /// Misses that it called hits.
     pub phantoms: usize,
     /// Hits on something else than the nearest.
     pub others: usize,
-    /// How many of these are ties: off by nothing at all.
+    /// How many of the missed and the phantoms are ties: the ray passes exactly through an edge or an outline.
     pub ties: usize,
     /// How far the worst wrong decision was off, in the step's unit.
     pub worst_wrong: f64,
-    /// The values' middle error, where the decision was right.
+    /// The values' median error, where the decision was right.
     pub median_error: f64,
     /// The error that one value of a thousand exceeds.
     pub p999_error: f64,
     /// The values' worst error, where the decision was right.
     pub worst_error: f64,
-    /// For this program's method: the largest share of its bound that a case took up; at most 1 when the bound holds.
+    /// For Sightline's method: the largest ratio of an error to its bound; at most 1 when the bound holds.
     pub of_bound: Option<f64>,
     /// The largest of these bounds.
     pub bound: Option<f64>,
-    /// Where another method is faster and no more often wrong: what the difference buys.
-    pub reason: Option<&'static str>,
-    /// How long it took for these cases, where it was timed.
+    /// Its time for one of these cases, where it was timed.
     pub time: Option<Time>,
 }
 
 impl Row {
     /// A method before its first case.
-    fn new<C>(method: &MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+    fn new<C>(method: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
         let bound = method.ours.then_some(0.0);
         Self {
-            step: method.step,
-            method: method.name,
-            precision: method.precision,
-            ours: method.ours,
-            reason: method.reason,
+            method,
             family: work.family,
             parameter: work.parameter,
             value: work.value,
@@ -115,18 +103,13 @@ impl Row {
         }
     }
 
-    /// What tells methods of a step apart.
-    pub(super) fn method_key(&self) -> (&'static str, Precision) {
-        (self.method, self.precision)
-    }
-
     /// How many decisions were wrong.
     #[must_use]
     pub fn wrong(&self) -> usize {
         self.missed + self.phantoms + self.others
     }
 
-    /// The same in per cent.
+    /// The share of wrong decisions in per cent.
     #[must_use]
     pub fn wrong_percent(&self) -> f64 {
         100.0 * rate(self.wrong(), self.cases)
@@ -139,13 +122,18 @@ impl Row {
     }
 }
 
+impl Deref for Row {
+    type Target = MethodInfo;
+    fn deref(&self) -> &MethodInfo {
+        &self.method
+    }
+}
+
 /// Everything that was found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     /// By step, family, value, method.
     pub rows: Vec<Row>,
-    /// Whether a scene's own rays, the family [`SCENE`], are among the rows.
-    pub has_scene: bool,
 }
 
 impl Report {
@@ -155,25 +143,22 @@ impl Report {
         own.filter(move |row| row.step.key == step)
     }
 
-    /// The general workloads' rows, and those of a scene's own rays where there are any.
+    /// Two reports: the general workloads', and that of a scene's own rays; `None` where there are no such rows.
     #[must_use]
     pub fn split(&self) -> [Option<Self>; 2] {
         let part = |is_own: bool| {
             let mut rows = self.rows.clone();
             rows.retain(|row| (row.family == SCENE) == is_own);
-            (!rows.is_empty()).then_some(Self {
-                rows,
-                has_scene: is_own,
-            })
+            (!rows.is_empty()).then_some(Self { rows })
         };
         [part(false), part(true)]
     }
 }
 
-/// The family that a scene's own rays make.
+/// The name of the family that a scene's own rays form.
 pub const SCENE: &str = "this scene";
 
-/// Runs it. `progress` is told how much of the whole is done, from 0 to 1, and of which step.
+/// Runs the study. `progress` gets the share that is done, from 0 to 1, and the name of the current step.
 pub fn run(
     effort: Effort,
     scene: Option<&SceneRays>,
@@ -185,10 +170,7 @@ pub fn run(
         progress,
         steps: registry().chunk_by(|a, b| a.step == b.step).count(),
         done: 0,
-        report: Report {
-            has_scene: scene.is_some(),
-            ..Report::default()
-        },
+        report: Report::default(),
     };
     each_step(&mut run);
     run.report
@@ -209,7 +191,7 @@ struct Workload<'a, C> {
     family: &'static str,
     parameter: &'static str,
     value: f64,
-    /// At most so many of its cases, always the same ones first.
+    /// Makes at most so many of its cases, always the same ones first.
     make: Box<dyn Fn(usize) -> Vec<C> + Sync + 'a>,
 }
 
@@ -237,27 +219,22 @@ impl Run<'_> {
         })
     }
 
-    /// Sets the times of a workload's rows: of the cases that were judged, or as many of them as do.
+    /// Times the methods on the first [`TIMED`](Case::TIMED) of a workload's cases, and sets its rows' times.
     fn timed<C: Case>(&self, work: &Workload<'_, C>, rows: &mut [Row]) {
-        const ROUNDS_OF_SLOW: usize = 11;
-        let rounds = if C::SLOW {
-            self.effort.rounds.min(ROUNDS_OF_SLOW)
-        } else {
-            self.effort.rounds
-        };
+        let rounds = self.effort.rounds.min(C::MOST_ROUNDS);
         let cases = (work.make)(C::TIMED);
         let mut random = Random::named(self.effort.seed, &[C::ABOUT.key, work.family, "timing"]);
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
             let mut own = rows.iter_mut();
-            if let Some(row) = own.find(|row| row.method_key() == method.info.key()) {
+            if let Some(row) = own.find(|row| row.method == method.info) {
                 row.time = time;
             }
         }
     }
 }
 
-/// Every family's, and that of a scene's own rays.
+/// Every family's workloads, and last that of a scene's own rays.
 fn all_workloads<C: Case>(effort: Effort, scene: Option<&SceneRays>) -> Vec<Workload<'_, C>> {
     let families = C::FAMILIES.iter();
     let own = scene.map(|scene| Workload {
@@ -293,29 +270,21 @@ fn workloads<'a, C: Case>(
     })
 }
 
-/// What every method of a step does in the family of this name: the rows that [`run`] has for it.
-pub fn family<C: Case>(name: &str, effort: Effort) -> Vec<Row> {
-    let named = C::FAMILIES.iter().filter(|family| family.name == name);
-    named
-        .flat_map(|family| workloads(family, effort))
-        .flat_map(|work| judge(&work))
-        .collect()
+/// The rows that [`run`] has for one family of a step, and for the family [`SCENE`] of a scene; untimed.
+pub fn family<C: Case>(name: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
+    let mut workloads = all_workloads::<C>(effort, scene);
+    workloads.retain(|work| [name, SCENE].contains(&work.family));
+    workloads.iter().flat_map(judge).collect()
 }
 
-/// What every method of a step does on a scene's own rays: the family [`SCENE`].
-pub fn of_scene<C: Case>(scene: &SceneRays) -> Vec<Row> {
-    let own = all_workloads::<C>(Effort::SCENE_ONLY, Some(scene)).pop();
-    own.map_or_else(Vec::new, |work| judge(&work))
-}
-
-/// Every method's answers to the cases of one workload.
+/// A row for each method's answers to the cases of one workload.
 fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     let cases = (work.make)(usize::MAX);
     let truths: Vec<C::Truth> = cases.iter().map(C::truth).collect();
     let can_run = |method: &&Method<C>| cases.first().is_some_and(|case| case.can_run(method));
     let methods = C::methods().filter(can_run);
     let rows = methods.map(|method| {
-        let mut row = Row::new(&method.info, work, cases.len());
+        let mut row = Row::new(method.info, work, cases.len());
         let mut errors = Vec::with_capacity(cases.len());
         for (case, truth) in iter::zip(&cases, &truths) {
             let verdict = case.judge(truth, &(method.run)(case));
@@ -351,7 +320,7 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
     rows.collect()
 }
 
-/// Infinite where both are: that is no bound.
+/// The ratio of an error to its bound; infinite where both are infinite, as such a bound bounds nothing.
 fn share(found: f64, bound: f64) -> f64 {
     let share = if found == 0.0 { 0.0 } else { found / bound };
     if share.is_nan() { f64::INFINITY } else { share }

@@ -32,13 +32,13 @@ pub enum SaveError {
     /// A PNG file could not be written.
     #[error(transparent)]
     Image(#[from] ImageError),
-    /// A picture without a pixel.
+    /// A picture without pixels.
     #[error(transparent)]
     Size(#[from] CameraError),
 }
 
-/// Writes a report's tables and charts into a folder, those of a scene's own rays apart. Each file is written whole or not at
-/// all, so that what an earlier run left stays where there is no room.
+/// Writes a report's tables and charts into a folder, with separate files for a scene's own rays. Each file is written whole
+/// or not at all: where there is no room, an earlier run's files stay.
 ///
 /// # Errors
 /// When a file cannot be written.

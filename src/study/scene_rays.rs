@@ -1,42 +1,34 @@
-//! A scene's own camera and rays as workloads: which method does *this* scene need?
+//! A scene's own camera and rays as workloads: they tell which method the scene needs.
 
-use super::{
-    methods::picks::{PickWorld, gpu},
-    random::Random,
-};
+use super::{methods::picks::PickWorld, random::Random};
 use crate::{
     camera::{Projection, View},
     geometry::{Placement, Ray},
     pick::{self, SceneHit},
-    render,
     scene::{Object, Scene, Shape},
 };
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Rays through random pixels of a scene's view, and what they hit.
+/// Rays through random pixels of a scene's view, and their hits.
 #[derive(Debug)]
 pub struct SceneRays {
     pub(super) world: Arc<PickWorld>,
     /// Pixel centres.
     pub(super) at: Vec<DVec2>,
-    /// Rays through them with what each hits first.
+    /// Those of the rays through them that hit, each with its nearest hit.
     pub(super) hits: Vec<(Ray, SceneHit)>,
     pub(super) seed: u64,
 }
 
 impl SceneRays {
-    /// So many random pixels of a scene's view, and what a graphics adapter draws of it where there is one.
+    /// Rays through `count` random pixels of a scene's view.
     #[must_use]
     pub fn new(scene: &Scene, view: View, count: usize, seed: u64) -> Self {
-        let ids = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
-        let world = Arc::new(PickWorld::new(scene, view, ids.map(|(ids, _)| ids)));
+        let world = Arc::new(PickWorld::new(scene, view));
         let mut random = Random::named(seed, &["scene"]);
-        let size = view.viewport;
-        let mut inside = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
-        let at: Vec<DVec2> = (0..count)
-            .map(|_| DVec2::new(inside(size.width()), inside(size.height())))
-            .collect();
+        let pixels = (0..count).map(|_| random.pixel(view.viewport.size_px()));
+        let at: Vec<DVec2> = pixels.collect();
         let hit = |px: &DVec2| {
             let ray = *view.ray(*px);
             Some((ray, pick::closest(&world.scene, ray, view.sides)?))
@@ -50,12 +42,12 @@ impl SceneRays {
         }
     }
 
-    /// Width of a pixel in radians, seen from the eye at a distance.
+    /// [`px_angle`] in the scene's view.
     pub(super) fn px(&self, distance: f64) -> f64 {
         px_angle(&self.world.view, distance)
     }
 
-    /// Every ray with the object that it hits.
+    /// Every ray that hits, with the object and the hit.
     pub(super) fn objects(&self) -> impl Iterator<Item = (&Ray, &Object, &SceneHit)> {
         let objects = self.world.scene.objects();
         self.hits
@@ -63,7 +55,7 @@ impl SceneRays {
             .map(|(ray, hit)| (ray, &objects[hit.object], hit))
     }
 
-    /// Rays in the world with an object of a kind each, hit or not, and the width of a pixel there.
+    /// Every ray in world space with a random visible object of a wanted shape, hit or not, and [`px_angle`] at its distance.
     pub(super) fn rays_at(&self, wanted: fn(&Shape) -> bool) -> Vec<(&Placement, Ray, f64)> {
         let objects = self.world.scene.objects().iter();
         let objects: Vec<_> = objects.filter(|o| o.visible && wanted(&o.shape)).collect();
@@ -79,8 +71,8 @@ impl SceneRays {
     }
 }
 
-/// The width of a pixel in a view's middle, in radians seen from the eye at a distance, which in perspective does not
-/// matter.
+/// The angle, seen from the eye, of a pixel in a view's middle, in radians. Parallel rays' pixels are as wide at every
+/// `distance`; in perspective the distance does not matter.
 pub fn px_angle(view: &View, distance: f64) -> f64 {
     let lens = view.camera.lens();
     let height = 2.0 * lens.half_extent(1.0).y / f64::from(view.viewport.height());
@@ -90,7 +82,7 @@ pub fn px_angle(view: &View, distance: f64) -> f64 {
     }
 }
 
-/// The width of a pixel in radians where nothing else is said: 60 degrees over 1080 rows, `2 tan(30 deg) / 1080`.
+/// The angle of a pixel in radians in general workloads: 60 degrees over 1080 rows, `2 tan(30 deg) / 1080`.
 pub const PX: f64 = 2.0 * TAN_30 / 1080.0;
 /// tan(30 degrees).
 pub const TAN_30: f64 = 0.577_350_269_189_625_7;

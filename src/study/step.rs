@@ -1,15 +1,15 @@
-//! What is studied: the steps of a pick, and for each the methods, workloads, truth and verdict.
+//! What a step of a pick consists of: its cases, methods, workloads, truth and verdicts.
 
 use super::{random::Random, run::Effort, scene_rays::SceneRays};
 
-/// What a method's arithmetic is.
+/// The arithmetic that a method uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Precision {
     /// 24 bits.
     F32,
     /// 53 bits.
     F64,
-    /// `f64`, with exact arithmetic where that is not certain.
+    /// `f64`, with exact arithmetic where `f64` is not certain.
     Exact,
 }
 
@@ -26,39 +26,46 @@ impl std::fmt::Display for Precision {
 /// What is known about a method without running it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MethodInfo {
-    /// The step that it does.
+    /// Its step.
     pub step: About,
-    /// Author, paper or what courses and engines call it; with the precision unique within its step.
+    /// Author, paper, or the name in courses and engines; unique within the step together with the precision.
     pub name: &'static str,
-    /// What it computes with.
+    /// Its arithmetic.
     pub precision: Precision,
-    /// Where it is from.
+    /// Paper, program or course.
     pub source: &'static str,
-    /// Whether it is what the rest of this program does.
+    /// Whether Sightline picks by this method.
     pub ours: bool,
-    /// Where something else is faster and no more often wrong: what the difference buys.
+    /// What the method offers in return where another is faster and no more often wrong.
     pub reason: Option<&'static str>,
 }
 
+/// Its name.
+impl std::fmt::Display for MethodInfo {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name)
+    }
+}
+
 impl MethodInfo {
-    /// What tells methods of a step apart.
+    /// Name and precision: unique within a step.
     #[must_use]
     pub fn key(&self) -> (&'static str, Precision) {
         (self.name, self.precision)
     }
 }
 
-/// One way to do a step. Adding one to the study is one of these in its step's list.
+/// One way to do a step: an entry of the step's list.
 #[derive(Clone, Copy)]
 pub struct Method<C: Case> {
     /// What is known about it.
     pub info: MethodInfo,
-    /// Does it. Whatever a program would have at hand by then is part of the case.
+    /// Answers a case. What a program has computed beforehand is part of the case.
     pub run: fn(&C) -> C::Answer,
 }
 
 impl<C: Case> Method<C> {
-    /// A method of others.
+    /// A method that Sightline does not use.
     pub(super) const fn new(
         name: &'static str,
         precision: Precision,
@@ -76,7 +83,7 @@ impl<C: Case> Method<C> {
         Self { info, run }
     }
 
-    /// The method that the rest of this program uses.
+    /// The method that Sightline picks by.
     pub(super) const fn ours(
         precision: Precision,
         source: &'static str,
@@ -87,23 +94,23 @@ impl<C: Case> Method<C> {
         method
     }
 
-    /// The same by a longer name.
+    /// The same under another name.
     pub(super) const fn named(mut self, name: &'static str) -> Self {
         self.info.name = name;
         self
     }
 
-    /// The same, with what it buys.
+    /// The same with a [`reason`](MethodInfo::reason).
     pub(super) const fn because(mut self, reason: &'static str) -> Self {
         self.info.reason = Some(reason);
         self
     }
 }
 
-/// A step's methods: each in both precisions, or alone.
+/// A step's methods, in groups: a formula in both precisions, or single methods.
 pub type Methods<C> = &'static [&'static [Method<C>]];
 
-/// A formula in both precisions: its answer from a case's `narrow`, and from its `wide`.
+/// A formula in both precisions: applied to a case's `narrow`, and to its `wide`.
 macro_rules! both {
     ($name:expr, $source:expr, $formula:expr $(, $more:expr)*) => {
         [
@@ -114,7 +121,7 @@ macro_rules! both {
 }
 pub(super) use both;
 
-/// A family as a line of a table: name, parameter, its values, and what makes a case.
+/// A family as one line: name, parameter, its values, and the function that makes a case.
 macro_rules! family {
     ($name:literal, $parameter:literal $values:tt => $make:expr) => {
         Family::new($name, $parameter, &$values, $make)
@@ -122,17 +129,17 @@ macro_rules! family {
 }
 pub(super) use family;
 
-/// A workload with one parameter that stresses something, from harmless to absurd.
+/// Workloads that differ in one parameter, from harmless to absurd.
 #[derive(Clone, Copy)]
 pub struct Family<C> {
-    /// What is stressed.
+    /// What the parameter stresses.
     pub name: &'static str,
-    /// The parameter, with its unit where it has one.
+    /// The parameter, with its unit if it has one.
     pub parameter: &'static str,
     /// Its values, harmless first.
     pub values: &'static [f64],
-    /// A case at a value of the parameter. Its numbers are `f32`s, but for a camera's axes and what they make, so that
-    /// methods of both precisions get the same.
+    /// Makes a case at a value of the parameter. Its numbers fit in `f32`, so that methods of both precisions get the same;
+    /// only a camera's axes, and what is computed from them, do not.
     pub make: fn(&mut Random, f64) -> C,
 }
 
@@ -152,14 +159,14 @@ impl<C> Family<C> {
         }
     }
 
-    /// What is there mostly: a step's first family, by which it is timed.
+    /// Ordinary cases: a step's first family, whose times methods are compared by.
     pub(super) const fn ordinary(make: fn(&mut Random, f64) -> C) -> Self {
         Self::new("ordinary", "-", &[1.0], make)
     }
 }
 
 impl<C: Case<Truth = Option<f64>>> Family<C> {
-    /// The ordinary one's cases, of which such a share hits: speed is swept over it.
+    /// Ordinary cases of which a given share hits: for speed over the share of hits.
     pub(super) const HIT_RATE: Self = Self::new(
         "hit rate",
         "share of hits",
@@ -176,18 +183,18 @@ impl<C: Case<Truth = Option<f64>>> Family<C> {
     );
 }
 
-/// What was found about one answer.
+/// How an answer compares with the truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// The decision is right, and this is the value's error, in the step's unit.
+    /// The decision is right; the value has this error, in the step's unit.
     Right(f64),
     /// The decision is right, and there is no value.
     Agreed,
-    /// Nothing was hit where something is, this far from where that would be right.
+    /// A hit was missed; a ray this far aside misses indeed.
     Missed(f64),
-    /// Something was hit where nothing is, this far from where that would be right.
+    /// A miss was called a hit; a ray this far aside hits indeed.
     Phantom(f64),
-    /// Another thing was hit than the nearest.
+    /// Something else than the nearest was hit.
     Other,
 }
 
@@ -198,15 +205,15 @@ pub struct About {
     pub name: &'static str,
     /// One word for file names and CSV.
     pub key: &'static str,
-    /// The job that every method does: what it is given, and what it answers.
+    /// What every method is given, and what it answers.
     pub job: &'static str,
-    /// What a value's error is measured in.
+    /// The unit of a value's error.
     pub error_unit: &'static str,
-    /// What the distance of a wrong decision is measured in; empty for steps that decide nothing.
+    /// The unit of how far off a wrong decision is; empty for steps that decide nothing.
     pub wrong_unit: &'static str,
 }
 
-/// A step's names, the units of its values' errors and of wrong decisions, and its job.
+/// A step's name and key, the units of its values' errors and of its wrong decisions, and its job.
 macro_rules! about {
     ($name:literal $key:literal, off by $error:literal, wrong by $wrong:literal; $job:literal) => {
         About {
@@ -222,22 +229,22 @@ pub(super) use about;
 
 /// One question to the methods of a step, with all that they need to answer it.
 pub trait Case: Sized + Clone + Sync + Send + 'static {
-    /// What methods answer.
+    /// A method's answer.
     type Answer;
-    /// What is so.
+    /// The right answer.
     type Truth;
     /// Names and units.
     const ABOUT: About;
-    /// Whether an answer takes so long that fewer cases have to do.
-    const SLOW: bool = false;
-    /// How many cases of a workload are timed; 0 for steps that only act out what hardware does.
-    const TIMED: usize = if Self::SLOW { 24 } else { 512 };
+    /// How many cases of a workload are timed; 0 for steps that simulate hardware.
+    const TIMED: usize = 512;
+    /// At most so many rounds are timed.
+    const MOST_ROUNDS: usize = usize::MAX;
     /// How many cases of a workload are judged.
     #[must_use]
     fn count(effort: Effort) -> usize {
         effort.cases
     }
-    /// Every method, the reference that times are relative to first.
+    /// Every method; times are relative to the first one's.
     const METHODS: Methods<Self>;
     /// Every workload, the ordinary one first.
     const FAMILIES: &'static [Family<Self>];
@@ -247,26 +254,26 @@ pub trait Case: Sized + Clone + Sync + Send + 'static {
     fn methods() -> impl Iterator<Item = &'static Method<Self>> {
         Self::METHODS.iter().copied().flatten()
     }
-    /// The cases that a scene's own rays make; none where it has nothing for this step.
+    /// The cases from a scene's own rays; none where the scene has nothing for this step.
     #[must_use]
     fn of_scene(_: &SceneRays) -> Vec<Self> {
         Vec::new()
     }
-    /// Whether a method can be run here at all.
+    /// Whether a method can run on this machine.
     fn can_run(&self, _: &Method<Self>) -> bool {
         true
     }
-    /// How long a method takes that answers for a whole picture at a time, in nanoseconds.
+    /// The time of a method that answers for a whole picture at once, in nanoseconds; `None` for all other methods.
     #[must_use]
     fn whole_picture(_: &[Self], _: &Method<Self>) -> Option<f64> {
         None
     }
-    /// What is so, by exact arithmetic.
+    /// The right answer, by exact arithmetic.
     fn truth(&self) -> Self::Truth;
-    /// Holds an answer against the truth.
+    /// Compares an answer with the truth.
     fn judge(&self, truth: &Self::Truth, answer: &Self::Answer) -> Verdict;
-    /// An upper bound of the error of this program's own method, with its derivation; 0 where nothing rounds. Its decisions
-    /// are always right.
+    /// An upper bound of the error of Sightline's method, with its derivation; 0 where nothing rounds. Its decisions are
+    /// always right.
     fn bound(&self, _: &Self::Truth) -> f64 {
         0.0
     }

@@ -1,17 +1,17 @@
-//! What a report says of each method as a whole: for tables, charts and budgets.
+//! A report's figures for each method as a whole: for tables and charts.
 
 use super::{prelude::*, timing::Time};
 
 /// What a method did over several workloads.
 #[derive(Clone, Debug)]
 pub struct Summary<'a> {
-    /// The method's first row: the ordinary workload, by which methods are timed first of all.
+    /// Its first row: the ordinary workload, whose times methods are compared by.
     pub method: &'a Row,
     /// All of its rows.
     pub rows: Vec<&'a Row>,
 }
 
-/// How much faster another method has to be before a method is off the front.
+/// A method is off the front when another one, at most as wrong, is faster by more than this factor.
 const FASTER: f64 = 1.1;
 
 impl<'a> Summary<'a> {
@@ -34,22 +34,22 @@ impl<'a> Summary<'a> {
         shares.reduce(f64::max)
     }
 
-    /// The error that one value of a thousand exceeds, at the worst.
+    /// The error that one value of a thousand exceeds, on the worst workload.
     pub fn p999_error(&self) -> f64 {
         self.worst(|row| row.p999_error).p999_error
     }
 
-    /// So many in all workloads together.
+    /// The sum of a count over all workloads.
     fn sum(&self, of: fn(&Row) -> usize) -> usize {
         self.rows.iter().map(|row| of(row)).sum()
     }
 
-    /// Wrong decisions that are ties, as a share of all.
+    /// Wrong decisions at ties, as a share of all decisions.
     pub fn tie_rate(&self) -> f64 {
         rate(self.sum(|row| row.ties), self.sum(|row| row.cases))
     }
 
-    /// How long it takes on the ordinary workload, where it was timed.
+    /// Its time on the ordinary workload, in nanoseconds, where it was timed.
     #[must_use]
     pub fn ns(&self) -> Option<f64> {
         self.method.time.map(|time| time.ns)
@@ -65,8 +65,8 @@ impl<'a> Summary<'a> {
         interval(self.sum(Row::wrong), self.sum(|row| row.cases))[1]
     }
 
-    /// Whether no method that is at most as wrong, by decisions and by the error that one value of a thousand exceeds, is
-    /// more than a tenth faster on the ordinary workload. Where nothing is timed: whether none is better.
+    /// Whether every method that is more than a tenth faster on the ordinary workload is more wrong: in decisions, or in the
+    /// error that one value of a thousand exceeds. Where nothing is timed: whether none is better.
     pub(super) fn is_on_front(&self, others: &[Self]) -> bool {
         let key = |of: &Self| [of.wrong_rate(), of.p999_error()];
         let own = key(self);
@@ -84,7 +84,7 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// The ends of a share's 95 % interval: Wilson's (JASA 22, 1927), and 3 of n for none of n.
+/// The ends of a share's 95 % interval by Wilson (JASA 22, 1927); for none of n, from 0 to 3 of n.
 pub(super) fn interval(some: usize, of: usize) -> [f64; 2] {
     const Z2: f64 = 1.96 * 1.96;
     if some == 0 {
@@ -95,13 +95,13 @@ pub(super) fn interval(some: usize, of: usize) -> [f64; 2] {
     [-half, half].map(|half| (p + 0.5 * Z2 * per_n + half) / (1.0 + Z2 * per_n))
 }
 
-/// So many of so many.
+/// The share `some / of`; 0 of none.
 #[expect(clippy::cast_precision_loss, reason = "millions at most")]
 pub(super) fn rate(some: usize, of: usize) -> f64 {
     some as f64 / of.max(1) as f64
 }
 
-/// The value that so large a share of sorted values does not exceed; 0 of none.
+/// The value that a given share of the sorted values does not exceed; 0 of none.
 pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,
@@ -113,13 +113,22 @@ pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     sorted.get(rank.max(1) - 1).copied().unwrap_or(0.0)
 }
 
+/// Each item once, in order; for few items.
+pub fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut known = Vec::new();
+    for one in all {
+        if !known.contains(&one) {
+            known.push(one);
+        }
+    }
+    known
+}
+
 impl Report {
     /// The steps that have rows, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<About> {
-        let mut steps: Vec<About> = self.rows.iter().map(|row| row.step).collect();
-        steps.dedup();
-        steps
+        distinct(self.rows.iter().map(|row| row.step))
     }
 
     /// The rows of a step.
@@ -131,8 +140,8 @@ impl Report {
     pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
         let mut methods: Vec<Summary<'_>> = Vec::new();
         for row in self.of_step(step) {
-            let key = row.method_key();
-            let known = methods.iter_mut().find(|of| of.method.method_key() == key);
+            let key = row.key();
+            let known = methods.iter_mut().find(|of| of.method.key() == key);
             if let Some(known) = known {
                 known.rows.push(row);
             } else {

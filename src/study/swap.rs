@@ -1,10 +1,10 @@
-//! A whole pick in which one step is done by a method of the registry and every other as this program does it: what a
-//! method's mistakes look like on a scene.
+//! A whole pick in which a method of the registry does one step and Sightline all others: it shows a method's mistakes on a
+//! scene.
 
 use super::{
     methods::{
         BoxCase, ClipCase, DepthCase, NormalCase, PixelCase, PlacedCase, SphereCase, SquareCase,
-        TriangleCase, rays::Sight,
+        TriangleCase, rays::PixelRay,
     },
     prelude::*,
     run,
@@ -17,10 +17,10 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// What a pick by other means found.
+/// The result of a pick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
-    /// On which object and triangle. Its `t` is that of the ray that was cast.
+    /// Object and triangle. `t` is that of the ray that was cast.
     pub hit: SceneHit,
     /// The point in the world.
     pub point_world: DVec3,
@@ -28,7 +28,7 @@ pub struct Found {
     pub normal_world: DVec3,
 }
 
-/// A position in a view of a scene, with this program's ray through it.
+/// A position in a view of a scene, with Sightline's ray through it.
 #[derive(Debug)]
 pub struct Click<'a> {
     scene: &'a Scene,
@@ -39,7 +39,7 @@ pub struct Click<'a> {
 
 /// A step that a pick can do by any of its methods.
 pub trait Step: Case {
-    /// The pick with this step done by `run`. `None` where it hits nothing.
+    /// The pick with this step done by `run`; `None` for a miss.
     fn pick(click: &Click<'_>, run: fn(&Self) -> Self::Answer) -> Option<Found>;
 }
 
@@ -50,8 +50,7 @@ pub struct AnyStep {
     pub about: About,
     methods: fn() -> Vec<MethodInfo>,
     pick: fn(usize, &Click<'_>) -> Option<Found>,
-    rows: fn(&str, Effort) -> Vec<Row>,
-    of_scene: fn(&SceneRays) -> Vec<Row>,
+    rows: fn(&str, Effort, Option<&SceneRays>) -> Vec<Row>,
 }
 
 impl AnyStep {
@@ -63,26 +62,19 @@ impl AnyStep {
             methods: || C::methods().map(|method| method.info).collect(),
             pick: |method, click| C::pick(click, C::methods().nth(method)?.run),
             rows: run::family::<C>,
-            of_scene: run::of_scene::<C>,
         }
     }
 
-    /// Its methods, as the registry has them.
+    /// Its methods, in the registry's order.
     #[must_use]
     pub fn methods(self) -> Vec<MethodInfo> {
         (self.methods)()
     }
 
-    /// What all of its methods do in one of its families.
+    /// The rows of all its methods in one of its families, and on a scene's own rays.
     #[must_use]
-    pub fn rows(self, family: &str, effort: Effort) -> Vec<Row> {
-        (self.rows)(family, effort)
-    }
-
-    /// What all of its methods do on a scene's own rays.
-    #[must_use]
-    pub fn of_scene(self, rays: &SceneRays) -> Vec<Row> {
-        (self.of_scene)(rays)
+    pub fn rows(self, family: &str, effort: Effort, scene: Option<&SceneRays>) -> Vec<Row> {
+        (self.rows)(family, effort, scene)
     }
 }
 
@@ -92,12 +84,12 @@ impl PartialEq for AnyStep {
     }
 }
 
-/// A step together with the method that does it.
+/// A step and the method that does it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swap {
     /// The step.
     pub step: AnyStep,
-    /// Index among its methods; less than there are.
+    /// Index into the step's methods.
     pub method: usize,
 }
 
@@ -108,7 +100,7 @@ impl Swap {
         self.step.methods()[self.method]
     }
 
-    /// The pick at a pixel position with this method in it.
+    /// The pick at a pixel position with this method.
     #[must_use]
     pub fn pick(&self, scene: &Scene, view: &View, px: DVec2) -> Option<Found> {
         (self.step.pick)(self.method, &Click::new(scene, view, px))
@@ -116,7 +108,7 @@ impl Swap {
 }
 
 impl Found {
-    /// What this program picks at a pixel position.
+    /// Sightline's own pick at a pixel position.
     #[must_use]
     pub fn sightlines(scene: &Scene, view: &View, px: DVec2) -> Option<Self> {
         Click::new(scene, view, px).sightlines()
@@ -139,7 +131,7 @@ impl<'a> Click<'a> {
         Some(self.found(&self.ray, hit))
     }
 
-    /// A hit on a ray as this program reports it.
+    /// A hit on a ray with its point and normal in world space.
     fn found(&self, ray: &Ray, hit: SceneHit) -> Found {
         let placement = &self.scene.objects()[hit.object].placement;
         Found {
@@ -149,8 +141,8 @@ impl<'a> Click<'a> {
         }
     }
 
-    /// The nearest hit that shows: on objects of the shapes that `is_about` names by `meet`, with the ray in their space, on
-    /// all others by this program.
+    /// The nearest visible hit. Objects whose shape `is_about` are tested by `meet`, which gets the ray in object space; all
+    /// others by Sightline.
     fn nearest<Hits: IntoIterator<Item = Hit>>(
         &self,
         is_about: impl Fn(&Shape) -> bool,
@@ -172,7 +164,8 @@ impl<'a> Click<'a> {
     }
 }
 
-/// The first hit in a ray's interval by a method that knows none: it tells the first at or behind a ray's start.
+/// The first hit in a ray's interval, by a method that finds the first hit at or after a ray's start: it is asked from
+/// `t = 0`, and again from `t_min` where that hit lies before the interval.
 fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
     let from = |start: f64| {
         let origin = ray.at(start);
@@ -186,7 +179,7 @@ fn first(ray: &Ray, method: impl Fn(&Ray) -> Option<f64>) -> Option<f64> {
 }
 
 impl Step for PixelCase {
-    fn pick(click: &Click<'_>, run: fn(&Self) -> Sight) -> Option<Found> {
+    fn pick(click: &Click<'_>, run: fn(&Self) -> PixelRay) -> Option<Found> {
         let Click { scene, view, .. } = click;
         let mut ray = run(&Self::of_view(view, click.px)).ray(view)?;
         if !view.camera.lens().is_orthographic() {
@@ -203,7 +196,7 @@ impl Step for PlacedCase {
         let meet = |object: &Object, own: &Ray| {
             let case = Self::of_object(&object.placement, ray, 1.0);
             let [origin, direction] = run(&case).map(DVec3::from);
-            // What is normalised has another parameter than the world's ray.
+            // A normalised direction changes the ray parameter.
             let stretch = own.direction.length() / direction.length();
             let local = Ray {
                 origin,
@@ -247,7 +240,7 @@ impl Step for TriangleCase {
     }
 }
 
-/// The hit at `t` on a triangle that a method says is hit there.
+/// The hit on a triangle at the `t` that a method found.
 fn on_triangle(mesh: &Mesh, triangle: u32, local: &Ray, t: f64) -> Hit {
     let [a, b, c] = mesh.corners(triangle);
     let normal = (b - a).cross(c - a);
@@ -298,7 +291,7 @@ impl Step for SquareCase {
     }
 }
 
-/// A hit that a method says there is, on a surface with this outward normal.
+/// The hit at the `t` that a method found, on a surface with this outward normal.
 fn analytic(local: &Ray, t: f64, normal: DVec3) -> Hit {
     Hit {
         t,

@@ -1,4 +1,4 @@
-//! The study as people read it: a table a step.
+//! The study as text: a table for each step.
 
 use super::{
     methods::{
@@ -6,11 +6,11 @@ use super::{
         registry,
     },
     prelude::*,
-    timing::processor,
+    timing::{Time, processor},
 };
-use std::fmt::Write;
+use std::{fmt::Write, iter};
 
-/// Every step's table.
+/// The tables of every step.
 pub fn table(report: &Report) -> String {
     let mut text = format!("Times in nanoseconds, on {}.\n\n", processor());
     let [general, own] = report.split().map(Option::unwrap_or_default);
@@ -28,111 +28,104 @@ pub fn table(report: &Report) -> String {
     text
 }
 
-fn header(step: About, decides: bool, measures: bool) -> Vec<String> {
-    let timed = ["ns", "quartiles", "ratio", "learnt", "worst ns", "in"];
-    let first = ["method", "", "front"].into_iter().chain(timed);
-    let mut header: Vec<String> = first.map(str::to_owned).collect();
-    if decides {
-        header.extend(["wrong %", "95 %", "in", "ties %"].map(str::to_owned));
-    }
-    if !step.wrong_unit.is_empty() {
-        header.extend([format!("off by ({})", step.wrong_unit), "in".to_owned()]);
-    }
-    if measures {
-        header.extend(["median", "99.9 %"].map(str::to_owned));
-        header.extend([
-            format!("worst error ({})", step.error_unit),
-            "in".to_owned(),
-        ]);
-    }
-    header.push("of bound".to_owned());
-    header
-}
-
 fn section(text: &mut String, of: &str, step: About, summaries: &[Summary<'_>]) {
-    let Some(first) = summaries.first().map(Summary::ns) else {
+    if summaries.is_empty() {
         return;
-    };
-    let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
-    let decides = decides || !measures;
-    let mut rows = vec![header(step, decides, measures)];
-    rows.extend(summaries.iter().map(|summary| {
-        let method = summary.method;
-        let mut cells = vec![method.method.to_owned(), method.precision.to_string()];
-        let is_on_front = summary.is_on_front(summaries);
-        cells.push(if is_on_front { "yes" } else { "" }.to_owned());
-        cells.extend(match (method.time, summary.slowest()) {
-            (Some(of), Some((slowest, worst))) => [
-                time(of.ns),
-                of.quartiles.map(time).join(".."),
-                first.map_or(String::new(), |first| format!("{:.2}", of.ns / first)),
-                time(of.learnt),
-                time(worst.ns),
-                place(slowest, worst.ns),
-            ],
-            _ => std::array::from_fn(|_| String::new()),
-        });
-        if decides {
-            let row = summary.worst(Row::wrong_percent);
-            let [low, high] = row.wrong_percent_within();
-            let within = if low == 0.0 {
-                format!("<{}", percent(high))
-            } else {
-                format!("{}..{}", percent(low), percent(high))
-            };
-            cells.extend([
-                percent(row.wrong_percent()),
-                within,
-                place(row, row.wrong_percent()),
-                percent(100.0 * summary.tie_rate()),
-            ]);
-        }
-        if !step.wrong_unit.is_empty() {
-            let row = summary.worst(|row| row.worst_wrong);
-            cells.extend([number(row.worst_wrong), place(row, row.worst_wrong)]);
-        }
-        if measures {
-            let row = summary.worst(|row| row.worst_error);
-            cells.extend([
-                number(summary.method.median_error),
-                number(summary.p999_error()),
-                number(row.worst_error),
-                place(row, row.worst_error),
-            ]);
-        }
-        let share = summary.of_bound().map(|share| format!("{share:.2}"));
-        cells.push(share.unwrap_or("-".to_owned()));
-        cells
-    }));
-    let columns = rows[0].len();
-    // What could not be run here.
-    let known = |method: &MethodInfo| {
-        let mut known = summaries.iter().map(|summary| summary.method.method_key());
-        known.any(|known| known == method.key())
-    };
-    let mut methods = registry();
-    methods.retain(|method| method.step == step && !known(method));
-    rows.extend(methods.into_iter().map(|method| {
-        let precision = method.precision.to_string();
-        let why = "no graphics adapter".to_owned();
-        let mut cells = vec![method.name.to_owned(), precision, why];
-        cells.resize(columns, String::new());
-        cells
-    }));
+    }
     let About { name, job, .. } = step;
+    // Writing to a string cannot fail.
     let _ = writeln!(text, "{name}, {of}\nEach method is given {job}.");
-    aligned(text, &rows);
+    aligned(text, &columns(step, summaries));
     notes(text, step, summaries);
     text.push('\n');
 }
 
-/// Rows of cells, words to the left and numbers to the right.
-fn aligned(text: &mut String, rows: &[Vec<String>]) {
-    let lengths = |column: usize| rows.iter().map(move |row| row[column].chars().count());
-    for row in rows {
-        let cells = row.iter().enumerate().map(|(column, cell)| {
-            let width = lengths(column).max().unwrap_or(0);
-            if column < 2 || rows[0][column] == "in" {
+/// The columns of a step's table, each with its header first.
+fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
+    let column = |header: &str, cell: &dyn Fn(&Summary<'_>) -> String| -> Vec<String> {
+        let cells = summaries.iter().map(cell);
+        iter::once(header.to_owned()).chain(cells).collect()
+    };
+    let timed = |header: &str, cell: &dyn Fn(Time, (&Row, Time)) -> String| {
+        column(header, &|of| match (of.method.time, of.slowest()) {
+            (Some(own), Some(slowest)) => cell(own, slowest),
+            _ => String::new(),
+        })
+    };
+    let at_worst = |header: &str, of: fn(&Row) -> f64, cell: fn(f64) -> String| {
+        let value = column(header, &|summary| cell(of(summary.worst(of))));
+        let found = column("in", &|summary| {
+            let row = summary.worst(of);
+            place(row, of(row))
+        });
+        [value, found]
+    };
+    let first = summaries.first().and_then(Summary::ns);
+    let ratio = |ns: f64| first.map_or(String::new(), |first| format!("{:.2}", ns / first));
+    let on_front = |of: &Summary<'_>| if of.is_on_front(summaries) { "yes" } else { "" };
+    let mut columns: Vec<Vec<String>> = vec![
+        column("method", &|of| of.method.name.to_owned()),
+        column("", &|of| of.method.precision.to_string()),
+        column("front", &|of| on_front(of).to_owned()),
+        timed("ns", &|own, _| time(own.ns)),
+        timed("quartiles", &|own, _| own.quartiles.map(time).join("..")),
+        timed("ratio", &|own, _| ratio(own.ns)),
+        timed("learnt", &|own, _| time(own.learnt)),
+        timed("worst ns", &|_, (_, worst)| time(worst.ns)),
+        timed("in", &|_, (row, worst)| place(row, worst.ns)),
+    ];
+    let [decides, measures] = [step.wrong_unit, step.error_unit].map(|unit| !unit.is_empty());
+    if decides || !measures {
+        let [wrong, found] = at_worst("wrong %", Row::wrong_percent, percent);
+        let within = column(
+            "95 %",
+            &|of| match of.worst(Row::wrong_percent).wrong_percent_within() {
+                [0.0, high] => format!("<{}", percent(high)),
+                [low, high] => format!("{}..{}", percent(low), percent(high)),
+            },
+        );
+        let ties = column("ties %", &|of| percent(100.0 * of.tie_rate()));
+        columns.extend([wrong, within, found, ties]);
+    }
+    if decides {
+        let header = format!("off by ({})", step.wrong_unit);
+        columns.extend(at_worst(&header, |row| row.worst_wrong, number));
+    }
+    if measures {
+        columns.push(column("median", &|of| number(of.method.median_error)));
+        columns.push(column("99.9 %", &|of| number(of.p999_error())));
+        let header = format!("worst error ({})", step.error_unit);
+        columns.extend(at_worst(&header, |row| row.worst_error, number));
+    }
+    let share = |of: &Summary<'_>| of.of_bound().map(|share| format!("{share:.2}"));
+    columns.push(column("of bound", &|of| {
+        share(of).unwrap_or("-".to_owned())
+    }));
+    // Methods that cannot run on this machine.
+    let ran = |method: &MethodInfo| {
+        let mut known = summaries.iter().map(|summary| summary.method.key());
+        known.any(|known| known == method.key())
+    };
+    let mut absent = registry();
+    absent.retain(|method| method.step == step && !ran(method));
+    for method in absent {
+        let why = "no graphics adapter".to_owned();
+        let cells = [method.name.to_owned(), method.precision.to_string(), why];
+        let cells = cells.into_iter().chain(iter::repeat(String::new()));
+        for (column, cell) in columns.iter_mut().zip(cells) {
+            column.push(cell);
+        }
+    }
+    columns
+}
+
+/// Columns side by side, words aligned to the left, numbers to the right.
+fn aligned(text: &mut String, columns: &[Vec<String>]) {
+    for row in 0..columns[0].len() {
+        let cells = columns.iter().enumerate().map(|(index, column)| {
+            let widths = column.iter().map(|cell| cell.chars().count());
+            let (cell, width) = (&column[row], widths.max().unwrap_or(0));
+            if index < 2 || column[0] == "in" {
                 format!("{cell:<width$}")
             } else {
                 format!("{cell:>width$}")
@@ -143,12 +136,12 @@ fn aligned(text: &mut String, rows: &[Vec<String>]) {
     }
 }
 
-/// What is said below a table: how fast files are read, and what Sightline's buys where others are faster.
+/// The lines below a table: how fast files are read, and what a method offers where others are faster.
 fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     if step == FileCase::ABOUT {
         for summary in summaries {
             let Some(ns) = summary.ns() else { continue };
-            let (name, precision) = summary.method.method_key();
+            let (name, precision) = summary.method.key();
             #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
             let speed = 1e3 * files::BYTES as f64 / ns;
             let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
@@ -156,12 +149,12 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     }
     for summary in summaries {
         if let Some(reason) = summary.method.reason {
-            let _ = writeln!(text, "  {} buys: {reason}", summary.method.method);
+            let _ = writeln!(text, "  {} offers: {reason}", summary.method.name);
         }
     }
 }
 
-/// The fastest method that does what a picture shows: no wrong decision, and values good to a twentieth of a pixel, a
+/// Names the fastest method whose mistakes no picture shows: no wrong decision, and no error above a twentieth of a pixel, a
 /// quarter of a degree or a ten-thousandth.
 fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let most = match step.error_unit {
@@ -176,13 +169,13 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let timed = summaries.iter().filter(does);
     let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
     let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (name, precision) = fastest.method_key();
+    let (name, precision) = fastest.key();
     Some(format!(
         "The fastest that is right here: {name}, {precision}."
     ))
 }
 
-/// Where the worst was found; nothing where nothing was.
+/// Family and parameter of a row; empty where the figure found there is 0.
 fn place(row: &Row, found: f64) -> String {
     if found == 0.0 {
         String::new()

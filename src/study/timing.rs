@@ -1,17 +1,17 @@
-//! How long methods take, side by side.
+//! Times methods side by side.
 //!
-//! All methods answer the cases of one workload. In each round the cases are put into a new order, so that the processor
-//! cannot learn their branches, and the methods too, so that whatever else the machine does falls on all of them alike. They
-//! take turns over so few cases at a time that the first-level cache holds them: memory is not what is timed. The time of a
-//! call that does nothing is taken off. What is reported is the median over the rounds, with the quartiles.
+//! All methods answer the cases of one workload. Each round shuffles the cases, so that the processor cannot learn their
+//! branches, and the methods, so that other work on the machine slows all of them alike. Methods take turns over so few cases
+//! that the first-level cache holds them: memory is not timed. The time of an empty call is subtracted. The result is the
+//! median over the rounds, with the quartiles.
 //!
-//! Beside that the same few cases are answered over and over in one order, which the processor does learn: the difference is
-//! what wrongly predicted branches cost.
+//! The methods also answer the same few cases over and over in one order, which the processor does learn. The difference
+//! between both times is the cost of mispredicted branches.
 
 use super::{random::Random, step::Case};
 use std::{env::consts::ARCH, fs, hint::black_box, sync::OnceLock, time::Instant};
 
-/// What the processor is called, where the system says so; times mean nothing without.
+/// The processor's name, or its architecture where the system names none.
 pub fn processor() -> &'static str {
     static NAME: OnceLock<String> = OnceLock::new();
     NAME.get_or_init(|| {
@@ -25,23 +25,23 @@ pub fn processor() -> &'static str {
 /// How long a method takes for one case of a workload, in nanoseconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
-    /// The median over the rounds, in an order that cannot be learnt.
+    /// The median over the rounds, where the processor cannot learn the branches.
     pub ns: f64,
     /// The first and the third quartile.
     pub quartiles: [f64; 2],
-    /// The median where the processor has learnt the branches.
+    /// The median over the rounds, where the processor has learnt the branches.
     pub learnt: f64,
 }
 
-/// Cases that the processor learns.
+/// So few cases that the processor learns their branches.
 const FEW: usize = 32;
-/// What the first-level cache holds twice, as a copy of the cases brings them there.
+/// The first-level cache holds twice as much: the cases, and the copy that brings them there.
 const CACHED_BYTES: usize = 16 << 10;
-/// Less than this hides behind what the loop does.
+/// Shorter times are lost in the loop's own.
 const LEAST_NS: f64 = 0.1;
 
-/// Times each method of a step over the same cases, in the registry's order; `None` for what cannot be run. What answers for
-/// a whole picture at a time is timed by that.
+/// Times each method of a step over the same cases, in the registry's order; `None` for a method that cannot run here. A
+/// method that answers for a whole picture at once is timed by [`Case::whole_picture`].
 pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> Vec<Option<Time>> {
     let methods: Vec<_> = C::methods().collect();
     let mut times = vec![None; methods.len()];
@@ -65,7 +65,7 @@ pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> V
     let turns = cases.len() / few.len();
     let at_once = (CACHED_BYTES / size_of::<C>()).max(1);
     let mut samples = vec![[const { Vec::new() }; 2]; methods.len()];
-    // One round more, whose times do not count: caches and clocks warm up.
+    // The first round warms up caches and clocks; its times do not count.
     for round in 0..=rounds {
         random.shuffle(&mut cases);
         random.shuffle(&mut order);
@@ -101,7 +101,7 @@ pub fn time<C: Case>(mut cases: Vec<C>, rounds: usize, random: &mut Random) -> V
 
 fn nothing<C>(_: &C) {}
 
-/// How long it takes to answer all cases so many times, one after the other.
+/// The time to answer all cases, one after the other, `turns` times.
 #[inline(never)]
 fn seconds<C, A>(cases: &[C], turns: usize, run: fn(&C) -> A) -> f64 {
     let run = black_box(run);

@@ -1,5 +1,5 @@
-//! What is so: the exact arithmetic that all steps' truths are made of, and how far off another answer is. No method's code
-//! is used here, nor this program's geometry.
+//! Truth: where rays meet shapes by exact arithmetic, and how far off another answer is. Uses no method's code and none of
+//! [`crate::geometry`].
 
 use super::{
     exact::{Exact, Exact3},
@@ -8,14 +8,14 @@ use super::{
 };
 use std::{cmp::Ordering, f64::consts::FRAC_PI_2};
 
-/// Half an ulp of 1 in `f64`: what one rounding errs at most, relatively.
+/// Half an ulp of 1 in `f64`: the largest relative error of one rounding.
 pub const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Half an ulp of 1 in `f32`.
 pub const UNIT_F32: f64 = 0.5 * f32::EPSILON as f64;
-/// The largest relative error of a `t` that shapes take from `f64`. What is less certain they compute exactly.
+/// The largest relative error of a `t` that Sightline's shapes accept from `f64`; a less certain `t` they compute exactly.
 pub(super) const CERTAIN: f64 = 1.0 / 67_108_864.0;
 
-/// A ray without rounding, and where it meets shapes, edges and rims included.
+/// A ray in exact numbers. Shapes include their edges and rims.
 #[derive(Debug)]
 pub struct Line {
     /// Where it starts.
@@ -34,7 +34,7 @@ pub struct Meeting {
 }
 
 impl Line {
-    /// The ray that finite `f64`s stand for.
+    /// The exact value of a finite ray.
     #[must_use]
     pub fn new(origin: V3<f64>, direction: V3<f64>) -> Self {
         Self {
@@ -43,47 +43,48 @@ impl Line {
         }
     }
 
-    /// With the plane of a normal through a point, which is given from the ray's start on; none where the ray runs within.
+    /// Where it meets the plane with a normal through a point, which is relative to the ray's start; none where the ray is
+    /// parallel to the plane.
     fn plane(&self, normal: &Exact3, point: &Exact3) -> Option<Meeting> {
         let fall = normal.dot(&self.direction);
         (!fall.is_zero()).then(|| Meeting {
-            t: &normal.dot(point) / &fall,
+            t: normal.dot(point) / &fall,
             front: fall.sign() == Ordering::Less,
         })
     }
 
-    /// With a triangle, by the signs of the three volumes.
+    /// Where it meets a triangle, by the signs of three volumes.
     #[must_use]
     pub fn triangle(&self, corners: [Exact3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners.map(|corner| &corner - &self.origin);
+        let [a, b, c] = corners.map(|corner| corner - &self.origin);
         let volumes = [b.cross(&c), c.cross(&a), a.cross(&b)].map(|side| self.direction.dot(&side));
         let none_is = |excluded: Ordering| volumes.iter().all(|volume| volume.sign() != excluded);
         if !(none_is(Ordering::Less) || none_is(Ordering::Greater)) {
             return None;
         }
-        self.plane(&(&b - &a).cross(&(&c - &a)), &a)
+        self.plane(&(b - &a).cross(&(c - &a)), &a)
     }
 
-    /// With a sphere about the origin: entry and exit. A touch is both, and no front.
+    /// Where it enters and leaves a sphere about the origin. A touching ray does both at one point, neither from the front.
     #[must_use]
     pub fn sphere(&self, radius: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin, &self.direction);
         let (a, b) = (d.dot(d), -o.dot(d));
-        let c = &o.dot(o) - &(radius * radius);
-        let discriminant = &(&b * &b) - &(&a * &c);
+        let c = o.dot(o) - radius * radius;
+        let discriminant = &b * &b - &a * c;
         if discriminant.sign() == Ordering::Less {
             return Vec::new();
         }
         let root = discriminant.sqrt();
         let at = |numerator: Exact, front: bool| Meeting {
-            t: &numerator / &a,
+            t: numerator / &a,
             front,
         };
-        vec![at(&b - &root, !root.is_zero()), at(&b + &root, false)]
+        vec![at(&b - &root, !root.is_zero()), at(b + root, false)]
     }
 
-    /// With the faces of a cube about the origin whose half side is this long. A face that the ray runs within is met by the
-    /// others' rims.
+    /// Where it meets the faces of a cube about the origin. A face within which the ray runs is skipped: its rim belongs to
+    /// the faces beside it.
     #[must_use]
     pub fn cube(&self, half: &Exact) -> Vec<Meeting> {
         let (o, d) = (&self.origin.0, &self.direction.0);
@@ -93,7 +94,7 @@ impl Line {
                 let way = &plane - &o[axis];
                 // Without the quotient: |o + t d| <= half at t = way / d.
                 let is_within = |other: usize| {
-                    let at = &(&o[other] * &d[axis]) + &(&way * &d[other]);
+                    let at = &o[other] * &d[axis] + &way * &d[other];
                     at.abs() <= (half * &d[axis]).abs()
                 };
                 if is_within((axis + 1) % 3) && is_within((axis + 2) % 3) {
@@ -107,15 +108,15 @@ impl Line {
         met
     }
 
-    /// With a parallelogram of these sides u and v about a middle. With r from there to the ray's start and N = u x v the place
-    /// along u is `-r.(d x v) / d.N`, along v `r.(d x u) / d.N`; no quotient is compared.
+    /// Where it meets the parallelogram with sides u and v about a middle. With r from the middle to the ray's start and
+    /// N = u x v, the coordinate along u is `-r.(d x v) / d.N`, along v `r.(d x u) / d.N`; they are compared undivided.
     #[must_use]
     pub fn parallelogram(&self, middle: &Exact3, [u, v]: [&Exact3; 2]) -> Option<Meeting> {
         let (r, normal) = (&self.origin - middle, u.cross(v));
         let fall = normal.dot(&self.direction).abs();
         let is_within = |side: &Exact3| {
             let place = r.dot(&self.direction.cross(side)).abs();
-            &Exact::int(2) * &place <= fall
+            Exact::int(2) * place <= fall
         };
         if !is_within(u) || !is_within(v) {
             return None;
@@ -124,14 +125,14 @@ impl Line {
     }
 }
 
-/// The least t that is not behind a ray's start.
+/// The least `t >= 0`.
 pub(super) fn first_ahead(met: impl IntoIterator<Item = Meeting>) -> Option<f64> {
     let ahead = met.into_iter().map(|meeting| meeting.t);
     let ahead = ahead.filter(|t| t.sign() != Ordering::Less);
     ahead.min().map(|t| t.to_f64())
 }
 
-/// The sizes of what each component of `p x q` is a difference of, added: what its rounding is relative to.
+/// Each component of `p x q` with its two terms' magnitudes added: its rounding is relative to this.
 pub(super) fn cross_sizes(p: V3<f64>, q: V3<f64>) -> V3<f64> {
     let (p, q) = (p.abs(), q.abs());
     V3::new(
@@ -151,10 +152,10 @@ pub fn edge_angle(origin: V3<f64>, direction: V3<f64>, corners: &[V3<f64>]) -> f
 /// How far a ray passes from a segment, in radians seen from its origin.
 pub(super) fn segment_angle(o: V3<f64>, d: V3<f64>, from: V3<f64>, to: V3<f64>) -> f64 {
     let start = Exact3::new(o);
-    let [exact_p, exact_q] = [from, to].map(|end| &Exact3::new(end) - &start);
+    let [exact_p, exact_q] = [from, to].map(|end| Exact3::new(end) - &start);
     let (p, q) = (from - o, to - o);
     let side = p.cross(q);
-    // The foot of the direction on the edge's plane lies between p and q?
+    // Whether the direction, projected onto the plane of p and q, lies between them.
     if side.cross(p).dot(d) > 0.0 && q.cross(side).dot(d) > 0.0 {
         let volume = Exact3::new(d).dot(&exact_p.cross(&exact_q));
         return (volume.to_f64() / (d.length() * side.length())).abs();
@@ -162,8 +163,8 @@ pub(super) fn segment_angle(o: V3<f64>, d: V3<f64>, from: V3<f64>, to: V3<f64>) 
     angle(d, p).min(angle(d, q))
 }
 
-/// The angle between two directions, small ones too; a right one where it is larger. By quotients and roots only, which every
-/// machine rounds alike.
+/// The angle between two directions, at most a right one; small angles, which matter, by their tangent. Only quotients and
+/// roots are used, which every machine rounds alike.
 fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
     let (sin, cos) = (a.cross(b).length(), a.dot(b));
     if cos > 0.0 {
@@ -173,7 +174,7 @@ fn angle(a: V3<f64>, b: V3<f64>) -> f64 {
     }
 }
 
-/// Relative error of `answer`, infinite where it is no number.
+/// The relative error of `answer`; infinite where the answer is NaN.
 pub(super) fn relative(truth: f64, answer: f64) -> f64 {
     if truth.to_bits() == answer.to_bits() {
         return 0.0;
@@ -182,7 +183,7 @@ pub(super) fn relative(truth: f64, answer: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// The verdict on a decision with a value: `error` compares values, `wrong` says how far off a wrong decision is.
+/// The verdict on a decision with a value: `error` compares the values, `wrong` tells how far off a wrong decision is.
 pub(super) fn decide<T, A>(
     truth: Option<T>,
     answer: Option<A>,

@@ -1,6 +1,5 @@
-//! What decides picks, how often and at what cost: `cargo bench --bench decisions`. First over whole pictures: how many
-//! picks, and how many tests of a ray and a triangle, `f64` settles, and how many it leaves to exact arithmetic. Then what
-//! one decision takes, of the kinds in `doubt`.
+//! How often picks need exact arithmetic, and what it costs: `cargo bench --bench decisions`. First over whole pictures: how
+//! many picks, and how many tests of a ray and a triangle, need it. Then the time of one decision, for each kind in `doubt`.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -17,7 +16,7 @@ use sightline::{
 };
 use std::{collections::HashMap, hint::black_box, path::PathBuf, sync::Arc, time::Instant};
 
-/// Of the pictures of ordinary scenes, in pixels.
+/// Size of the ordinary scenes' pictures, in pixels.
 const SIZE: [u32; 2] = [160, 120];
 const ROUNDS: usize = 101;
 
@@ -42,20 +41,20 @@ fn main() {
     let record = |px: &DVec2| pick::pick(scene, view, *px);
     let mut kinds = doubt::kinds();
     kinds.push((
-        "a ray of the demo: what is hit",
+        "a ray of the demo: what is hit".to_owned(),
         Box::new(|| time(&positions, nearest)),
     ));
     kinds.push((
-        "a pick of the demo: the whole record",
+        "a pick of the demo: the whole record".to_owned(),
         Box::new(|| time(&few, record)),
     ));
     report(&kinds);
 }
 
-/// What is timed: its name, and a pass over its inputs, which says what one of them took in nanoseconds.
-type Kind<'a> = (&'static str, Box<dyn Fn() -> f64 + 'a>);
+/// A timed kind: its name, and a pass over its inputs, which returns the nanoseconds for one input.
+type Kind<'a> = (String, Box<dyn Fn() -> f64 + 'a>);
 
-/// The mean of a pass over some inputs, in nanoseconds, after one that warms up.
+/// The mean time for one input, in nanoseconds, in a pass over all inputs after another that warms up.
 fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
     let pass = || {
         let start = Instant::now();
@@ -69,7 +68,7 @@ fn time<T, A>(inputs: &[T], answer: impl Fn(&T) -> A) -> f64 {
     1e9 * pass() / f64::from(calls)
 }
 
-/// Times all kinds in turns, so that a busy machine is as busy for each, and prints medians.
+/// Times all kinds in turns, so that other work on the machine slows all alike, and prints medians.
 fn report(kinds: &[Kind]) {
     let mut passes = vec![Vec::new(); kinds.len()];
     for _ in 0..ROUNDS {
@@ -83,7 +82,7 @@ fn report(kinds: &[Kind]) {
         times[ROUNDS / 2]
     });
     let medians: Vec<f64> = medians.collect();
-    let one = kinds.iter().position(|(name, _)| *name == doubt::UNIT);
+    let one = kinds.iter().position(|(name, _)| name == doubt::UNIT);
     let one = medians[one.expect("a kind of that name")];
     for ((name, _), median) in kinds.iter().zip(&medians) {
         println!("{name:52} {median:9.0} ns {:9.1}", median / one);
@@ -144,7 +143,7 @@ fn corners(View { viewport, .. }: &View) -> Vec<DVec2> {
         .collect()
 }
 
-/// Counts and prints what is exact among the picks, and in doubt among the tests of triangles.
+/// Counts and prints the exact picks, and the triangle tests in doubt.
 fn count(name: &str, scene: &Scene, view: &View, positions: &[DVec2]) {
     let (mut hits, mut exact, mut tests, mut in_doubt) = (0, 0, 0, 0);
     let triangles = Triangles::of(scene);
@@ -162,7 +161,7 @@ fn count(name: &str, scene: &Scene, view: &View, positions: &[DVec2]) {
     assert!(hits > 0, "{name} is empty");
 }
 
-/// Each visible triangle as a mesh of its own, which tells whether it is in doubt.
+/// Each visible triangle as a mesh of its own, so that each is asked for its own doubt.
 struct Triangles<'a>(Vec<(&'a Placement, Arc<Mesh>)>);
 
 impl<'a> Triangles<'a> {
@@ -189,7 +188,7 @@ impl<'a> Triangles<'a> {
         self.0.len()
     }
 
-    /// How many `f64` leaves open, whether in the ray's interval or because of it.
+    /// How many tests `f64` leaves open, with or without the ray's interval.
     fn in_doubt(&self, view: &View, px: DVec2) -> usize {
         let ray = view.ray(px);
         let whole = view.camera.pixel_grid(view.viewport);

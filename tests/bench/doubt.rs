@@ -1,5 +1,5 @@
-//! Rays that `f64` settles and rays that it cannot, against each shape: of short numbers, of pixels, under general model
-//! matrices, and as long as numbers of models get.
+//! Rays that `f64` decides, and rays that need exact arithmetic, against each shape: with short numbers, through pixels, under
+//! general model matrices, and with the longest numbers that models have.
 
 use crate::{
     Kind,
@@ -19,19 +19,19 @@ use sightline::{
 
 const CASES: usize = 100;
 
-/// A ray, and one shape where it stands.
+/// A ray, and one shape with its placement.
 struct Case {
-    /// Where [`pixel_view`] has this ray.
+    /// The pixel position in [`pixel_view`] that the ray goes through, if any.
     px: Option<DVec2>,
     ray: WorldRay<'static>,
     placement: Placement,
     shape: Shape,
 }
 
-/// Makes a case of each kind, with whether `f64` settles it.
+/// Makes a random case of a kind.
 type Make = fn(&mut Random) -> Case;
 
-/// What the others are compared with.
+/// The kind that the others are compared with.
 pub const UNIT: &str = "triangle by f64, hit";
 
 const TRIANGLES: [(&str, bool, Make); 6] = [
@@ -47,42 +47,33 @@ const TRIANGLES: [(&str, bool, Make); 6] = [
     ("triangle, exact, the longest numbers", false, long_triangle),
 ];
 
-const SOLIDS: [(&str, Make); 6] = [
-    ("square, exact, short numbers", |random| {
-        short_solid(random, Shape::Square)
-    }),
-    ("square, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Square)
-    }),
-    ("cube, exact, short numbers", |random| {
-        short_solid(random, Shape::Cube)
-    }),
-    ("cube, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Cube)
-    }),
-    ("sphere, exact, short numbers", |random| {
-        short_solid(random, Shape::Sphere)
-    }),
-    ("sphere, exact, a pixel's ray, any model matrix", |random| {
-        placed_solid(random, Shape::Sphere)
-    }),
+const SOLIDS: [(&str, Shape); 3] = [
+    ("square", Shape::Square),
+    ("cube", Shape::Cube),
+    ("sphere", Shape::Sphere),
 ];
 
-/// All of them, in this order.
+/// Makes a random case of a solid.
+type MakeSolid = fn(&mut Random, Shape) -> Case;
+
+const RAYS_AT_SOLIDS: [(&str, MakeSolid); 2] = [
+    ("short numbers", short_solid),
+    ("a pixel's ray, any model matrix", placed_solid),
+];
+
+/// All kinds, in this order.
 pub fn kinds() -> Vec<Kind<'static>> {
     let triangles = TRIANGLES.into_iter().map(|(name, settled, make)| {
         let cases = cases(make, |case| is_in_doubt(case) != settled);
-        (
-            name,
-            Box::new(move || triangle_pass(&cases)) as Box<dyn Fn() -> f64>,
-        )
+        let pass: Box<dyn Fn() -> f64> = Box::new(move || triangle_pass(&cases));
+        (name.to_owned(), pass)
     });
-    let solids = SOLIDS.into_iter().map(|(name, make)| {
-        let cases = cases(make, is_exact);
-        (
-            name,
-            Box::new(move || solid_pass(&cases)) as Box<dyn Fn() -> f64>,
-        )
+    let solids = SOLIDS.into_iter().flat_map(|(solid, shape)| {
+        RAYS_AT_SOLIDS.map(|(rays, make)| {
+            let cases = cases(|random| make(random, shape.clone()), is_exact);
+            let pass: Box<dyn Fn() -> f64> = Box::new(move || solid_pass(&cases));
+            (format!("{solid}, exact, {rays}"), pass)
+        })
     });
     triangles.chain(solids).collect()
 }
@@ -110,8 +101,8 @@ fn solid_pass(cases: &[Case]) -> f64 {
     }
 }
 
-/// Cases that are of the wanted kind, as most that are made must be.
-fn cases(make: Make, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
+/// The first [`CASES`] cases that are wanted; at least one of twenty must be.
+fn cases(make: impl Fn(&mut Random) -> Case, is_wanted: impl Fn(&Case) -> bool) -> Vec<Case> {
     let mut random = Random::new(13);
     let made = (0..20 * CASES).map(|_| make(&mut random));
     let cases: Vec<Case> = made.filter(is_wanted).take(CASES).collect();
@@ -138,7 +129,7 @@ impl Case {
     }
 }
 
-/// Of a mesh of one triangle, about its origin.
+/// The corners of a mesh of one triangle, relative to its origin.
 fn corners(mesh: &Mesh) -> [DVec3; 3] {
     let corner = |i: usize| DVec3::from(mesh.data().positions[i].map(f64::from));
     [0, 1, 2].map(corner)
@@ -148,8 +139,8 @@ fn is_in_doubt(case: &Case) -> bool {
     case.mesh().is_in_doubt(&case.placed(), |_| true)
 }
 
-/// Whether a pick in a scene of this shape alone says so, which only one that hits does. A ray of short numbers runs exactly
-/// through a rim or touches exactly, which no bound on rounding settles.
+/// Whether a pick in a scene of this shape alone hits and is decided exactly. Rays of short numbers always are: they run
+/// exactly through a rim or touch exactly, which no bound on rounding decides.
 fn is_exact(case: &Case) -> bool {
     let Some(px) = case.px else {
         return true;
@@ -158,7 +149,7 @@ fn is_exact(case: &Case) -> bool {
     pick::pick(&scene, &pixel_view(), px).is_some_and(|pick| pick.exact)
 }
 
-/// As the demo is seen.
+/// A view like the demo's.
 fn pixel_view() -> View {
     let lens = perspective(33.0, 5.1, 12.5);
     view([3.7, 3.4, 7.6], [0.1, 0.6, 0.1], lens, [1280, 720])
@@ -172,7 +163,7 @@ fn pixel_ray(random: &mut Random) -> (DVec2, WorldRay<'static>, DVec3) {
     (px, ray, point)
 }
 
-/// Any model matrix of an ordinary size.
+/// A random model matrix of ordinary size.
 fn any_placement(random: &mut Random) -> Placement {
     loop {
         let [x, y, z] = [(); 3].map(|()| random.point(1.0));
@@ -196,7 +187,7 @@ fn triangle(corners: [DVec3; 3], origin: DVec3) -> Shape {
     }
 }
 
-/// A triangle with an edge through its mesh's origin, which is a point on the ray as `f64` rounds it.
+/// A triangle with an edge through its mesh's origin, which is a rounded point on the ray.
 fn edge_through(
     random: &mut Random,
     origin: DVec3,
@@ -206,7 +197,7 @@ fn edge_through(
     triangle([edge, -edge, corner(random)], origin)
 }
 
-/// A triangle of the size of the picture's distance, somewhere about the ray.
+/// A triangle about a unit large, near the ray.
 fn ordinary(random: &mut Random, spread: f64) -> Case {
     let (px, ray, point) = pixel_ray(random);
     let placement = any_placement(random);
@@ -242,7 +233,7 @@ fn lattice_point(random: &mut Random, half: f64) -> DVec3 {
     random.point(half).round()
 }
 
-/// Whole numbers up to 8, and a ray through a corner or the middle of an edge.
+/// A triangle of whole numbers up to 8, and a ray through a corner or the middle of an edge.
 fn short_triangle(random: &mut Random) -> Case {
     let corners = [(); 3].map(|()| 2.0 * lattice_point(random, 4.0));
     let through = corners[0].midpoint(corners[random.below(2)]);
@@ -261,6 +252,10 @@ fn lattice_ray(random: &mut Random, through: DVec3) -> WorldRay<'static> {
             break direction;
         }
     };
+    ray_to(through, direction)
+}
+
+fn ray_to(through: DVec3, direction: DVec3) -> WorldRay<'static> {
     let ray = Ray {
         origin: through - 8.0 * direction,
         direction,
@@ -292,14 +287,14 @@ fn placed_triangle(random: &mut Random) -> Case {
     }
 }
 
-/// A number of any sign, and of any size between two powers of ten.
+/// A number of either sign with a random size between two powers of ten.
 fn of_size(random: &mut Random, least: f64, most: f64) -> f64 {
     let size = 10_f64.powf(random.within(least, most));
     if random.below(2) == 0 { size } else { -size }
 }
 
-/// An eye a billion sizes away that looks almost along an axis, a matrix with leftovers of rounding in it, and vertices
-/// from `1e-30` to 1.
+/// An eye a billion units away that looks almost along an axis, a matrix with entries as small as rounding errors, and
+/// vertices from `1e-30` to 1.
 fn long_triangle(random: &mut Random) -> Case {
     let mut spread = |least, most| DVec3::from([(); 3].map(|()| of_size(random, least, most)));
     let (eye, towards) = (spread(0.0, 9.0), spread(-17.0, -9.0) - DVec3::Z);
@@ -329,8 +324,7 @@ fn long_triangle(random: &mut Random) -> Case {
     }
 }
 
-/// A point where a ray along `direction` runs along the rim of a square or cube, or touches a sphere; `along` from -1/2 to
-/// 1/2.
+/// A point on the rim of a square or cube, or where a ray along `direction` touches a sphere; `along` is from -1/2 to 1/2.
 fn rim(shape: &Shape, direction: DVec3, along: f64) -> DVec3 {
     match shape {
         Shape::Sphere => 0.5 * direction.cross(dvec3(along, 1.0, 0.2)).normalize(),
@@ -344,13 +338,7 @@ fn short_solid(random: &mut Random, shape: Shape) -> Case {
     let ray = match shape {
         Shape::Sphere => {
             let direction = lattice_ray(random, DVec3::ZERO).direction.with_x(0.0);
-            let ray = Ray {
-                origin: dvec3(0.5, 0.0, 0.0) - 8.0 * direction,
-                direction,
-                t_min: 0.0,
-                t_max: 64.0,
-            };
-            ray.into()
+            ray_to(dvec3(0.5, 0.0, 0.0), direction)
         }
         _ => lattice_ray(random, rim(&shape, DVec3::ZERO, eighths)),
     };

@@ -1,5 +1,5 @@
-//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree but
-//! for how a ray is asked.
+//! Embree 4 and 3, where their libraries are installed. Layouts and constants are those of their `rtcore*.h`, which agree
+//! except for the arguments of `rtcIntersect1`.
 #![allow(unsafe_code, reason = "a library in C++")]
 
 use crate::{
@@ -35,11 +35,11 @@ struct RayHit {
     triangle: u32,
     geometry: u32,
     instance: u32,
-    /// Of Embree 4 only, which writes it.
+    /// Embree 4 only, which writes it.
     instance_primitive: u32,
 }
 
-/// What Embree 3 asks a ray with. Embree 4 has arguments in its place, which may be left out.
+/// An argument of Embree 3's `rtcIntersect1`. Embree 4 has optional arguments in its place.
 #[repr(C)]
 struct Context {
     flags: u32,
@@ -53,8 +53,8 @@ extern "C" fn monitor(memory: Handle, bytes: isize, _: bool) -> bool {
     true
 }
 
-/// Medium quality, or medium with its robust mode.
-pub struct Embree {
+/// Embree with medium build quality, with or without its robust mode.
+struct Embree {
     library: &'static Library,
     version: Version,
     robust: bool,
@@ -66,8 +66,8 @@ enum Version {
     Three,
 }
 
-/// Both kinds of each version that is found, the newer first.
-pub fn installed() -> Vec<Embree> {
+/// Both modes of each installed version, the newer version first.
+pub fn installed() -> Vec<Rival> {
     let four = std::env::var("EMBREE4").unwrap_or_else(|_| "libembree4.so.4".into());
     let versions = [
         (
@@ -85,10 +85,13 @@ pub fn installed() -> Vec<Embree> {
         let library = names.find_map(|name| unsafe { Library::new(name) }.ok())?;
         // Never unloaded: its threads outlive its scenes.
         let library: &_ = Box::leak(Box::new(library));
-        Some([false, true].map(|robust| Embree {
-            library,
-            version,
-            robust,
+        Some([false, true].map(|robust| {
+            let embree = Embree {
+                library,
+                version,
+                robust,
+            };
+            Rival::new(embree.name(), move |sample| embree.build(sample))
         }))
     });
     each.flatten().collect()
@@ -104,7 +107,7 @@ macro_rules! call {
     }};
 }
 
-impl Rival for Embree {
+impl Embree {
     fn name(&self) -> &'static str {
         match (self.version, self.robust) {
             (Version::Four, false) => "Embree 4",
@@ -114,7 +117,7 @@ impl Rival for Embree {
         }
     }
 
-    fn build(&self, sample: &Sample) -> (Box<dyn Built>, Cost) {
+    fn build(&self, sample: &Sample) -> Built {
         type Monitor = extern "C" fn(Handle, isize, bool) -> bool;
         const MEDIUM: i32 = 1;
         const ROBUST: i32 = 4;
@@ -124,7 +127,7 @@ impl Rival for Embree {
         const UINT3: i32 = 0x5003;
         const FLOAT3: i32 = 0x9003;
         let library = self.library;
-        // It may read four bytes beyond the last vertex.
+        // Embree may read four bytes beyond the last vertex.
         let mut positions = sample.positions.clone();
         positions.push([0.0; 3]);
         let mut scene = EmbreeScene {
@@ -206,11 +209,12 @@ impl Rival for Embree {
             seconds,
             memory: Some(scene.memory.held_and_peak()),
         };
-        (Box::new(scene), cost)
+        let closest = move |rays: &[Ray], answers: &mut [Answer]| scene.closest(rays, answers);
+        (Box::new(closest), cost)
     }
 }
 
-/// A scene with what it was made from.
+/// A scene with the buffers that it shares.
 struct EmbreeScene {
     library: &'static Library,
     version: Version,
@@ -221,7 +225,7 @@ struct EmbreeScene {
     triangles: Vec<[u32; 3]>,
 }
 
-impl Built for EmbreeScene {
+impl EmbreeScene {
     fn closest(&self, rays: &[Ray], answers: &mut [Answer]) {
         type By3 = unsafe extern "C" fn(Handle, *mut Context, *mut RayHit);
         type By4 = unsafe extern "C" fn(Handle, *mut RayHit, Handle);

@@ -1,5 +1,5 @@
-//! How long an OBJ file takes until it is listed, picked from and drawn, and how much memory, beside what `tobj` alone
-//! takes; and a picture of it beside F3D's, where `f3d`, `xvfb-run` and GNU `time` are installed.
+//! Time and memory to list, pick from and draw an OBJ file, beside those of `tobj` alone; and of its picture beside F3D's,
+//! where `f3d`, `xvfb-run` and GNU `time` are installed.
 //!
 //! `cargo bench --bench files` for 100 thousand, a million and 10 million triangles, or with `-- FILE.obj`. Each
 //! measurement is a process of its own; they take turns. Memory and `taskset` need Linux.
@@ -17,15 +17,15 @@ use std::{
 };
 
 const ROUNDS: usize = 5;
-/// Squares along a side of the files that are measured where none is named: twice its square is the triangle count.
+/// Squares along a side of the generated files; twice the square of this is the triangle count.
 const SIDES: [u32; 3] = [224, 708, 2236];
-/// Of pictures, as `render` makes them.
+/// Size of the pictures.
 const SIZE: [u32; 2] = [1280, 720];
 
 type Failure = Box<dyn Error>;
 
-/// What is measured, as a word for this program and what stands before its name. The first is what the others are
-/// compared with.
+/// Each contender's word on this program's command line, and the command that it is run by. The others are compared with the
+/// first.
 const CONTENDERS: [(&str, &[&str]); 5] = [
     ("tobj", &[]),
     ("list", &[]),
@@ -35,7 +35,7 @@ const CONTENDERS: [(&str, &[&str]); 5] = [
 ];
 const F3D: &str = "F3D";
 
-/// What a process took.
+/// The cost of a process.
 #[derive(Clone, Copy)]
 struct Cost {
     ms: f64,
@@ -59,11 +59,11 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Measures everybody with a file, and prints it.
+/// Measures all contenders with a file and prints their costs.
 fn compare(file: &Path) -> Result<(), Failure> {
     let mut measured = [const { Vec::new() }; CONTENDERS.len()];
     let mut f3d = Vec::new();
-    // The first round brings the file into the system's cache.
+    // The first round brings the file into the system's cache and does not count.
     for round in 0..=ROUNDS {
         for ((name, before), costs) in CONTENDERS.iter().zip(&mut measured) {
             costs.push(cost_of(name, before, file)?);
@@ -94,8 +94,8 @@ fn compare(file: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A contender's medians, and of its ratios to another's costs in the same round: what else the machine does slows down
-/// both.
+/// Prints a contender's medians, and those of its ratios to another's costs in the same round, as other work on the machine
+/// slows both.
 fn print_row(name: &str, costs: &[Cost], others: &[Cost]) {
     let ratios = |of: fn(&Cost) -> f64| {
         let ratios = costs
@@ -116,7 +116,7 @@ fn print_row(name: &str, costs: &[Cost], others: &[Cost]) {
     );
 }
 
-/// What this program takes for a file in a process of its own.
+/// The cost of one contender for a file, in a process of its own.
 fn cost_of(name: &str, before: &[&str], file: &Path) -> Result<Cost, Failure> {
     let mut words: Vec<OsString> = before.iter().map(OsString::from).collect();
     words.push(env::current_exe()?.into());
@@ -131,7 +131,7 @@ fn cost_of(name: &str, before: &[&str], file: &Path) -> Result<Cost, Failure> {
     Ok(Cost { ms, peak_mb })
 }
 
-/// What F3D takes for a picture of a file, drawn in software as ours is; without what its display takes.
+/// F3D's cost for a picture of a file, drawn in software as ours is; without its display's cost.
 fn cost_of_f3d(file: &Path) -> Result<Cost, Failure> {
     let folder = tempfile::tempdir()?;
     let picture = folder.path().join("picture.png");
@@ -154,7 +154,7 @@ fn cost_of_f3d(file: &Path) -> Result<Cost, Failure> {
     })
 }
 
-/// Does what a contender does.
+/// Does a contender's work.
 fn run(contender: &str, file: &Path) -> Result<(), Failure> {
     let folder = tempfile::tempdir()?;
     let [width, height] = SIZE.map(f64::from);
@@ -182,14 +182,14 @@ fn run(contender: &str, file: &Path) -> Result<(), Failure> {
     }
 }
 
-/// `tobj` as the loader calls it, with all of a file at once.
+/// `tobj` alone, with the whole file at once.
 fn tobj_alone(file: &Path) -> Result<(), Failure> {
     let (models, _) = tobj::load_obj(file, &tobj::LoadOptions::default())?;
     println!("{} models", models.len());
     Ok(())
 }
 
-/// The most memory that this process had.
+/// The peak of this process's memory.
 fn peak_mb() -> f64 {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let peak = status.lines().find_map(|line| {

@@ -1,10 +1,10 @@
-//! What passes of the whole window cost: `cargo bench --bench frames [-- --triangles N,... --objects N,... | FILE...]`.
+//! The cost of the whole window's passes: `cargo bench --bench frames [-- --triangles N,... --objects N,... | FILE...]`.
 //! Without arguments: the demo, terrains of 100,000, a million and ten million triangles, 50,000 and 200,000 objects.
 //!
-//! Of each gesture: the window thread's own processor time a pass, which waiting does not count in; the time from an event
-//! until a picture shows what came of it, and until nothing is left to do, smooth edges apart; and what all threads worked
-//! meanwhile. The window is unseen; what a screen adds is its presentation. "load" is from the drop of a file until its scene is
-//! drawn and at rest; before it there is another.
+//! Prints for each gesture: the window thread's processor time for each pass, without waiting; the time from an event until a
+//! picture shows its result, and until no work is left except smooth edges; and the processor time of all threads
+//! meanwhile. The window is offscreen, so presentation is not included. "load" is from the drop of a file onto the demo until
+//! the file's scene is drawn and at rest.
 
 mod terrain;
 
@@ -23,18 +23,18 @@ use std::{
 
 /// Events of each gesture.
 const EVENTS: u16 = 40;
-/// Of scenes with more triangles a fifth of them: a picture takes seconds.
+/// Scenes with more triangles get a fifth of the events: each picture takes seconds.
 const MANY: usize = 2_000_000;
-/// More passes than these after one event do not come.
+/// The most passes after one event.
 const MOST_PASSES: usize = 20_000;
-/// Between passes in which nothing came, as a window waits for what it is woken by.
+/// The wait after a pass without news, as a window waits to be woken.
 const PAUSE: Duration = Duration::from_millis(4);
 
-/// Over the scene.
+/// A cursor over the scene.
 const MIDDLE: Pos2 = pos2(590.0, 360.0);
-/// Over the world, of the four views.
+/// A cursor over the world's view among the four.
 const PANE: Pos2 = pos2(760.0, 200.0);
-/// Over the list of objects.
+/// A cursor over the list of objects.
 const PANEL: Pos2 = pos2(100.0, 200.0);
 
 fn main() {
@@ -97,11 +97,11 @@ struct Bench {
     window: Offscreen,
     /// Events of each gesture.
     events: u16,
-    /// The thread's time of all passes since the scene was there, in milliseconds.
+    /// The thread's time of each pass so far, in milliseconds.
     cpu: Vec<f64>,
 }
 
-/// All gestures on one scene, which comes after the demo, or on that.
+/// All gestures on a file's scene, which is opened over the demo, or on the demo.
 fn scene(file: Option<PathBuf>) {
     let size = Viewport::new(1280, 720).expect("a viewport");
     let mut bench = Bench {
@@ -111,7 +111,7 @@ fn scene(file: Option<PathBuf>) {
     };
     let drawn = bench.window.draw();
     drawn.unwrap_or_else(|error| panic!("{error}"));
-    // As a window does in its first seconds. And nobody's aid asks it what its panels say.
+    // As a window does in its first seconds; no assistive program asks for its controls.
     bench.window.draw_letters();
     bench.window.tell_controls(false);
     if let Some(file) = file {
@@ -125,7 +125,7 @@ fn scene(file: Option<PathBuf>) {
     if triangles > MANY {
         bench.events /= 5;
     }
-    // Before it was there, another was shown.
+    // The first pictures still showed the demo.
     costs.shown.clone_from(&costs.done);
     bench.report("load", costs);
 
@@ -203,7 +203,7 @@ impl Bench {
             button(header, true),
             button(header, false),
         ]);
-        // The letter stands before its field.
+        // The letter is to the left of its field.
         let field = named(&mut self.window, "position x");
         let letter = field.left_center() - vec2(6.0, 0.0);
         (self.window).send([Event::PointerMoved(letter), button(letter, true)]);
@@ -259,7 +259,7 @@ fn named(window: &mut Offscreen, name: &str) -> Rect {
     control.unwrap_or_else(|| panic!("no {name}")).rect
 }
 
-/// What passes took, in milliseconds.
+/// Times of passes, in milliseconds.
 #[derive(Default)]
 struct Costs {
     /// The thread's processor time of each pass.
@@ -268,12 +268,12 @@ struct Costs {
     shown: Vec<f64>,
     /// From each event until nothing was left to do.
     done: Vec<f64>,
-    /// What all threads worked in that time.
+    /// The processor time of all threads meanwhile.
     all: Vec<f64>,
 }
 
 impl Costs {
-    /// An event's pass, drawn, and those that follow from it.
+    /// Runs an event's pass and those that follow from it.
     fn of(&mut self, window: &mut Offscreen, event: Event) {
         let (start, worked) = (Instant::now(), worked_ms(ClockId::ProcessCPUTime));
         let (mut event, mut shown) = (Some(event), None);
@@ -324,7 +324,7 @@ impl Costs {
     }
 }
 
-/// What a share of sorted times stays below.
+/// The time that a share of the sorted times does not exceed.
 fn at_share(times: &[f64], share: f64) -> f64 {
     #[expect(
         clippy::cast_possible_truncation,

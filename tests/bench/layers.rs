@@ -1,5 +1,5 @@
-//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of whole picks, with
-//! everything that a record says, and of what lies in one place with it.
+//! What a click costs where thousands of surfaces lie on one ray: `cargo bench --bench layers`. Medians of the nearest hit, of
+//! a whole pick's record, of what lies in one place with it, and of all hits in order.
 #![expect(clippy::cast_precision_loss, reason = "counts are small")]
 
 use glam::{DAffine3, DVec2, DVec3};
@@ -37,9 +37,8 @@ fn main() {
     }
     for count in [16_000, 100_000] {
         let square = |i: usize| {
-            let model = DAffine3::from_translation(DVec3::Z * (i as f64 / count as f64));
-            let placement = Placement::new(model).expect("invertible");
-            Object::new("square", Shape::Square, placement)
+            let at = DVec3::Z * (i as f64 / count as f64);
+            object(Shape::Square, DAffine3::from_translation(at))
         };
         line(
             &format!("{count} squares"),
@@ -49,9 +48,8 @@ fn main() {
     for count in [1_000, 16_000] {
         let square = |i: usize| {
             let side = 1.0 + i as f64 / count as f64;
-            let model = DAffine3::from_scale(DVec3::new(side, side, 1.0));
-            let placement = Placement::new(model).expect("invertible");
-            Object::new("square", Shape::Square, placement)
+            let scale = DVec3::new(side, side, 1.0);
+            object(Shape::Square, DAffine3::from_scale(scale))
         };
         line(
             &format!("{count} squares of one plane"),
@@ -71,12 +69,8 @@ fn main() {
     }
     for count in [1_000, 10_000] {
         let cube = |i: usize| {
-            let model = DAffine3::from_scale(DVec3::splat(0.5 + 0.5 * i as f64 / count as f64));
-            Object::new(
-                "cube",
-                Shape::Cube,
-                Placement::new(model).expect("invertible"),
-            )
+            let scale = DVec3::splat(0.5 + 0.5 * i as f64 / count as f64);
+            object(Shape::Cube, DAffine3::from_scale(scale))
         };
         line(
             &format!("{count} nested cubes"),
@@ -96,7 +90,12 @@ fn median(mut run: impl FnMut()) -> f64 {
     times[ROUNDS / 2]
 }
 
-/// In a plane, about the z axis, turned by an angle.
+fn object(shape: Shape, model: DAffine3) -> Object {
+    let placement = Placement::new(model).expect("invertible");
+    Object::new("solid", shape, placement)
+}
+
+/// A triangle at a depth about the z axis, turned by an angle.
 fn triangle(z: f32, turned: f32) -> [[f32; 3]; 3] {
     [0.0, 2.1, 4.2].map(|angle| {
         let (sin, cos) = (angle + turned).sin_cos();

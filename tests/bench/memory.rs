@@ -1,4 +1,4 @@
-//! What a build takes: time, and memory by counting every allocation.
+//! The cost of a build: its time, and its memory by counting all allocations.
 #![allow(unsafe_code, reason = "an allocator")]
 
 use std::{
@@ -7,7 +7,7 @@ use std::{
     time::Instant,
 };
 
-/// Bytes that are held, and the most that were.
+/// Bytes that are held now, and the most that were.
 #[derive(Default)]
 pub struct Count {
     now: AtomicIsize,
@@ -22,7 +22,7 @@ impl Count {
         }
     }
 
-    /// Counts more, or fewer.
+    /// Counts bytes that are allocated, or freed where negative.
     pub fn add(&self, bytes: isize) {
         let now = self.now.fetch_add(bytes, Ordering::Relaxed) + bytes;
         self.peak.fetch_max(now, Ordering::Relaxed);
@@ -33,47 +33,39 @@ impl Count {
     }
 }
 
-/// What a build takes.
+/// The cost of a build.
 #[derive(Clone, Copy)]
 pub struct Cost {
     pub seconds: f64,
-    /// Bytes held, and the most held while at work; `None` where nobody counts them.
+    /// Bytes held afterwards, and the most held during the build; `None` where they are not counted.
     pub memory: Option<[isize; 2]>,
 }
 
-/// Does `work` and says what it cost.
+/// Runs `work` and measures its cost.
 pub fn cost_of<T>(work: impl FnOnce() -> T) -> (T, Cost) {
-    let before = COUNTING.0.now.load(Ordering::Relaxed);
-    COUNTING.0.peak.store(before, Ordering::Relaxed);
+    let before = COUNT.now.load(Ordering::Relaxed);
+    COUNT.peak.store(before, Ordering::Relaxed);
     let start = Instant::now();
     let made = work();
     let seconds = start.elapsed().as_secs_f64();
-    let memory = COUNTING.0.held_and_peak().map(|bytes| bytes - before);
-    (
-        made,
-        Cost {
-            seconds,
-            memory: Some(memory),
-        },
-    )
+    let memory = Some(COUNT.held_and_peak().map(|bytes| bytes - before));
+    (made, Cost { seconds, memory })
 }
 
-struct Counting(Count);
-
 #[global_allocator]
-static COUNTING: Counting = Counting(Count::new());
+static COUNT: Count = Count::new();
 
-// SAFETY: the system's allocator does the work; sizes are only counted.
-unsafe impl GlobalAlloc for Counting {
+// SAFETY: every call goes to the system's allocator; only sizes are counted.
+unsafe impl GlobalAlloc for Count {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        self.0.add(layout.size().cast_signed());
-        // SAFETY: as the caller has it.
+        self.add(layout.size().cast_signed());
+        // SAFETY: the caller's promise.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        self.0.add(-layout.size().cast_signed());
-        // SAFETY: as the caller has it.
+        self.add(-layout.size().cast_signed());
+        // SAFETY: the caller's promise.
         unsafe { System.dealloc(block, layout) }
     }
 }

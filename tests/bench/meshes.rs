@@ -1,4 +1,4 @@
-//! What is measured: meshes that need no file, and files.
+//! The measured meshes: generated ones, and those of files.
 
 use sightline::{
     geometry::MeshData,
@@ -30,7 +30,7 @@ impl Sample {
     }
 }
 
-/// Those that are always measured, from 6 thousand triangles to a million.
+/// The generated meshes, from 6 thousand triangles to a million.
 pub fn generated(small_too: bool) -> Vec<Sample> {
     let small = [("ball 6k", 55), ("ball 70k", 187)];
     let small = small.iter().filter(|_| small_too);
@@ -77,7 +77,7 @@ fn grid(name: &str, [columns, rows]: [u32; 2], at: impl Fn(f64, f64) -> [f64; 3]
     Sample::new(name, positions.collect(), triangles.collect())
 }
 
-/// A bumpy ball: a scan.
+/// A bumpy ball, like a scan.
 fn ball(name: &str, rings: u32) -> Sample {
     grid(name, [rings, rings], |u, v| {
         let (around, up) = (TAU * u, 0.5 * TAU * v);
@@ -104,7 +104,7 @@ fn terrain(name: &str) -> Sample {
     })
 }
 
-/// Long thin triangles, as CAD programs make: 3000 rods of all directions.
+/// Long thin triangles, as CAD programs make them: 3000 rods in all directions.
 fn slivers(name: &str) -> Sample {
     let mut all = Sample::new(name, Vec::new(), Vec::new());
     for rod in 0..3000_u32 {

@@ -1,5 +1,5 @@
-//! What a ray costs in scenes of many objects: `cargo bench --bench objects`. A plain of houses, asked through the tree
-//! over the scene and one after the other, in turns; every answer is compared.
+//! What a ray costs in scenes of many objects: `cargo bench --bench objects`. Houses on a plain are asked in turns through the
+//! scene's tree and one after the other; all answers are compared.
 
 use glam::{DAffine3, DMat3, DVec3};
 use sightline::{
@@ -22,7 +22,7 @@ fn main() {
             .collect();
         let rays: Vec<Ray> = (0..RAYS).map(|i| ray(&scene, i)).collect();
         let mut times = [const { Vec::new() }; 2];
-        // One after the other is slow: it answers for some of the rays.
+        // One after the other is slow, so it gets fewer rays.
         let few = rays.len().min(2_000_000 / houses as usize);
         for _ in 0..ROUNDS {
             times[0].push(time(&rays, |ray| pick::closest(&scene, ray, Sides::Both)));
@@ -63,7 +63,7 @@ fn time<T>(rays: &[Ray], answer: impl Fn(&Ray) -> T) -> f64 {
     1e6 * start.elapsed().as_secs_f64() / f64::from(rays)
 }
 
-/// Points spread evenly over the unit square: multiples of the golden ratio and the like (Roberts's R2 sequence).
+/// Points spread evenly over the unit square: Roberts's R2 sequence.
 fn spread(i: u32) -> [f64; 2] {
     [0.754_877_666_246_692_8, 0.569_840_290_998_053_3]
         .map(|step| (0.5 + step * f64::from(i)).fract())
@@ -87,7 +87,7 @@ fn city(houses: u32) -> Scene {
     Scene::new((0..houses).map(house).collect())
 }
 
-/// From above the city's edge to some place in it.
+/// A ray from above the city's edge to a place in it.
 fn ray(scene: &Scene, i: u32) -> Ray {
     let bounds = scene.bounds();
     let [u, v] = spread(i);

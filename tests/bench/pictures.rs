@@ -1,5 +1,5 @@
-//! Whole pictures by rays, which go through the scene together, against the same rays one by one:
-//! `cargo bench --bench pictures [-- FILE ...]`. All cores, a picture each in turn, medians. Ids must be equal.
+//! Whole pictures by rays in packets, against the same rays one by one: `cargo bench --bench pictures [-- FILE ...]`. Each kind
+//! of picture in turn, on all cores; medians. Ids must be equal.
 
 #[expect(dead_code, reason = "other benchmarks ask more of them")]
 mod meshes;
@@ -41,7 +41,7 @@ fn main() {
     }
 }
 
-/// A scene of files; of none the demo.
+/// The scene of files; without files the demo.
 fn opened(files: &[PathBuf]) -> Scene {
     let loaded = scene::load(files, &Progress::default());
     loaded.unwrap_or_else(|error| panic!("{error}")).scene

@@ -1,9 +1,9 @@
-//! Rays as picks have them: from an eye through pixels, in no order; and from all around.
+//! Rays as picks cast them: from an eye through pixels, in order or shuffled; and rays from all around.
 
 use glam::{DVec3, dvec3};
 use sightline::geometry::{Aabb, Ray};
 
-/// A ray whose numbers `f32` holds, so that all are asked the same.
+/// A ray whose numbers fit in `f32`, so that all rivals get the same.
 fn ray(origin: DVec3, direction: DVec3) -> Ray {
     Ray {
         origin: origin.as_vec3().as_dvec3(),
@@ -13,7 +13,7 @@ fn ray(origin: DVec3, direction: DVec3) -> Ray {
     }
 }
 
-/// Numbers that look random (splitmix64).
+/// Random numbers (splitmix64).
 struct Random(u64);
 
 impl Random {
@@ -40,7 +40,7 @@ impl Random {
     }
 }
 
-/// Through the pixels of a square picture of the box, which fills it; neighbours follow each other, or nobody does.
+/// Rays through the pixels of a square picture that a box fills: neighbours after each other, or shuffled.
 pub fn camera(bounds: &Aabb, side: u32, shuffled: bool) -> Vec<Ray> {
     let towards = dvec3(-1.0, -0.8, -1.6).normalize();
     let right = towards.cross(DVec3::Y).normalize();
@@ -62,7 +62,7 @@ pub fn camera(bounds: &Aabb, side: u32, shuffled: bool) -> Vec<Ray> {
     rays
 }
 
-/// From the sphere about the box, each to another point of it.
+/// Rays between random points of the sphere about a box.
 pub fn from_all_around(bounds: &Aabb, count: usize) -> Vec<Ray> {
     let mut random = Random(2);
     let on_sphere = |random: &mut Random| bounds.center() + bounds.radius() * random.direction();

@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Writes `side * side` cells of two triangles into a folder, and says where.
+/// Writes `side * side` cells of two triangles into a folder, and returns the file's path.
 pub fn write(folder: &Path, side: u32) -> io::Result<PathBuf> {
     let mut text = "o terrain\n".to_owned();
     let at = |i: u32| 10.0 * f64::from(i) / f64::from(side) - 5.0;

@@ -1,11 +1,11 @@
-//! How fast the nearest hit is found, against other libraries: the same rays, pass after pass in turn; every answer is
-//! compared with every other's, and where they differ, and on a sample, brute force decides. Prints ratios of the fastest
-//! passes, which hold on a busy machine where times do not.
+//! How fast nearest hits are found, against other libraries. All get the same rays, in passes that take turns. Where answers
+//! differ, and on a sample, brute force decides which are right. Prints the fastest passes' times and their ratios, which
+//! vary less than times on a busy machine.
 //!
 //! `cargo bench --features rivals --bench trees [-- FILE.obj ...]`: files take the place of the small generated meshes. Embree is
 //! measured where its library is installed, tinybvh where everything is compiled for AVX2; see README.
 //!
-//! Last of each mesh comes what a hover costs: single rays, one pixel after the other, each timed by itself.
+//! The last line of each mesh is the cost of a hover: rays through one pixel after the other, each timed alone.
 
 mod embree;
 mod memory;
@@ -19,18 +19,18 @@ use rivals::{Answer, Built, Rival};
 use sightline::geometry::{Aabb, Mesh, Ray, Sides};
 use std::{hint::black_box, path::PathBuf, process::ExitCode, time::Instant};
 
-/// Rays are a square picture's.
+/// Width and height of the picture that the rays go through.
 const SIDE: u32 = 384;
 /// Passes of which the fastest counts.
 const PASSES: usize = 15;
 /// Builds that are timed.
 const BUILDS: usize = 3;
-/// Triangles that brute force may try for a mesh, to say which answers are right.
+/// Triangle tests that brute force may spend on a mesh.
 const TRUTH: usize = 400_000_000;
 
-/// What came of one mesh, by rival.
+/// A rival's figures on one mesh.
 struct Row {
-    /// Nanoseconds a ray of the fastest pass; by kind of rays.
+    /// Nanoseconds a ray in the fastest pass, by kind of rays.
     nanoseconds: [f64; 3],
     wrong: usize,
     judged: usize,
@@ -46,10 +46,10 @@ fn main() -> ExitCode {
         .collect();
     let generated = meshes::generated(files.is_empty());
     let rivals = rivals::all();
-    let reference = usize::from(rivals[1].name().starts_with("Embree"));
+    let reference = usize::from(rivals[1].name.starts_with("Embree"));
     println!(
         "ratios to {}, {} rays a pass",
-        rivals[reference].name(),
+        rivals[reference].name,
         SIDE * SIDE
     );
     let mut all = Vec::new();
@@ -72,13 +72,13 @@ fn main() -> ExitCode {
             let ratios = all.iter().map(|rows| of(&rows[i]) / of(&rows[reference]));
             print!(" {:width$.2}", geometric_mean(ratios));
         };
-        print!("{:16}", rival.name());
+        print!("{:16}", rival.name);
         for kind in 0..3 {
             mean(&|row| row.nanoseconds[kind], 10);
         }
         mean(&|row| row.cost.seconds, 6);
         for of in [0, 1] {
-            // Logarithms of what nobody counts are NaN.
+            // Memory that nobody counts is NaN.
             #[expect(clippy::cast_precision_loss, reason = "a size")]
             mean(&|row| row.cost.memory.map_or(f64::NAN, |m| m[of] as f64), 6);
         }
@@ -93,7 +93,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
+fn measure(sample: &Sample, rivals: &[Rival]) -> Vec<Row> {
     let truth = Mesh::new(sample.data()).expect("a mesh");
     let bounds = truth.part_bounds(0);
     let rays = [
@@ -101,10 +101,10 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
         rays::camera(&bounds, SIDE, false),
         rays::from_all_around(&bounds, (SIDE * SIDE) as usize),
     ];
-    let mut built: Vec<(Box<dyn Built>, Cost)> = rivals.iter().map(|r| r.build(sample)).collect();
+    let mut built: Vec<Built> = rivals.iter().map(|r| (r.build)(sample)).collect();
     for _ in 1..BUILDS {
         for (rival, (_, cost)) in rivals.iter().zip(&mut built) {
-            cost.seconds = cost.seconds.min(rival.build(sample).1.seconds);
+            cost.seconds = cost.seconds.min((rival.build)(sample).1.seconds);
         }
     }
     let mut rows: Vec<Row> = built
@@ -122,7 +122,7 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
         for _ in 0..PASSES {
             for (i, (tree, _)) in built.iter().enumerate() {
                 let start = Instant::now();
-                tree.closest(rays, &mut answers[i]);
+                tree(rays, &mut answers[i]);
                 seconds[i].push(start.elapsed().as_secs_f64());
             }
         }
@@ -136,10 +136,10 @@ fn measure(sample: &Sample, rivals: &[Box<dyn Rival>]) -> Vec<Row> {
     rows
 }
 
-/// Counts wrong answers: by brute force in `f64`, first where anybody disagrees, then of every so many.
+/// Counts wrong answers by brute force in `f64`: first where rivals disagree, then on every `step`-th ray.
 fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], rows: &mut [Row]) {
     let budget = TRUTH / truth.data().triangles.len() / 3;
-    // What f32 makes of t, generously: beyond that it is another surface.
+    // Generous for t in f32: answers further apart are different surfaces.
     let tolerance = 1e-4 * bounds.radius();
     let same = |ray: &Ray, a: Answer, b: Answer| match (a, b) {
         (Some((a, _)), Some((b, _))) => (a - b).abs() * ray.direction.length() <= tolerance,
@@ -158,7 +158,7 @@ fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], row
         for (rival, row) in rows.iter_mut().enumerate() {
             let answer = answers[rival][i];
             row.judged += 1;
-            // Ours to the bit.
+            // Sightline's must be equal to the bit.
             let right = if rival == 0 {
                 answer == hit
             } else {
@@ -169,7 +169,7 @@ fn judge(truth: &Mesh, bounds: &Aabb, rays: &[Ray], answers: &[Vec<Answer>], row
     }
 }
 
-fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &Row) {
+fn print(sample: &Sample, rivals: &[Rival], rows: &[Row], reference: &Row) {
     #[expect(clippy::cast_precision_loss, reason = "a count")]
     let millions = sample.triangles.len() as f64 / 1e6;
     println!("\n{}: {} triangles", sample.name, sample.triangles.len());
@@ -178,7 +178,7 @@ fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &R
         "", "incoherent ns", "coherent ns", "all around ns", "wrong", "build ms", "MB", "peak MB"
     );
     for (rival, row) in rivals.iter().zip(rows) {
-        print!("{:16}", rival.name());
+        print!("{:16}", rival.name);
         for kind in 0..3 {
             let (own, other) = (row.nanoseconds[kind], reference.nanoseconds[kind]);
             print!(" {own:11.0} ({:.2})", own / other);
@@ -205,7 +205,7 @@ fn print(sample: &Sample, rivals: &[Box<dyn Rival>], rows: &[Row], reference: &R
     );
 }
 
-/// Median and 99th percentile of single rays, in nanoseconds, the clock's own time included.
+/// Median and 99th percentile of single rays' times, in nanoseconds, including the clock's own.
 fn hover(sample: &Sample) -> [u128; 2] {
     let mesh = Mesh::new(sample.data()).expect("a mesh");
     mesh.build_tree();

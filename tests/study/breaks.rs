@@ -78,7 +78,7 @@ fn spheres_with_the_direction_taken_as_1_long_need_it_so() {
     assert!(row.wrong_percent() > 30.0, "{row:?}");
 }
 
-/// Where whole numbers make a ray touch, or pass an edge by less than `f64` can add to them, only exact arithmetic knows.
+/// Where a ray touches exactly, or passes an edge at a distance that `f64` rounds away, only exact arithmetic is right.
 #[test]
 fn rays_that_touch_need_exact_arithmetic() {
     for (step, method, family, bits) in [
@@ -132,7 +132,7 @@ fn padded_boxes_lose_nothing() {
         let found = report()
             .rows
             .iter()
-            .filter(|row| (row.method, row.precision) == (method, precision));
+            .filter(|row| row.key() == (method, precision));
         assert_eq!(found.map(|row| row.missed).sum::<usize>(), 0, "{method}");
     }
 }

@@ -1,4 +1,4 @@
-//! What `--budget` says: five lines, of methods that are off by no more than it says.
+//! `--budget` prints five lines, and the methods' errors are within the bounds that it states.
 
 use super::gallery::view_of;
 use sightline::{
@@ -40,7 +40,7 @@ fn town(folder: &tempfile::TempDir, camera: &str) -> PathBuf {
     file
 }
 
-/// Outlines through a lens so long that what `f32` adds to a decision is many pixels.
+/// Outlines through a lens so long that the rounding of `f32` is many pixels.
 fn long_lenses(folder: &tempfile::TempDir) -> Vec<PathBuf> {
     let needles = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/gallery/needles.obj");
     std::fs::copy(needles, folder.path().join("needles.obj")).expect("a mesh");
@@ -99,13 +99,13 @@ fn no_estimate_is_beaten_by_what_was_measured() {
             *seen.entry(estimate.step).or_default() += usize::from(measured > 0.0);
         }
     }
-    // Every method was off somewhere: that would be seen.
+    // Every method has an error somewhere, so none is skipped.
     for step in ["ray", "object-space", "triangle", "sphere", "box", "square"] {
         assert!(seen.get(step) > Some(&0), "{step}: {seen:?}");
     }
 }
 
-/// In a town far out `f32` has lost the places of things, and says so; near the origin it does.
+/// In a town far from the origin `f32` cannot hold positions, and the budget says so; near the origin `f32` is enough.
 #[test]
 fn a_town_in_map_coordinates_needs_f64() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -120,7 +120,7 @@ fn a_town_in_map_coordinates_needs_f64() {
     assert!(lines[0].contains("within the budget of 0.05 px"), "{page}");
     assert!(lines[1].starts_with("Most of it is "), "{page}");
     assert!(
-        lines[2].contains("units from the world's origin") || lines[2].contains("however far"),
+        lines[2].contains("units from the world's origin") || lines[2].contains("at any distance"),
         "{page}"
     );
     assert!(
@@ -130,7 +130,7 @@ fn a_town_in_map_coordinates_needs_f64() {
     for wrong in ["M n", "by distance", "sum == 1", "the course's"] {
         assert!(!page.contains(wrong), "{wrong}: {page}");
     }
-    // A coarse budget lets f32 do; none is met that is below f64's own.
+    // A coarse budget allows f32; a budget below f64's own errors cannot be met.
     let coarse = study::budget(&rays, &view, &report, 1e6);
     assert!(
         coarse.starts_with("in f32 ") && !coarse.contains("; in f64 ray"),
@@ -138,12 +138,12 @@ fn a_town_in_map_coordinates_needs_f64() {
     );
     let none = study::budget(&rays, &view, &report, 1e-18);
     assert!(
-        none.contains("over the budget of 1e-18 px") && none.contains("nowhere"),
+        none.contains("over the budget of 1e-18 px") && none.contains("No distance"),
         "{none}"
     );
 }
 
-/// Where a line says how far it holds: moved there it holds, and moved twice as far it does not.
+/// The stated distance is right: moved nearly so far, a scene is within the budget; moved four times as far, it is not.
 #[test]
 fn a_budget_holds_as_far_as_it_says() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -159,7 +159,7 @@ fn a_budget_holds_as_far_as_it_says() {
     };
     let near = moved(0.0);
     assert!(near.starts_with("in f32 "), "{near}");
-    let words = "It holds until the eye is ";
+    let words = "That holds until eye and objects are ";
     let line = near
         .lines()
         .find_map(|line| line.strip_prefix(words))

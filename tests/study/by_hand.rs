@@ -1,5 +1,6 @@
-//! Truth and workloads are right on what hands can check.
+//! Truth and workloads are right on cases that can be checked by hand.
 
+use glam::dvec2;
 use sightline::study::{
     exact::{Exact, Exact3, angle},
     methods::{
@@ -108,7 +109,7 @@ fn truth_agrees_with_hand_cases() {
     assert!((beside / 1e-9 - 1.0).abs() < 1e-6, "{beside}");
 
     let clip = |depth: f64| {
-        let case = ClipCase::new(0.5, 0.8, 8.0, [300.5, 200.5], depth).expect("a camera");
+        let case = ClipCase::new(0.5, 0.8, 8.0, dvec2(300.5, 200.5), depth).expect("a camera");
         case.truth()
     };
     assert_eq!(
@@ -116,7 +117,7 @@ fn truth_agrees_with_hand_cases() {
         [true, false, false, true]
     );
 
-    // An object moved by (0, 0, 5) and doubled: its ray comes back onto the world's, or one unit of space beside it.
+    // An object moved by (0, 0, 5) and doubled: its ray, back in the world, is the world's ray or one unit beside it.
     let twice = M3([v(2.0, 0.0, 0.0), v(0.0, 2.0, 0.0), v(0.0, 0.0, 2.0)]);
     let ray = [v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0)];
     let placed = Placed::new(ray, twice, v(0.0, 0.0, 5.0));
@@ -175,7 +176,7 @@ fn cases_are_the_same_numbers_for_both_precisions() {
 
 #[test]
 fn random_numbers_are_the_same_everywhere() {
-    // Known by heart: a change of the generator changes every workload.
+    // Fixed here because a change of the generator changes every workload.
     let mut random = Random::named(1, &["triangle", "ordinary"]);
     let numbers: [i32; 4] = std::array::from_fn(|_| random.integer(0, 999));
     assert_eq!(numbers, [51, 621, 584, 805]);

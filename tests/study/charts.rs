@@ -1,4 +1,4 @@
-//! Charts are written, and no words lie over each other.
+//! Charts are written, and no words overlap.
 
 use sightline::study::{
     self, Effort, Report,
@@ -10,7 +10,7 @@ use sightline::study::{
 };
 use std::collections::HashSet;
 
-/// With times, since speed is half of a chart.
+/// A report with times, since half of a chart is speed.
 fn timed() -> Report {
     study::run(
         Effort {
@@ -47,7 +47,7 @@ fn are_written_and_say_something() {
     }
 }
 
-/// A file that was there is not written into: another takes its place once it is whole.
+/// An existing file is not written into: a new one replaces it once it is whole.
 #[test]
 fn what_an_earlier_run_left_is_replaced_whole() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -79,7 +79,7 @@ fn what_an_earlier_run_left_is_replaced_whole() {
     }
 }
 
-/// Labels stand at the points of the large panels, one a formula.
+/// Each formula has one label in each of the large panels.
 fn every_formula_is_named(front: &Picture) {
     let words: Vec<&str> = texts(front).map(|(_, text)| text).collect();
     let steps = ["triangle", "sphere", "pick"];
@@ -105,7 +105,7 @@ fn every_formula_is_named(front: &Picture) {
     }
 }
 
-/// Every word with its place.
+/// Every text with its place.
 fn texts(picture: &Picture) -> impl Iterator<Item = ([f64; 2], &str)> {
     picture.marks.iter().filter_map(|mark| match mark {
         Mark::Text { at, text, .. } => Some((*at, text.as_str())),

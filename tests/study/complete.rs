@@ -1,4 +1,4 @@
-//! What the methods of others are known for: which decide right whatever comes, which leak, which lose digits.
+//! Known properties of the methods besides Sightline's: which always decide right, which leak, which lose digits.
 
 use super::{gallery::view_of, report, row, rows};
 use sightline::{
@@ -14,7 +14,7 @@ use sightline::{
     },
 };
 
-/// Far rays, slivers and ties are easy for those who compute long enough.
+/// Methods with enough digits decide far rays, slivers and ties right.
 #[test]
 fn long_arithmetic_decides_right() {
     for (method, precision) in [
@@ -23,7 +23,7 @@ fn long_arithmetic_decides_right() {
         ("exact everywhere", Exact),
     ] {
         let own = report().rows.iter().filter(|row| {
-            (row.step.key, row.method, row.precision) == ("triangle", method, precision)
+            (row.step.key, row.name, row.precision) == ("triangle", method, precision)
         });
         let wrong: Vec<_> = own.clone().filter(|row| row.wrong() > 0).collect();
         assert!(wrong.is_empty(), "{wrong:?}");
@@ -31,11 +31,11 @@ fn long_arithmetic_decides_right() {
     }
 }
 
-/// Whatever is wrong with a triangle test, it is not what most rays find.
+/// Every triangle test is right for almost all ordinary rays.
 #[test]
 fn every_triangle_test_does_what_is_ordinary() {
     let ordinary = report().rows.iter().filter(|row| {
-        (row.step.key, row.family) == ("triangle", "ordinary") && !row.method.starts_with("areas")
+        (row.step.key, row.family) == ("triangle", "ordinary") && !row.name.starts_with("areas")
     });
     let mut methods = 0;
     for row in ordinary {
@@ -76,7 +76,7 @@ fn watertight_tests_close_a_mesh_and_others_leak() {
     }
 }
 
-/// That a ray surely enters is the truth of that step: exact arithmetic finds where.
+/// The truth of this step, that every ray enters the body, agrees with exact arithmetic.
 #[test]
 fn rays_that_surely_enter_a_body_do() {
     for family in ClosedCase::FAMILIES {
@@ -113,7 +113,7 @@ fn files_keep_what_f32_has_digits_for() {
     }
 }
 
-/// Less the eye is what loses digits; from near to almost endlessly far the eye cancels.
+/// Subtracting the eye loses digits; between a near and an almost infinitely far point the eye cancels.
 #[test]
 fn unprojection_loses_digits_to_the_eye() {
     let worst = |method: &str, precision, family: &str, value: f64| {

@@ -1,4 +1,4 @@
-//! The gallery: scenes on which methods break; and what the budget says about one.
+//! The gallery: each scene breaks the methods that it is listed for; and what the budget says about one.
 
 use sightline::{
     camera::{View, Viewport},
@@ -59,7 +59,7 @@ fn each_scene_breaks_its_method_and_not_ours() {
             *rows.find(|row| wanted(row)).expect("a row")
         };
         let scene = broken.exhibit;
-        let bad = row(&|row| (row.method, row.precision) == (broken.method, broken.precision));
+        let bad = row(&|row| row.key() == (broken.method, broken.precision));
         let wrong = if bad.wrong() > 0 {
             bad.wrong_percent()
         } else {
@@ -105,13 +105,11 @@ fn every_scene_of_the_folder_is_in_the_gallery_and_breaks_something() {
     }
     for broken in &BREAKS {
         assert!(broken.swap().is_some(), "no such method: {broken:?}");
-        let families = broken.step.rows(
-            broken.family,
-            Effort {
-                cases: 1,
-                ..Effort::QUICK
-            },
-        );
+        let effort = Effort {
+            cases: 1,
+            ..Effort::QUICK
+        };
+        let families = broken.step.rows(broken.family, effort, None);
         assert!(families.len() > 1, "no such family: {broken:?}");
         assert!(names_contain(broken.exhibit), "no such scene: {broken:?}");
     }
@@ -121,7 +119,7 @@ fn names_contain(name: &str) -> bool {
     GALLERY.iter().any(|exhibit| exhibit.name == name)
 }
 
-/// What the program holds is what the files hold.
+/// The scenes inside the program equal the files.
 #[test]
 fn the_gallery_opens_as_its_files_do() {
     for exhibit in &GALLERY {
@@ -143,7 +141,7 @@ fn the_gallery_opens_as_its_files_do() {
     assert!(said.contains("needles"), "{said}");
 }
 
-/// The chart beside a scene is of that scene: its curve passes, in the view's pixels, where the scene's own rays are.
+/// The chart beside a scene fits the scene: its curve, in the view's pixels, passes the figures of the scene's own rays.
 #[test]
 fn the_chart_matches_the_picture() {
     let mut failed = Vec::new();
@@ -153,9 +151,9 @@ fn the_chart_matches_the_picture() {
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
         let own = rows
             .iter()
-            .filter(|row| (row.method, row.precision) == (broken.method, broken.precision));
+            .filter(|row| row.key() == (broken.method, broken.precision));
         let (here, family): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.family == SCENE);
-        // Between the families' values before and after the scene's, give or take what the worst of many varies by.
+        // Between the family's figures just before and after the scene's value, with slack as the worst of many cases varies.
         let figure = |row: &Row| {
             if row.wrong() > 0 {
                 row.worst_wrong
@@ -182,8 +180,8 @@ fn the_chart_matches_the_picture() {
         assert!(!near.is_empty(), "{broken:?}");
         let [low, high] =
             [f64::min, f64::max].map(|of| near.iter().copied().reduce(of).expect("one"));
-        // What fails altogether in one direction need not in another.
-        // Depths go all the way to the far plane there, and not half as far on the scene.
+        // A method that fails completely in the family need not fail on the scene.
+        // The family's depths reach the far plane; the scene's do not reach half of it.
         let low = if broken.step.about.key == "depth" {
             0.0
         } else {
@@ -193,22 +191,20 @@ fn the_chart_matches_the_picture() {
         if !(low / 30.0 <= found && found <= 30.0 * high) {
             failed.push(format!("{}: {found} and {near:?}", broken.exhibit));
         }
-        // The study's own pixels are another lens's.
+        // The study's own pixels are those of another lens.
         assert!(here[0].wrong() > 0 || found > 0.0, "{broken:?}");
     }
     assert!(failed.is_empty(), "{failed:#?}");
 }
 
-/// The plain quadratic is as good in `f64`, and so are others; what breaks is not among them.
+/// The plain quadratic in `f64` is among the methods as good as Sightline's; the broken method is not.
 #[test]
 fn others_that_are_as_good_are_named() {
     for broken in &BREAKS {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
-        let good: Vec<_> = gallery::as_good(&rows)
-            .map(|row| (row.method, row.precision))
-            .collect();
+        let good: Vec<_> = gallery::as_good(&rows).map(|row| row.key()).collect();
         assert!(
             !good.contains(&(broken.method, broken.precision)),
             "{broken:?}: {good:?}"
@@ -222,7 +218,7 @@ fn others_that_are_as_good_are_named() {
     }
 }
 
-/// Through an orthographic lens all steps have cases, methods break as they do in perspective, and bounds hold.
+/// With an orthographic lens all steps have cases, methods break as they do in perspective, and bounds hold.
 #[test]
 fn parallel_rays_are_studied_too() {
     for (name, far) in [
@@ -262,10 +258,10 @@ fn parallel_rays_are_studied_too() {
         }
         let worst = |method: &str, precision| {
             let mut rays = rows("ray").into_iter();
-            let row = rays.find(|row| (row.method, row.precision) == (method, precision));
+            let row = rays.find(|row| row.key() == (method, precision));
             row.expect("a row").worst_error
         };
-        // All that hold a point of the world in f32 lose it far out; f64 does not.
+        // Far out, methods that hold a world point in f32 lose it; in f64 they do not.
         for method in [
             "eye basis",
             "target + sx H + sy V - eye",

@@ -1,5 +1,5 @@
-//! The study: truth is right on cases that hands can do, methods break where they are known to, what this program does
-//! stays within its derived bounds, and the same seed says the same.
+//! The study: truth is right on cases that can be checked by hand, methods break where they are known to, Sightline's methods
+//! stay within their derived bounds, and the same seed gives the same report.
 #![cfg(feature = "window")]
 #![allow(clippy::float_cmp, reason = "what is exact is compared exactly")]
 
@@ -34,8 +34,7 @@ fn report() -> &'static Report {
 /// A method's rows in a family, by the parameter's value.
 fn rows(step: &str, method: &str, precision: Precision, family: &str) -> Vec<&'static Row> {
     let wanted = |row: &&Row| {
-        (row.step.key, row.method, row.precision) == (step, method, precision)
-            && row.family == family
+        (row.step.key, row.name, row.precision) == (step, method, precision) && row.family == family
     };
     let rows: Vec<_> = report().rows.iter().filter(wanted).collect();
     assert!(!rows.is_empty(), "{method} {precision} has no {family}");
@@ -99,7 +98,7 @@ fn what_this_program_does_stays_within_its_bounds() {
     }
 }
 
-/// A bound that is infinite, or that nothing comes near, would hold whatever happens.
+/// Bounds are tight: an infinite bound, or one that no error comes near, would prove nothing.
 #[test]
 fn bounds_of_values_say_something() {
     for step in report().steps() {
@@ -138,7 +137,7 @@ fn csv_parses_back() {
         assert_eq!(cells.len(), COLUMNS.split(',').count(), "{line}");
         assert_eq!(
             (cells[0].as_str(), cells[1].as_str()),
-            (row.step.key, row.method)
+            (row.step.key, row.name)
         );
         assert_eq!(cells[6].parse(), Ok(row.value), "{line}");
         assert_eq!(cells[8].parse(), Ok(row.missed), "{line}");

@@ -1,10 +1,10 @@
-//! `summary.csv`: what stands on the front. Speed is read from the run that README shows, kept whole in `assets`: timings made
-//! while other tests run would hold nothing. What that run says is held to be this registry's, and to follow from its figures.
+//! `summary.csv` and its front. Times are those of the recorded run that README shows, in `assets`, as times measured beside
+//! other tests would prove nothing. The recorded run must fit this registry, and its front must follow from its figures.
 
 use super::{cells, report};
 use sightline::study::{self, Report, Row, SUMMARY_COLUMNS, Time, methods::registry};
 
-/// `cargo run --release -- study --out study`, of the day and on the machine that README names.
+/// Written by `cargo run --release -- study --out study` on the day and machine that README names.
 const RECORDED: &str = include_str!("../../assets/study-summary.csv");
 
 /// A line of the recorded run.
@@ -43,7 +43,7 @@ fn recorded() -> Vec<Line> {
 }
 
 #[test]
-fn each_star_is_on_the_front_or_says_what_it_buys() {
+fn each_star_is_on_the_front_or_says_what_it_offers() {
     let ours: Vec<Line> = recorded().into_iter().filter(|line| line.ours).collect();
     assert_eq!(ours.len(), report().steps().len());
     for Line {
@@ -81,8 +81,8 @@ fn the_recorded_run_is_of_these_methods() {
     assert_eq!(recorded, methods.collect::<Vec<_>>());
 }
 
-/// Of the recorded figures: no method that is at most as wrong is more than a tenth faster. Figures that are written alike
-/// may differ behind their last digit: where that decides, either is right.
+/// A recorded method is on the front exactly where no other that is at most as wrong is more than a tenth faster. Figures
+/// that are printed alike may differ in later digits; where these decide, either answer is right.
 #[test]
 fn the_recorded_front_follows_from_its_figures() {
     let lines = recorded();
@@ -129,7 +129,7 @@ fn timed(row: &Row, ns: f64) -> Row {
     }
 }
 
-/// What is said of the second of two methods of which the first is right, with these times and the second's wrong decisions.
+/// The summary's cells of the second of two methods, with these times and numbers of wrong decisions.
 fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
     let rows = report().rows.iter().filter(|row| row.step.key == "clip");
     let rows: Vec<&Row> = rows.take(2).collect();
@@ -142,7 +142,6 @@ fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
     };
     let report = Report {
         rows: vec![row(0), row(1)],
-        has_scene: false,
     };
     let text = study::summary_csv(&report);
     cells(text.lines().nth(2).expect("two methods"))
@@ -160,7 +159,7 @@ fn a_front_is_speed_against_what_is_wrong() {
     assert!(!on_front([10.0, 30.0], [1, 1]));
 }
 
-/// Wilson's upper limit as textbooks tabulate it; 3 of n for none of n.
+/// Wilson's upper limit as in textbooks' tables; for none of n, 3 of n.
 #[test]
 fn rates_have_their_interval() {
     let high = |wrong: usize| {

@@ -1,5 +1,5 @@
-//! Views in which the first surface on a ray need not be the one that shows: back faces culled, shapes cut by the near
-//! plane, parallel rays that start behind the eye.
+//! Views in which the first surface on a ray may be invisible: back faces culled, shapes cut by the near plane, parallel rays
+//! that start behind the eye.
 
 use super::gallery::view_of;
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
@@ -20,7 +20,7 @@ use std::sync::Arc;
 const WIDTH: u32 = 161;
 const HEIGHT: u32 = 91;
 
-/// A mesh of two squares in planes of constant z, 2 wide: the nearer one faces away from +z, the other one to it.
+/// A mesh of two squares in planes of constant z, 2 wide: the nearer one faces away from +z, the other one towards it.
 fn two_sheets() -> Shape {
     let square = |z: f32| {
         [
@@ -65,7 +65,8 @@ fn row_of_shapes() -> Scene {
     scene
 }
 
-/// Whole and culled; cut, those on the left less; by parallel rays that begin behind an eye among the shapes.
+/// Views of all shapes: whole, cut by the near plane (less on the left), and by parallel rays that start behind an eye among
+/// the shapes; with back faces and without.
 fn views(scene: &Scene) -> Vec<View> {
     let viewport = Viewport::new(WIDTH, HEIGHT).expect("a picture");
     let view = |near: Option<f64>, ortho: Option<f64>, z: f64, sides: Sides| {
@@ -95,7 +96,7 @@ fn views(scene: &Scene) -> Vec<View> {
     ]
 }
 
-/// What Sightline does is right, and culled faces are nobody's hits.
+/// Sightline's picks are right, and no method hits a culled face.
 #[test]
 fn what_is_cut_and_culled_is_studied_right() {
     let scene = row_of_shapes();
@@ -117,18 +118,18 @@ fn what_is_cut_and_culled_is_studied_right() {
         }
         let pick = |method: &str| {
             let mut rows = report.rows.iter();
-            rows.find(|row| (row.step.key, row.family, row.method) == ("pick", SCENE, method))
+            rows.find(|row| (row.step.key, row.family, row.name) == ("pick", SCENE, method))
                 .expect("a row")
         };
-        // The courses' test loses hits, but sees nothing where nothing is.
+        // The courses' test loses hits, but finds none where nothing is.
         assert_eq!(pick("the course's").phantoms, 0, "{view:?}");
         let usual = pick("unproject, Moeller-Trumbore");
         assert!(usual.wrong_percent() < 2.0, "{view:?} {usual:?}");
     }
 }
 
-/// With a step by the method that is Sightline's, or one that is as good, a pick is Sightline's pick: what is swapped
-/// in is the step and nothing else.
+/// A pick with a step swapped for Sightline's own method, or one as good, equals Sightline's pick: a swap changes only its
+/// step.
 #[test]
 fn a_good_method_swapped_in_changes_nothing() {
     let mut steps: Vec<AnyStep> = BREAKS.map(|broken| broken.step).to_vec();
@@ -149,7 +150,7 @@ fn a_good_method_swapped_in_changes_nothing() {
     }
 }
 
-/// Over every so many columns and rows.
+/// At every so many columns and rows.
 fn changes_nothing(scene: &Scene, view: &View, step: AnyStep, every: [usize; 2]) {
     let good = |info: &MethodInfo| {
         info.ours || (info.name, info.precision) == ("inverse(M), normalised", F64)

@@ -1,4 +1,4 @@
-//! Scales, with places beside them for none, for ties and for what fails; and the frame that two of them make.
+//! Axes, with places beside the scale for 0, for ties and for infinite values; and panels, frames with two axes.
 
 use super::{
     measure::Measure,
@@ -6,29 +6,29 @@ use super::{
 };
 use plotters::coord::{ranged1d::Ranged, types::RangedCoordf64};
 
-/// A scale from values to pixels.
+/// A map from values to pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
-    /// Of a value: its logarithm, or itself.
+    /// The logarithm, or the identity.
     scale: fn(f64) -> f64,
-    /// What that is at both ends of the scale proper.
+    /// The scaled values at both ends.
     range: [f64; 2],
-    /// Pixels at both ends of the scale proper.
+    /// The pixel positions of both ends.
     ends: [f64; 2],
-    /// Where 0 is drawn, beyond the first end.
+    /// The pixel position of 0, before the first end.
     none: Option<f64>,
-    /// Where ties are, between 0 and the first end.
+    /// The pixel position of ties, between 0 and the first end.
     ties: Option<f64>,
-    /// Where what fails is drawn, beyond the last end.
+    /// The pixel position of infinite values, beyond the last end.
     fails: Option<f64>,
 }
 
-/// How far beyond the scale such places lie, in pixels.
+/// The distance of such positions from the scale, in pixels.
 const BEYOND: f64 = 22.0;
 
 impl Axis {
-    /// A logarithmic scale that holds all values, between two pixel positions, in whole powers of ten. Places for 0, for
-    /// [ties](Measure::TIE) and for what is infinite are kept where there are such values.
+    /// A logarithmic axis between two pixel positions that holds all values, with whole powers of ten at its ends. It has places
+    /// for 0, for [ties](Measure::TIE) and for infinity where such values occur.
     pub fn new(values: &[f64], ends: [f64; 2]) -> Self {
         let finite = || {
             let scaled = |v: &&f64| v.is_finite() && **v > Measure::TIE;
@@ -60,7 +60,7 @@ impl Axis {
         }
     }
 
-    /// A scale of its own: `range` is what `scale` makes of the values at both ends.
+    /// An axis with a scale; `range` are the scaled values at both ends.
     pub fn between(scale: fn(f64) -> f64, range: [f64; 2], ends: [f64; 2]) -> Self {
         Self {
             scale,
@@ -72,12 +72,12 @@ impl Axis {
         }
     }
 
-    /// From 0 to a value in equal steps.
+    /// A linear axis from 0 to `most`.
     pub fn linear(most: f64, ends: [f64; 2]) -> Self {
         Self::between(|value| value, [0.0, most], ends)
     }
 
-    /// The same scale from the other end.
+    /// The axis with its ends swapped.
     pub fn reversed(self) -> Self {
         let [a, b] = self.ends;
         Self {
@@ -86,7 +86,7 @@ impl Axis {
         }
     }
 
-    /// The pixel positions between which the scale proper lies.
+    /// The pixel positions of both ends of the scale, without the places beside it.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
@@ -105,8 +105,7 @@ impl Axis {
         beside.unwrap_or(on_scale)
     }
 
-    /// Values and words at which the axis is marked, at most about so many: powers of ten; where there are few of them, twos
-    /// and fives too.
+    /// The ticks, at most about `most`, each with its label: powers of ten; where these are few, twos and fives as well.
     fn ticks(&self, most: usize) -> Vec<(f64, String)> {
         let [low, high] = self.range;
         if (self.scale)(1.0) != 0.0 {
@@ -126,7 +125,7 @@ impl Axis {
     }
 }
 
-/// A tick's.
+/// A tick's label.
 fn word(value: f64) -> String {
     if value == 0.0 || (0.000_999..20_000.0).contains(&value) {
         format!("{}", (value * 1e6).round() / 1e6)
@@ -148,7 +147,7 @@ pub struct Panel {
     pub to: [f64; 2],
 }
 
-/// Behind what is never wrong.
+/// The background of methods that are never wrong.
 pub const NEVER: Colour = [0xe8, 0xf5, 0xee];
 /// Size of tick labels.
 const TICK: f64 = 14.0;
@@ -161,13 +160,13 @@ impl Panel {
         Self { x, y, from, to }
     }
 
-    /// Where a pair of values is drawn.
+    /// The pixel position of a pair of values.
     pub fn at(&self, x: f64, y: f64) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Grid, ticks, frame and words: a title above, the axes' names with their units, and the word for 0. An axis without a name
-    /// has no numbers either.
+    /// Draws grid, ticks and frame, a title above, the axes' names with their units, and `none` at 0. An axis without a name
+    /// has no numbers.
     pub fn draw(
         &self,
         picture: &mut Picture,

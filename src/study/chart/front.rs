@@ -2,14 +2,14 @@
 
 use super::prelude::*;
 
-/// The steps that are shown, and whether the axis of time is that of the first.
+/// The steps that are shown, and whether their panels share one time axis.
 const STEPS: [(&str, bool); 3] = [("triangle", true), ("sphere", true), ("pick", false)];
-/// The frames: above, below, where the first begins, and between two.
+/// The frames' top and bottom, the first one's left end, and the gap between two.
 const TOP: f64 = 148.0;
 const BOTTOM: f64 = 836.0;
 const LEFT: f64 = 100.0;
 const GAP: f64 = 40.0;
-/// How high a line of the band of those that are never wrong is.
+/// Height of a line in the band of methods that are never wrong.
 const ROW: f64 = 30.0;
 
 /// One formula in one precision.
@@ -19,7 +19,7 @@ struct Point<'a> {
     ns: f64,
     /// On the workload that takes longest.
     slowest: f64,
-    /// Wrong answers in per cent over all workloads, on the middle one, on the worst one where some are no ties, on the worst.
+    /// Wrong answers in per cent: over all workloads, the median workload's, the worst with more than ties, the worst.
     wrong: [f64; 4],
 }
 
@@ -28,7 +28,7 @@ impl<'a> Point<'a> {
         let rows = || of.rows.iter().copied();
         let mut percents: Vec<f64> = rows().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
-        // Another triangle or none is at no distance, and no tie.
+        // A wrong triangle has no distance, and is no tie.
         let apart = rows().filter(|row| row.worst_wrong > 0.0 || row.step.wrong_unit.is_empty());
         let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
         let all = 100.0 * of.wrong_rate();
@@ -48,7 +48,7 @@ impl<'a> Point<'a> {
         if self.row.ours {
             "Sightline"
         } else {
-            self.row.method
+            self.row.name
         }
     }
 }
@@ -104,13 +104,14 @@ pub fn chart(report: &Report) -> Picture {
     picture
 }
 
-/// The formulas that are never wrong.
+/// The names of the formulas that are never wrong.
 fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
     let never = points.iter().filter(|point| point.is_never_wrong());
-    distinct(never.map(|point| point.row.method))
+    distinct(never.map(|point| point.row.name))
 }
 
-/// The logarithms of the times that an axis shows. What takes many times as long as most stands at its end, with its time.
+/// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at its end, with their
+/// time in words.
 fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
     let mut times: Vec<f64> = points.into_iter().map(|point| point.ns.log10()).collect();
     times.sort_by(f64::total_cmp);
@@ -128,17 +129,17 @@ fn span<'a>(points: impl IntoIterator<Item = &'a Point<'a>>) -> [f64; 2] {
 /// A point with its place and colour.
 type Placed<'a> = (&'a Point<'a>, [f64; 2], Colour);
 
-/// `points` from the fastest to the slowest.
+/// Draws a panel's points, which are in order of time.
 fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     let never = never(points);
-    let names = distinct(points.iter().map(|point| point.row.method));
+    let names = distinct(points.iter().map(|point| point.row.name));
     let position = |names: &[&str], point: &Point<'_>| {
         names
             .iter()
-            .position(|name| *name == point.row.method)
+            .position(|name| *name == point.row.name)
             .unwrap_or(0)
     };
-    let mut places = Places::new(panel.from, [panel.to[0], band - 2.0]);
+    let mut places = LabelPlaces::new(panel.from, [panel.to[0], band - 2.0]);
     let placed = points.iter().map(|point| {
         let colour = COLOURS[position(&names, point) % COLOURS.len()];
         let colour = if point.row.ours { [0; 3] } else { colour };
@@ -153,12 +154,12 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
         bars(picture, panel, band, each, &mut places);
     }
     for (i, (point, at, colour)) in placed.iter().enumerate() {
-        let is_pair = |(other, ..): &&Placed<'_>| other.row.method == point.row.method;
+        let is_pair = |(other, ..): &&Placed<'_>| other.row.name == point.row.name;
         if let Some((_, other, _)) = placed[i + 1..].iter().find(is_pair) {
             picture.line(vec![*at, *other], *colour, 3, false);
         }
     }
-    // Rings first: a disc that lies in one shows both.
+    // Rings first, so that a disc inside a ring leaves both visible.
     placed.sort_by_key(|(point, ..)| (point.row.ours, point.row.precision));
     for (point, at, colour) in &placed {
         let (shape, radius, filled) = match (point.row.ours, point.row.precision) {
@@ -169,7 +170,7 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
         picture.point(*at, shape, radius, *colour, filled);
         places.take_point(*at, radius);
     }
-    // The best that a formula can do bears its name.
+    // A formula's name stands at its most precise point.
     let mut named: Vec<&str> = Vec::new();
     for (point, at, colour) in placed.iter().rev() {
         let name = point.name();
@@ -191,7 +192,7 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     }
 }
 
-/// With two digits, in what it is a few of.
+/// A time with its unit and about two digits.
 fn time(ns: f64) -> String {
     let (value, unit) = match ns {
         ..1e3 => (ns, "ns"),
@@ -202,7 +203,7 @@ fn time(ns: f64) -> String {
     format!("{value:.places$} {unit}")
 }
 
-/// Right of a point and its bar where there is room, else left.
+/// Writes words to the right of a point and its bar where there is room, else to the left.
 fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2], words: &str) {
     let end = panel.x.at(point.slowest).max(at[0] + 8.0) + 12.0;
     let (x, anchor) = if end + text_width(words, 17.0) < panel.to[0] {
@@ -213,13 +214,14 @@ fn in_band(picture: &mut Picture, panel: &Panel, point: &Point<'_>, at: [f64; 2]
     picture.text([x, at[1]], anchor, 17.0, INK, words);
 }
 
-/// From the middle workload to the worst, dashed where only ties are; and to the slowest, an arrow where that is not on the axis.
+/// Draws a bar from the median workload to the worst, dashed where only ties are wrong; and one to the slowest workload, which
+/// ends in an arrow where that is beyond the axis.
 fn bars(
     picture: &mut Picture,
     panel: &Panel,
     band: f64,
     (point, at, colour): &Placed<'_>,
-    places: &mut Places,
+    places: &mut LabelPlaces,
 ) {
     let y = |wrong: f64| if wrong > 0.0 { panel.y.at(wrong) } else { band };
     let [_, middle, apart, worst] = point.wrong;

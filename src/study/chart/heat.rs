@@ -1,17 +1,17 @@
-//! Where each method fails: methods by families, the colour how far off, the number how often.
+//! A heat map of methods by families: a cell's colour is how far off a method is there, its number how often.
 
 use super::prelude::*;
 use plotters::prelude::{ColorMap, ViridisRGB};
 
-/// The logarithms of the pixels at which the colours begin and end.
+/// The powers of ten, in pixels, at which the colours begin and end.
 const SCALE: [f64; 2] = [-12.0, 3.0];
-/// Half a cell: a formula's `f32` on the left, its `f64` or exact on the right.
+/// Width of half a cell: a formula in `f32` on the left, in `f64` or exact on the right.
 const HALF: f64 = 32.0;
 const ROW: f64 = 25.0;
-/// How wide a method's name may be, and the lines above a block's cells high.
+/// Width of the methods' names, and height of the lines above a block's cells.
 const NAMES: f64 = 202.0;
 const HEAD: f64 = 78.0;
-/// Where blocks begin.
+/// Top of the first blocks.
 const TOP: f64 = 96.0;
 
 /// Families and formulas of a step, with their rows.
@@ -28,7 +28,7 @@ impl<'a> Block<'a> {
         Self {
             step,
             families: distinct(rows.iter().map(|row| row.family)),
-            methods: distinct(rows.iter().map(|row| row.method)),
+            methods: distinct(rows.iter().map(|row| row.name)),
             rows,
         }
     }
@@ -38,13 +38,13 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The chart: of the steps whose answers are off by pixels.
+/// The chart, of the steps whose errors are in pixels.
 pub fn chart(report: &Report) -> Picture {
     let mut steps = report.steps();
     steps.retain(|step| [step.wrong_unit, step.error_unit].contains(&"px"));
     let blocks = steps.into_iter().map(|step| Block::new(report, step));
     let mut blocks: Vec<Block<'_>> = blocks.collect();
-    // Each into the column that is shorter by then, the largest first.
+    // The largest first, each into the column that is shorter so far.
     blocks.sort_by(|a, b| b.height().total_cmp(&a.height()));
     let mut ends = [(24.0, TOP), (0.5 * WIDTH + 12.0, TOP)];
     let places = blocks.iter().map(|block| {
@@ -65,7 +65,7 @@ pub fn chart(report: &Report) -> Picture {
     picture
 }
 
-/// White for nothing, else the darker the further off.
+/// White for 0, else darker for larger distances.
 fn colour(px: f64) -> Colour {
     if px <= 0.0 {
         return [0xff; 3];
@@ -127,7 +127,7 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
                 .rows
                 .iter()
                 .copied()
-                .filter(|row| (row.family, row.method) == (*family, *method));
+                .filter(|row| (row.family, row.name) == (*family, *method));
             let (narrow, others): (Vec<&Row>, Vec<&Row>) =
                 own.partition(|row| row.precision == Precision::F32);
             for (rows, x) in [(narrow, x), (others, x + HALF)] {
@@ -139,7 +139,7 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
     }
 }
 
-/// What a method in one precision did in one family.
+/// The cell of a method in one precision and one family.
 fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
     let decides = !rows[0].step.wrong_unit.is_empty();
     let most = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row)).fold(0.0, f64::max);
@@ -163,7 +163,7 @@ fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
     picture.text(middle, Anchor::Middle, 17.0, ink(colour), words);
 }
 
-/// In lines of about so many letters.
+/// Wraps words into lines of about `letters` characters.
 fn wrapped(words: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words.split(' ') {

@@ -1,22 +1,22 @@
-//! Words at points: each where nothing else is, as near as can be.
+//! Places labels and points where they cover nothing, as near as possible.
 
 use super::picture::{Anchor, Colour, INK, Picture, text_width};
 
-/// What is taken of a frame.
+/// The parts of a frame that are taken.
 #[derive(Clone, Debug)]
-pub struct Places {
+pub struct LabelPlaces {
     /// The frame: left, top, right, bottom.
     frame: [f64; 4],
-    /// Words and points, which nothing may cover.
+    /// Areas of labels and points, which nothing may cover.
     taken: Vec<[f64; 4]>,
-    /// Lines, which words keep off where they can.
+    /// Lines, which labels avoid where possible.
     lines: Vec<[f64; 4]>,
 }
 
-/// Size of the words.
+/// Font size of the labels.
 const SIZE: f64 = 16.0;
 
-impl Places {
+impl LabelPlaces {
     /// A frame in which nothing is taken.
     pub fn new([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Self {
         Self {
@@ -26,12 +26,12 @@ impl Places {
         }
     }
 
-    /// A point is there.
+    /// Marks a point's place as taken.
     pub fn take_point(&mut self, at: [f64; 2], radius: f64) {
         self.taken.push(about(at, radius));
     }
 
-    /// An upright or level line is there.
+    /// Marks a vertical or horizontal line as taken.
     pub fn take_line(&mut self, [a, b]: [[f64; 2]; 2]) {
         let [low, high] = [f64::min, f64::max].map(|of| [of(a[0], b[0]), of(a[1], b[1])]);
         self.lines.push([low[0], low[1], high[0], high[1]]);
@@ -42,7 +42,7 @@ impl Places {
         area[0] >= left && area[1] >= top && area[2] <= right && area[3] <= bottom
     }
 
-    /// The nearest place to a point where no other point is.
+    /// Takes the free place nearest to a point, and returns it.
     pub fn spot(&mut self, at: [f64; 2], radius: f64) -> [f64; 2] {
         let around = |i: u32| {
             let (sin, cos) = (f64::from(i % 8) / 8.0 * std::f64::consts::TAU).sin_cos();
@@ -60,7 +60,7 @@ impl Places {
         spot
     }
 
-    /// Writes words beside a point, with a thin line to them where they are not at it.
+    /// Writes words beside a point, with a thin line to words that are not next to it.
     pub fn label(&mut self, picture: &mut Picture, at: [f64; 2], words: &str, line: Colour) {
         let width = text_width(words, SIZE);
         let half = 0.42 * SIZE;
@@ -85,16 +85,16 @@ impl Places {
         let is_off_lines = |area: &&[f64; 4]| {
             is_free(area) && !self.lines.iter().any(|line| meet(area, line, 1.0))
         };
-        // Near by; further off a line is the lesser evil.
+        // A near place off lines, else the nearest free place.
         let free = all.iter().take(7 * turns.len()).find(is_off_lines);
         let free = free.or_else(|| all.iter().find(is_free));
-        // A frame that is full.
+        // The frame is full.
         let area = *free.unwrap_or(&all[0]);
         let nearest = [at[0].clamp(area[0], area[2]), at[1].clamp(area[1], area[3])];
         if (nearest[0] - at[0]).hypot(nearest[1] - at[1]) > 16.0 {
             picture.line(vec![at, nearest], line, 1, false);
         }
-        // Lines that could not be kept off go behind.
+        // Hides lines behind the words.
         picture.rectangle([area[0], area[1]], [area[2], area[3]], [0xff; 3]);
         let from = [area[0], area[1] + half];
         picture.text(from, Anchor::Left, SIZE, INK, words);
@@ -106,7 +106,7 @@ fn about([x, y]: [f64; 2], radius: f64) -> [f64; 4] {
     [x - radius, y - radius, x + radius, y + radius]
 }
 
-/// Whether two areas come this close.
+/// Whether the gap between two areas is below `gap`.
 fn meet(a: &[f64; 4], b: &[f64; 4], gap: f64) -> bool {
     a[0] < b[2] + gap && b[0] < a[2] + gap && a[1] < b[3] + gap && b[1] < a[3] + gap
 }

@@ -1,22 +1,22 @@
-//! What methods are compared by.
+//! The figures that methods are compared by.
 
 use crate::study::{run::Row, step::About, summary::Summary};
 
-/// What a step's methods are compared by.
+/// The figure that a step's methods are compared by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
     /// The worst error of a value, in the step's unit.
     Error,
     /// How far the worst wrong decision was off, in the step's unit.
     Wrong,
-    /// How many decisions were wrong.
+    /// The share of wrong decisions in per cent.
     Percent,
     /// Nanoseconds.
     Time,
 }
 
 impl Measure {
-    /// What tells a step's methods apart: decisions where it makes them.
+    /// A step's measure: wrong decisions where it decides, else errors.
     pub fn of(step: About) -> Self {
         match (step.wrong_unit, step.error_unit) {
             ("", "") => Self::Percent,
@@ -25,7 +25,7 @@ impl Measure {
         }
     }
 
-    /// What it says about a row. A wrong decision at no distance is a tie: [`TIE`](Self::TIE), neither none nor a distance.
+    /// A row's figure. Where all wrong decisions are at distance 0 it is [`TIE`](Self::TIE), which is neither 0 nor a distance.
     pub fn at(self, row: &Row) -> f64 {
         match self {
             Self::Error => row.worst_error,
@@ -37,10 +37,10 @@ impl Measure {
         }
     }
 
-    /// Stands for ties: less than every distance, and not 0.
+    /// The figure of ties: below every distance, and not 0.
     pub const TIE: f64 = f64::MIN_POSITIVE;
 
-    /// For the axis.
+    /// The axis's name.
     pub fn label(self, step: About) -> String {
         match self {
             Self::Error => format!("worst error ({})", step.error_unit),
@@ -58,12 +58,12 @@ impl Measure {
         }
     }
 
-    /// A method at its worst over all rows of a summary.
+    /// The worst figure over all rows of a summary.
     pub fn worst(self, summary: &Summary<'_>) -> f64 {
         let worst = summary.rows.iter().map(|row| self.at(row));
         worst.fold(0.0, f64::max)
     }
 }
 
-/// Below this a wrong decision is at no distance: what truth itself rounds.
+/// A wrong decision below this distance is a tie: truth itself rounds as much.
 const LEAST_PX: f64 = 1e-30;

@@ -1,40 +1,40 @@
 //! The study's charts.
 
 mod axis;
-mod bounds;
-mod depth;
+mod depth_buffer;
+mod error_bounds;
 mod front;
 mod heat;
 mod labels;
 mod measure;
-mod outlines;
 mod overview;
 mod page;
 pub mod picture;
+mod point_shapes;
+mod smallest_steps;
 mod stability;
 mod style;
-mod tiles;
 
-pub use outlines::outlines;
+pub use point_shapes::outlines;
 pub use stability::family;
 
 use super::run::Report;
 use picture::Picture;
 
-/// What each chart's file is made of.
+/// What most charts import.
 mod prelude {
     pub use super::{
         axis::{Axis, NEVER, Panel},
-        labels::Places,
+        labels::LabelPlaces,
         measure::Measure,
-        page::{ROWS_APART, WIDTH, count, distinct, page, places, small},
+        page::{ROWS_APART, WIDTH, count, page, places, small},
         picture::{Anchor, COLOURS, Colour, INK, Picture, QUIET, Shape, text_width},
         style::{Style, legend, styles},
     };
     pub use crate::study::prelude::*;
 }
 
-/// Each chart of a report with its file's stem.
+/// The charts of a report, each with its file's stem.
 #[must_use]
 pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
     let [general, own] = report.split();
@@ -43,9 +43,9 @@ pub fn charts(report: &Report) -> Vec<(&'static str, Picture)> {
     let mut charts = vec![
         ("front", front::chart(report)),
         ("heat", heat::chart(report)),
-        ("smallest_steps", tiles::chart()),
-        ("bounds", bounds::chart(report)),
-        ("depth", depth::chart()),
+        ("smallest_steps", smallest_steps::chart()),
+        ("bounds", error_bounds::chart(report)),
+        ("depth", depth_buffer::chart()),
         ("stability", stability::chart(report)),
         ("hit_rates", stability::hit_rates(report)),
         ("overview", overview::chart(report, all)),

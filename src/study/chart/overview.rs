@@ -1,17 +1,17 @@
-//! Speed against the worst error: a small panel a step.
+//! Speed against the worst error: a small panel for each step.
 
 use super::prelude::*;
 
-/// The chart. Steps that nothing was timed of have no axis of time.
+/// The chart. The panel of a step without times has no time axis; a report without times has no panels.
 pub fn chart(report: &Report, title: &str) -> Picture {
     let line = "Lower: more accurate; left: faster. Hollow: f32, filled: f64 or exact, star: Sightline's. Bars: half of all \
-                rounds. The line is the front: for what lies above it, something is both faster and better. A thin line: moved aside.";
+                rounds. The thick line is the front: above it, another method is faster and better. A thin line: moved aside.";
     let mut steps = report.steps();
     if report.rows.iter().all(|row| row.time.is_none()) {
         steps.clear();
     }
-    // As far apart as the longest legend is long.
-    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.method)).len();
+    // So far apart that the longest legend fits between two rows.
+    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.name)).len();
     let apart = 310.0 + 16.5 * count(steps.iter().map(formulas).max().unwrap_or(0));
     let height = 92.0 + apart * count(steps.len().div_ceil(5));
     let mut picture = page(height, title, &[line]);
@@ -23,7 +23,7 @@ pub fn chart(report: &Report, title: &str) -> Picture {
 
 /// A method in a panel.
 struct Point {
-    /// Nanoseconds, with quartiles; where nothing is timed a place of its own.
+    /// Nanoseconds, with quartiles; in a panel without times a place of its own.
     x: f64,
     quartiles: [f64; 2],
     y: f64,
@@ -70,9 +70,9 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         }
         picture.line(steps, [0xaa, 0xaa, 0xaa], 2, false);
     }
-    // This program's first: it stays where it is, and what lies under it moves aside.
-    points.sort_by_key(|point| !point.style.ours);
-    let mut taken = Places::new(panel.from, panel.to);
+    // Sightline's first: it stays in its place, and points under it move aside.
+    points.sort_by_key(|point| !point.style.info.ours);
+    let mut taken = LabelPlaces::new(panel.from, panel.to);
     for point in &points {
         let (colour, at) = (point.style.colour, panel.at(point.x, point.y));
         let bar = point.quartiles.map(|x| panel.at(x, point.y));
@@ -86,15 +86,15 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
         .iter()
         .filter(|own| own.method.ours && !own.is_on_front(all));
     for reason in off.filter_map(|own| own.method.reason) {
-        let words = format!("The star buys: {reason}");
+        let words = format!("The star offers: {reason}");
         picture.text(at, Anchor::Left, 14.0, INK, words);
         at[1] += 20.0;
     }
-    points.sort_by_key(|point| point.style.ours);
+    points.sort_by_key(|point| point.style.info.ours);
     legend(picture, points.iter().map(|point| &point.style), at, 16.5);
 }
 
-/// The points that no other is both faster and better than, fastest first.
+/// The points for which no other is both faster and better, fastest first.
 fn front(points: &[Point]) -> Vec<(f64, f64)> {
     let mut sorted: Vec<(f64, f64)> = points.iter().map(|point| (point.x, point.y)).collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));

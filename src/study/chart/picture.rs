@@ -1,6 +1,6 @@
-//! What a chart is made of, and its way into SVG and PNG through `plotters`.
+//! A chart as a list of marks, drawn as SVG and pixels by `plotters`.
 
-use super::{outlines::outlines, page::count};
+use super::{page::count, point_shapes::outlines};
 use num_traits::ToPrimitive;
 use plotters::{
     coord::Shift,
@@ -19,10 +19,10 @@ pub type Colour = [u8; 3];
 pub const INK: Colour = [0x22, 0x22, 0x22];
 /// Lines that only guide the eye.
 pub const FAINT: Colour = [0xdd, 0xdd, 0xdd];
-/// What is written small beside the matter.
+/// Secondary text.
 pub const QUIET: Colour = [0x55, 0x55, 0x55];
-/// Okabe & Ito's colours, which people of every colour vision tell apart, less the yellow that white swallows and the
-/// black that is this program's.
+/// Okabe & Ito's colours, which people of every colour vision tell apart, without yellow, which is hard to see on white, and
+/// black, which is Sightline's.
 pub const COLOURS: [Colour; 7] = [
     [0x00, 0x72, 0xb2],
     [0xd5, 0x5e, 0x00],
@@ -33,7 +33,7 @@ pub const COLOURS: [Colour; 7] = [
     [0x88, 0x88, 0x88],
 ];
 
-/// A broken line: so many pixels drawn, so many not.
+/// Lengths of a dashed line's dashes and gaps, in pixels.
 pub const DASH: [u32; 2] = [6, 5];
 
 /// The shape of a point.
@@ -51,11 +51,11 @@ pub enum Shape {
     Wedge,
     /// Two crossing bars.
     Cross,
-    /// Five points: this program's.
+    /// Five points: Sightline's.
     Star,
 }
 
-/// In the order in which methods take them.
+/// The shapes of methods other than Sightline's, in the order of their use.
 pub const SHAPES: [Shape; 6] = [
     Shape::Circle,
     Shape::Square,
@@ -65,18 +65,18 @@ pub const SHAPES: [Shape; 6] = [
     Shape::Cross,
 ];
 
-/// Where a text's own point lies.
+/// The point of a text that lies at its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
-    /// In the middle of its left side.
+    /// The middle of its left side.
     Left,
-    /// In its middle.
+    /// Its middle.
     Middle,
-    /// In the middle of its right side.
+    /// The middle of its right side.
     Right,
 }
 
-/// A thing that is drawn. Positions in pixels from the top left corner.
+/// One drawn thing. Positions are in pixels from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
     /// Connected segments.
@@ -87,7 +87,7 @@ pub enum Mark {
         colour: Colour,
         /// In pixels.
         width: u32,
-        /// Broken.
+        /// Dashed or solid.
         dashed: bool,
     },
     /// A data point.
@@ -100,7 +100,7 @@ pub enum Mark {
         radius: f64,
         /// Its colour.
         colour: Colour,
-        /// Or only its outline.
+        /// Filled, or only an outline.
         filled: bool,
     },
     /// A filled rectangle.
@@ -114,33 +114,33 @@ pub enum Mark {
     },
     /// One line of text.
     Text {
-        /// Where its anchor lies.
+        /// Its position.
         at: [f64; 2],
-        /// What of it lies there.
+        /// The point of it that lies there.
         anchor: Anchor,
         /// Font size.
         size: f64,
         /// Its colour.
         colour: Colour,
-        /// Turned to read upwards.
+        /// Turned so that it reads upwards.
         upwards: bool,
         /// What it says.
         text: String,
     },
 }
 
-/// A chart as a list of what is drawn, later over earlier.
+/// A chart as a list of marks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// In pixels.
     pub width: u32,
     /// In pixels.
     pub height: u32,
-    /// In order.
+    /// Later ones cover earlier ones.
     pub marks: Vec<Mark>,
 }
 
-/// How wide a line of text is, in pixels.
+/// The width of a line of text, in pixels.
 #[must_use]
 pub fn text_width(text: &str, size: f64) -> f64 {
     let known = register_typeface().ok();
@@ -148,7 +148,7 @@ pub fn text_width(text: &str, size: f64) -> f64 {
     measured.map_or(0.0, |(width, _)| f64::from(width))
 }
 
-/// The same bytes each time: registering again changes nothing.
+/// Registers the typeface; doing so again changes nothing.
 fn register_typeface() -> Result<(), DrawError> {
     register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
         .map_err(|_| DrawError("the typeface is not one".to_owned()))
@@ -159,11 +159,11 @@ fn register_typeface() -> Result<(), DrawError> {
 #[error("cannot draw the chart: {0}")]
 pub struct DrawError(String);
 
-/// The family that SVG viewers and the embedded typeface both answer to.
+/// The family name of the embedded typeface, which SVG viewers know as well.
 const FONT: &str = "sans-serif";
 
 impl Picture {
-    /// An empty white picture of so many whole pixels.
+    /// An empty white picture of a size in whole pixels.
     #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
         let [width, height] = [width, height].map(|side| side.to_u32().unwrap_or(0));
@@ -193,7 +193,7 @@ impl Picture {
         });
     }
 
-    /// Adds a line of text that reads upwards, about its middle.
+    /// Adds a line of text that reads upwards, with its middle at a position.
     pub fn text_upwards(&mut self, at: [f64; 2], size: f64, colour: Colour, text: &str) {
         self.text(at, Anchor::Middle, size, colour, text);
         if let Some(Mark::Text { upwards, .. }) = self.marks.last_mut() {
@@ -222,7 +222,7 @@ impl Picture {
         });
     }
 
-    /// Adds rows of so many equal squares, from a top left corner: a rectangle for each run of one colour.
+    /// Adds rows of `columns` equal squares from a top left corner: one rectangle for each run of one colour.
     pub fn map(&mut self, colours: &[Colour], columns: usize, [left, top]: [f64; 2], side: f64) {
         for (y, row) in (0..).map(f64::from).zip(colours.chunks(columns)) {
             let mut x = 0.0;
@@ -259,7 +259,7 @@ impl Picture {
     /// # Errors
     /// When the drawing library refuses.
     pub fn pixels(&self) -> Result<Vec<[u8; 3]>, DrawError> {
-        // Drawn twice as large and averaged: smooth edges.
+        // Drawn larger and averaged, for smooth edges.
         const FINER: u32 = 2;
         let (width, height) = (self.width * FINER, self.height * FINER);
         let mut fine = vec![0_u8; width as usize * height as usize * 3];

@@ -1,4 +1,4 @@
-//! A line a method: the worst error against what stresses it, and the time against how many rays hit.
+//! A line for each method: the worst error against the parameter that stresses it, and the time against the share of hits.
 
 use super::prelude::*;
 use crate::study::methods::TriangleCase;
@@ -27,8 +27,8 @@ pub fn chart(report: &Report) -> Picture {
 /// How long each method takes, over the share of rays that hit.
 pub fn hit_rates(report: &Report) -> Picture {
     const HIT_RATE: &str = Family::<TriangleCase>::HIT_RATE.name;
-    let line = "Medians of rounds in new orders. Rays that hit take longer, and branches that half of the rays take are foreseen worst. \
-                Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
+    let line = "Medians of rounds in shuffled orders. Hits take longer than misses, and branches that half of the rays take are predicted \
+                worst. Dashed with hollow points: f32, solid: f64 or exact, black stars: Sightline's.";
     let panels = ["triangle", "sphere", "box", "square"].map(|step| {
         let mut rows = rows_of(report, step, HIT_RATE);
         rows.retain(|row| row.time.is_some());
@@ -42,7 +42,7 @@ fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
     report.rows.iter().filter(is_wanted).collect()
 }
 
-/// A page of four panels a row, one for the rows of each family. Neighbours of one step share a legend.
+/// A page with a panel for each family's rows, four in a line. Neighbouring panels of one step share a legend.
 fn panels_of(
     title: &str,
     line: &str,
@@ -65,7 +65,7 @@ fn panels_of(
     picture
 }
 
-/// From a line of a legend to the next.
+/// Distance between lines of a legend.
 const LINE: f64 = 16.0;
 
 /// Where a panel's legend begins.
@@ -74,11 +74,11 @@ fn under([left, top]: [f64; 2]) -> [f64; 2] {
 }
 
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
-    distinct(rows.iter().map(|row| row.method))
+    distinct(rows.iter().map(|row| row.name))
 }
 
-/// The chart of one family: one panel in a narrow picture, with one method's line wider than the others. `rows` are the
-/// family's, and a scene's own ([`SCENE`]), which are marked at `here`; empty without any.
+/// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` are the
+/// family's and a scene's own ([`SCENE`]), which are marked at `here`. Without rows of the family it is empty.
 #[must_use]
 pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Picture {
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
@@ -91,7 +91,7 @@ pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Pictu
     picture
 }
 
-/// One family, and how its methods look there; not empty.
+/// Draws the panel of one family, whose rows are not empty, and returns its methods' styles.
 fn panel(
     picture: &mut Picture,
     measure: Measure,
@@ -106,7 +106,7 @@ fn panel(
     let all = rows.iter().chain(own);
     let ys: Vec<f64> = all.map(|row| measure.at(row)).collect();
     let mut panel = small(at, [82.0, 384.0], &xs, &ys);
-    // Harmless is on the left, whichever way the parameter grows.
+    // The harmless end is on the left.
     if xs.contains(&0.0) {
         panel.x = Axis::linear(1.0, panel.x.ends());
     } else if xs.first() > xs.last() {
@@ -127,16 +127,16 @@ fn panel(
     }
     let is_first = |row: &&&Row| row.value.to_bits() == first.value.to_bits();
     let styles = styles(rows.iter().filter(is_first).copied());
-    // This program's over all others, but for the one that is wide.
-    let is_wide = |style: &Style| wide == Some((style.name, style.precision));
+    // Sightline's covers all others except the wide one.
+    let is_wide = |style: &Style| wide == Some(style.info.key());
     let mut ordered: Vec<&Style> = styles.iter().collect();
-    ordered.sort_by_key(|style| (is_wide(style), style.ours));
+    ordered.sort_by_key(|style| (is_wide(style), style.info.ours));
     for style in ordered {
-        let is_own = |row: &&&Row| (row.method, row.precision) == (style.name, style.precision);
+        let is_own = |row: &&&Row| row.key() == style.info.key();
         let points = rows.iter().filter(is_own);
         let points = points.map(|row| panel.at(row.value, measure.at(row)));
         let points: Vec<[f64; 2]> = points.collect();
-        let width = match (is_wide(style), style.ours) {
+        let width = match (is_wide(style), style.info.ours) {
             (true, _) => 5,
             (false, true) => 3,
             (false, false) => 2,

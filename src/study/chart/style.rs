@@ -1,40 +1,35 @@
-//! How methods look: a colour and a shape a formula, hollow in `f32`, filled in `f64`; this program's is a black star.
+//! How methods look: each formula has a colour and a shape, hollow in `f32`, filled in `f64`; Sightline's is a black star.
 
-use super::{
-    page::distinct,
-    picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape},
+use super::picture::{Anchor, COLOURS, Colour, INK, Picture, SHAPES, Shape};
+use crate::study::{
+    run::Row,
+    step::{MethodInfo, Precision},
+    summary::distinct,
 };
-use crate::study::{run::Row, step::Precision};
 
 /// How a method is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// The method.
-    pub name: &'static str,
-    /// Its precision.
-    pub precision: Precision,
+    pub info: MethodInfo,
     /// Its colour.
     pub colour: Colour,
-    /// Its points.
+    /// The shape of its points.
     pub shape: Shape,
-    /// Whether it is this program's.
-    pub ours: bool,
 }
 
-/// Styles for a step's methods, in their order.
+/// The styles of a step's methods, in their order.
 pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> {
     let others = methods.clone().filter(|row| !row.ours);
-    let names = distinct(others.map(|row| row.method));
+    let names = distinct(others.map(|row| row.name));
     let style = |row: &Row| {
-        let index = names.iter().position(|known| *known == row.method);
+        let index = names.iter().position(|known| *known == row.name);
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
         let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
         Style {
-            name: row.method,
-            precision: row.precision,
+            info: row.method,
             colour,
             shape,
-            ours: row.ours,
         }
     };
     methods.map(style).collect()
@@ -43,23 +38,23 @@ pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> 
 impl Style {
     /// Whether its line is dashed and its points are hollow.
     pub fn is_faint(&self) -> bool {
-        self.precision == Precision::F32 && !self.ours
+        self.info.precision == Precision::F32 && !self.info.ours
     }
 
-    /// A data point.
+    /// Draws a data point.
     pub fn point(&self, picture: &mut Picture, at: [f64; 2], radius: f64) {
         picture.point(at, self.shape, radius, self.colour, !self.is_faint());
     }
 }
 
-/// A line a formula, from the top left.
+/// Draws a legend from a top left corner: a line for each formula, `step` apart.
 pub fn legend<'a>(
     picture: &mut Picture,
     styles: impl Iterator<Item = &'a Style>,
     [x, mut y]: [f64; 2],
     step: f64,
 ) {
-    let looks = styles.map(|style| (style.name, style.shape, style.colour));
+    let looks = styles.map(|style| (style.info.name, style.shape, style.colour));
     for (name, shape, colour) in distinct(looks) {
         picture.point([x, y], shape, 5.0, colour, true);
         picture.text([x + 13.0, y], Anchor::Left, 14.0, INK, name);

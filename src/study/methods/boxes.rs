@@ -1,5 +1,5 @@
-//! Rays against the cube of side 1 about the origin. The answer is the least t >= 0 on it (its entry, or its exit from
-//! inside), or none. Methods differ in what they make of a ray that runs along a slab, where `0 * inf` is NaN.
+//! Rays against the cube of side 1 about the origin. The answer is the least t >= 0 on it (the entry; from inside, the exit),
+//! or none. Methods differ for a ray that runs along a slab's plane, where `0 * inf` is NaN.
 
 use super::{ObjectRay, ShapeCase, first_ahead};
 use crate::{geometry::Cuboid, scene::Shape, study::prelude::*};
@@ -15,7 +15,7 @@ const MAJERCIK: &str =
 const IZE: &str =
     "Ize, Robust BVH Ray Traversal, JCGT 2(2), 2013: a test that only culls may say yes too often";
 
-const OURS: &str = "geometry::cuboid: by slabs, which their bounds decide, else exactly";
+const OURS: &str = "geometry::cuboid: slabs as a filter with error bounds, else exactly";
 
 impl Case for BoxCase {
     type Answer = Option<f64>;
@@ -69,7 +69,7 @@ impl Case for BoxCase {
         truth::decide(*truth, *answer, error, off)
     }
 
-    /// The way to a plane, the reciprocal of the direction and their product round once each.
+    /// The distance to a plane, the direction's reciprocal and their product round once each.
     fn bound(&self, _: &Option<f64>) -> f64 {
         4.0 * UNIT
     }
@@ -82,12 +82,12 @@ fn first<T: Real>(enter: T, leave: T) -> Option<f64> {
         .flatten()
 }
 
-/// The slabs' planes on an axis.
+/// The two planes of a slab.
 fn planes<T: Real>() -> [T; 2] {
     [-Cuboid::HALF_SIDE, Cuboid::HALF_SIDE].map(T::of)
 }
 
-/// A ray along a slab is inside it or misses; no quotient is taken.
+/// Without a quotient for a ray along a slab: it is inside the slab or misses.
 pub fn branch<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     for axis in 0..3 {
@@ -109,7 +109,7 @@ pub fn branch<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// No branch: the language's own `min` and `max`, which pass over a NaN together with its slab's other plane.
+/// Without a branch: by Rust's `min` and `max`, which ignore a NaN and take the slab's other plane alone.
 pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     for axis in 0..3 {
@@ -123,8 +123,8 @@ pub fn min_max<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first(enter, leave)
 }
 
-/// Comparisons in an order in which NaN never wins: a ray within a slab's plane is inside that slab. For tests that must not
-/// lose a hit the far ends, or the inverses that they are made by, are widened by so many ulps.
+/// Comparisons in an order in which NaN never wins: a ray within a slab's plane is inside that slab. Culling must not lose a
+/// hit, so the far ends, or the inverses that they are computed by, grow by `ulps`.
 pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     let (mut enter, mut leave) = (T::neg_infinity(), T::infinity());
     let [wider, padded] = ulps.map(|ulps| T::one() + T::of(ulps) * T::epsilon());
@@ -152,7 +152,7 @@ pub fn nan_safe<T: Real>(case: &ObjectRay<T>, ulps: [f64; 2]) -> Option<f64> {
     first(enter, leave)
 }
 
-/// The three planes that face the ray, or from inside the other three: the first that is hit within its rim.
+/// The first of three planes that is hit within its rim: those that face the ray, or from inside the other three.
 pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let (o, d, half) = (case.origin, case.direction, T::of(Cuboid::HALF_SIDE));
     let size = o.abs();
@@ -167,8 +167,8 @@ pub fn majercik<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     Some(t.wide())
 }
 
-/// How far the ray is from another answer than `hit`, in radians seen from its origin: to the nearest edge, or out of the
-/// face that it runs along.
+/// The least change of the ray, in radians seen from its origin, by which `hit` becomes wrong: to the nearest edge, or out
+/// of the face that it runs along.
 fn edge_angle(case: &ObjectRay<f64>, hit: Option<f64>) -> f64 {
     let half = Cuboid::HALF_SIDE;
     let corner = |i: usize| {
@@ -198,7 +198,7 @@ fn at_edge(random: &mut Random, distance: f64) -> BoxCase {
     aim(target, random.direction() * distance)
 }
 
-/// What is thin in the world is a cube in its own space, where rays are steep.
+/// A thin box in the world is a cube in its own space, where rays are steep.
 fn thin(random: &mut Random, thickness: f64) -> BoxCase {
     let size = random.decades(-8, 0);
     let target = on_edge(random) + random.point(size);
@@ -250,16 +250,14 @@ fn on_slab(random: &mut Random, along: f64) -> BoxCase {
     case(start, direction)
 }
 
-/// A ray in whole numbers, over a power of two, exactly through an edge or a corner.
+/// A ray of whole numbers over a power of two, exactly through an edge or a corner.
 fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 20")]
-    let limit = 1_i32 << bits as i32;
+    let limit = two_to(bits);
     let half = f64::from(limit);
     let along = f64::from(random.integer(-2, 2)) * 0.5 * half;
     let mut target = [half * random.sign(), half * random.sign(), along];
     target.rotate_left(random.below(3));
-    let mut whole = || f64::from(random.integer(-limit, limit));
-    let step = V3::new(whole(), whole(), whole());
+    let step = random.lattice_point(limit);
     let step = if step == V3::new(0.0, 0.0, 0.0) {
         V3::new(1.0, 0.0, 0.0)
     } else {
@@ -268,8 +266,8 @@ fn on_a_lattice(random: &mut Random, bits: f64) -> BoxCase {
     case((V3::from(target) - step) * (0.5 / half), step)
 }
 
-/// A ray that passes an edge on either side, by so little. It starts so far from a plane through the middle, which is the one
-/// number that `f32` holds as well as any other.
+/// A ray that passes an edge on either side at the tiny distance `by`. The distance is one start coordinate, which is near 0,
+/// where `f32` can hold it.
 fn past_an_edge(random: &mut Random, by: f64) -> BoxCase {
     let mut part = |most: i32| f64::from(random.integer(-most, most)) / 256.0;
     let start = [0.0, part(1024), part(1024)];

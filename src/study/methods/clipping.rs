@@ -11,7 +11,7 @@ use std::ops::Range;
 /// A hit on a ray and two planes.
 #[derive(Clone, Copy, Debug)]
 pub struct Clip<T> {
-    /// Ray parameter of the hit: its distance from the eye, as the direction is 1 long.
+    /// Ray parameter of the hit: its distance from the eye, since the direction is 1 long.
     pub t: T,
     /// The ray's direction.
     pub direction: V3<T>,
@@ -23,23 +23,23 @@ pub struct Clip<T> {
     pub far: T,
 }
 
-/// One hit, as each kind of method wants it.
+/// One hit, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct ClipCase {
     /// Rounded to `f32`.
     pub narrow: Clip<f32>,
     /// As given.
     pub wide: Clip<f64>,
-    /// The ray as a click casts it, whose parameter is view depth.
+    /// A click's ray, whose parameter is view depth.
     pub ray: Ray,
-    /// That of the hit.
+    /// The hit's view depth.
     pub depth: f64,
 }
 
 impl ClipCase {
-    /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080. The camera stands at the origin.
+    /// A hit at a view depth on the ray through a position of a picture of 1920 x 1080 pixels, with the camera at the origin.
     #[must_use]
-    pub fn new(tan: f64, near: f64, far: f64, px: [f64; 2], depth: f64) -> Option<Self> {
+    pub fn new(tan: f64, near: f64, far: f64, px: DVec2, depth: f64) -> Option<Self> {
         let lens = Lens {
             projection: Projection::Perspective {
                 fov_y: 2.0 * tan.atan(),
@@ -50,7 +50,7 @@ impl ClipCase {
         };
         let camera = Camera::looking(DVec3::ZERO, DVec3::Z, DVec3::Y, lens).ok()?;
         let viewport = Viewport::new(1920, 1080).ok()?;
-        let ray = camera.ray(viewport, DVec2::from(px));
+        let ray = camera.ray(viewport, px);
         Some(Self::of_camera(&camera, *ray, depth))
     }
 
@@ -116,16 +116,16 @@ impl Case for ClipCase {
         scene.hits.iter().map(case).collect()
     }
 
-    /// By the view depth, which is given.
+    /// By the given view depth.
     fn truth(&self) -> bool {
         self.wide.near <= self.depth && self.depth < self.wide.far
     }
 
-    /// A wrong answer is as far off as the nearer of the planes is, relative to that plane's depth.
+    /// A wrong answer is off by the distance to the nearer plane, relative to that plane's depth.
     fn judge(&self, truth: &bool, answer: &bool) -> Verdict {
         let off = |plane: f64| {
             let plane = &Exact::new(plane);
-            (&(&Exact::new(self.depth) - plane) / plane).abs().to_f64()
+            ((Exact::new(self.depth) - plane) / plane).abs().to_f64()
         };
         let off = || off(self.wide.near).min(off(self.wide.far));
         match (truth, answer) {
@@ -147,7 +147,7 @@ pub fn by_depth<T: Real>(case: &Clip<T>) -> bool {
     case.near <= depth && depth < case.far
 }
 
-/// A hit whose depth is off that of one of the planes by a part of it within `off`.
+/// A hit at one of the planes' depths, times 1 plus a number within `off`.
 fn make(random: &mut Random, tan: f64, off: Range<f64>) -> ClipCase {
     let off = random.within(off.start, off.end);
     on_plane(random, tan, off)
@@ -156,8 +156,7 @@ fn make(random: &mut Random, tan: f64, off: Range<f64>) -> ClipCase {
 fn on_plane(random: &mut Random, tan: f64, off: f64) -> ClipCase {
     let (near, far) = (1.0, 100.0);
     loop {
-        let px = [random.unit() * 1920.0, random.unit() * 1080.0];
-        let px = px.map(|at| at.floor() + 0.5);
+        let px = random.pixel(DVec2::new(1920.0, 1080.0));
         let plane = if random.sign() < 0.0 { near } else { far };
         let depth = plane * (1.0 + off);
         if let Some(case) = ClipCase::new(tan, near, far, px, narrow(depth)) {

@@ -1,7 +1,7 @@
-//! Rays into a closed body through its edges and corners. The answer is t of the first hit; a ray that finds none, or only
-//! where it leaves the body, has leaked.
+//! Rays into a closed body through its edges and corners. The answer is t of the first hit. Where there is none, or only the
+//! one where the ray leaves the body, the ray has leaked.
 //!
-//! Truth needs no arithmetic here: a ray from without to a point within enters on its way, wherever rounding lets it.
+//! Truth needs no arithmetic: a ray from a point outside to a point inside must enter, wherever it does.
 
 use super::{
     from_start,
@@ -19,7 +19,7 @@ use std::{
     sync::{Arc, Mutex, PoisonError},
 };
 
-/// A ray and a body with what programs keep of both.
+/// A ray and a body, with what programs precompute for both.
 #[derive(Clone, Debug)]
 pub struct Aimed<T> {
     origin: V3<T>,
@@ -28,14 +28,14 @@ pub struct Aimed<T> {
     body: Arc<Vec<Prepared<T>>>,
 }
 
-/// One ray that surely enters a body: at its start it is outside, at t = 1 inside.
+/// One ray that certainly enters a body: it starts outside and is inside at t = 1.
 #[derive(Clone, Debug)]
 pub struct ClosedCase {
     /// Rounded to `f32`.
     pub narrow: Aimed<f32>,
     /// As given.
     pub wide: Aimed<f64>,
-    /// The ray as this program's test wants it.
+    /// The ray for Sightline's method.
     pub ray: VertexRay<'static>,
 }
 
@@ -44,7 +44,7 @@ impl Case for ClosedCase {
     type Truth = ();
     const ABOUT: About = about!(
         "Closed mesh" "closed-mesh", off by "", wrong by "";
-        "a ray that enters a body of twenty triangles at an edge or a corner, and what is kept of both: t of the first hit"
+        "a ray that enters a body of twenty triangles at an edge or a corner, and what is precomputed for both: t of the first hit"
     );
 
     const METHODS: Methods<Self> = in_both_precisions!(
@@ -110,8 +110,8 @@ fn corner(_: &mut Random, [a, ..]: [V3<f64>; 3], _: bool) -> V3<f64> {
     a
 }
 
-/// A ray through a point of a body's surface to a point inside; exactly so where the coordinates have so many bits after
-/// the point.
+/// A ray through a point of a body's surface to a point inside. With `bits`, coordinates are rounded to so many bits after the
+/// binary point, and the ray passes exactly through the point.
 fn aim(
     random: &mut Random,
     bits: Option<f64>,
@@ -154,11 +154,11 @@ impl<T: Real> Aimed<T> {
 
 type Body = (Arc<Vec<Prepared<f32>>>, Arc<Vec<Prepared<f64>>>);
 
-/// An icosahedron with corners pushed in and out, about `offset` on each axis; the same for the same numbers.
+/// An icosahedron about `offset` on each axis with its corners moved in and out; the same for the same arguments.
 fn body(index: usize, grid: f64, offset: f64) -> Body {
     static BODIES: Mutex<BTreeMap<[u64; 3], Body>> = Mutex::new(BTreeMap::new());
     let key = [index as u64, grid.to_bits(), offset.to_bits()];
-    // What a panic left is whole: an entry is made first.
+    // After a panic the map is still whole: an entry is inserted once it is made.
     let mut bodies = BODIES.lock().unwrap_or_else(PoisonError::into_inner);
     let make = || {
         let mut random = Random::new(index as u64);
@@ -185,7 +185,7 @@ fn body(index: usize, grid: f64, offset: f64) -> Body {
     bodies.entry(key).or_insert_with(make).clone()
 }
 
-/// The nearest point whose coordinates are whole multiples of one over `grid`; any where that is infinite.
+/// The nearest point with coordinates that are multiples of `1 / grid`; the point itself where `grid` is infinite.
 fn on_grid(point: V3<f64>, grid: f64) -> V3<f64> {
     if grid.is_infinite() {
         return point;

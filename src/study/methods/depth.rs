@@ -1,5 +1,4 @@
-//! View depth into the depth buffer and back: what a graphics card stores and what can be read from it. The answer is
-//! the view depth that comes back.
+//! View depth into the depth buffer and back, as a graphics card stores it. The answer is the view depth that is read back.
 
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection},
@@ -16,12 +15,12 @@ pub struct DepthCase {
     pub near: f64,
     /// The far plane's.
     pub far: f64,
-    /// Whether the picture is orthographic: depth is stored as it is, not over w.
+    /// Whether the picture is orthographic: then depth is not divided by w.
     pub parallel: bool,
 }
 
 impl DepthCase {
-    /// A view depth, as the graphics card gets it, between two planes in perspective.
+    /// A view depth, rounded to `f32`, between two planes in perspective.
     #[must_use]
     pub fn new(depth: f64, [near, far]: [f64; 2]) -> Self {
         Self {
@@ -50,7 +49,7 @@ const LOGARITHMIC: &str = "Kemen, Logarithmic Depth Buffer, 2009; three.js, logd
 const INFINITE: &str =
     "Upchurch & Desbrun, Tightening the Precision of Perspective Rendering, JGT 16(1), 2012";
 
-/// Depth that is stored by a mapping, and read back.
+/// A method that stores depth by a mapping and reads it back.
 macro_rules! stored {
     ($name:expr, $source:expr, $mapping:ident) => {
         Method::new($name, F32, $source, |case| {
@@ -64,7 +63,7 @@ impl Case for DepthCase {
     type Truth = f64;
     const ABOUT: About = about!(
         "Depth buffer" "depth", off by "of depth", wrong by "";
-        "a view depth: what can be read of it from the depth buffer (acted out: no time)"
+        "a view depth: what can be read of it from the depth buffer (simulated, so not timed)"
     );
 
     const METHODS: Methods<Self> = &[&[
@@ -119,16 +118,16 @@ impl Case for DepthCase {
     }
 }
 
-/// A way to keep depth.
+/// A format of the depth buffer.
 #[derive(Clone, Copy, Debug)]
 pub struct Mapping {
     /// Which end is 1.
     pub depth: DepthMapping,
-    /// 24-bit integers in place of 32-bit floating point.
+    /// Stored as 24-bit integers, else as 32-bit floating point.
     pub integer: bool,
-    /// No far plane; in an orthographic picture there is always one.
+    /// Without a far plane; ignored in an orthographic picture.
     pub infinite: bool,
-    /// The depth's logarithm, which the fragment stage writes; not in an orthographic picture.
+    /// Stores the depth's logarithm, as a fragment shader does; ignored in an orthographic picture.
     pub logarithmic: bool,
 }
 
@@ -141,7 +140,7 @@ impl Mapping {
     pub const REVERSED: Self = Self::new(DepthMapping::Reversed);
     /// Near is 1, in integers.
     pub const REVERSED_24: Self = Self::REVERSED.in_integers();
-    /// Near is 1 and 0 is endlessly far, in floating point.
+    /// Near is 1 and infinity is 0, in floating point.
     pub const INFINITE: Self = Self {
         infinite: true,
         ..Self::REVERSED
@@ -170,7 +169,7 @@ impl Mapping {
         self
     }
 
-    /// The projection's third row, in `f64`.
+    /// The depth entries `(a, b)` of the projection matrix, in `f64`: clip depth is `a z + b`.
     fn row(self, case: &DepthCase) -> (f64, f64) {
         let (near, far) = (case.near, case.far);
         let lens = Lens {
@@ -190,7 +189,7 @@ impl Mapping {
         }
     }
 
-    /// What the buffer holds: the vertex stage's `f32` arithmetic, the division by w, and the buffer's own rounding.
+    /// The number in the buffer, after the vertex shader's `f32` arithmetic, the division by w and the buffer's own rounding.
     pub fn stored(self, case: &DepthCase) -> f32 {
         let ndc = if self.logarithmic && !case.parallel {
             (1.0 + case.depth).log2() * f32::of((1.0 + case.far).log2().recip())
@@ -237,7 +236,7 @@ impl Mapping {
     }
 }
 
-/// Any depth, each octave alike, but for the last percent before the far plane.
+/// Any depth, each octave equally likely, except the last percent before the far plane.
 fn make(random: &mut Random, near: f64, far: f64) -> DepthCase {
     loop {
         let mut depth = near * random.within(1.0, 2.0);

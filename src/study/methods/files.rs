@@ -1,5 +1,5 @@
-//! Reading an OBJ file: a site 900 m wide, surveyed to the millimetre, somewhere on a national grid. The answer is where the
-//! triangles' corners are; what a method keeps of them is the most that picks and pictures can know.
+//! Reading an OBJ file: a site 900 m wide, surveyed to the millimetre, somewhere on a national grid. The answer is the
+//! triangles' corners; digits that a method drops here are lost to picks and pictures.
 
 use crate::{
     geometry::Mesh,
@@ -10,10 +10,10 @@ use std::{fmt::Write, path::Path, sync::Arc};
 
 /// Squares along a side of the site.
 const SIDE: usize = 48;
-/// So many bytes as a file has: lines of blanks fill it up.
+/// A file's size; lines of blanks fill it up.
 pub const BYTES: usize = 250_000;
 
-/// A file, and what it says.
+/// A file with its content.
 #[derive(Clone, Debug)]
 pub struct FileCase {
     text: Arc<[u8]>,
@@ -25,15 +25,16 @@ pub struct FileCase {
 /// What was read.
 #[derive(Debug)]
 pub enum Read {
-    /// Coordinates about a point, and the corners' indices.
+    /// A point, coordinates relative to it, and the corners' indices.
     Plain([f64; 3], Vec<f32>, Vec<u32>),
-    /// Ready to be picked from.
+    /// A mesh that can be picked from.
     Mesh(Arc<Mesh>),
 }
 
-const TOBJ: &str = "tobj 4, load_obj_buf, as its default build keeps numbers: what f32 has no digits for, counted from the grid's origin, is lost";
-const TOBJ_F64: &str = "tobj 4 with use_f64, less the first vertex: what f32 has no digits for across the site is lost";
-const OURS: &str = "scene::obj, through tobj in f64, less the middle: what f32 has no digits for across half the site is lost";
+const TOBJ: &str =
+    "tobj 4, load_obj_buf, as its default build stores numbers: in f32 from the grid's origin";
+const TOBJ_F64: &str = "tobj 4 with use_f64, minus the first vertex: in f32 across the site";
+const OURS: &str = "scene::obj, through tobj in f64, minus the middle: in f32 across half the site";
 
 impl Case for FileCase {
     type Answer = Option<Read>;
@@ -42,8 +43,8 @@ impl Case for FileCase {
         "Reading a file" "file", off by "mm", wrong by "";
         "an OBJ file of 250 kB in memory: its triangles as graphics cards take them, in f32 about one point"
     );
-    const SLOW: bool = true;
     const TIMED: usize = 3;
+    const MOST_ROUNDS: usize = 11;
     const METHODS: Methods<Self> = &[&[
         Method::new("tobj", F32, TOBJ, |c| c.tobj(|_| [0.0; 3])),
         Method::new("tobj, about the first vertex", F64, TOBJ_F64, |c| {
@@ -77,8 +78,8 @@ impl Case for FileCase {
                 return f64::INFINITY;
             };
             let off = |axis: usize| {
-                let kept = &Exact::new(kept[0][axis]) + &Exact::new(kept[1][axis]);
-                let mm = &(&kept * &Exact::int(1000)) - &Exact::int(given[axis]);
+                let kept = Exact::new(kept[0][axis]) + Exact::new(kept[1][axis]);
+                let mm = kept * Exact::int(1000) - Exact::int(given[axis]);
                 mm.abs().to_f64()
             };
             off(0).max(off(1)).max(off(2))
@@ -86,8 +87,8 @@ impl Case for FileCase {
         Verdict::Right(errors.fold(0.0, f64::max))
     }
 
-    /// A coordinate is at most 480 m from the middle, rounded, from which it rounds by `2^-24` of that; it, the middle and the
-    /// difference each by `2^-53` of the largest.
+    /// A coordinate is at most 480 m from the middle; as `f32` it rounds by `2^-24` of that. The coordinate, the middle and
+    /// their difference each round by `2^-53` of the largest coordinate.
     fn bound(&self, (): &()) -> f64 {
         let largest = self
             .vertices
@@ -102,7 +103,7 @@ impl Case for FileCase {
 }
 
 impl Read {
-    /// Where a corner is: a sum of two.
+    /// A corner's position, as two terms of a sum.
     fn corner(&self, index: usize) -> Option<[[f64; 3]; 2]> {
         let (origin, position): ([f64; 3], [f32; 3]) = match self {
             Self::Plain(origin, positions, corners) => {
@@ -120,7 +121,7 @@ impl Read {
 }
 
 impl FileCase {
-    /// The file's triangles, about a point that depends on its coordinates.
+    /// The file's triangles by `tobj`, relative to the point that `origin` makes of its coordinates.
     fn tobj(&self, origin: fn(&[f64]) -> [f64; 3]) -> Option<Read> {
         let options = tobj::LoadOptions::default();
         let no_materials = |_: &Path| Err(tobj::LoadError::GenericFailure);
@@ -135,7 +136,7 @@ impl FileCase {
     }
 }
 
-/// A hilly site about a place so many whole metres north and east of the grid's origin.
+/// A hilly site, so many whole metres north and east of the grid's origin.
 fn site(random: &mut Random, metres: f64) -> FileCase {
     #[expect(clippy::cast_possible_truncation, reason = "whole metres")]
     let metres = metres as i64;

@@ -1,6 +1,6 @@
-//! The registry: every known method, once. Tests, the study, its charts and its tables read this and nothing else.
+//! The registry: every method, once. The study, its tables, charts and tests read only this.
 //!
-//! A file a step. Methods of one formula in two precisions are one generic function and one line.
+//! Each step has a file or folder. A formula in two precisions is one generic function and one line of its step's list.
 
 pub mod boxes;
 pub mod clipping;
@@ -36,14 +36,14 @@ pub struct ObjectRay<T> {
     pub direction: V3<T>,
 }
 
-/// A ray that meets a unit shape in the shape's own space, where the step before took it, as each kind of method wants it.
+/// A ray in a unit shape's own space, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct ShapeCase<Shape> {
     /// Rounded to `f32`.
     pub narrow: ObjectRay<f32>,
     /// As given.
     pub wide: ObjectRay<f64>,
-    /// The same as this program's.
+    /// For Sightline's method.
     pub ray: Ray,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
@@ -79,17 +79,17 @@ impl<Shape> ShapeCase<Shape> {
     }
 }
 
-/// What a pick does: the same with bounds, for the exact decisions later on, which are no part of this job.
+/// The method as a pick uses it: it also computes the bounds that later exact decisions need, which is no part of the step.
 const WITH_BOUNDS: &str = "Sightline's, with its bounds";
 
-/// A model matrix by its linear part and translation; `None` where it has no inverse.
+/// The placement with a linear part and a translation; `None` where the matrix has no inverse.
 fn placement(linear: M3<f64>, translation: V3<f64>) -> Option<Placement> {
     let [x, y, z] = linear.0.map(DVec3::from);
     let matrix = DMat3::from_cols(x, y, z);
     Placement::new(DAffine3::from_mat3_translation(matrix, translation.into())).ok()
 }
 
-/// A ray that hits from its start on, without an end.
+/// The ray with `t` from 0 to infinity.
 fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
     Ray {
         origin: origin.into(),
@@ -99,7 +99,7 @@ fn from_start(origin: V3<f64>, direction: V3<f64>) -> Ray {
     }
 }
 
-/// The first of two parameters that lies ahead.
+/// The first of two parameters that is not negative.
 fn first_ahead<T: Real>(near: T, far: T) -> Option<f64> {
     ahead(near).or_else(|| ahead(far))
 }
@@ -108,13 +108,13 @@ fn ahead<T: Real>(t: T) -> Option<f64> {
     (t >= T::zero()).then(|| t.wide())
 }
 
-/// Something that is done for each step.
+/// Work that is done for each step.
 pub trait Visitor {
-    /// Does it for one.
+    /// Does it for one step.
     fn visit<C: Case>(&mut self);
 }
 
-/// The steps of a pick, in order: the one list of them.
+/// Visits the steps of a pick in order; the only list of them.
 pub fn each_step(visitor: &mut impl Visitor) {
     visitor.visit::<rays::PixelCase>();
     visitor.visit::<object_space::PlacedCase>();

@@ -11,14 +11,14 @@ pub struct Tilted<T> {
     pub linear: M3<T>,
     /// Outward, in object space.
     pub normal: V3<T>,
-    /// The inverse's transpose, which a program keeps for each object.
+    /// The inverse's transpose, which programs store for each object.
     pub inverse_transpose: M3<T>,
-    /// Its cofactors, likewise.
+    /// Its cofactors, stored likewise.
     pub cofactors: M3<T>,
 }
 
 impl<T: Real> Tilted<T> {
-    /// A normal and a matrix, with what is kept of it in the same precision.
+    /// A normal and a matrix, with what is stored of it in the same precision.
     pub fn new(linear: M3<T>, normal: V3<T>) -> Self {
         Self {
             linear,
@@ -29,19 +29,19 @@ impl<T: Real> Tilted<T> {
     }
 }
 
-/// One normal, as each kind of method wants it.
+/// One normal, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct NormalCase {
     /// Rounded to `f32`.
     pub narrow: Tilted<f32>,
     /// As given.
     pub wide: Tilted<f64>,
-    /// The model matrix as a scene has it.
+    /// The model matrix for Sightline's method.
     pub placement: Placement,
 }
 
 impl NormalCase {
-    /// The case of a normal and a matrix; `None` where that has no inverse.
+    /// The case of a normal and a matrix; `None` where the matrix has no inverse.
     #[must_use]
     pub fn new(linear: M3<f64>, normal: V3<f64>) -> Option<Self> {
         Some(Self {
@@ -65,7 +65,7 @@ impl Case for NormalCase {
     type Truth = Exact3;
     const ABOUT: About = about!(
         "Normal into the world" "normal", off by "degrees", wrong by "";
-        "a normal and a model matrix with what is kept of it: the unit normal in the world"
+        "a normal and a model matrix with what is precomputed for it: the unit normal in the world"
     );
 
     const METHODS: Methods<Self> = &[
@@ -98,14 +98,14 @@ impl Case for NormalCase {
         cases.collect()
     }
 
-    /// The cofactors times the normal, with the determinant's sign: along the inverse transpose, without a quotient.
+    /// The cofactors times the normal, with the determinant's sign: the inverse transpose's direction without a division.
     fn truth(&self) -> Exact3 {
         let case = &self.wide;
         let [a, b, c] = case.linear.0.map(Exact3::new);
         let columns = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let mirrors = a.dot(&columns[0]).sign() == Ordering::Less;
         let [x, y, z] = Exact3::new(case.normal).0;
-        let normal = &columns[0].times(&x) + &(&columns[1].times(&y) + &columns[2].times(&z));
+        let normal = columns[0].times(&x) + columns[1].times(&y) + columns[2].times(&z);
         if mirrors {
             normal.times(&Exact::int(-1))
         } else {
@@ -117,8 +117,8 @@ impl Case for NormalCase {
         Verdict::Right(exact::angle(truth, *answer).to_degrees())
     }
 
-    /// Bound of the inverse transpose with the inverse by cofactors in `f64`: as for rays into object space, each entry
-    /// errs by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all alike and drops out.
+    /// Bound of the inverse transpose with the inverse by cofactors in `f64`, as for rays into object space: each entry errs
+    /// by 16u of its terms' magnitudes with u = 2^-53; the determinant scales all entries alike and cancels.
     fn bound(&self, _: &Exact3) -> f64 {
         let case = &self.wide;
         let M3([a, b, c]) = case.linear;
@@ -149,9 +149,9 @@ pub fn cofactors<T: Real>(case: &Tilted<T>) -> [f64; 3] {
 fn make(random: &mut Random, scale: [f64; 3], shear: f64, mirrored: bool) -> NormalCase {
     loop {
         let [u, v, w] = turned(random);
-        // Scaled along axes of its own, then turned, so that no axis of the world is special.
+        // Scaled along axes that are special in neither space.
         let own = [v, w, u];
-        // Both frames have one handedness: only a negative scale mirrors.
+        // Both frames have the same handedness: only a negative scale mirrors.
         let first = if mirrored { -scale[0] } else { scale[0] };
         let stretch = |e: V3<f64>| {
             own[0] * (first * e.x)

@@ -1,9 +1,9 @@
-//! A world-space ray into an object's space. The answer is origin and direction there; what counts is where that ray
-//! lies when it is brought back to the world without rounding.
+//! A world-space ray into an object's space. The answer is origin and direction there. It is judged by the ray that it becomes
+//! when it is transformed back to the world exactly.
 
 use super::WITH_BOUNDS;
 use crate::{
-    geometry::{LocalRay as PickRay, Placement, Ray, WorldRay},
+    geometry::{LocalRay, Placement, Ray, WorldRay},
     study::prelude::*,
 };
 use std::hint::black_box;
@@ -19,7 +19,7 @@ pub struct Placed<T> {
     pub origin: V3<T>,
     /// Where it goes, in the world.
     pub direction: V3<T>,
-    /// The inverse of A, which a program keeps for each object.
+    /// The inverse of A, which programs store for each object.
     pub inverse: M3<T>,
     /// The translation of M's inverse: `-inverse(A) T`.
     pub back: V3<T>,
@@ -40,16 +40,16 @@ impl<T: Real> Placed<T> {
     }
 }
 
-/// One ray and one model matrix, as each kind of method wants them.
+/// One ray and one model matrix, as each kind of method takes them.
 #[derive(Clone, Debug)]
 pub struct PlacedCase {
     /// Rounded to `f32`.
     pub narrow: Placed<f32>,
     /// As given.
     pub wide: Placed<f64>,
-    /// The ray as this program's.
+    /// The ray for Sightline's methods.
     pub ray: WorldRay<'static>,
-    /// The model matrix as a scene has it.
+    /// The model matrix for Sightline's methods.
     pub placement: Placement,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
@@ -60,22 +60,20 @@ impl PlacedCase {
     #[must_use]
     pub fn new(ray: [V3<f64>; 2], linear: M3<f64>, translation: V3<f64>, px: f64) -> Option<Self> {
         let placement = super::placement(linear, translation)?;
-        Some(Self::placed(ray, placement, px))
+        let ray = super::from_start(ray[0], ray[1]);
+        Some(Self::of_object(&placement, &ray, px))
     }
 
-    /// The case of a world-space ray and an object that stands there.
+    /// The case of a world-space ray and an object's placement.
     pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        Self::placed([ray.origin.into(), ray.direction.into()], *placement, px)
-    }
-
-    fn placed(ray: [V3<f64>; 2], placement: Placement, px: f64) -> Self {
         let model = placement.model();
         let (linear, translation) = (model.matrix3.into(), model.translation.into());
+        let ray = [ray.origin, ray.direction].map(V3::from);
         Self {
             narrow: Placed::new(ray.map(V3::of), M3::of(&linear), V3::of(translation)),
             wide: Placed::new(ray, linear, translation),
             ray: super::from_start(ray[0], ray[1]).into(),
-            placement,
+            placement: *placement,
             px,
         }
     }
@@ -87,10 +85,10 @@ const RELATIVE: &str = "the translation first: inverse(A) (o - T)";
 const OURS: &str = "geometry::Placement::ray_to_object";
 
 /// Origin and direction in object space.
-type LocalRay = [V3<f64>; 2];
+type ObjectSpaceRay = [V3<f64>; 2];
 
 impl Case for PlacedCase {
-    type Answer = LocalRay;
+    type Answer = ObjectSpaceRay;
     type Truth = ();
     const ABOUT: About = about!(
         "Ray into object space" "object-space", off by "px", wrong by "";
@@ -107,7 +105,7 @@ impl Case for PlacedCase {
             }),
             Method::new(WITH_BOUNDS, F64, "geometry::Placement::local_ray", |c| {
                 let placed = black_box(c.placement.local_ray(&c.ray));
-                of(PickRay::from(&placed).ray)
+                of(LocalRay::from(&placed).ray)
             }),
             Method::ours(F64, OURS, |c| of(&c.placement.ray_to_object(&c.ray))),
         ],
@@ -136,16 +134,16 @@ impl Case for PlacedCase {
 
     fn truth(&self) {}
 
-    fn judge(&self, (): &(), answer: &LocalRay) -> Verdict {
+    fn judge(&self, (): &(), answer: &ObjectSpaceRay) -> Verdict {
         Verdict::Right(aside(&self.wide, answer) / self.px)
     }
 
-    /// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`.
+    /// Bound of `inverse(A) (o - T)` with the inverse by cofactors in `f64`, with u = 2^-53.
     ///
-    /// With u = 2^-53: columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and
-    /// the product with a vector that carries u add 8u: below 16u of the magnitudes P = sum of |terms| of each cofactor
-    /// over the determinant, times the vector. The determinant's own error, below 16u of *its* terms' magnitudes over
-    /// itself, scales origin and direction alike. What is wrong in object space comes back to the world by |A|.
+    /// Columns are scaled to 1 (2u), a cofactor errs by 3u of its terms' magnitudes, scaling back and the product with a
+    /// vector that carries u add 8u. Together that is below 16u of P times the vector, where P is the sum of each cofactor's
+    /// |terms| over the determinant. The determinant errs relatively by less than 16u of the sum of its |terms| over itself,
+    /// which scales origin and direction alike. |A| takes an error in object space back to the world.
     fn bound(&self, (): &()) -> f64 {
         let case = &self.wide;
         let M3([a, b, c]) = case.linear;
@@ -165,12 +163,12 @@ impl Case for PlacedCase {
     }
 }
 
-fn of(ray: &Ray) -> LocalRay {
+fn of(ray: &Ray) -> ObjectSpaceRay {
     [ray.origin.into(), ray.direction.into()]
 }
 
 /// Through the inverse of the whole matrix, whose translation is `-inverse(A) T`.
-pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> LocalRay {
+pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> ObjectSpaceRay {
     let direction = case.inverse.apply(case.direction);
     let direction = if normalise {
         direction.normalize()
@@ -181,15 +179,14 @@ pub fn by_inverse<T: Real>(case: &Placed<T>, normalise: bool) -> LocalRay {
     [origin.wide(), direction.wide()]
 }
 
-/// Relative to the object's own origin first.
-pub fn relative<T: Real>(case: &Placed<T>) -> LocalRay {
+/// The translation is subtracted first.
+pub fn relative<T: Real>(case: &Placed<T>) -> ObjectSpaceRay {
     let origin = case.inverse.apply(case.origin - case.translation);
     [origin.wide(), case.inverse.apply(case.direction).wide()]
 }
 
-/// How far, in radians seen from the world ray's origin, the object-space ray passes from the world ray when it is
-/// brought back without rounding: at the depth of the object's own origin, or where the ray starts when that lies
-/// behind. Infinite for what is no ray.
+/// The angle in radians, seen from the world ray's origin, between the world ray and the object-space ray that is transformed
+/// back exactly, at the depth of the object's origin. Infinite where the answer is not finite or has no point at that depth.
 pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     if !local
         .iter()
@@ -200,27 +197,27 @@ pub fn aside(case: &Placed<f64>, local: &[V3<f64>; 2]) -> f64 {
     let [x, y, z] = case.linear.0.map(Exact3::new);
     let to_world = |v: V3<f64>| {
         let [a, b, c] = Exact3::new(v).0;
-        &x.times(&a) + &(&y.times(&b) + &z.times(&c))
+        x.times(&a) + y.times(&b) + z.times(&c)
     };
     let d = Exact3::new(case.direction);
-    let to_object = &Exact3::new(case.translation) - &Exact3::new(case.origin);
-    let (start, step) = (&to_world(local[0]) + &to_object, to_world(local[1]));
-    // The point of the ray that came back at the object's depth: start + s step with (..) . d = to_object . d.
+    let to_object = Exact3::new(case.translation) - Exact3::new(case.origin);
+    let (start, step) = (to_world(local[0]) + &to_object, to_world(local[1]));
+    // The transformed ray's point at the object's depth: `start + s step`, whose product with d is `to_object . d`.
     let fall = step.dot(&d);
     if fall.is_zero() {
         return f64::INFINITY;
     }
-    let s = &(&to_object - &start).dot(&d) / &fall;
-    let point = &start + &step.times(&s);
+    let s = (to_object - &start).dot(&d) / fall;
+    let point = start + step.times(&s);
     let off = point.cross(&d).length();
     let along = point.dot(&d).abs();
     if along.is_zero() {
         return f64::INFINITY;
     }
-    (&off / &along).to_f64()
+    (off / along).to_f64()
 }
 
-/// Three vectors of about length 1 at right angles: a rotation, or with its mirror image.
+/// Three vectors of about length 1 at right angles: a rotation, half of the time mirrored.
 pub(super) fn turned(random: &mut Random) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     [u, v, u.cross(v) * random.sign()]
@@ -232,11 +229,11 @@ fn flattened(random: &mut Random, least: f64) -> PlacedCase {
     aim(random, scale, 3.0)
 }
 
-/// An object about as large as its largest scale, so far from the world's origin, and a ray that passes it from 5
-/// units away (or 5 of its sizes where it is large).
+/// An object about as large as its largest scale, at a distance from the world's origin, and a ray past it from 5 units away.
+/// Where the object is larger than a unit, both distances are in its sizes.
 fn aim(random: &mut Random, scale: [f64; 3], offset: f64) -> PlacedCase {
     loop {
-        // Scaled along axes of its own, then turned, so that neither space's axes are special.
+        // Scaled along axes that are special in neither space.
         let [u, v, w] = turned(random);
         let scaled = M3([u * scale[0], v * scale[1], w * scale[2]]);
         let own = turned(random);

@@ -1,4 +1,4 @@
-//! Eight rays of one picture against one triangle, at once: what SIMD instructions are for. The answer is t for each, or none.
+//! Eight rays of one picture against one triangle at once, as SIMD instructions do it. The answer is t or none for each ray.
 
 use super::{
     from_start,
@@ -17,7 +17,7 @@ use std::{
 /// Rays side by side.
 const WIDTH: usize = 8;
 
-/// Eight numbers side by side, in plain Rust that compilers turn into the instructions that they build for.
+/// Eight numbers side by side, in plain Rust that the compiler turns into the target's SIMD instructions.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Lanes<T>([T; WIDTH]);
@@ -60,23 +60,23 @@ impl<T: Ring> Neg for Lanes<T> {
 #[derive(Clone, Debug)]
 pub struct Bundle<T> {
     origin: V3<T>,
-    /// Side by side, and one after the other.
+    /// The directions side by side, and one after the other.
     directions: (V3<Lanes<T>>, [V3<T>; WIDTH]),
     corners: [V3<T>; 3],
 }
 
-/// One bundle, as each kind of method wants it.
+/// One bundle, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct PacketCase {
     /// Rounded to `f32`.
     pub narrow: Bundle<f32>,
     /// As given.
     pub wide: Bundle<f64>,
-    /// The rays as this program's test wants them.
+    /// The rays for Sightline's method.
     pub rays: [VertexRay<'static>; WIDTH],
 }
 
-/// Where each ray hits.
+/// Each ray's t, or none.
 type Parameters = [Option<f64>; WIDTH];
 
 const WALD: &str = "Wald, Slusallek, Benthin & Wagner, Interactive Rendering with Coherent Ray Tracing, Eurographics 2001: ";
@@ -132,11 +132,10 @@ impl Case for PacketCase {
         let mut worst = 0.0_f64;
         for (i, (truth, answer)) in truth.iter().zip(answer).enumerate() {
             let off = || self.wide.ray(i).edge_angle() / PX;
-            match (truth, answer) {
-                (Some(truth), Some(answer)) => worst = worst.max(relative(*truth, *answer)),
-                (None, None) => {}
-                (Some(_), None) => return Verdict::Missed(off()),
-                (None, Some(_)) => return Verdict::Phantom(off()),
+            match truth::decide(*truth, *answer, relative, off) {
+                Verdict::Right(error) => worst = worst.max(error),
+                Verdict::Agreed => {}
+                wrong => return wrong,
             }
         }
         Verdict::Right(worst)
@@ -149,7 +148,7 @@ impl Case for PacketCase {
     }
 }
 
-/// A ray of a family of single rays, and seven beside it.
+/// A ray of a family of [`TriangleCase`], and seven beside it.
 fn beside(random: &mut Random, family: &str, value: f64) -> PacketCase {
     let mut families = TriangleCase::FAMILIES.iter();
     let family = families.find(|known| known.name == family);
@@ -158,7 +157,7 @@ fn beside(random: &mut Random, family: &str, value: f64) -> PacketCase {
 }
 
 impl PacketCase {
-    /// The ray's, and those of two rows of four pixels of which it is the first.
+    /// The rays of two rows of four pixels, of which `first` is the first.
     #[must_use]
     pub fn new(first: &RayTriangle<f64>) -> Self {
         let d = first.direction;
@@ -205,12 +204,12 @@ fn one_by_one<T: Real>(
     array::from_fn(|i| test(&bundle.ray(i)))
 }
 
-/// The same number for all.
+/// The same vector in every lane.
 fn all<T: Ring>(v: V3<T>) -> V3<Lanes<T>> {
     v.map(|c| Lanes([c; WIDTH]))
 }
 
-/// Without a branch: lanes that miss are found at the end. What does not depend on the ray is done once.
+/// Without a branch: misses are sorted out at the end. What does not depend on the ray is computed once.
 fn moeller_trumbore_packet<T: Real>(bundle: &Bundle<T>) -> Parameters {
     let [a, b, c] = bundle.corners;
     let (e1, e2, s) = (b - a, c - a, bundle.origin - a);
@@ -227,7 +226,7 @@ fn moeller_trumbore_packet<T: Real>(bundle: &Bundle<T>) -> Parameters {
     })
 }
 
-/// The volumes' sides are the triangle's and the eye's alone.
+/// The cross products depend only on triangle and eye, and are computed once.
 fn volumes_packet<T: Real>(bundle: &Bundle<T>) -> Parameters {
     let [a, b, c] = bundle.corners.map(|corner| corner - bundle.origin);
     let d = bundle.directions.0;

@@ -12,7 +12,8 @@ const PRESS: &str =
     "Press et al., Numerical Recipes, 5.6: the root that does not cancel, the other from c / q";
 const HEARN: &str = "Hearn & Baker; Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems ch. 7, 2019";
 
-const OURS: &str = "geometry::sphere: by the line's moment, which its bound decides, else exactly";
+const OURS: &str =
+    "geometry::sphere: the line's moment as a filter with an error bound, else exactly";
 
 impl Case for SphereCase {
     type Answer = Option<f64>;
@@ -66,12 +67,12 @@ impl Case for SphereCase {
     }
 }
 
-/// Its radius, squared.
+/// The radius squared.
 fn r2<T: Real>() -> T {
     T::of(Sphere::RADIUS * Sphere::RADIUS)
 }
 
-/// The first of two roots that lies ahead.
+/// The first of two roots that is not negative.
 fn first<T: Real>(a: T, b: T) -> Option<f64> {
     first_ahead(if a <= b { a } else { b }, if a <= b { b } else { a })
 }
@@ -91,7 +92,7 @@ pub fn plain<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     first((-b - root) / (two * a), (-b + root) / (two * a))
 }
 
-/// [`plain`] with a = 1: shorter, and wrong for directions of another length.
+/// [`plain`] with a = 1: wrong for directions that are not 1 long.
 pub fn plain_unit<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
     let from_center = case.origin;
     let b = from_center.dot(case.direction);
@@ -135,23 +136,23 @@ pub fn hearn_baker<T: Real>(case: &ObjectRay<T>) -> Option<f64> {
 
 /// How far the ray passes from the outline, in radians seen from its origin.
 ///
-/// The line's distance from the centre less the radius is `(distance^2 - r^2) / (distance + r)`, with `distance^2 = m^2 / d^2` and m
-/// the moment `o x d`; the outline lies a tangent's length away.
+/// The line's distance from the centre minus the radius is `(distance^2 - r^2) / (distance + r)`, with
+/// `distance^2 = m^2 / d^2` and the moment `m = o x d`. The outline lies a tangent's length away.
 pub fn outline_angle(ray: &ObjectRay<f64>) -> f64 {
     let [o, d] = [ray.origin, ray.direction].map(Exact3::new);
     let (moment, r) = (o.cross(&d), Exact::new(Sphere::RADIUS));
     let r2 = &r * &r;
-    let off = (&(&moment.dot(&moment) / &d.dot(&d)) - &r2).to_f64();
+    let off = (moment.dot(&moment) / d.dot(&d) - &r2).to_f64();
     let distance = ray.origin.cross(ray.direction).length() / ray.direction.length();
-    let tangent = (&o.dot(&o) - &r2).to_f64().max(0.0).sqrt();
+    let tangent = (o.dot(&o) - r2).to_f64().max(0.0).sqrt();
     (off / (distance + Sphere::RADIUS) / tangent).abs()
 }
 
-/// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
+/// The bound of a hit's `t` in `f64`; whether there is a hit is decided exactly.
 ///
-/// With u = 2^-53 and m the moment `o x d`, whose components err by 5u O D (O and D the largest components of o and d): the
-/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by what m errs times `2.2 |m|_1`, its root by that over the
-/// root; `o.d` by 4u |o|_1 D; the quotient and the sum by a few u more.
+/// Let u = 2^-53, m the moment `o x d`, O and D the largest components of o and d. Each component of m errs by 5u O D. The
+/// discriminant `r^2 d.d - m.m` errs by 10u of both its terms and by `2.2 |m|_1` times m's error, its root by that over the
+/// root. `o.d` errs by 4u |o|_1 D; the quotient and the sum add a few u.
 fn bound(ray: &ObjectRay<f64>, t: f64) -> f64 {
     let (o, d) = (ray.origin, ray.direction);
     let largest = |v: [f64; 3]| v.into_iter().fold(0.0, f64::max);
@@ -173,49 +174,48 @@ fn case(origin: V3<f64>, direction: V3<f64>, px: f64) -> SphereCase {
     SphereCase::new(narrow3(origin), narrow3(direction), px)
 }
 
-/// A ray that starts so many radii away and passes the centre at a number of radii within `past`.
+/// A ray that starts `distance` radii away and passes the centre at a number of radii within `past`.
 fn aim(random: &mut Random, distance: f64, past: Range<f64>) -> SphereCase {
     let past = random.within(past.start, past.end);
     passing(random, distance, past)
 }
 
-/// The same, close to the outline.
+/// A ray that passes close to the outline.
 fn beside(random: &mut Random, distance: f64) -> SphereCase {
     let past = 1.0 + random.sign() * random.decades(-8, -1);
     passing(random, distance, past)
 }
 
-/// An ordinary ray whose direction is so long.
+/// An ordinary ray with a direction of this length.
 fn longer(random: &mut Random, length: f64) -> SphereCase {
     let SphereCase { wide, px, .. } = aim(random, 5.0, 0.0..1.5);
     let direction = wide.direction * (length / wide.direction.length());
     case(wide.origin, direction, px)
 }
 
-/// A ray that starts so many radii away and passes the centre at `past` radii. Directions are about 1 long.
+/// A ray that starts `distance` radii away and passes the centre at `past` radii; its direction is about 1 long.
 fn passing(random: &mut Random, distance: f64, past: f64) -> SphereCase {
     let [back, aside] = random.directions();
-    // The point where a ray at this distance from the centre would touch, so that `past` is its distance.
+    // The ray's angle to the line through the centre: so the ray's own distance from the centre is `past`.
     let sin = past / distance;
     let cos = (1.0 - sin.powi(2)).max(0.0).sqrt();
     let towards = aside * sin - back * cos;
     case(back * (0.5 * distance), towards.normalize(), PX)
 }
 
-/// The eye a little above the surface, looking about and slightly down.
+/// A ray from a little above the surface, in any direction and slightly down.
 fn close(random: &mut Random, ratio: f64) -> SphereCase {
     let [up, along] = random.directions();
     let dip = random.within(0.05, 1.0);
     case(up * (0.5 + 0.5 / ratio), (along - up * dip).normalize(), PX)
 }
 
-/// A ray in whole numbers, over a power of two, that touches without any rounding.
+/// A ray of whole numbers over a power of two that touches exactly.
 ///
-/// With whole vectors u, v, w of one length n at right angles to each other, the line through `(h w + k u) / n` along u passes
-/// the origin at the distance h; k is such that the point is whole.
+/// Let u, v, w be whole vectors of one length n at right angles. The line through `(h w + k u) / n` along u passes the origin
+/// at the distance h; k is chosen so that the point is whole.
 fn touching(random: &mut Random, bits: f64) -> SphereCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
-    let h = f64::from(1_i32 << bits as i32);
+    let h = f64::from(two_to(bits));
     loop {
         let [w, u, _] = super::rays::turned(random, 3);
         let n = u.length();

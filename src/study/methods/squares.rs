@@ -1,5 +1,4 @@
-//! A ray against a square, or any parallelogram, that stands somewhere in the world. The answer is the ray parameter t of the
-//! hit, or none.
+//! A ray against a square or parallelogram in the world. The answer is the ray parameter t of the hit, or none.
 
 use super::ahead;
 use crate::{
@@ -19,18 +18,18 @@ pub struct RaySquare<T> {
     pub middle: V3<T>,
     /// Its sides.
     pub sides: [V3<T>; 2],
-    /// What textbooks keep for it.
+    /// What textbooks precompute for it.
     pub kept: Kept<T>,
 }
 
-/// What textbooks keep for a square.
+/// What textbooks precompute for a square.
 #[derive(Clone, Copy, Debug)]
 pub struct Kept<T> {
     /// At right angles to both sides.
     normal: V3<T>,
-    /// `normal . middle`, rounded: what the D form keeps of the middle.
+    /// D of the plane's equation: `normal . middle`, rounded.
     distance: T,
-    /// Within the plane; a point's scalar products with these are its coordinates along the sides.
+    /// Vectors in the plane; a point's scalar products with them are its coordinates along the sides.
     duals: [V3<T>; 2],
 }
 
@@ -65,16 +64,16 @@ impl<T: Real> RaySquare<T> {
     }
 }
 
-/// One ray and one square, as each kind of method wants them.
+/// One ray and one square, as each kind of method takes them.
 #[derive(Clone, Debug)]
 pub struct SquareCase {
     /// Rounded to `f32`.
     pub narrow: RaySquare<f32>,
     /// As given.
     pub wide: RaySquare<f64>,
-    /// The ray as this program's.
+    /// The ray for Sightline's method.
     pub ray: WorldRay<'static>,
-    /// The square as an object of a scene.
+    /// The square for Sightline's method.
     pub placement: Placement,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
@@ -91,24 +90,19 @@ impl SquareCase {
     ) -> Option<Self> {
         let placement = super::placement(M3([u, v, u.cross(v)]), middle)?;
         let ray = super::from_start(origin, direction);
-        Some(Self::placed(placement, ray, px))
+        Some(Self::of_object(&placement, &ray, px))
     }
 
     /// The case of a square and a ray in the world.
     pub(in crate::study) fn of_object(placement: &Placement, ray: &Ray, px: f64) -> Self {
-        let from_start = super::from_start(ray.origin.into(), ray.direction.into());
-        Self::placed(*placement, from_start, px)
-    }
-
-    fn placed(placement: Placement, ray: Ray, px: f64) -> Self {
         let model = placement.model();
         let sides = [model.matrix3.x_axis, model.matrix3.y_axis].map(V3::from);
         let [o, d, middle] = [ray.origin, ray.direction, model.translation].map(V3::from);
         Self {
             narrow: RaySquare::new(V3::of(o), V3::of(d), V3::of(middle), sides.map(V3::of)),
             wide: RaySquare::new(o, d, middle, sides),
-            ray: ray.into(),
-            placement,
+            ray: super::from_start(o, d).into(),
+            placement: *placement,
             px,
         }
     }
@@ -117,8 +111,7 @@ impl SquareCase {
 const POINT: &str = "textbooks and courses: t = N . (S - o) / N . d, then along the sides";
 const CONSTANT: &str = "Shirley, Ray Tracing: The Next Week: t = (D - N . o) / N . d with D = N . S, then along the sides";
 
-const OURS: &str =
-    "geometry::square, under a model matrix: undivided, which its bound decides, else exactly";
+const OURS: &str = "geometry::square, under a model matrix: undivided, as a filter with an error bound, else exactly";
 
 impl Case for SquareCase {
     type Answer = Option<f64>;
@@ -166,13 +159,12 @@ impl Case for SquareCase {
         truth::decide(*truth, *answer, truth::relative, off)
     }
 
-    /// Bound of the square under a model matrix, whose inverse's third row is the normal over a determinant; whether there is a
-    /// hit is decided exactly.
+    /// Bound of a hit's `t` under a model matrix; whether there is a hit is decided exactly. The inverse's third row is the
+    /// normal over the determinant.
     ///
-    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u), and with the
-    /// difference to the plane's point (u), product and sum (4u) and the given normal's own rounding (3u), numerator and
-    /// denominator each err by at most 15u times the sum of all magnitudes; the quotient by u. The determinant is in both
-    /// and drops out.
+    /// With u = 2^-53: that row is a vector product (3u of its terms' magnitudes) times two scales (3u). The difference to the
+    /// plane's point adds u, product and sum 4u, the given normal's own rounding 3u. Numerator and denominator each err by
+    /// at most 15u times the sum of all magnitudes, the quotient by u. The determinant is in both and cancels.
     fn bound(&self, _: &Option<f64>) -> f64 {
         let case = &self.wide;
         let [u, v] = case.sides;
@@ -186,7 +178,7 @@ impl Case for SquareCase {
     }
 }
 
-/// Relative to the ray's origin first.
+/// The ray's origin is subtracted first.
 pub fn point<T: Real>(case: &RaySquare<T>) -> Option<f64> {
     let Kept { normal, .. } = case.kept;
     let way = normal.dot(case.middle - case.origin);
@@ -209,11 +201,10 @@ fn inside<T: Real>(case: &RaySquare<T>, t: T) -> Option<f64> {
     (x <= half && y <= half).then(|| ahead(t)).flatten()
 }
 
-/// Whole vectors at right angles, both at least 1 long, over a power of two that leaves them about that.
+/// Whole vectors at right angles, each over the power of two that makes it about 1 long.
 fn sides(random: &mut Random) -> [V3<f64>; 2] {
     loop {
-        let mut whole = || f64::from(random.integer(-15, 15));
-        let [a, b] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let [a, b] = [(); 2].map(|()| random.lattice_point(15));
         let across = a.cross(b);
         if across.dot(across) > 0.0 {
             return [a, across].map(|side| side * (1.0 / power_of_two_below(side.length())));
@@ -221,8 +212,8 @@ fn sides(random: &mut Random) -> [V3<f64>; 2] {
     }
 }
 
-/// A square about 1 wide at an offset from the world's origin, and a ray that meets its plane, in it or beside it, about
-/// `t = 5` and at about this angle.
+/// A square about 1 wide at an offset from the world's origin, and a ray that meets its plane, in the square or beside it, at
+/// about `t = 5` and about this angle.
 fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
     loop {
         let [u, v] = sides(random);
@@ -240,14 +231,12 @@ fn aim(random: &mut Random, angle: f64, offset: f64) -> SquareCase {
     }
 }
 
-/// A ray in whole numbers, over a power of two, exactly through a side or a corner.
+/// A ray of whole numbers over a power of two, exactly through a side or a corner.
 fn through_the_rim(random: &mut Random, bits: f64) -> SquareCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 16")]
-    let limit = 1_i32 << bits as i32;
+    let limit = two_to(bits);
     loop {
         let [u, v] = sides(random);
-        let mut whole = || f64::from(random.integer(-limit, limit));
-        let [middle, step] = [(); 2].map(|()| V3::new(whole(), whole(), whole()));
+        let [middle, step] = [(); 2].map(|()| random.lattice_point(limit));
         let along = f64::from(random.integer(-2, 2)) * 0.25;
         let (x, y) = (0.5 * random.sign(), along);
         let target = middle + u * x + v * y;

@@ -1,9 +1,9 @@
-//! The usual way, as most viewers and tutorials have it: in `f32`, the pixel is unprojected onto the near and the far
-//! plane by the inverse of Projection * View (gluUnProject, OpenGL Utility Library), and the ray between the two meets
+//! Picking as most viewers and tutorials do it, in `f32`: the inverse of Projection * View unprojects the pixel onto the near
+//! and the far plane (gluUnProject, OpenGL Utility Library), and the ray from one point to the other is tested against
 //! triangles by Moeller & Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", JGT 2(1), 1997.
 //!
-//! Near and far lie far apart in the world and close together in clip space, so the inverse is nearly singular: what
-//! `f32` rounds is the ray itself.
+//! Near and far are far apart in the world and close together in clip space. The inverse is therefore nearly singular, and
+//! `f32` rounds the ray itself.
 
 use crate::{
     camera::View,
@@ -13,21 +13,20 @@ use crate::{
 };
 use glam::{DVec2, DVec3, Vec3};
 
-/// What the usual way picks at a pixel position. Spheres, cubes and squares are met in `f64`: it is the ray that
-/// differs.
+/// The usual way's hit at a pixel position. Spheres, cubes and squares are tested in `f64`: for them only the ray differs
+/// from Sightline's.
 pub fn closest(scene: &Scene, view: &View, px: DVec2) -> Option<SceneHit> {
     pick::closest_by(scene, ray(view, px)?, view.sides, moeller_trumbore)
 }
 
 /// The world-space ray from the near to the far plane; `None` where the inverse has no finite answer.
-#[must_use]
-pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
+fn ray(view: &View, px: DVec2) -> Option<Ray> {
     let camera = &view.camera;
     let projection_view = camera.projection(view.viewport).as_mat4() * camera.view().as_mat4();
     let inverse = projection_view.inverse();
-    let ndc = view.viewport.px_to_ndc(px).as_vec2();
+    let ndc = view.viewport.px_to_ndc(px);
     let lens = camera.lens();
-    let on_plane = |depth: f64| inverse.project_point3(ndc.extend(narrow(lens.ndc_depth(depth))));
+    let on_plane = |depth: f64| inverse.project_point3(ndc.extend(lens.ndc_depth(depth)).as_vec3());
     let [near, far] = [lens.near, lens.far].map(on_plane);
     let along = far - near;
     let ray = Ray {
@@ -40,7 +39,7 @@ pub fn ray(view: &View, px: DVec2) -> Option<Ray> {
 }
 
 /// Moeller & Trumbore's test in `f32`, without culling and without an epsilon.
-pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
     let ray = &ray.ray;
     let [a, b, c] = corners.map(DVec3::as_vec3);
     let (origin, direction): (Vec3, Vec3) = (ray.origin.as_vec3(), ray.direction.as_vec3());
@@ -67,9 +66,4 @@ pub fn moeller_trumbore(ray: &VertexRay, corners: [DVec3; 3]) -> Option<Triangle
         front: determinant > 0.0,
         barycentric: [1.0 - v - w, v, w].map(f64::from),
     })
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the usual way")]
-fn narrow(value: f64) -> f32 {
-    value as f32
 }

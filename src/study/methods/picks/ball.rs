@@ -1,18 +1,17 @@
-//! Clicks on a scene that is hard everywhere: a closed, bumpy ball of many small triangles, far from the world's
-//! origin, with the eye close to it.
+//! Clicks on a hard scene: a closed, bumpy ball of many small triangles, far from the world's origin, with the eye close.
 
 use super::{PickCase, PickWorld};
 use crate::{
     camera::{Camera, DepthMapping, Lens, Projection, View, Viewport},
     geometry::{Mesh, MeshData, Placement, Sides},
-    render::{self, Gpu},
+    render::Gpu,
     scene::{Object, Scene, Shape},
     study::prelude::*,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::sync::{Arc, OnceLock};
 
-/// How far from the world's origin the ball stands, in its radii.
+/// The ball's distances from the world's origin, in its radii.
 const OFFSETS: [f64; 3] = [0.0, 1e3, 1e5];
 
 /// Every family.
@@ -22,14 +21,11 @@ pub const FAMILIES: &[Family<PickCase>] = &[Family::new(
     &OFFSETS,
     |random, offset| {
         let world = ball_world(offset);
-        let size = world.view.viewport;
-        let mut at = |side: u32| (random.unit() * f64::from(side)).floor() + 0.5;
-        let px = DVec2::new(at(size.width()), at(size.height()));
-        PickCase::new(&world, px)
+        PickCase::new(&world, random.pixel(world.view.viewport.size_px()))
     },
 )];
 
-/// The ball at an offset, made once, with what the graphics adapter draws of it where there is one.
+/// The ball at an offset, made once.
 fn ball_world(offset: f64) -> Arc<PickWorld> {
     static WORLDS: [OnceLock<Arc<PickWorld>>; OFFSETS.len()] =
         [const { OnceLock::new() }; OFFSETS.len()];
@@ -39,13 +35,12 @@ fn ball_world(offset: f64) -> Arc<PickWorld> {
         .unwrap_or(0);
     let world = WORLDS[index].get_or_init(|| {
         let (scene, view) = ball_scene(offset);
-        let ids = gpu().and_then(|gpu| render::render(gpu, &scene, &view, None).ok());
-        Arc::new(PickWorld::new(&scene, view, ids.map(|(ids, _)| ids)))
+        Arc::new(PickWorld::new(&scene, view))
     });
     Arc::clone(world)
 }
 
-/// The graphics adapter, asked for once; `None` of one that cannot name triangles.
+/// The graphics adapter, looked up once; `None` where there is none that can draw triangle ids.
 pub fn gpu() -> Option<&'static Gpu> {
     static GPU: OnceLock<Option<Gpu>> = OnceLock::new();
     let with_triangles = |gpu: &Gpu| gpu.rasteriser().names_triangles;
@@ -81,7 +76,7 @@ pub fn ball_scene(offset: f64) -> (Scene, View) {
     (Scene::new(vec![object]), view)
 }
 
-/// An icosahedron, each face split into four over and over, pushed in and out a little.
+/// An icosahedron whose faces are repeatedly split into four; its vertices are moved in and out a little.
 fn ball(origin: DVec3) -> Arc<Mesh> {
     const SPLITS: u32 = 4;
     let (mut points, mut faces) = icosahedron();

@@ -1,4 +1,4 @@
-//! Whole picks: from a pixel to the object and triangle that it shows, all steps together.
+//! Whole picks: from a pixel to the visible object and triangle, all steps together.
 
 mod ball;
 mod truth;
@@ -7,7 +7,7 @@ pub(super) use ball::icosahedron;
 pub use ball::{ball_scene, gpu};
 
 use super::{
-    rays::{PixelCase, Sight, course, far_less_near},
+    rays::{PixelCase, PixelRay, course, far_less_near},
     triangles::{RayTriangle, areas, moeller_trumbore},
 };
 use crate::{
@@ -15,7 +15,7 @@ use crate::{
     geometry::{Mesh, Sides},
     image::{Id, Image},
     pick::{self, SceneHit},
-    render::{Renderer, SceneBuffers, Targets},
+    render::{self, Renderer, SceneBuffers, Targets},
     scene::{Object, Scene, Shape},
     study::prelude::*,
 };
@@ -23,27 +23,27 @@ use glam::DVec2;
 use num_traits::ToPrimitive;
 use std::{sync::Arc, time::Instant};
 
-/// A scene as it is picked from.
+/// A scene as each kind of method picks from it.
 #[derive(Debug)]
 pub struct PickWorld {
-    /// Its meshes have trees, where they are worth one.
+    /// With trees over all meshes that are worth one.
     pub scene: Scene,
-    /// The same without any tree.
+    /// Without any tree.
     pub treeless: Scene,
-    /// How it is seen.
+    /// The view.
     pub view: View,
-    /// What a graphics adapter drew; none where there is no adapter.
+    /// The ids that a graphics adapter drew; `None` where there is no adapter.
     pub ids: Option<Image<Id>>,
-    /// The visible objects as a program that knows `f32` only holds them, with their indices.
+    /// The visible objects in `f32`, with their indices.
     flat: Vec<(usize, Flat)>,
 }
 
-/// An object without origins and matrices.
+/// An object as a program in `f32` world coordinates holds it.
 #[derive(Debug)]
 enum Flat {
     /// A mesh: its triangles in the world, counter-clockwise from outside.
     Triangles(Vec<[V3<f32>; 3]>),
-    /// Another shape, which is met as this program does.
+    /// Another shape alone in a scene, which Sightline tests.
     Shape(Scene),
 }
 
@@ -65,16 +65,17 @@ impl Flat {
 }
 
 impl PickWorld {
-    /// Copies the scene and builds trees over one of the copies.
+    /// Copies the scene, builds trees over one of the copies, and draws it where there is a graphics adapter.
     #[must_use]
-    pub fn new(scene: &Scene, view: View, ids: Option<Image<Id>>) -> Self {
+    pub fn new(scene: &Scene, view: View) -> Self {
         let with_trees = copy(scene);
         with_trees.build_trees();
+        let drawn = gpu().and_then(|gpu| render::render(gpu, scene, &view, None).ok());
         Self {
             scene: with_trees,
             treeless: copy(scene),
             view,
-            ids,
+            ids: drawn.map(|(ids, _)| ids),
             flat: (0..)
                 .zip(scene.objects())
                 .filter(|(_, object)| object.visible)
@@ -91,7 +92,7 @@ fn copy(scene: &Scene) -> Scene {
         if let Some((_, copy)) = meshes.iter().find(|(known, _)| Arc::ptr_eq(known, mesh)) {
             return Arc::clone(copy);
         }
-        // What was a mesh is one again.
+        // A valid mesh's copy is valid.
         let copy = Mesh::new(mesh.data().clone()).map_or_else(|_| Arc::clone(mesh), Arc::new);
         meshes.push((Arc::clone(mesh), Arc::clone(&copy)));
         copy
@@ -115,11 +116,11 @@ fn copy(scene: &Scene) -> Scene {
 /// A click.
 #[derive(Clone, Debug)]
 pub struct PickCase {
-    /// On what.
+    /// The scene.
     pub world: Arc<PickWorld>,
-    /// Where: the centre of a pixel.
+    /// The centre of a pixel.
     pub px: DVec2,
-    /// The same as methods for the ray want it.
+    /// The pixel as methods of the first step take it.
     pixel: PixelCase,
 }
 
@@ -140,7 +141,8 @@ impl Case for PickCase {
         "Whole pick" "pick", off by "", wrong by "";
         "a click on a scene that is ready to be picked from: object and triangle"
     );
-    const SLOW: bool = true;
+    const TIMED: usize = 24;
+    const MOST_ROUNDS: usize = 11;
 
     fn count(effort: Effort) -> usize {
         effort.picks
@@ -167,7 +169,7 @@ impl Case for PickCase {
     const FAMILIES: &'static [Family<Self>] = ball::FAMILIES;
 
     fn of_scene(scene: &SceneRays) -> Vec<Self> {
-        // The methods without a tree are slow, and so is truth.
+        // Methods without a tree are slow, and so is truth.
         const MOST: usize = 256;
         let case = |px: &DVec2| Self::new(&scene.world, *px);
         scene.at.iter().take(MOST).map(case).collect()
@@ -200,8 +202,8 @@ impl Case for PickCase {
     }
 }
 
-/// From a click to what it hit: drawing all ids and reading them back, or only reading one that is drawn. The median of a
-/// few times; everything else, such as the scene's buffers, is there already.
+/// The median time, in nanoseconds, to draw all ids and read them back, or only to read back one that is drawn. The scene's
+/// buffers and all else are set up beforehand.
 fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     const TIMES: usize = 9;
     let (gpu, world) = (gpu()?, &case.world);
@@ -225,7 +227,7 @@ fn ids_latency(case: &PickCase, draws: bool) -> Option<f64> {
     times.get(times.len() / 2).copied()
 }
 
-/// The methods that are timed by what the graphics adapter does.
+/// The names of the methods that the graphics adapter runs.
 const GPU_IDS: &str = "the GPU's ids, drawn and read back";
 const GPU_ID: &str = "the GPU's ids, one pixel read back";
 
@@ -240,7 +242,7 @@ impl PickCase {
         }
     }
 
-    /// What the adapter's picture shows there.
+    /// The adapter's id at the pixel.
     fn drawn(&self) -> Picked {
         let [x, y] = self.pixel_at();
         let id = self.world.ids.as_ref()?.at(x, y);
@@ -253,10 +255,10 @@ impl PickCase {
     }
 
     /// The nearest hit of a ray in `f32` world coordinates by a triangle test in `f32`, over all triangles.
-    fn cast_f32(&self, sight: Sight, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
+    fn cast_f32(&self, pixel_ray: PixelRay, test: fn(&RayTriangle<f32>) -> Option<f64>) -> Picked {
         let sides = self.world.view.sides;
-        let (origin, direction) = (V3::<f32>::of(sight.from), V3::of(sight.along));
-        let world = sight.ray(&self.world.view)?;
+        let (origin, direction) = (V3::<f32>::of(pixel_ray.from), V3::of(pixel_ray.along));
+        let world = pixel_ray.ray(&self.world.view)?;
         let mut best: Option<(f64, usize, Option<u32>)> = None;
         for (index, object) in &self.world.flat {
             let triangles = match object {
@@ -293,7 +295,7 @@ fn sightlines(scene: &Scene, case: &PickCase) -> Picked {
     Some(picked(scene, hit))
 }
 
-/// A hit as methods answer it.
+/// A hit as a method's answer.
 fn picked(scene: &Scene, hit: SceneHit) -> (usize, Option<u32>) {
     (hit.object, hit.triangle_of_object(scene))
 }

@@ -1,5 +1,5 @@
-//! The nearest surface on a pixel's ray in a whole scene, decided without rounding for the stored numbers of camera,
-//! placements and vertices.
+//! The nearest surface on a pixel's ray in a whole scene, by exact arithmetic on the stored numbers of camera, placements and
+//! vertices.
 
 use super::Picked;
 use crate::{
@@ -11,22 +11,22 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
-/// A pixel's ray, times the picture's height: nothing is divided, and nothing rounds.
-struct Sight {
+/// A pixel's ray, times the picture's height: so no division rounds.
+struct ExactRay {
     line: Line,
     height: Exact,
 }
 
-/// A ray in an object's space, times the model's determinant and the picture's height.
+/// A ray in an object's space, times `det`: the model's determinant times the picture's height.
 struct Local {
     line: Line,
     det: Exact,
 }
 
-/// The nearest hit within the ray's interval on a side that shows; of equal ones the lower object, then the lower triangle.
+/// The nearest hit within the ray's interval on a visible side; of equal ones the lower object, then the lower triangle.
 pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
-    let sight = Sight::new(view, px);
-    let ray = sight.rounded(view);
+    let exact_ray = ExactRay::new(view, px);
+    let ray = exact_ray.rounded(view);
     let t_min = Exact::new(ray.t_min);
     let t_max = ray.t_max.is_finite().then(|| Exact::new(ray.t_max));
     let mut best: Option<(Exact, usize, Option<u32>)> = None;
@@ -34,7 +34,7 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
         if !object.visible || !may_hit(&scene.bounds_of(index), &ray) {
             continue;
         }
-        let local = Local::new(&object.placement, &sight);
+        let local = Local::new(&object.placement, &exact_ray);
         let mut consider = |Meeting { t, front }: Meeting, triangle: Option<u32>| {
             let shown = front || view.sides == Sides::Both;
             let nearer = best.as_ref().is_none_or(|(known, _, _)| t < *known);
@@ -72,11 +72,9 @@ pub fn truth(scene: &Scene, view: &View, px: DVec2) -> Picked {
                 for triangle in range.clone() {
                     let corners = corners(mesh, triangle);
                     let apart = corners.map(|at| from_eye + model.matrix3 * DVec3::from(at));
+                    let exactly = |corner| local.point(&(exact(origin) + Exact3::new(corner)));
                     if near_triangle(ray.direction, apart, grain)
-                        && let Some(at) =
-                            local.line.triangle(corners.map(|corner| {
-                                local.point(&(&exact(origin) + &Exact3::new(corner)))
-                            }))
+                        && let Some(at) = local.line.triangle(corners.map(exactly))
                     {
                         consider(local.turned(at), Some(triangle - range.start));
                     }
@@ -97,7 +95,7 @@ fn corners(mesh: &Mesh, triangle: u32) -> [V3<f64>; 3] {
     triangles[triangle as usize].map(|i| V3::from(positions[i as usize].map(f64::from)))
 }
 
-/// Whether the ray comes near a box grown by a thousandth of its size: leaves out what is certainly missed.
+/// A filter: false where the ray certainly misses a box's bounding sphere, grown by a thousandth.
 fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     let center = bounds.center() - ray.origin;
     let along = ray.direction.normalize();
@@ -105,8 +103,8 @@ fn may_hit(bounds: &Aabb, ray: &Ray) -> bool {
     aside.length() <= 1.001 * bounds.radius() + 1e-9 * center.length()
 }
 
-/// Whether no `f64` volume has certainly another sign than the others: leaves out what is certainly missed. Corners are
-/// in the world, relative to the ray's origin and off by no more than `grain`.
+/// A filter: false where two `f64` volumes certainly differ in sign, so that the triangle is missed. Corners are in the world,
+/// relative to the ray's origin, with errors up to `grain`.
 fn near_triangle(direction: DVec3, corners: [DVec3; 3], grain: f64) -> bool {
     let [a, b, c] = corners;
     let size = a.length() + b.length() + c.length();
@@ -119,22 +117,22 @@ fn exact(v: DVec3) -> Exact3 {
     Exact3::new(V3::from(v))
 }
 
-impl Sight {
+impl ExactRay {
     /// `eye + t (F + a)` or `eye + a + t F`, with `a = (h / H) ((2 px - W) R + (H - 2 py) U)`.
     fn new(view: &View, px: DVec2) -> Self {
         let camera = &view.camera;
         let [eye, right, up, forward] =
             [camera.eye(), camera.right(), camera.up(), camera.forward()].map(exact);
         let size = view.viewport.size_px();
-        let [x, y] = [px.x, px.y].map(|at| &Exact::int(2) * &Exact::new(at));
+        let [x, y] = [px.x, px.y].map(|at| Exact::int(2) * Exact::new(at));
         let [width, height] = [size.x, size.y].map(Exact::new);
-        let aside = &right.times(&(&x - &width)) + &up.times(&(&height - &y));
+        let aside = right.times(&(x - width)) + up.times(&(&height - y));
         let aside = aside.times(&Exact::new(camera.half_height()));
         let (eye, forward) = (eye.times(&height), forward.times(&height));
         let (origin, direction) = if camera.lens().is_orthographic() {
-            (&eye + &aside, forward)
+            (eye + aside, forward)
         } else {
-            (eye, &forward + &aside)
+            (eye, forward + aside)
         };
         Self {
             line: Line { origin, direction },
@@ -142,7 +140,7 @@ impl Sight {
         }
     }
 
-    /// For what leaves out what is certainly missed.
+    /// The ray in `f64`, for the filters.
     fn rounded(&self, view: &View) -> Ray {
         let lens = view.camera.lens();
         let rounded =
@@ -157,34 +155,35 @@ impl Sight {
 }
 
 impl Local {
-    fn new(placement: &Placement, sight: &Sight) -> Self {
+    fn new(placement: &Placement, exact_ray: &ExactRay) -> Self {
         let model = placement.model();
         let m = model.matrix3;
         let [a, b, c] = [m.x_axis, m.y_axis, m.z_axis].map(exact);
         let rows = [b.cross(&c), c.cross(&a), a.cross(&b)];
         let adjugate = |v: &Exact3| Exact3(rows.each_ref().map(|row| row.dot(v)));
-        let Sight { line, height } = sight;
-        let from = &line.origin - &exact(model.translation).times(height);
+        let ExactRay { line, height } = exact_ray;
+        let from = &line.origin - exact(model.translation).times(height);
         Self {
             line: Line {
                 origin: adjugate(&from),
                 direction: adjugate(&line.direction),
             },
-            det: &a.dot(&rows[0]) * height,
+            det: a.dot(&rows[0]) * height,
         }
     }
 
-    /// A point of the object as the ray's numbers count.
+    /// A point of the object, scaled as the ray is.
     fn point(&self, at: &Exact3) -> Exact3 {
         at.times(&self.det)
     }
 
-    /// The same for a length.
+    /// A length, scaled as the ray is.
     fn length(&self, of: f64) -> Exact {
-        (&Exact::new(of) * &self.det).abs()
+        (Exact::new(of) * &self.det).abs()
     }
 
-    /// A mirrored object's ray is turned about here: what has an outward normal by its corners is seen from the other side.
+    /// The meeting with the side corrected: a negative determinant turns the ray about, so it sees the other side of a
+    /// surface whose corners give its normal.
     fn turned(&self, at: Meeting) -> Meeting {
         let front = at.front != (self.det.sign() == Ordering::Less);
         Meeting { front, ..at }

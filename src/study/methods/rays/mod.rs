@@ -1,5 +1,5 @@
-//! From a pixel to a ray. The answer is where the ray starts and its direction; in perspective the start is the eye, and
-//! what counts is the direction. What is the same for all pixels of a picture is made before.
+//! From a pixel to a ray: the answer is its start and direction. In perspective the start is the eye, and only the direction
+//! is judged. What all pixels of a picture share is computed beforehand.
 
 mod unproject;
 mod workloads;
@@ -21,15 +21,15 @@ use unproject::{Inverses, as_bevy, as_three, inverses_f32, inverses_f64, near_le
 /// A camera and its picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<T> {
-    /// Where the eye stands.
+    /// The eye's position.
     pub eye: V3<T>,
     /// What it looks at: `eye + length * forward`, rounded.
     pub target: V3<T>,
-    /// How far away that is.
+    /// The distance from eye to target.
     pub length: T,
     /// Unit vectors R, U and F.
     pub axes: [V3<T>; 3],
-    /// Half the picture's height: at depth 1 in perspective, tan(fov / 2); in world units where rays are parallel.
+    /// Half the picture's height: in perspective at depth 1, tan(fov / 2); in world units where rays are parallel.
     pub tan: T,
     /// Whether all rays run along F, as in an orthographic picture.
     pub parallel: bool,
@@ -43,7 +43,7 @@ pub struct Picture<T> {
     pub size: [T; 2],
 }
 
-/// A position in a picture, with what methods make once for the picture.
+/// A position in a picture, with what methods compute once for the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Pixel<T> {
     /// The camera.
@@ -52,35 +52,35 @@ pub struct Pixel<T> {
     pub px: [T; 2],
     /// 2 over the size.
     per_px: [T; 2],
-    /// The picture's middle in the world, and from there to its right and its upper end.
+    /// The picture's middle in the world, and the vectors from there to its right and its upper edge.
     course: [V3<T>; 3],
-    /// R and U as long as half the picture is wide and high.
+    /// R and U times half the picture's width and height.
     basis: [V3<T>; 2],
-    /// What programs unproject by.
+    /// The matrices for unprojection.
     inverse: Inverses<T>,
 }
 
 /// A ray in the world.
 #[derive(Clone, Copy, Debug)]
-pub struct Sight {
+pub struct PixelRay {
     /// Where it starts.
     pub from: V3<f64>,
     /// Where it goes; any length.
     pub along: V3<f64>,
 }
 
-impl Sight {
+impl PixelRay {
     fn new<T: Real>(from: V3<T>, along: V3<T>) -> Self {
         let (from, along) = (from.wide(), along.wide());
         Self { from, along }
     }
 
-    /// The ray as a view sees it, between its planes, which are at view depths; `None` for what is no ray or runs back.
+    /// The ray between a view's near and far plane; `None` where it is not finite or does not run forward.
     pub fn ray(&self, View { camera, .. }: &View) -> Option<Ray> {
         let [origin, direction] = [self.from, self.along].map(DVec3::from);
         let depth_per_t = direction.dot(camera.forward());
         let lens = camera.lens();
-        // In perspective rays start at the eye, whatever that is in the method's precision.
+        // In perspective the start is the eye, rounded to the method's precision: its depth is 0.
         let start = if lens.is_orthographic() {
             camera.to_view(origin).z
         } else {
@@ -96,21 +96,21 @@ impl Sight {
     }
 }
 
-/// One pixel, as each kind of method wants it.
+/// One pixel, as each kind of method takes it.
 #[derive(Clone, Debug)]
 pub struct PixelCase {
     /// Rounded to `f32`.
     pub narrow: Pixel<f32>,
     /// As given.
     pub wide: Pixel<f64>,
-    /// Vectors of equal lengths along R, U and F without any rounding.
+    /// Vectors of equal lengths exactly along R, U and F.
     pub exact_axes: [V3<f64>; 3],
-    /// The picture's rays as this program's.
+    /// The picture's rays for Sightline's methods.
     pub rays: PixelRays,
 }
 
 impl PixelCase {
-    /// The case of a position in pixels; the size is in whole ones.
+    /// The case of a position in pixels. The picture's size is in whole pixels.
     pub fn new(picture: Picture<f64>, px: [f64; 2], exact_axes: [V3<f64>; 3]) -> Self {
         let narrow = Picture {
             eye: V3::<f32>::of(picture.eye),
@@ -165,7 +165,7 @@ impl PixelCase {
         Self::new(picture, px.to_array(), axes)
     }
 
-    /// The width of a pixel in the picture's middle: in radians, or in world units where rays are parallel.
+    /// The width of a pixel in the picture's middle: in radians; in world units where rays are parallel.
     fn px_angle(&self) -> f64 {
         2.0 * self.wide.picture.tan / self.wide.picture.size[1]
     }
@@ -180,7 +180,7 @@ const BEVY: &str = "Bevy, Camera::viewport_to_world: camera's matrix * inverse(P
 const OURS: &str = "geometry::PixelRays::rounded: eye basis, by steps of a pixel";
 
 impl Case for PixelCase {
-    type Answer = Sight;
+    type Answer = PixelRay;
     type Truth = Exact3;
     const ABOUT: About = about!(
         "Ray from pixel" "ray", off by "px", wrong by "";
@@ -218,17 +218,17 @@ impl Case for PixelCase {
         let [x, y] = px.map(Exact::new);
         let two = Exact::int(2);
         let tan = Exact::new(pixel.tan);
-        let across = &(&(&two * &x) - &width) * &(&height * &(&Exact::new(pixel.aspect) * &tan));
-        let along = &(&height - &(&two * &y)) * &(&width * &tan);
+        let across = (&two * x - &width) * &height * Exact::new(pixel.aspect) * &tan;
+        let along = (&height - two * y) * &width * tan;
         let straight = if pixel.parallel {
             Exact::int(0)
         } else {
-            &width * &height
+            width * height
         };
-        &forward.times(&straight) + &(&right.times(&across) + &up.times(&along))
+        forward.times(&straight) + right.times(&across) + up.times(&along)
     }
 
-    fn judge(&self, truth: &Exact3, answer: &Sight) -> Verdict {
+    fn judge(&self, truth: &Exact3, answer: &PixelRay) -> Verdict {
         let error = if self.wide.picture.parallel {
             aside(self, truth, answer)
         } else {
@@ -242,8 +242,8 @@ impl Case for PixelCase {
     }
 }
 
-fn of(ray: &Ray) -> Sight {
-    Sight::new(V3::from(ray.origin), ray.direction.into())
+fn of(ray: &Ray) -> PixelRay {
+    PixelRay::new(V3::from(ray.origin), ray.direction.into())
 }
 
 impl<T: Real> Pixel<T> {
@@ -273,24 +273,24 @@ impl<T: Real> Pixel<T> {
     }
 
     /// The ray from the eye through a point of the picture, or where rays are parallel from the point along F.
-    fn towards(&self, point: V3<T>) -> Sight {
+    fn towards(&self, point: V3<T>) -> PixelRay {
         let Picture { eye, axes, .. } = self.picture;
         if self.picture.parallel {
-            return Sight::new(point, axes[2]);
+            return PixelRay::new(point, axes[2]);
         }
-        Sight::new(eye, point - eye)
+        PixelRay::new(eye, point - eye)
     }
 }
 
-/// Over a point in the world, from which the eye is then taken off again.
-pub fn course<T: Real>(pixel: &Pixel<T>) -> Sight {
+/// By a point of the picture in the world, minus the eye.
+pub fn course<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [middle, right, up] = pixel.course;
     pixel.towards(middle + right * sx + up * sy)
 }
 
-/// With directions only.
-pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
+/// By a sum of directions.
+pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let [sx, sy] = pixel.ndc();
     let [right, up] = pixel.basis;
     let aside = right * sx + up * sy;
@@ -298,41 +298,41 @@ pub fn eye_basis<T: Real>(pixel: &Pixel<T>) -> Sight {
     if pixel.picture.parallel {
         return pixel.towards(eye + aside);
     }
-    Sight::new(eye, axes[2] + aside)
+    PixelRay::new(eye, axes[2] + aside)
 }
 
-/// How far a parallel ray runs beside the true one where the camera's target is, in world units.
-fn aside(case: &PixelCase, truth: &Exact3, answer: &Sight) -> f64 {
+/// The distance between a parallel ray and the true one at the target's depth, in world units.
+fn aside(case: &PixelCase, truth: &Exact3, answer: &PixelRay) -> f64 {
     let pixel = &case.wide.picture;
     let numbers = [answer.from, answer.along].map(V3::array);
     if !numbers.as_flattened().iter().all(|c| c.is_finite()) {
         return f64::INFINITY;
     }
     let forward = Exact3::new(case.exact_axes[2]);
-    let start = &Exact3::new(answer.from) - &Exact3::new(pixel.eye);
+    let start = Exact3::new(answer.from) - Exact3::new(pixel.eye);
     let along = Exact3::new(answer.along);
     let fall = along.dot(&forward);
     if fall.is_zero() {
         return f64::INFINITY;
     }
-    let way = &(&Exact::new(pixel.length) * &forward.length()) / &fall;
-    let there = &start + &along.times(&way);
-    let scale = &Exact::new(pixel.size[0]) * &Exact::new(pixel.size[1]);
-    let off = &there.times(&scale) - truth;
-    // Along F it may be wherever it likes.
-    let deep = &off.dot(&forward) / &forward.dot(&forward);
-    let off = &off - &forward.times(&deep);
-    (&off.length() / &scale).to_f64()
+    let way = Exact::new(pixel.length) * forward.length() / fall;
+    let there = start + along.times(&way);
+    let scale = Exact::new(pixel.size[0]) * Exact::new(pixel.size[1]);
+    let off = there.times(&scale) - truth;
+    // An offset along F is no error.
+    let deep = off.dot(&forward) / forward.dot(&forward);
+    let off = off - forward.times(&deep);
+    (off.length() / scale).to_f64()
 }
 
-/// Bound of the eye basis in `f64`.
+/// Bound of the eye basis in `f64`, with u = 2^-53.
 ///
-/// Parallel rays: the shares of R and U as below, in world units; the sum with the eye rounds by u of what it is in
-/// each coordinate; and F, within 2u of its direction, runs aside by that much of the way to the target.
+/// Perspective: the axes are given within 2u, the position in the picture and the half extents within 6u; products and sums
+/// add 6u. Together that is below 20u for each of the shares 1, half the width and half the height at depth 1, in three
+/// coordinates. It is divided by the sum's length.
 ///
-/// With u = 2^-53: axes that are given within 2u, a position in the picture and half extents within 6u, products and sums by 6u
-/// more: together below 20u for each of the shares 1, half the width and half the height at depth 1, in three coordinates; the
-/// sum's length divides them.
+/// Parallel rays: the same for the shares of R and U, in world units. The sum with the eye rounds each coordinate by u. F is
+/// within 2u of its direction, so it is off by that share of the distance to the target.
 fn bound(case: &PixelCase) -> f64 {
     let (pixel, px) = (&case.wide.picture, case.wide.px);
     if pixel.parallel {

@@ -1,25 +1,25 @@
-//! From a pixel to a ray through a matrix: what is projected, unprojected.
+//! From a pixel to a ray by unprojection: through the inverse of a projection matrix.
 
-use super::{Picture, Pixel, Sight};
+use super::{Picture, Pixel, PixelRay};
 use crate::study::real::{Real, V3};
 use glam::{DMat4, DVec4, Mat4, Vec4};
 
 /// A matrix by its columns.
 type Matrix<T> = [[T; 4]; 4];
 
-/// What programs unproject by.
+/// The matrices that programs unproject by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Inverses<T> {
-    /// Of P * V.
+    /// Inverse of P * V.
     projection_view: Matrix<T>,
-    /// Of P, whose depth goes from -1 to 1 as in OpenGL.
+    /// Inverse of P, whose depth goes from -1 to 1 as in OpenGL.
     projection: Matrix<T>,
-    /// Of V times that of P, whose depth is reversed and in perspective endless.
+    /// Inverse of V, times that of P, whose depth is reversed and in perspective has no far plane.
     composed: Matrix<T>,
 }
 
 impl<T: Real> Pixel<T> {
-    /// The pixel's point at a depth of the picture, through a matrix.
+    /// The pixel's point at an NDC depth, through a matrix.
     fn unprojected(&self, [a, b, c, d]: Matrix<T>, z: T) -> V3<T> {
         let [sx, sy] = self.ndc();
         let [x, y, z, w] = std::array::from_fn(|i| a[i] * sx + b[i] * sy + c[i] * z + d[i]);
@@ -27,21 +27,21 @@ impl<T: Real> Pixel<T> {
     }
 }
 
-/// From the pixel's point on the near plane to that on the far plane; in perspective from the eye.
-pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> Sight {
+/// Along the line from the pixel's point on the near plane to that on the far plane; in perspective it starts at the eye.
+pub fn far_less_near<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let matrix = pixel.inverse.projection_view;
     let [near, far] = [T::zero(), T::one()].map(|z| pixel.unprojected(matrix, z));
     let Picture { eye, parallel, .. } = pixel.picture;
-    Sight::new(if parallel { near } else { eye }, far - near)
+    PixelRay::new(if parallel { near } else { eye }, far - near)
 }
 
 /// Through the pixel's point on the near plane.
-pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> Sight {
+pub fn near_less_eye<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     pixel.towards(pixel.unprojected(pixel.inverse.projection_view, T::zero()))
 }
 
-/// By way of the view's space; parallel rays start in the eye's plane.
-pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
+/// First into view space, then into the world; parallel rays start in the eye's plane.
+pub fn as_three<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let (picture, parallel) = (pixel.picture, pixel.picture.parallel);
     let (eye, [right, up, forward]) = (picture.eye, picture.axes);
     let depth = if parallel {
@@ -54,14 +54,14 @@ pub fn as_three<T: Real>(pixel: &Pixel<T>) -> Sight {
     if parallel {
         return pixel.towards(world);
     }
-    Sight::new(eye, (world - eye).normalize())
+    PixelRay::new(eye, (world - eye).normalize())
 }
 
-/// From the near plane to almost the end of the picture.
-pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> Sight {
+/// From the near plane towards NDC depth `f32::EPSILON`, almost the far end.
+pub fn as_bevy<T: Real>(pixel: &Pixel<T>) -> PixelRay {
     let depths = [T::one(), T::of(f64::from(f32::EPSILON))];
     let [near, far] = depths.map(|z| pixel.unprojected(pixel.inverse.composed, z));
-    Sight::new(near, (far - near).normalize())
+    PixelRay::new(near, (far - near).normalize())
 }
 
 /// [`Inverses`] in one precision.
@@ -77,7 +77,7 @@ macro_rules! inverses {
             let eye = column(picture.eye, 1.0);
             let camera = <$matrix>::from_cols(column(r, 0.0), column(u, 0.0), column(f, 0.0), eye);
             let (near, far, parallel) = (picture.near, picture.far, picture.parallel);
-            // By how depth in the picture comes from that in view space.
+            // NDC depth is `(slope z + offset) / w` of view depth z.
             let projection = |slope: $real, offset: $real| {
                 let w_from_z = if parallel { 0.0 } else { 1.0 };
                 <$matrix>::from_cols(
@@ -87,7 +87,7 @@ macro_rules! inverses {
                     <$vector>::new(0.0, 0.0, offset, 1.0 - w_from_z),
                 )
             };
-            // glam's inverse asserts; the answer to such a matrix is no number.
+            // glam asserts that a matrix is invertible; for a singular one the answer is NaN.
             let inverse = |matrix: $matrix| {
                 let determinant = matrix.determinant();
                 if determinant == 0.0 || !determinant.is_finite() {

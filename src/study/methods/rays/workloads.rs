@@ -2,8 +2,9 @@
 
 use super::{Picture, PixelCase};
 use crate::study::prelude::*;
+use glam::DVec2;
 
-/// What a family changes about an ordinary camera.
+/// What a family may change of an ordinary camera.
 #[derive(Clone, Copy)]
 struct Camera {
     eye: f64,
@@ -14,7 +15,7 @@ struct Camera {
     height: f64,
 }
 
-/// 60 degrees, 1920 x 1080, the eye 10 from the world's origin.
+/// 60 degrees, 1920 x 1080, the eye 10 units from the world's origin.
 const ORDINARY: Camera = Camera {
     eye: 10.0,
     length: 8.0,
@@ -24,7 +25,7 @@ const ORDINARY: Camera = Camera {
     height: 1080.0,
 };
 
-/// tan(fov / 2) for whole degrees, so that no machine has to compute it.
+/// Degrees with tan(fov / 2), which machines may round differently.
 const TANGENTS: [(f64, f64); 9] = [
     (60.0, TAN_30),
     (90.0, 1.0),
@@ -69,8 +70,7 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
     let eye = narrow3(random.direction() * camera.eye);
     let height = camera.height;
     let width = (height * 16.0 / 9.0).round();
-    let middle = |random: &mut Random, side: f64| (random.unit() * side).floor() + 0.5;
-    let px = [middle(random, width), middle(random, height)];
+    let px = random.pixel(DVec2::new(width, height)).to_array();
     let picture = Picture {
         eye,
         target: eye + axes[2] * camera.length,
@@ -78,7 +78,7 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
         axes,
         tan: narrow(camera.tan),
         parallel: false,
-        // Methods compute it from the size: both have to mean the same.
+        // As methods compute it from the size.
         aspect: width / height,
         near: narrow(camera.near),
         far: narrow(camera.far),
@@ -87,8 +87,8 @@ fn make(random: &mut Random, camera: Camera) -> PixelCase {
     PixelCase::new(picture, px, exact_axes)
 }
 
-/// The axes of a random rotation from a quaternion with whole coordinates up to `most`: at right angles, of equal length and whole,
-/// so that truth knows them without rounding. Left-handed, as view space is: R, U, F with R = F x U.
+/// The axes of a random rotation, from a quaternion with whole coordinates up to `most`: whole vectors of equal length at right
+/// angles, so that truth has them exactly. Left-handed as view space is: R, U, F with R = F x U.
 pub(crate) fn turned(random: &mut Random, most: i32) -> [V3<f64>; 3] {
     let mut whole = || f64::from(random.integer(-most, most));
     let (a, b, c, d) = (whole(), whole(), whole(), whole());

@@ -38,7 +38,7 @@ impl<T> RayTriangle<T> {
 }
 
 impl RayTriangle<f64> {
-    /// The ray parameter of the hit without rounding; none where the ray misses, also when it runs within the plane.
+    /// The ray parameter of the hit by exact arithmetic; none where the ray misses or runs within the plane.
     pub fn truth(&self) -> Option<f64> {
         let line = Line::new(self.origin, self.direction);
         truth::first_ahead(line.triangle(self.corners.map(Exact3::new)))
@@ -50,10 +50,10 @@ impl RayTriangle<f64> {
         truth::edge_angle(self.origin, self.direction, &self.corners)
     }
 
-    /// The bound of a hit's `t` in `f64`; whether there is one is decided exactly.
+    /// The bound of a hit's `t` in `f64`; whether there is a hit is decided exactly.
     ///
-    /// `t = N . a / N . d` with edges from corners: with u = 2^-53 each scalar product errs by at most 9u times its
-    /// magnitudes' sum (edges u, products and difference 3u, `a` u, product and sum 4u), the quotient by u.
+    /// `t = N . a / N . d`: with u = 2^-53 each scalar product errs by at most 9u times the sum of its magnitudes (edges u,
+    /// products and difference 3u, `a` u, product and sum 4u), the quotient by u.
     pub(super) fn bound(&self) -> f64 {
         let [a, b, c] = self.corners;
         let (e1, e2) = (b - a, c - a);
@@ -68,14 +68,14 @@ impl RayTriangle<f64> {
     }
 }
 
-/// One ray and one triangle, as each kind of method wants them.
+/// One ray and one triangle, as each kind of method takes them.
 #[derive(Clone, Debug)]
 pub struct TriangleCase {
     /// Rounded to `f32`.
     pub narrow: Prepared<f32>,
     /// As given.
     pub wide: Prepared<f64>,
-    /// The ray as this program's test wants it: made once for all triangles of a mesh.
+    /// The ray for Sightline's method, which makes it once for all triangles of a mesh.
     pub ray: VertexRay<'static>,
     /// An angle that is one pixel wide, in radians.
     pub px: f64,
@@ -93,8 +93,7 @@ impl TriangleCase {
         }
     }
 
-    /// The case of a mesh's triangle and a ray in the object's space: in the vertices' own space, where triangles are
-    /// tested.
+    /// The case of a mesh's triangle and a ray in object space. The case is relative to the mesh's origin, as vertices are.
     pub fn of_mesh(mesh: &Mesh, triangle: u32, ray_object: &Ray, px: f64) -> Self {
         let data = mesh.data();
         let corner = |i: u32| V3::<f32>::from(data.positions[i as usize]).wide();
@@ -125,10 +124,10 @@ pub(super) const SHEWCHUK: &str = "Shewchuk, Adaptive Precision Floating-Point A
                         its point at t = 1, which is rounded";
 pub(super) const OURS: &str = "geometry::triangle, which names its papers";
 const DEKKER: &str = "Dekker, A floating-point technique for extending the available precision, 1971; geometry::double_double";
-const EXACT: &str = "no filter: integers as long as it takes (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
+const EXACT: &str = "no filter: integers of any length (geometry::exact), as libigl's exact ray-mesh intersection of 2026";
 pub(super) const BALDWIN: &str = "Baldwin & Weber, Fast Ray-Triangle Intersections by Coordinate Transformation, JCGT 5(3), 2016";
 
-/// The tests in both precisions, each given to a job, and a step's others.
+/// The triangle tests in both precisions, each applied by `$job`, and a step's other methods.
 macro_rules! in_both_precisions {
     ($job:expr, $others:expr) => {{
         use $crate::study::methods::triangles::{
@@ -158,7 +157,7 @@ macro_rules! in_both_precisions {
 }
 pub(super) use in_both_precisions;
 
-/// What a test says of one triangle.
+/// Applies a test to one triangle.
 fn one<T>(case: &Prepared<T>, test: impl Fn(&Prepared<T>) -> Option<f64>) -> Option<f64> {
     test(case)
 }
@@ -225,8 +224,8 @@ impl Case for TriangleCase {
     }
 }
 
-/// The plane first; then the point is inside when the areas of its three triangles make up the whole, which for
-/// unsigned areas is "sum == 1" (`tolerance` 0) or nearly so.
+/// First the plane; then the point is inside when the areas of its three triangles with the corners, over the whole area, add
+/// up to 1, give or take `tolerance`.
 pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let normal = (b - a).cross(c - a);
@@ -240,8 +239,8 @@ pub fn areas<T: Real>(case: &RayTriangle<T>, tolerance: f64) -> Option<f64> {
     ahead(t)
 }
 
-/// Cramer's rule on `o + t d = a + u e1 + v e2`. With an epsilon, rays that close to the plane's direction miss: an
-/// absolute number that knows nothing of the scene's scale, here because it is in use.
+/// Cramer's rule on `o + t d = a + u e1 + v e2`. Rays with a determinant below `epsilon` miss: an absolute number that ignores
+/// the scene's scale, studied because it is in use.
 pub fn moeller_trumbore<T: Real>(case: &RayTriangle<T>, epsilon: f64) -> Option<f64> {
     let [a, b, c] = case.corners;
     let (e1, e2) = (b - a, c - a);
@@ -273,7 +272,7 @@ pub fn signed_volumes<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     one_sign(case, volumes.map(|v| v.partial_cmp(&T::zero())))
 }
 
-/// The plane's t where the volumes' signs, of which none is unknown, do not differ.
+/// The plane's t where all signs are known and no two are opposite.
 fn one_sign<T: Real>(case: &RayTriangle<T>, signs: [Option<Ordering>; 3]) -> Option<f64> {
     let none_is = |wrong: Ordering| {
         signs
@@ -309,7 +308,8 @@ pub(super) fn shewchuk(given: &RayTriangle<f64>) -> Option<f64> {
     one_sign(given, [sign(b, c), sign(c, a), sign(a, b)])
 }
 
-/// Signed volumes from edges and the corners' sums, which an ulp of their own sum may miss; a normal of the shortest edges.
+/// Signed volumes from the edges and the sums of their corners, with an ulp of the volumes' sum as slack. Each component of
+/// the normal comes from the two edges whose products cancel less.
 pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [a, b, c] = case.corners.map(|corner| corner - case.origin);
     let (ca, ab, bc) = (c - a, a - b, b - c);
@@ -327,7 +327,7 @@ pub fn pluecker<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     ahead(a.dot(normal) / det)
 }
 
-/// Each component of `p x q` or `q x r`, which are alike, from whichever subtracts less.
+/// `p x q`, which is `q x r`: each component from the one whose products are smaller.
 fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
     let component = |i: usize, j: usize| {
         let (first, second) = (p[j] * q[i], q[j] * r[i]);
@@ -340,7 +340,7 @@ fn stable_normal<T: Real>(p: V3<T>, q: V3<T>, r: V3<T>) -> V3<T> {
     V3::new(component(1, 2), component(2, 0), component(0, 1))
 }
 
-/// The segment's test for a ray: the volumes with the third corner, and the side on which the ray starts, before any quotient.
+/// The segment's test for a ray: decides by the side on which the ray starts and the volumes with the third corner, undivided.
 pub fn jimenez<T: Real>(case: &RayTriangle<T>) -> Option<f64> {
     let [first, second, third] = case.corners;
     let (a, b, c) = (case.origin - third, first - third, second - third);

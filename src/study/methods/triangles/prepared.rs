@@ -1,16 +1,16 @@
-//! Rays against triangles with what is made beforehand: once for the ray, or once for the triangle.
+//! Tests of a ray against a triangle that precompute: once for the ray, or once for the triangle.
 
 use super::{RayTriangle, ahead};
 use crate::study::real::{Real, V3};
 use std::ops::Deref;
 
-/// A ray and a triangle with what programs keep of either.
+/// A ray and a triangle, with what programs precompute for either.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<T> {
     given: RayTriangle<T>,
     shear: Shear<T>,
     map: BaldwinWeber<T>,
-    /// Havel & Herout's: normal and distance of the triangle's plane, and of those whose distances are its two weights.
+    /// Havel & Herout's planes, each by normal and distance: the triangle's, and the two whose distances are its weights.
     planes: [(V3<T>, T); 3],
 }
 
@@ -22,7 +22,7 @@ impl<T> Deref for Prepared<T> {
 }
 
 impl<T: Copy> Prepared<T> {
-    /// The same triangle and another ray, with what was made for it.
+    /// The same triangle with another ray and that ray's shear.
     #[inline]
     pub(in crate::study::methods) fn met_by(
         &self,
@@ -40,7 +40,7 @@ impl<T: Copy> Prepared<T> {
 }
 
 impl<T: Real> Prepared<T> {
-    /// The numbers of `f64`, rounded, with what is kept in the same precision.
+    /// The `f64` numbers rounded, and what is precomputed in the same precision.
     pub fn of(wide: &RayTriangle<f64>) -> Self {
         let [origin, direction] = [wide.origin, wide.direction].map(V3::of);
         let given = RayTriangle::new(origin, direction, wide.corners.map(V3::of));
@@ -62,7 +62,7 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// Takes a ray along +z, made once for the ray: a shear, after the axis along which the ray runs most became z.
+/// Turns a ray into +z, computed once for the ray: the axis of its largest component becomes z, then a shear.
 #[derive(Clone, Copy, Debug)]
 pub struct Shear<T> {
     axes: [usize; 3],
@@ -90,7 +90,7 @@ impl<T: Real> Shear<T> {
         }
     }
 
-    /// The corners, sheared so that the ray runs along +z from the origin, where z is depth.
+    /// The corners in the space where the ray is +z from the origin.
     fn seen(&self, case: &RayTriangle<T>) -> [V3<T>; 3] {
         let ([x, y, z], [sx, sy, sz]) = (self.axes, self.by);
         case.corners.map(|corner| {
@@ -100,7 +100,7 @@ impl<T: Real> Shear<T> {
     }
 }
 
-/// Whether one is below 0 and one above.
+/// Whether one number is below 0 and another above.
 fn differ<T: Real, const N: usize>(numbers: [T; N]) -> bool {
     let zero = T::zero();
     numbers.iter().any(|n| *n < zero) && numbers.iter().any(|n| *n > zero)
@@ -112,8 +112,8 @@ fn edge_wide<T: Real>(p: V3<T>, q: V3<T>) -> f64 {
 }
 
 impl<T: Real> Prepared<T> {
-    /// Decides by 2D edge functions; a shared edge gives both its triangles the same number. In `f32` zeros are decided
-    /// in `f64`, as the paper does.
+    /// Decides by 2D edge functions; both triangles at an edge get the same number. Where a number is 0, all are computed
+    /// again in `f64`, as in the paper.
     pub fn woop(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
         let edge = |p: V3<T>, q: V3<T>| p.x * q.y - p.y * q.x;
@@ -130,8 +130,7 @@ impl<T: Real> Prepared<T> {
         ahead((u * a.z + v * b.z + w * c.z) / det)
     }
 
-    /// Woop's with edge functions that round once or twice, and with a bound on the error of t: what is no further ahead
-    /// than that is no hit.
+    /// Woop's with edge functions that round once or twice, and with a bound on the error of t: a t below the bound is no hit.
     pub fn pbrt(&self) -> Option<f64> {
         let [a, b, c] = self.shear.seen(self);
         // Kahan's difference of products.
@@ -183,7 +182,7 @@ impl<T: Real> Prepared<T> {
         ahead(t)
     }
 
-    /// By three planes that were set up with the triangle; no division before the decision.
+    /// By three precomputed planes, without a division before the decision.
     pub fn havel_herout(&self) -> Option<f64> {
         let [plane, across, along] = self.planes;
         let det = plane.0.dot(self.direction);
@@ -198,8 +197,8 @@ impl<T: Real> Prepared<T> {
     }
 }
 
-/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, made once a triangle. One row
-/// of it is trivial along the largest coordinate of the normal.
+/// The affine map that takes a triangle to the unit triangle and its plane to z = 0, computed once for the triangle. The
+/// column of the normal's largest component is trivial.
 #[derive(Clone, Copy, Debug)]
 pub struct BaldwinWeber<T> {
     axis: usize,
@@ -207,7 +206,7 @@ pub struct BaldwinWeber<T> {
 }
 
 impl<T: Real> BaldwinWeber<T> {
-    /// The map of a triangle; not finite for one without area.
+    /// The map of a triangle; not finite for a triangle without area.
     pub fn new([a, b, c]: [V3<T>; 3]) -> Self {
         let (e1, e2) = (b - a, c - a);
         let n = e1.cross(e2);

@@ -23,7 +23,7 @@ pub const FAMILIES: &[Family<TriangleCase>] = &[
         on_a_lattice),
 ];
 
-/// A triangle of a length and a height, and a ray from so far away through a point of its plane.
+/// A triangle of a length and a height, and a ray from a distance through a point of its plane.
 fn aim(
     random: &mut Random,
     [length, height]: [f64; 2],
@@ -47,7 +47,7 @@ fn grazing(random: &mut Random, angle: f64) -> TriangleCase {
 
 fn far_out(random: &mut Random, offset: f64) -> TriangleCase {
     let offset = random.direction() * offset;
-    // The coordinates' own grain makes the triangle coarse out there: it grows to stay one.
+    // `f32` is coarse out there: a small triangle would collapse.
     let size = (offset.length() * 1e-6).max(1.0);
     let corners = corners(random, size, size).map(|corner| narrow3(corner + offset));
     let weights = mixed_weights(random);
@@ -62,7 +62,7 @@ fn sized(random: &mut Random, size: f64) -> TriangleCase {
     through(random, corners, weights, towards * 5.0)
 }
 
-/// A triangle about the origin in some plane, with one side of a length and a height over it.
+/// A triangle about the origin in a random plane, with a side of this length and a height above it.
 fn corners(random: &mut Random, length: f64, height: f64) -> [V3<f64>; 3] {
     let [u, v] = random.directions();
     let apex = u * (length * random.within(0.2, 0.8)) + v * (height * random.within(0.5, 1.0));
@@ -86,13 +86,13 @@ fn through(
     TriangleCase::new(RayTriangle::new(origin, direction, corners), PX)
 }
 
-/// Mostly outside, as most triangles that a ray is tested against.
+/// Mostly outside, as in practice a ray misses most triangles that it is tested against.
 fn loose_weights(random: &mut Random) -> [f64; 3] {
     let (u, v) = (random.within(-0.5, 1.5), random.within(-0.5, 1.5));
     [u, v, 1.0 - u - v]
 }
 
-/// On an edge, as well as rounding lets it.
+/// On an edge, up to rounding.
 fn edge_weights(random: &mut Random) -> [f64; 3] {
     let along = random.unit();
     let mut weights = [0.0, along, 1.0 - along];
@@ -100,7 +100,7 @@ fn edge_weights(random: &mut Random) -> [f64; 3] {
     weights
 }
 
-/// Half anywhere in and about the triangle, half within some power of ten of an edge.
+/// Half of them anywhere in and about the triangle, half at an edge, a random power of ten from it.
 fn mixed_weights(random: &mut Random) -> [f64; 3] {
     if random.sign() < 0.0 {
         let (u, v) = (random.within(-0.2, 1.0), random.within(-0.2, 1.0));
@@ -113,21 +113,16 @@ fn mixed_weights(random: &mut Random) -> [f64; 3] {
     weights
 }
 
-/// Integer corners and a ray that runs exactly through an edge or a corner: half its step on from a lattice point.
+/// Integer corners, and a ray from an integer point that meets the middle of an edge or a corner exactly, at t = 1/2.
 fn on_a_lattice(random: &mut Random, bits: f64) -> TriangleCase {
-    #[expect(clippy::cast_possible_truncation, reason = "at most 22")]
-    let limit = (1_i32 << bits as i32) - 1;
-    let corner = |random: &mut Random| {
-        let mut c = || f64::from(random.integer(-limit, limit));
-        V3::new(c(), c(), c())
-    };
+    let limit = two_to(bits) - 1;
     loop {
-        let corners = [corner(random), corner(random), corner(random)];
+        let corners = [(); 3].map(|()| random.lattice_point(limit));
         let (p, q) = (corners[0], corners[1]);
         // Twice the middle of an edge, or twice a corner.
         let target = if random.sign() < 0.0 { p + q } else { p + p };
-        // So that `target / 2 - origin` is `direction / 2`: all of it whole numbers.
-        let origin = corner(random);
+        // In whole numbers: `origin + direction / 2` is `target / 2`.
+        let origin = random.lattice_point(limit);
         let direction = target - origin - origin;
         let exact = narrow3(direction) == direction;
         let normal = (q - p).cross(corners[2] - p);

@@ -1,11 +1,10 @@
-//! What a depth buffer tells apart: the marks that a small format puts on 1 / z, after Reed, Depth Precision Visualized,
-//! 2015; and the steps of real formats against distance.
+//! The depths that a depth buffer tells apart: every number of a small format on the curve of 1 / z, after Reed, Depth
+//! Precision Visualized, 2015; and the least step of real formats against distance.
 
 use super::prelude::*;
 use crate::study::methods::depth::{DepthCase, Mapping};
 
-/// A mapping with its name, colour (none of [`COLOURS`] is black) and line width: those below are wider than those that cover
-/// them.
+/// Mappings with name, index into [`COLOURS`] (black beyond them) and line width: a line that another covers is wider.
 const MAPPINGS: [(&str, Mapping, usize, u32); 5] = [
     ("standard, 32-bit float", Mapping::STANDARD, 1, 9),
     ("standard, 24-bit integer", Mapping::STANDARD_24, 5, 6),
@@ -23,7 +22,7 @@ const STEPS: [f64; 2] = [0.1, 1e6];
 /// The chart.
 pub fn chart() -> Picture {
     let title = "What the depth buffer tells apart";
-    let line = "Above: every number of a float of 5 bits, and the view depth that it means. Below: the least step of real formats, near \
+    let line = "Above: every number of a 5-bit float, and the view depth that it stands for. Below: the least step of real formats, near \
                 0.1, far 1e6; lower is finer.";
     let mut picture = page(900.0, title, &[line]);
     let [standard, reversed] = ["Standard: near is 0", "Reversed: near is 1"];
@@ -33,7 +32,7 @@ pub fn chart() -> Picture {
     picture
 }
 
-/// Every number in \[0, 1\] of a float of two bits of exponent and three of fraction.
+/// Every number in \[0, 1\] of a float with two bits of exponent and three of fraction.
 fn small_floats() -> impl Iterator<Item = f32> {
     let of = |exponent: u8| {
         let lowest = f32::from(exponent.min(1));
@@ -99,7 +98,7 @@ fn steps(picture: &mut Picture) {
         }
         picture.line(points, colour, width, false);
     }
-    // Labels beside the lines' ends, from the top, moved apart where lines end together.
+    // Labels beside the lines' ends, from the top; moved down where they would overlap.
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut lowest = f64::NEG_INFINITY;
     for (y, x, name, colour) in ends {
@@ -110,7 +109,7 @@ fn steps(picture: &mut Picture) {
     }
 }
 
-/// How far apart in depth the buffer's number for a depth and its next one are, away from the eye; none beyond the last.
+/// The distance in depth between the buffer's number for a depth and its next number away from the eye; none after the last.
 fn resolution(mapping: Mapping, depth: f64) -> Option<f64> {
     let case = DepthCase::new(depth, STEPS);
     let stored = mapping.stored(&case);

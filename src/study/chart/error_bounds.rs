@@ -1,12 +1,12 @@
-//! What the derived bounds allow, and what was found: for each step of this program's own path.
+//! The derived error bounds against the errors that were found, for each step that Sightline rounds in.
 
 use super::prelude::*;
 
 /// The chart.
 pub fn chart(report: &Report) -> Picture {
     let title = "What the bounds allow, and what was found";
-    let line = "Every workload of each step that Sightline rounds in. On the line an error would be all that its bound allows; the title \
-                says how near the worst of all cases came.";
+    let line = "A point for each workload of each step that Sightline rounds in. On the line, error and bound are equal; each title has \
+                the largest ratio of an error to its bound.";
     let mut steps = report.steps();
     let ours = |row: &&Row| row.ours && row.bound > Some(0.0) && !row.step.error_unit.is_empty();
     steps.retain(|step| report.of_step(*step).any(|row| ours(&row)));

@@ -1,8 +1,8 @@
-//! The lines that points are made of.
+//! The outlines of data points.
 
 use super::picture::Shape;
 
-/// The closed outlines of a point.
+/// The closed outlines of a point about a middle; `r` is half its width.
 #[must_use]
 pub fn outlines(shape: Shape, [x, y]: [f64; 2], r: f64) -> Vec<Vec<[f64; 2]>> {
     let ring = |corners: u32, from_turn: f64, radius: &dyn Fn(u32) -> f64| {

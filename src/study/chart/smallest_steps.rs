@@ -1,4 +1,4 @@
-//! The smallest steps: what each triangle test says of rays that pass an edge, over neighbouring numbers. After Kettner,
+//! The smallest steps: each triangle test's answers for rays at an edge that start at neighbouring numbers. After Kettner,
 //! Mehlhorn, Pion, Schirra & Yap, Classroom examples of robustness problems in geometric computations, CGTA 40(1), 2008.
 
 use super::prelude::*;
@@ -8,35 +8,25 @@ use crate::{
 };
 use glam::DVec3;
 
-/// Neighbours in a row, and in a column.
+/// Rays in a tile's row, and in its column.
 const SIDE: u32 = 256;
-/// At most so many formulas in a row, and from where; above each tile for its name, below for its figure.
+/// The most formulas in a row, the first one's left end, the height of a tile's name or figure, and the first row's top.
 const COLUMNS: usize = 9;
 const LEFT: f64 = 56.0;
 const NAME: f64 = 26.0;
 const TOP: f64 = 92.0;
 
-// Light to dark in this order in grey, too: miss, hit, false, lost.
+// Also distinct in grey, from light to dark: miss, hit, false, lost.
 const HIT: Colour = [0xa9, 0xcb, 0xea];
 const MISS: Colour = [0xf4, 0xf4, 0xf4];
 const LOST: Colour = [0x7a, 0x0c, 0x0c];
 const FALSE: Colour = [0xd9, 0x77, 0x06];
 
-/// What is so, or what one method says of it.
+/// One method's answers, or the truth.
 struct Tile {
     name: &'static str,
     precision: Precision,
     colours: Vec<Colour>,
-}
-
-impl Tile {
-    fn new(name: &'static str, precision: Precision, colours: Vec<Colour>) -> Self {
-        Self {
-            name,
-            precision,
-            colours,
-        }
-    }
 }
 
 /// The chart.
@@ -49,7 +39,7 @@ pub fn chart() -> Picture {
     let side = pitch - 8.0;
     let block = 2.0 * (side + NAME) + NAME + 12.0;
     let title = "An edge, and the smallest steps across it";
-    let line = "256 x 256 rays, each from its neighbour by the smallest step that its numbers can make; one triangle, below the edge.";
+    let line = "256 x 256 rays at an edge; neighbours differ by the smallest step of their precision. The triangle is below the edge.";
     let mut picture = page(TOP + count(blocks) * block, title, &[line]);
     legend(&mut picture);
     for (names, row) in names.chunks(columns).zip((0..).map(f64::from)) {
@@ -80,14 +70,14 @@ fn draw(picture: &mut Picture, tile: &Tile, [x, y]: [f64; 2], side: f64) {
         .count();
     let percent = 100.0 * count(wrong) / f64::from(SIDE * SIDE);
     let words = match (wrong, tile.name) {
-        (0, TRUTH) => "what is so".to_owned(),
+        (0, TRUTH) => "the truth".to_owned(),
         (0, _) => "none wrong".to_owned(),
         _ => format!("{percent:.1} % wrong"),
     };
     picture.text([x, y + side + 11.0], Anchor::Left, 15.0, QUIET, words);
 }
 
-/// The tiles of what is so.
+/// The name of the truth's tiles.
 const TRUTH: &str = "exact";
 
 fn tiles() -> Vec<Tile> {
@@ -95,8 +85,11 @@ fn tiles() -> Vec<Tile> {
     let mut tiles: Vec<Tile> = Vec::new();
     for (precision, cases) in &all {
         let so = cases.iter().map(|(_, truth)| truth.map_or(MISS, |_| HIT));
-        let colours = so.collect();
-        tiles.push(Tile::new(TRUTH, *precision, colours));
+        tiles.push(Tile {
+            name: TRUTH,
+            precision: *precision,
+            colours: so.collect(),
+        });
     }
     let mut methods: Vec<_> = TriangleCase::methods().collect();
     methods.sort_by_key(|method| !method.info.ours);
@@ -106,14 +99,17 @@ fn tiles() -> Vec<Tile> {
         let said = cases.iter();
         let said = said.map(|(case, truth)| colour(case, *truth, method));
         let info = method.info;
-        let name = if info.ours { "Sightline" } else { info.name };
-        Tile::new(name, info.precision, said.collect())
+        Tile {
+            name: if info.ours { "Sightline" } else { info.name },
+            precision: info.precision,
+            colours: said.collect(),
+        }
     }));
     tiles
 }
 
-/// Rays from neighbouring numbers of a precision, with whether they hit: the top row first. All go the same way and pass an
-/// edge of one triangle far from its corners, which are not round and are rounded to the precision.
+/// Rays from neighbouring numbers of a precision with their hits, the top row first. All have one direction and pass an edge of
+/// one triangle far from its corners, whose coordinates use all digits of the precision.
 fn cases(precision: Precision) -> Vec<(TriangleCase, Option<f64>)> {
     const DIRECTION: DVec3 = DVec3::new(0.25, -0.125, -1.0);
     let bits = if precision == F32 { 24 } else { 53 };
