@@ -1,5 +1,5 @@
-//! What of a scene rays are held against: all of it, or what the rays through a tile of the picture may meet, which is
-//! found once for all of them.
+//! What part of a scene rays are tested against: all of it, or what the rays through one tile of the picture may meet,
+//! found once for the tile.
 
 use crate::{
     geometry::{Entry, LocalRay, PixelRays, Placement, Pyramid, WorldRay},
@@ -8,16 +8,16 @@ use crate::{
 use glam::{DVec2, dvec2};
 use std::ops::{ControlFlow, Range};
 
-/// More batches than this are found sooner by each ray in the tree over the scene.
+/// With more batches than this, each ray finds its own sooner in the tree over the scene.
 const MOST_BATCHES: usize = 8;
 
-/// Rays through a scene that may meet the same.
+/// Rays that are traced through a scene together.
 ///
-/// A tile's leave out the batches beside the pyramid about them, and begin in each mesh's tree at an [`Entry`]. Nothing is
-/// left out that one of them meets, so every answer is to the bit what it is for a ray by itself.
+/// A tile's rays skip the batches outside the pyramid about them, and enter each mesh's tree at an [`Entry`]. Nothing
+/// that one of them meets is skipped, so every answer is, to the bit, that of a ray by itself.
 pub(crate) struct Beam<'a> {
     scene: &'a Scene,
-    /// `None` for the scene's.
+    /// `None` for all of the scene's.
     batches: Option<Vec<(&'a Range<usize>, Option<Entry>)>>,
 }
 
@@ -44,8 +44,8 @@ impl<'a> Beam<'a> {
         self.scene
     }
 
-    /// Calls `visit` with every batch that one of its rays may meet, and where in the mesh's tree to begin if not at the
-    /// root; see [`Scene::visit_batches`].
+    /// Calls `visit` with every batch that the ray, one of the beam's, may meet, and where to enter the mesh's tree if
+    /// not at the root; see [`Scene::visit_batches`].
     pub fn visit(
         &self,
         ray: &WorldRay,
@@ -62,16 +62,17 @@ impl<'a> Beam<'a> {
     }
 }
 
-/// Pixels around a rectangle, as a pyramid asks for.
+/// Margin in pixels around a rectangle, as [`Pyramid::new`] asks for.
 pub(super) const ROOM: f64 = 1.0;
 
-/// The corners of a rectangle, in order around it, with a pixel of room.
+/// The corners of a rectangle widened by [`ROOM`], in order around it.
 pub(super) fn corners([min, max]: [DVec2; 2]) -> [DVec2; 4] {
     let (min, max) = (min - ROOM, max + ROOM);
     [min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)]
 }
 
-/// About these rays, in the object space of a placement; `None` where rounding leaves none. See [`Pyramid::new`].
+/// The pyramid about these rays, in a placement's object space; `None` where rounding leaves none. See
+/// [`Pyramid::new`].
 pub(super) fn pyramid(
     corners: &[WorldRay; 4],
     placement: &Placement,
@@ -81,7 +82,7 @@ pub(super) fn pyramid(
     Pyramid::new(&local.each_ref().map(LocalRay::from), side_px)
 }
 
-/// The batches that rays within a pyramid may meet; `None` where there is no pyramid, or too many of them.
+/// The batches that rays within a pyramid may meet; `None` without a pyramid, or where the batches are too many.
 fn batches(
     scene: &Scene,
     pyramid_in: impl Fn(&Placement) -> Option<Pyramid>,

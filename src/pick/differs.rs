@@ -1,10 +1,10 @@
-//! How far away the picture shows something else.
+//! How far away the picture shows something else: `differs_px`.
 //!
-//! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
-//! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
-//! What may come before it is gathered once, by the pyramid about all of them. Triangles and squares of its own plane that
-//! come later in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where
-//! nothing is left and what shows fills the square of all these pixels, no ray is asked.
+//! Mostly one of the nearest pixels shows something else, and a ray through the whole scene tells quickly. Otherwise
+//! some 200 rays are cast. Each asks only whether it meets the surface that shows at the position, with nothing before
+//! it. What may occlude that surface is gathered once, by the pyramid about all rays. Flat shapes of the surface's own
+//! plane that come later in order do so along every ray and are left out: ten thousand coplanar faces cost as much as
+//! one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
 
 use super::{
     SceneHit,
@@ -20,25 +20,25 @@ use crate::{
 use glam::DVec2;
 use std::ops::ControlFlow;
 
-/// So far each ray asks the whole scene, before anything is gathered: mostly one of these finds something else.
+/// Up to this distance in pixels, rays go through the whole scene before occluders are gathered.
 const NEARBY: f64 = 2.0;
-/// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
+/// With more occluders, each ray goes through the trees instead, which costs as much as testing a few.
 const MOST: usize = 6;
-/// The same where many surfaces are in one place, each of which a tree would ask about.
+/// The same where `f64` leaves ties at the position: a tree would test each of the tied surfaces.
 const MOST_IN_A_CROWD: usize = 64;
 
-/// Something that may come before what shows at the position: an object, or a triangle of its mesh.
+/// An object, or a triangle of its mesh.
 #[derive(Clone, Copy)]
 struct Rival {
     object: usize,
     triangle: Option<u32>,
 }
 
-/// How far from `px` the centre of the nearest pixel lies whose answer, object or triangle, is not `here`, that at `px`;
-/// within [`REACH`] and the picture. The pixel's own centre is one of them. `is_alone` says that nothing else is at one place
-/// with `here`, as far as `f64` tells.
+/// Distance from `px` to the nearest pixel centre whose answer (object and triangle) differs from `here`, the answer at
+/// `px`. Looks within [`REACH`] and the picture, and at the pixel's own centre, too. `is_alone` says that `f64` leaves
+/// no other hit tied with `here`.
 ///
-/// `None` too while a tree is still being built: every triangle would have to be asked.
+/// Also `None` while a tree is being built: every triangle would have to be tested.
 pub(super) fn differs_px(
     scene: &Scene,
     view: &View,
@@ -94,8 +94,8 @@ pub(super) fn differs_px(
     Some(nearest.0)
 }
 
-/// The centres of the picture's pixels that lie farther from a position than one distance and no farther than another,
-/// nearest first, with how far.
+/// Distance and place of the picture's pixel centres that lie more than `from` and at most `to` away from a position,
+/// nearest first.
 fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     let own = pixel_centre(px);
     let steps = || {
@@ -114,11 +114,11 @@ fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     centres
 }
 
-/// Whether every ray within reach meets what shows at a position. Written so that NaN is none.
+/// Whether every ray within [`REACH`] meets the surface that shows at a position. Comparisons fail on NaN.
 ///
-/// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it; unless some of it
-/// does not count. The depth of a flat shape lies between those at the corners. Of a solid the depths of all its points are
-/// bounded, with room for what a few roundings take.
+/// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it, unless the near
+/// or far plane or the section cuts the shape in between. A flat shape's depth lies between those at the corners. For a
+/// solid, the depths of all its points are bounded, with room for a few roundings.
 fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
     const ROOM: f64 = power_of_two(-40);
     let Object {
@@ -141,19 +141,18 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
         let spread = spread + ROOM * size;
         lens.near < depth - spread && depth + spread < lens.far
     });
-    // A section leaves convex what shows of a solid's both sides together, not of its front.
+    // Cut by a section, both sides of a solid together still show as a convex region; its front alone may not.
     let is_convex = spread.is_none() || view.section.is_none() || view.sides == Sides::Both;
     let meets = |px: &DVec2| first_of(scene, view, &view.ray(*px), shown).is_some();
     lies_between && is_convex && corners_px(px).iter().all(meets)
 }
 
-/// The first shown hit on it.
+/// The first shown hit on a primitive.
 fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
     first_on(scene, ray, view.sides, what.object, what.triangle)
 }
 
-/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than
-/// `most`.
+/// What may occlude `here` on rays through pixel centres near a position; `None` when there are more than `most`.
 fn rivals(
     scene: &Scene,
     view: &View,

@@ -1,4 +1,4 @@
-//! Which of two hits comes first, as exact arithmetic says.
+//! Which of two hits comes first: ties are decided here, in exact arithmetic.
 
 use super::SceneHit;
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
+/// The order of two hits of a ray: by `t`, then object, then triangle, then front before back.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
     by_t(scene, ray, a, b).then_with(|| by_name(a, b))
 }
@@ -23,7 +23,7 @@ pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
         .then(b.hit.front.cmp(&a.hit.front))
 }
 
-/// Whether the section that cuts a ray, if one does, keeps one of its hits.
+/// Whether the ray's section, if any, keeps a hit.
 #[inline]
 pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
     ray.section().is_none_or(|across| {
@@ -77,8 +77,8 @@ fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Orde
     compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
 }
 
-/// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two flat ones of one plane. Cheaper
-/// to tell than by their parameters.
+/// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones.
+/// Cheaper than comparing their parameters.
 pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     if !a.overlaps(b) {
         return false;
@@ -90,8 +90,8 @@ pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     }
 }
 
-/// Whether an object, or of a mesh's a triangle that is given by its corners about the mesh's origin, comes no earlier than
-/// a hit on every ray that meets both: the very same, or in the same place or plane and no earlier in order.
+/// Whether an object, or one triangle of it (number, and corners about the mesh's origin), comes no earlier than a hit
+/// on every ray that meets both: it is the same one, or coincides or is coplanar with it and is not earlier in order.
 pub(super) fn comes_later(
     scene: &Scene,
     hit: &SceneHit,
@@ -108,7 +108,7 @@ pub(super) fn comes_later(
         }
 }
 
-/// Whether two objects, of no meshes, are one shape in one place.
+/// Whether two objects, neither a mesh, are the same shape under the same placement.
 fn are_alike(scene: &Scene, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|object| &scene.objects()[object]);
     a.shape.kind() == b.shape.kind() && a.placement == b.placement
@@ -122,7 +122,7 @@ fn flat_of_hit<'a>(scene: &'a Scene, hit: &SceneHit) -> Option<Corners<'a>> {
     flat(scene, hit.object, corners)
 }
 
-/// Three corners of an object's square, or of a triangle of its mesh; `None` of solids.
+/// Three corners of a square, or of a triangle of a mesh; `None` for solids.
 fn flat(scene: &Scene, object: usize, triangle: Option<[DVec3; 3]>) -> Option<Corners<'_>> {
     let object = &scene.objects()[object];
     let (origin, corners) = match &object.shape {
@@ -144,7 +144,7 @@ fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
     mesh.vertex_corners(hit.hit.on_triangle.map_or(0, |at| at.triangle))
 }
 
-/// What was hit.
+/// The surface of a hit, for exact arithmetic.
 pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let Object {
         shape, placement, ..

@@ -1,4 +1,4 @@
-//! The selected object in a picture that was cast: tinted where it shows, outlined wherever it is.
+//! The selected object in a ray-cast picture: tinted where it shows, outlined even where it is hidden.
 
 use super::{closest, picture::each_pixel};
 use crate::{
@@ -34,8 +34,8 @@ pub fn draw_selection(
     }
 }
 
-/// Whether the border of what is covered passes within [`look::OUTLINE_PX`] of a pixel. Beyond the picture nothing
-/// changes, so its rim is no border.
+/// Whether the border of the covered area passes within [`look::OUTLINE_PX`] of a pixel. The picture's own rim is no
+/// border.
 fn on_outline(covered: &Image<bool>, x: u32, y: u32) -> bool {
     let reach = look::OUTLINE_PX;
     let size = covered.size();

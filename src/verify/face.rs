@@ -1,5 +1,4 @@
-//! What ids and hits stand for: flat faces by their corners, spheres by their placements; and what the GPU makes of them
-//! at a pixel.
+//! The faces and spheres that ids and hits stand for, and the surfaces that the GPU makes of them at a pixel.
 
 use super::{
     adjoining::Adjoining,
@@ -38,14 +37,14 @@ pub(super) struct Surfaces<'a> {
     pub scene: &'a Scene,
     pub space: ViewSpace,
     grid_px: f64,
-    /// By the batch's first object; of those that were asked for.
+    /// By the batch's first object; filled on demand.
     vertices: RwLock<HashMap<usize, Vertices>>,
-    /// By where the mesh is kept; of those that were asked for.
+    /// By the mesh's address; filled on demand.
     adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
 }
 
-/// What a triangle fills about one of its corners: between the directions of its two sides there, counter-clockwise about
-/// the normal.
+/// The sector that a triangle fills at one of its corners: between its two sides there, counter-clockwise about the
+/// normal.
 struct Sector {
     sides: [DVec3; 2],
     normal: DVec3,
@@ -61,7 +60,7 @@ impl Sector {
         }
     }
 
-    /// Whether a side of another sector of its plane, or its middle, lies strictly within.
+    /// Whether a side or the middle of another sector in its plane lies strictly within.
     fn holds_some_of(&self, other: &Self) -> bool {
         let [first, last] = self.sides;
         let is_left = |from: DVec3, to: DVec3| from.cross(to).dot(self.normal) > 0.0;
@@ -87,8 +86,8 @@ impl Face {
         }
     }
 
-    /// The corners that it shares with another face of its batch; none where the two overlap: all are shared, by a face and
-    /// itself or its own back, or they lie over each other in one plane.
+    /// The corners that it shares with another face of its batch. None where the two overlap: they share all corners,
+    /// or lie over each other in one plane.
     pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
         let shared = self.corners.iter().copied();
         let shared: Vec<_> = shared.filter(|at| other.corners.contains(at)).collect();
@@ -99,7 +98,7 @@ impl Face {
         }
     }
 
-    /// Whether two triangles lie in one plane and overlap about a corner that they share, however near to it.
+    /// Whether two triangles are coplanar and overlap arbitrarily near a corner that they share.
     fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
         let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
         let (&[corner, ..], Ok(a), Ok(b)) = (shared, triangle(self), triangle(other)) else {
@@ -164,7 +163,7 @@ impl<'a> Surfaces<'a> {
                 let of =
                     |triangle| flat.triangle(data, &adjoining, batch.start, triangle, is_shown);
                 let Some(number) = id.triangle.checked_sub(1) else {
-                    // Whichever of its triangles that is.
+                    // Any of its triangles.
                     let near = triangles.clone().filter(|&i| flat.may_show(data, i));
                     return near.flat_map(of).collect();
                 };
@@ -175,7 +174,7 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// The surface that a hit lies on, which has this face.
+    /// The surface that a hit lies on, given its face (`None` for a sphere).
     pub fn of_hit(&self, px: DVec2, hit: &SceneHit, face: Option<&Face>) -> Option<Surface> {
         let placement = &self.scene.objects()[hit.object].placement;
         let Some(face) = face else {
@@ -213,9 +212,9 @@ impl<'a> Surfaces<'a> {
     }
 }
 
-/// What is kept for a key, made the first time that it is asked for.
+/// The cached value for a key, made on first use.
 fn kept<T: Clone>(all: &RwLock<HashMap<usize, T>>, key: usize, make: impl FnOnce() -> T) -> T {
-    // Nobody can panic while they hold it.
+    // Nothing panics while holding the lock.
     let known = all.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = known.get(&key) {
         return found.clone();

@@ -1,4 +1,4 @@
-//! What a section keeps of a sphere's outline.
+//! The part of a sphere's outline that a section keeps.
 
 use super::{frame::Frame, outline::Part};
 use crate::geometry::{
@@ -16,7 +16,7 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// Of the circle about the placement's sphere that is made of o, a and b, m, 4 g and q; `None` where nothing is cut.
+    /// From the outline circle's o, a and b, and m, 4 g and q; `None` without a section.
     pub fn new(
         frame: &Frame<BigInt>,
         placement: &Placement,
@@ -37,9 +37,9 @@ impl Kept {
         })
     }
 
-    /// What is kept of a part. `kq` and `g` come with their roots; new ends have so many bits.
+    /// The kept pieces of a part. `kq` and `g` come with their roots; new ends have `bits` bits.
     ///
-    /// With the tangent p of half the angle it is a quadratic `alpha p^2 + 2 h p + gamma` over `1 + p^2`.
+    /// With p the tangent of half the angle, the condition is `alpha p^2 + 2 h p + gamma >= 0`.
     pub fn of_part(
         &self,
         part: &Part,
@@ -55,7 +55,7 @@ impl Kept {
         let discriminant = kq.times(&squares).minus(&self.middle.squared());
         let mut ends = vec![part.from.clone(), part.to.clone()];
         if !discriminant.is_negative() {
-            // By the sum that does not cancel.
+            // The root by the sum that does not cancel; the other by the product of both.
             let sum = h.plus(&signed(h.is_negative(), discriminant.sqrt(bits)));
             for (n, by) in [(&sum, &alpha), (&gamma, &sum)] {
                 if by.is_zero() {

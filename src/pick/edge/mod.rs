@@ -1,8 +1,8 @@
-//! How far a position is from the nearest edge of what was hit there, in pixels.
+//! Distance in pixels from a position to the nearest edge of what was hit there: `edge_px`.
 //!
-//! A long lens or a near plane just before the eye makes any rounding in world space as large as the picture. So points
-//! become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end. Pairs of `f64`
-//! with bounds stand for the exact numbers where they round to the same.
+//! With a long lens, or a near plane just before the eye, a rounding in world space can be as large as the picture. So
+//! points become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end. A
+//! filter in pairs of `f64` with bounds answers where it rounds to the same.
 
 mod frame;
 mod kept;
@@ -21,9 +21,9 @@ pub(super) use frame::{Frame, Shown};
 use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
-/// How far `px` is from the nearest edge of the triangle or face that was hit there, in pixels; for a sphere from
-/// its outline. Only what lies at or behind the near plane, and what a section keeps, counts; `None` when nothing does, as inside a sphere, or when
-/// it lies farther off than `f64` can tell.
+/// Distance in pixels from `px` to the nearest edge of the triangle or face that was hit there, or to a sphere's
+/// outline. Only what lies at or behind the near plane and is kept by the section counts. `None` when nothing does, as
+/// inside a sphere, or when the distance overflows `f64`.
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
     let polygon = |origin: DVec3, corners: &[DVec3]| {
@@ -71,17 +71,17 @@ fn polygon_px<I: Decided>(
     Ok(nearest)
 }
 
-/// An end of what is seen of a segment; all numbers times one that is above 0.
+/// An end of the visible part of a segment; all its numbers share a positive factor.
 #[derive(Clone)]
 struct End<I> {
     /// u, v and w.
     picture: [Number<I>; 3],
-    /// How far it lies behind the near plane and within the section; below 0 beyond them.
+    /// How far it lies behind the near plane and within the section; negative where it is cut away.
     sides: Vec<Number<I>>,
 }
 
 impl<I: Decided> End<I> {
-    /// Where the way to an end that is seen comes to a plane that this one lies beyond.
+    /// Where the segment from this end, which a plane cuts away, to a seen end crosses that plane.
     fn cut(&self, seen: &Self, plane: usize) -> Self {
         let cut = |of_self: &_, of_seen: &_| {
             determinant([&seen.sides[plane], &self.sides[plane]], [of_seen, of_self])
@@ -102,8 +102,9 @@ impl<I: Decided> End<I> {
 
 /// Distance in pixels to what the picture shows of a segment.
 ///
-/// Where the near plane cuts it just before the eye, the cut is shown so far out that its coordinates hide the distance.
-/// So the distance is that of the line through both *ends*, and a cut only tells by a sign which part of it counts.
+/// A cut by the near plane just before the eye is shown so far out that its coordinates lose the distance. So the
+/// distance is that of the line through both *original* ends, and a cut tells only, by a sign, which part of the line
+/// counts.
 fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt> {
     let (mut from, mut to) = (a.clone(), b.clone());
     for plane in 0..a.sides.len() {
@@ -134,7 +135,7 @@ fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt
     frame::ratio(&offset, &line_u, &line_v).map(Some)
 }
 
-/// Of the matrix with these rows.
+/// Determinant of the matrix with these rows.
 pub(super) fn determinant<I: Ring>([a, b]: [&Number<I>; 2], [c, d]: [&Number<I>; 2]) -> Number<I> {
     a.times(d).minus(&b.times(c))
 }

@@ -1,4 +1,4 @@
-//! Flat faces that may show about a position, by their corners.
+//! Flat faces that may show near a position, by their corners.
 
 use super::super::{beam, nearest::shows_part};
 use crate::{
@@ -17,7 +17,7 @@ pub(super) struct Facet {
     /// Of the mesh.
     pub triangle: Option<u32>,
     pub origin: DVec3,
-    /// About the origin of object space; so many of them count.
+    /// About `origin`; the first `count` are used.
     corners: [DVec3; 4],
     count: usize,
 }
@@ -44,14 +44,14 @@ impl Facet {
         [corner, corner + 1].map(|corner| self.corners[corner % self.count])
     }
 
-    /// Some way along a side.
+    /// The point at a share of a side.
     pub fn point(&self, scene: &Scene, corner: usize, share: f64) -> PlacedPoint {
         let placement = &scene.objects()[self.object].placement;
         PlacedPoint::between(placement, self.origin, self.side(corner), share)
     }
 }
 
-/// All that are visible and may show within a distance in pixels of a position.
+/// All visible facets that may show within a distance in pixels of a position.
 pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> Vec<Facet> {
     let corners = beam::corners([px - radius_px, px + radius_px]).map(|px| view.ray(px));
     let side_px = 2.0 * (radius_px + beam::ROOM);
@@ -63,7 +63,7 @@ pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> V
             add(scene, batch, pyramid_in(placement).as_ref(), &mut facets);
             ControlFlow::Continue(())
         }),
-        // From so far that the rays cannot be told apart, all may.
+        // From so far away that rounding merges the rays, any may show.
         None => {
             for batch in scene.batches() {
                 add(scene, batch, None, &mut facets);
