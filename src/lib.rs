@@ -156,6 +156,21 @@
 //! beside these and import none of them, except that an image has a `camera::Viewport`. `tests/imports` checks all of
 //! this.
 //!
+//! # Where to look
+//!
+//! The folders and files are named for what they hold; these are the ones that are hard to guess:
+//!
+//! | what | where |
+//! |---|---|
+//! | whether a hit lies between near and far | `geometry/interval.rs`, exactly `geometry/exact` |
+//! | which of two hits comes first: ties | `pick/order.rs` |
+//! | which of two touching surfaces is drawn | `render/order.rs` |
+//! | how far `f32` moves what is drawn | `render/transform.rs`, `render/sphere.rs`; in pixels `verify/polygon.rs`, `verify/sphere.rs` |
+//! | a camera from flags or from a scene file | `camera/choice.rs` |
+//! | work on all cores | `geometry/shares.rs` |
+//! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |
+//! | how fine a moving picture is drawn | `viewer/screen/finish.rs`, `viewer/screen/pace.rs` |
+//!
 //! # Spaces
 //!
 //! | space | axes | where |
@@ -186,6 +201,7 @@
 //!   bounds the ray exactly, as near and far do.
 //! * **bound**: the most by which a rounded number may differ from the exact one. Rays carry theirs
 //!   ([`geometry::RayError`]). **In doubt**: a decision that a bound leaves open and exact arithmetic makes.
+//!   **Filter**: a cheap test that may decide before the exact one.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.
 //! * **batch**: objects that are drawn and tested for hits together: parts of one mesh under one placement, or a single
 //!   object.
@@ -198,7 +214,7 @@
 //! * **stage**: a space along M, V, P that is shown: object, world, view, NDC ([`viewer::model::Stage`]). The *four
 //!   views* show one each, seen by an *observer* of its own. The *picture* is the camera's and none of these four.
 //! * **followed**: the point that is shown at every stage: the pick's, or the one under the cursor.
-//! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
+//! * **step**: undoes one change of the window's state ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add

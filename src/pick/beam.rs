@@ -2,6 +2,7 @@
 //! found once for the tile.
 
 use crate::{
+    camera::View,
     geometry::{Entry, LocalRay, PixelRays, Placement, Pyramid, WorldRay},
     scene::{Scene, Shape},
 };
@@ -31,11 +32,8 @@ impl<'a> Beam<'a> {
     }
 
     /// The rays through a rectangle of pixels, given by its corners in pixels.
-    pub fn of_tile(scene: &'a Scene, rays: &PixelRays, [min, max]: [DVec2; 2]) -> Self {
-        let rays = rays.cut_by(None);
-        let corners = corners([min, max]).map(|px| rays.ray(px));
-        let side_px = (max - min).max_element() + 2.0 * ROOM;
-        let batches = batches(scene, |placement| pyramid(&corners, placement, side_px));
+    pub fn of_tile(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2]) -> Self {
+        let batches = batches(scene, &CornerRays::new(rays, tile));
         Self { scene, batches }
     }
 
@@ -63,7 +61,34 @@ impl<'a> Beam<'a> {
 }
 
 /// Margin in pixels around a rectangle, as [`Pyramid::new`] asks for.
-pub(super) const ROOM: f64 = 1.0;
+const ROOM: f64 = 1.0;
+
+/// The rays through the corners of a rectangle of pixels, widened by [`ROOM`]. No section cuts them.
+pub(super) struct CornerRays {
+    rays: [WorldRay<'static>; 4],
+    side_px: f64,
+}
+
+impl CornerRays {
+    fn new(rays: &PixelRays, [min, max]: [DVec2; 2]) -> Self {
+        let rays = rays.cut_by(None);
+        Self {
+            rays: corners([min, max]).map(|px| rays.ray(px)),
+            side_px: (max - min).max_element() + 2.0 * ROOM,
+        }
+    }
+
+    /// About the square of positions within so many pixels of one.
+    pub fn about(view: &View, px: DVec2, radius_px: f64) -> Self {
+        Self::new(&view.rays(), [px - radius_px, px + radius_px])
+    }
+
+    /// The pyramid about them, in a placement's object space; `None` where rounding leaves none. See [`Pyramid::new`].
+    pub fn pyramid(&self, placement: &Placement) -> Option<Pyramid> {
+        let local = self.rays.each_ref().map(|ray| placement.local_ray(ray));
+        Pyramid::new(&local.each_ref().map(LocalRay::from), self.side_px)
+    }
+}
 
 /// The corners of a rectangle widened by [`ROOM`], in order around it.
 pub(super) fn corners([min, max]: [DVec2; 2]) -> [DVec2; 4] {
@@ -71,31 +96,20 @@ pub(super) fn corners([min, max]: [DVec2; 2]) -> [DVec2; 4] {
     [min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)]
 }
 
-/// The pyramid about these rays, in a placement's object space; `None` where rounding leaves none. See
-/// [`Pyramid::new`].
-pub(super) fn pyramid(
-    corners: &[WorldRay; 4],
-    placement: &Placement,
-    side_px: f64,
-) -> Option<Pyramid> {
-    let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-    Pyramid::new(&local.each_ref().map(LocalRay::from), side_px)
-}
-
 /// The batches that rays within a pyramid may meet; `None` without a pyramid, or where the batches are too many.
-fn batches(
-    scene: &Scene,
-    pyramid_in: impl Fn(&Placement) -> Option<Pyramid>,
-) -> Option<Vec<(&Range<usize>, Option<Entry>)>> {
+fn batches<'a>(
+    scene: &'a Scene,
+    corners: &CornerRays,
+) -> Option<Vec<(&'a Range<usize>, Option<Entry>)>> {
     let mut batches = Vec::new();
     let mut is_complete = true;
-    scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
+    scene.visit_batches_within(&corners.pyramid(&Placement::IDENTITY)?, |batch| {
         let first = &scene.objects()[batch.start];
         let mut entry = None;
         if let Shape::Mesh { mesh, .. } = &first.shape
             && let Some(tree) = mesh.tree()
         {
-            let Some(pyramid) = pyramid_in(&first.placement) else {
+            let Some(pyramid) = corners.pyramid(&first.placement) else {
                 is_complete = false;
                 return ControlFlow::Break(());
             };

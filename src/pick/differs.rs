@@ -7,9 +7,9 @@
 //! one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
 
 use super::{
-    SceneHit,
-    around::{REACH, corners, corners_px, pyramid},
-    nearest::{closest, first_on, shows_part},
+    Primitive, SceneHit,
+    beam::{self, CornerRays},
+    nearest::{closest, first_on, shown_object},
     order::{comes_later, order},
 };
 use crate::{
@@ -20,19 +20,14 @@ use crate::{
 use glam::DVec2;
 use std::ops::ControlFlow;
 
+/// How far, in pixels, to look for a pixel with another answer.
+pub(super) const REACH: f64 = 8.0;
 /// Up to this distance in pixels, rays go through the whole scene before occluders are gathered.
 const NEARBY: f64 = 2.0;
 /// With more occluders, each ray goes through the trees instead, which costs as much as testing a few.
 const MOST: usize = 6;
 /// The same where `f64` leaves ties at the position: a tree would test each of the tied surfaces.
-const MOST_IN_A_CROWD: usize = 64;
-
-/// An object, or a triangle of its mesh.
-#[derive(Clone, Copy)]
-struct Rival {
-    object: usize,
-    triangle: Option<u32>,
-}
+const MOST_WHERE_TIED: usize = 64;
 
 /// Distance from `px` to the nearest pixel centre whose answer (object and triangle) differs from `here`, the answer at
 /// `px`. Looks within [`REACH`] and the picture, and at the pixel's own centre, too. `is_alone` says that `f64` leaves
@@ -49,13 +44,10 @@ pub(super) fn differs_px(
     if !scene.trees_are_built() {
         return None;
     }
-    let shown = Rival {
-        object: here.object,
-        triangle: here.triangle(),
-    };
+    let shown = here.primitive();
     let differs = |ray: WorldRay| {
         let there = closest(scene, ray, view.sides);
-        there.is_none_or(|there| (there.object, there.triangle()) != (shown.object, shown.triangle))
+        there.is_none_or(|there| there.primitive() != shown)
     };
     let mut asked = 0.0;
     if is_alone {
@@ -65,28 +57,29 @@ pub(super) fn differs_px(
         }
         asked = NEARBY;
     }
-    let most = if is_alone { MOST } else { MOST_IN_A_CROWD };
-    let rivals = rivals(scene, view, px, here, most);
-    let fills = rivals.is_some() && fills(scene, view, px, shown);
-    if fills && rivals.as_ref().is_some_and(Vec::is_empty) {
+    let most = if is_alone { MOST } else { MOST_WHERE_TIED };
+    let occluders = occluders(scene, view, px, here, most);
+    let fills = occluders.is_some() && fills(scene, view, px, shown);
+    if fills && occluders.as_ref().is_some_and(Vec::is_empty) {
         return None;
     }
     let differs = |centre: DVec2| {
         let ray = view.ray(centre);
-        let Some(rivals) = &rivals else {
+        let Some(occluders) = &occluders else {
             return differs(ray);
         };
         let mut there = None;
         if !fills {
-            there = first_of(scene, view, &ray, shown);
+            there = first_on(scene, &ray, view.sides, shown);
             if there.is_none() {
                 return true;
             }
         }
-        let mut hits = (rivals.iter()).filter_map(|rival| first_of(scene, view, &ray, *rival));
-        hits.any(|rival| {
-            there = there.or_else(|| first_of(scene, view, &ray, shown));
-            there.is_none_or(|there| order(scene, &ray, &rival, &there).is_lt())
+        let mut hits =
+            (occluders.iter()).filter_map(|occluder| first_on(scene, &ray, view.sides, *occluder));
+        hits.any(|occluder| {
+            there = there.or_else(|| first_on(scene, &ray, view.sides, shown));
+            there.is_none_or(|there| order(scene, &ray, &occluder, &there).is_lt())
         })
     };
     let others = centres(view, px, [asked, REACH]).into_iter();
@@ -119,7 +112,7 @@ fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
 /// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it, unless the near
 /// or far plane or the section cuts the shape in between. A flat shape's depth lies between those at the corners. For a
 /// solid, the depths of all its points are bounded, with room for a few roundings.
-fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
+fn fills(scene: &Scene, view: &View, px: DVec2, shown: Primitive) -> bool {
     const ROOM: f64 = power_of_two(-40);
     let Object {
         shape, placement, ..
@@ -143,56 +136,47 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
     });
     // Cut by a section, both sides of a solid together still show as a convex region; its front alone may not.
     let is_convex = spread.is_none() || view.section.is_none() || view.sides == Sides::Both;
-    let meets = |px: &DVec2| first_of(scene, view, &view.ray(*px), shown).is_some();
-    lies_between && is_convex && corners_px(px).iter().all(meets)
-}
-
-/// The first shown hit on a primitive.
-fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
-    first_on(scene, ray, view.sides, what.object, what.triangle)
+    let meets = |px: &DVec2| first_on(scene, &view.ray(*px), view.sides, shown).is_some();
+    lies_between && is_convex && beam::corners([px - REACH, px + REACH]).iter().all(meets)
 }
 
 /// What may occlude `here` on rays through pixel centres near a position; `None` when there are more than `most`.
-fn rivals(
+fn occluders(
     scene: &Scene,
     view: &View,
     px: DVec2,
     here: &SceneHit,
     most: usize,
-) -> Option<Vec<Rival>> {
-    let corners = corners(view, px);
-    let pyramid_in = |placement: &Placement| pyramid(&corners, placement);
-    let mut rivals = Vec::new();
+) -> Option<Vec<Primitive>> {
+    let corners = CornerRays::about(view, px, REACH);
+    let mut occluders = Vec::new();
     let mut is_complete = true;
-    scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
-        if rivals.len() > most {
+    scene.visit_batches_within(&corners.pyramid(&Placement::IDENTITY)?, |batch| {
+        if occluders.len() > most {
             return ControlFlow::Break(());
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && !comes_later(scene, here, batch.start, None);
-            rivals.extend(is_rival.then_some(Rival {
+            let may_occlude = first.visible && !comes_later(scene, here, batch.start, None);
+            occluders.extend(may_occlude.then_some(Primitive {
                 object: batch.start,
                 triangle: None,
             }));
             return ControlFlow::Continue(());
         };
-        let Some(pyramid) = pyramid_in(&first.placement) else {
+        let Some(pyramid) = corners.pyramid(&first.placement) else {
             is_complete = false;
             return ControlFlow::Break(());
         };
         mesh.within(&pyramid, |triangle, corners| {
-            let part_hit = mesh.part_of(triangle);
-            if shows_part(scene, batch, *part, part_hit) {
-                let object = batch.start + part_hit - part;
-                if !comes_later(scene, here, object, Some((triangle, corners))) {
-                    rivals.push(Rival {
-                        object,
-                        triangle: Some(triangle),
-                    });
-                }
-            }
-            if rivals.len() > most {
+            let object = shown_object(scene, batch, *part, mesh.part_of(triangle));
+            let may_occlude =
+                |object: &usize| !comes_later(scene, here, *object, Some((triangle, corners)));
+            occluders.extend(object.filter(may_occlude).map(|object| Primitive {
+                object,
+                triangle: Some(triangle),
+            }));
+            if occluders.len() > most {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
@@ -200,5 +184,5 @@ fn rivals(
         });
         ControlFlow::Continue(())
     });
-    (is_complete && rivals.len() <= most).then_some(rivals)
+    (is_complete && occluders.len() <= most).then_some(occluders)
 }

@@ -54,28 +54,29 @@
 //! nearest one that drawing may show any of them, a line names them ([`InOnePlace`], found by
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
-mod around;
 mod beam;
 mod differs;
 mod edge;
 mod ellipsoid;
 pub mod measure;
+mod narrowed;
 mod nearest;
 mod one_place;
 mod order;
-mod picture;
+mod raycast;
 mod record;
 mod selection;
 mod sight;
 pub mod snap;
 
-pub use around::narrowed;
 pub(crate) use beam::Beam;
+pub(crate) use edge::face_of;
+pub use narrowed::narrowed;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
-pub(crate) use picture::{RAYCAST_BYTES, each_ray};
-pub use picture::{ids, ids_by, raycast};
+pub(crate) use raycast::{RAYCAST_BYTES, each_ray};
+pub use raycast::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 pub use sight::{Sight, Whereabouts, sight};
@@ -97,6 +98,14 @@ pub struct SceneHit {
     pub hit: Hit,
 }
 
+/// An object, or a triangle of its mesh; in the order in which ties are decided.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Primitive {
+    object: usize,
+    /// By its number in the mesh.
+    triangle: Option<u32>,
+}
+
 impl SceneHit {
     /// Whether `f64` leaves open which of the two is nearer.
     fn overlaps(&self, other: &Self) -> bool {
@@ -108,12 +117,15 @@ impl SceneHit {
     #[must_use]
     pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
         let first = scene.objects()[self.object].shape.first_triangle();
-        self.triangle().map(|triangle| triangle - first)
+        (self.primitive().triangle).map(|triangle| triangle - first)
     }
 
-    /// The triangle of a mesh that was hit.
-    fn triangle(&self) -> Option<u32> {
-        self.hit.on_triangle.map(|at| at.triangle)
+    /// The object or triangle that was hit.
+    fn primitive(&self) -> Primitive {
+        Primitive {
+            object: self.object,
+            triangle: self.hit.on_triangle.map(|at| at.triangle),
+        }
     }
 
     /// No hit with a larger `t` can come before this one.

@@ -2,7 +2,7 @@
 //! walk.
 
 use super::{
-    Beam, SceneHit,
+    Beam, Primitive, SceneHit,
     order::{by_name, is_at_section, is_kept, is_same_place, order},
 };
 use crate::{
@@ -64,7 +64,7 @@ pub fn closest_by<'a>(
         let local = LocalRay::from(&placed);
         let found = match &first.shape {
             Shape::Mesh { mesh, part } => {
-                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let accept = |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                 let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
@@ -117,7 +117,7 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
         let local = LocalRay::from(&placed);
         match &first.shape {
             Shape::Mesh { mesh, part } => {
-                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let accept = |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                 let hits = mesh.each(&local, entry, sides, accept).into_iter();
                 all.extend(hits.map(|hit| of_mesh(scene, batch, hit)));
             }
@@ -137,13 +137,12 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
     all
 }
 
-/// The first shown hit on one object, visible or not, or on a triangle of its mesh.
+/// The first shown hit on an object, visible or not, or on a triangle of its mesh.
 pub(super) fn first_on(
     scene: &Scene,
     ray: &WorldRay,
     sides: Sides,
-    object: usize,
-    triangle: Option<u32>,
+    Primitive { object, triangle }: Primitive,
 ) -> Option<SceneHit> {
     let Object {
         shape, placement, ..
@@ -180,7 +179,8 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
             || may_matter()
                 && match &first.shape {
                     Shape::Mesh { mesh, part } => {
-                        let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                        let accept =
+                            |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                         mesh.is_in_doubt(local, accept)
                     }
                     _ if !first.visible => false,
@@ -241,7 +241,8 @@ fn in_batch(
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let hit = mesh.closest_of(local, entry, sides, |part_hit, hit| {
-                shows_part(scene, batch, *part, part_hit) && accept(&of_mesh(scene, batch, *hit))
+                shown_object(scene, batch, *part, part_hit).is_some()
+                    && accept(&of_mesh(scene, batch, *hit))
             });
             hit.map(|hit| of_mesh(scene, batch, hit))
         }
@@ -265,15 +266,15 @@ fn of_mesh(scene: &Scene, batch: &Range<usize>, hit: Hit) -> SceneHit {
     SceneHit { object, hit }
 }
 
-/// Whether a part of a batch's mesh is one of its objects, and visible.
-pub(super) fn shows_part(
+/// The object of a batch that is a part of its mesh, if it is visible.
+pub(super) fn shown_object(
     scene: &Scene,
     batch: &Range<usize>,
     first_part: usize,
     part: usize,
-) -> bool {
-    let object = part.checked_sub(first_part).map(|i| batch.start + i);
-    object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
+) -> Option<usize> {
+    let object = part.checked_sub(first_part)? + batch.start;
+    (object < batch.end && scene.objects()[object].visible).then_some(object)
 }
 
 fn analytic_hits(shape: &Shape, local: &LocalRay) -> [Option<Hit>; 2] {

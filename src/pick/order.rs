@@ -1,6 +1,6 @@
 //! Which of two hits comes first: ties are decided here, in exact arithmetic.
 
-use super::SceneHit;
+use super::{Primitive, SceneHit};
 use crate::{
     geometry::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
@@ -18,9 +18,7 @@ pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -
 
 /// [`order`] of hits at one `t`.
 pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
-    (a.object.cmp(&b.object))
-        .then(a.triangle().cmp(&b.triangle()))
-        .then(b.hit.front.cmp(&a.hit.front))
+    (a.primitive().cmp(&b.primitive())).then(b.hit.front.cmp(&a.hit.front))
 }
 
 /// Whether the ray's section, if any, keeps a hit.
@@ -98,9 +96,12 @@ pub(super) fn comes_later(
     object: usize,
     triangle: Option<(u32, [DVec3; 3])>,
 ) -> bool {
-    let is_later = (hit.object, hit.triangle()) <= (object, triangle.map(|(number, _)| number));
+    let primitive = Primitive {
+        object,
+        triangle: triangle.map(|(number, _)| number),
+    };
     let other = || flat(scene, object, triangle.map(|(_, corners)| corners));
-    is_later
+    hit.primitive() <= primitive
         && match (flat_of_hit(scene, hit), other()) {
             (Some(here), Some(other)) => are_in_one_plane(&here, &other),
             (None, None) => are_alike(scene, hit.object, object),

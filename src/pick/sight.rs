@@ -47,7 +47,7 @@ pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
 pub(super) fn hides(scene: &Scene, view: &View, by: &SceneHit, point: &PlacedPoint) -> bool {
     let through = view.through(point);
     ray(view, &through).is_some_and(|ray| {
-        let hit = first_on(scene, &ray, view.sides, by.object, by.triangle());
+        let hit = first_on(scene, &ray, view.sides, by.primitive());
         hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit))) == Some(Ordering::Less)
     })
 }

@@ -16,17 +16,6 @@ pub(super) struct Outline {
     pub f32_px: f64,
 }
 
-/// A surface's depth at a pixel's centre against the near plane, in view depth.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
-    /// Distance between the surface and the plane.
-    pub gap: f64,
-    /// How much the rasteriser's grid may change the surface's depth.
-    pub grid: f64,
-    /// How much `f32` may change it.
-    pub f32: f64,
-}
-
 /// Why a surface may be at a pixel for drawing and not for the pick, or vice versa.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reason {
@@ -104,26 +93,24 @@ impl Outline {
     }
 }
 
-impl Cut {
-    /// What it explains; `beyond_f32` says that the depth's bounds exceed a ceiling.
-    pub fn reason(self, beyond_f32: bool) -> Option<Reason> {
-        let strain = strain(self.gap, self.grid + self.f32)?;
+impl Reason {
+    /// What the near plane explains for a surface whose depth lies `gap` off it, when the rasteriser's grid and `f32` may
+    /// change that depth by so much; `beyond_f32` says that the depth's bounds exceed a ceiling.
+    pub fn at_near_plane(gap: f64, [grid, f32]: [f64; 2], beyond_f32: bool) -> Option<Self> {
         let class = if beyond_f32 {
             Class::BeyondF32
-        } else if self.f32 <= self.grid {
+        } else if f32 <= grid {
             Class::Edge
         } else {
             Class::Depth
         };
-        Some(Reason {
+        Some(Self {
             class,
-            strain,
+            strain: strain(gap, grid + f32)?,
             outline: Outline::NONE,
         })
     }
-}
 
-impl Reason {
     /// The better of two: by class, then by less strain.
     pub fn or(self, other: Self) -> Self {
         if (other.class, other.strain) < (self.class, self.strain) {

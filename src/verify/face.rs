@@ -3,14 +3,14 @@
 use super::{
     adjoining::Adjoining,
     flat::{Flat, Vertices},
-    round,
+    sphere,
     surface::{Depths, Surface},
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Square, are_coplanar},
+    geometry::{Hit, Square, are_coplanar},
     image::Id,
-    pick::SceneHit,
+    pick::{SceneHit, face_of},
     render::{
         Rasteriser,
         transform::{self, VertexToView},
@@ -72,20 +72,6 @@ impl Sector {
 }
 
 impl Face {
-    fn of_square() -> Self {
-        Self {
-            origin: DVec3::ZERO,
-            corners: Square::corners().into(),
-        }
-    }
-
-    fn of_cube(normal: DVec3) -> Self {
-        Self {
-            origin: DVec3::ZERO,
-            corners: Cuboid::face(normal).into(),
-        }
-    }
-
     /// The corners that it shares with another face of its batch. None where the two overlap: they share all corners,
     /// or lie over each other in one plane.
     pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
@@ -112,15 +98,8 @@ impl Face {
 
     /// The face that was hit; `None` on a sphere.
     pub fn of_hit(object: &Object, hit: &Hit) -> Option<Self> {
-        match &object.shape {
-            Shape::Sphere => None,
-            Shape::Square => Some(Self::of_square()),
-            Shape::Cube => Some(Self::of_cube(hit.normal)),
-            Shape::Mesh { mesh, .. } => Some(Self {
-                origin: mesh.data().origin,
-                corners: mesh.vertex_corners(hit.on_triangle?.triangle).into(),
-            }),
-        }
+        let (origin, corners) = face_of(object, hit)?;
+        Some(Self { origin, corners })
     }
 }
 
@@ -145,8 +124,8 @@ impl<'a> Surfaces<'a> {
             return Vec::new();
         };
         match &object.shape {
-            Shape::Sphere => round::surfaces(&self.space, &object.placement, px),
-            Shape::Square => self.flat(px, index).square(),
+            Shape::Sphere => sphere::surfaces(&self.space, &object.placement, px),
+            Shape::Square => Vec::from_iter(self.flat(px, index).face(&Square::corners())),
             Shape::Cube => self.flat(px, index).cube(),
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();
@@ -178,7 +157,7 @@ impl<'a> Surfaces<'a> {
     pub fn of_hit(&self, px: DVec2, hit: &SceneHit, face: Option<&Face>) -> Option<Surface> {
         let placement = &self.scene.objects()[hit.object].placement;
         let Some(face) = face else {
-            let (both, _) = round::both(&self.space, placement, px);
+            let (both, _) = sphere::both(&self.space, placement, px);
             return Some(both[usize::from(!hit.hit.front)]);
         };
         let surface = self.flat(px, hit.object).face(&face.corners)?;

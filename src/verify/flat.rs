@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     camera::Projection,
-    geometry::{Cuboid, MeshData, Placement, Sides, Square},
+    geometry::{Cuboid, MeshData, Placement, Sides},
     render::{
         transform::{Rounding, VertexToView, ViewError},
         view_space::ViewSpace,
@@ -57,11 +57,6 @@ impl Flat<'_> {
     pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
         let polygon = self.polygon(corners_vertex_space)?;
         Some(surface(polygon, |_, _| false))
-    }
-
-    /// The square.
-    pub fn square(&self) -> Vec<Surface> {
-        self.face(&Square::corners()).into_iter().collect()
     }
 
     /// Whether drawing may move an edge or a corner, given by its ends, onto the pixel's centre.

@@ -61,17 +61,17 @@ mod face;
 mod flat;
 mod interpolation;
 mod one_place;
-mod picture;
+mod paint;
 mod polygon;
 mod report;
-mod round;
 mod section;
+mod sphere;
 mod surface;
 #[cfg(test)]
 mod tests;
 
 pub use one_place::{Places, in_one_place};
-pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
+pub use paint::{COLOURS, IN_ONE_PLACE, marks, paint};
 pub use report::{Disagreement, Report, Verdict};
 
 use crate::{

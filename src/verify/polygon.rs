@@ -2,7 +2,7 @@
 
 use super::{
     OUTLINE_CEILING_PX,
-    bound::{self, Cut, Outline, Reason, Stored},
+    bound::{self, Outline, Reason, Stored},
     interpolation,
     section::Sectioned,
     surface::{Depths, Source, Surface, ViewRay},
@@ -113,15 +113,11 @@ pub(super) fn polygon(
         |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
     let beyond_f32 = bound::beyond_f32(aside_px, rounding, ceiling(at));
     let covers = covers(&ray, corners);
-    let cut = Cut {
-        gap: past_near.abs(),
-        grid: slope * grid_px,
-        f32: slope * f32_px + cut_error,
-    };
     // Clipping at the near plane comes before interpolation.
     let cut_stored = cut_error * depths.stored_per_depth(0.0);
     let cut_beyond = bound::beyond_f32(aside_px, cut_stored, ceiling(0.0));
-    let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
+    let errors = [slope * grid_px, slope * f32_px + cut_error];
+    let cut = Reason::at_near_plane(past_near.abs(), errors, cut_beyond).filter(|_| covers);
     let section = Sectioned::new(space);
     let section = section.face(px, past_near, slope_px, aside_px, &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])

@@ -265,35 +265,29 @@ impl Depths {
     /// rounded factors with w, which is the near plane's depth (or 1); their difference changes with depth by 1 plus
     /// the factor (orthographic: by the factor). In standard depth it tests the sign of the measured depth.
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
+        if self.lens.depth == DepthMapping::Standard {
+            return error.measured;
+        }
         let factor = self.per_measured.abs();
         let (w, of_w, change) = match self.lens.projection {
             Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
             Projection::Orthographic { .. } => (1.0, 0.0, factor),
         };
-        match self.lens.depth {
-            DepthMapping::Standard => error.measured,
-            DepthMapping::Reversed => {
-                let product = if exact {
-                    0.0
-                } else {
-                    2.0 * U * w + 2.0 * UNDERFLOW / self.unit
-                };
-                (product + factor * error.measured + of_w) / change
-            }
-        }
+        let product = if exact {
+            0.0
+        } else {
+            2.0 * U * w + 2.0 * UNDERFLOW / self.unit
+        };
+        (product + factor * error.measured + of_w) / change
     }
 
     /// Whether `f32` represents exactly what clipping compares at this depth.
     pub fn clips_exactly(&self, past_near: f64) -> bool {
-        let (factor, measured) = match self.lens.projection {
-            Projection::Perspective { .. } => {
-                (self.per_measured, self.unit * (past_near - self.origin))
-            }
-            Projection::Orthographic { .. } => (
-                self.per_measured / self.unit,
-                self.unit * (past_near - self.origin),
-            ),
+        let factor = match self.lens.projection {
+            Projection::Perspective { .. } => self.per_measured,
+            Projection::Orthographic { .. } => self.per_measured / self.unit,
         };
+        let measured = self.unit * (past_near - self.origin);
         #[expect(clippy::float_cmp, reason = "to the bit: it may have been rounded")]
         let is_exact = measured / self.unit + self.origin == past_near;
         is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)

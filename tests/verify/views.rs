@@ -38,7 +38,7 @@ struct Tally {
     beyond: usize,
     one_sided: usize,
     defects: Vec<String>,
-    /// Pixels of the class *depth* by two surfaces; picks there name what is drawn.
+    /// Pixels of the class *depth* because of two surfaces; the picks there name the drawn one.
     of_two: usize,
 }
 

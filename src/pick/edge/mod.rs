@@ -1,13 +1,13 @@
 //! Distance in pixels from a position to the nearest edge of what was hit there: `edge_px`.
 //!
 //! With a long lens, or a near plane just before the eye, a rounding in world space can be as large as the picture. So
-//! points become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end. A
+//! points become picture coordinates in exact arithmetic ([`PictureSpace`]), and each distance is rounded once, at the end. A
 //! filter in pairs of `f64` with bounds answers where it rounds to the same.
 
-mod frame;
-mod kept;
-mod nearest;
-mod outline;
+mod conic;
+mod picture_space;
+mod section;
+mod sphere_outline;
 
 use crate::{
     camera::View,
@@ -17,30 +17,37 @@ use crate::{
     },
     scene::{Object, Shape},
 };
-pub(super) use frame::{Frame, Shown};
 use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
+pub(super) use picture_space::{PictureSpace, Shown};
 
 /// Distance in pixels from `px` to the nearest edge of the triangle or face that was hit there, or to a sphere's
 /// outline. Only what lies at or behind the near plane and is kept by the section counts. `None` when nothing does, as
 /// inside a sphere, or when the distance overflows `f64`.
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
-    let polygon = |origin: DVec3, corners: &[DVec3]| {
-        polygon_px::<Enclosure>(view, px, placement, origin, corners)
-            .or_else(|InDoubt| polygon_px::<BigInt>(view, px, placement, origin, corners))
+    let nearest = if matches!(object.shape, Shape::Sphere) {
+        sphere_outline::distance_px(&PictureSpace::new(view, px).ok()?, placement)
+    } else {
+        let (origin, corners) = face_of(object, hit)?;
+        polygon_px::<Enclosure>(view, px, placement, origin, &corners)
+            .or_else(|InDoubt| polygon_px::<BigInt>(view, px, placement, origin, &corners))
             .ok()?
     };
-    let nearest = match &object.shape {
-        Shape::Sphere => outline::distance_px(&Frame::new(view, px).ok()?, placement),
-        Shape::Cube => polygon(DVec3::ZERO, &Cuboid::face(hit.normal)),
-        Shape::Square => polygon(DVec3::ZERO, &Square::corners()),
+    nearest.filter(|px| px.is_finite())
+}
+
+/// The triangle or face that was hit: an origin in object space and the corners about it; `None` on a sphere.
+pub(crate) fn face_of(object: &Object, hit: &Hit) -> Option<(DVec3, Vec<DVec3>)> {
+    match &object.shape {
+        Shape::Sphere => None,
+        Shape::Cube => Some((DVec3::ZERO, Cuboid::face(hit.normal).into())),
+        Shape::Square => Some((DVec3::ZERO, Square::corners().into())),
         Shape::Mesh { mesh, .. } => {
             let corners = mesh.vertex_corners(hit.on_triangle?.triangle);
-            polygon(mesh.data().origin, &corners)
+            Some((mesh.data().origin, corners.into()))
         }
-    };
-    nearest.filter(|px| px.is_finite())
+    }
 }
 
 /// Distance in pixels to the nearest side of a polygon given by its corners about an origin of object space.
@@ -51,11 +58,11 @@ fn polygon_px<I: Decided>(
     origin: DVec3,
     corners: &[DVec3],
 ) -> Result<Option<f64>, InDoubt> {
-    let frame = Frame::<I>::new(view, px)?;
+    let space = PictureSpace::<I>::new(view, px)?;
     let end = |&corner| {
         let world = vertex_world(placement, origin, corner);
-        let shown = frame.point(&world);
-        let sides = [Some(frame.behind_near(&shown)), frame.kept(&world)];
+        let shown = space.point(&world);
+        let sides = [Some(space.behind_near(&shown)), space.kept(&world)];
         End {
             picture: [shown.u, shown.v, shown.w],
             sides: sides.into_iter().flatten().collect(),
@@ -96,7 +103,7 @@ impl<I: Decided> End<I> {
 
     fn distance_px(&self) -> Result<f64, InDoubt> {
         let [u, v, w] = &self.picture;
-        frame::distance_px(u, v, w)
+        picture_space::distance_px(u, v, w)
     }
 }
 
@@ -132,7 +139,7 @@ fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt
         return to.distance_px().map(Some);
     }
     let offset = determinant([a_u, a_v], [b_u, b_v]);
-    frame::ratio(&offset, &line_u, &line_v).map(Some)
+    picture_space::ratio(&offset, &line_u, &line_v).map(Some)
 }
 
 /// Determinant of the matrix with these rows.

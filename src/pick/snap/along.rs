@@ -14,13 +14,6 @@ use crate::{
 use num_bigint::BigInt;
 
 impl Search<'_> {
-    /// The share of a side at which the picture shows it nearest to the position: that of the perpendicular's foot, or
-    /// of an end of what near, far and section leave.
-    pub(super) fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
-        let [share, ..] = self.nearest_and_ends(facet, corner)?;
-        Some(share)
-    }
-
     /// The share of the perpendicular's foot as [part, whole]; it may lie beyond the ends. `None` for a side that shows
     /// as a point.
     fn foot(shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
@@ -38,7 +31,7 @@ impl Search<'_> {
     fn ends(&self, facet: &Facet, corner: usize) -> ([DyadicVector; 2], [Shown<BigInt>; 2]) {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let ends = [at(0.0), at(1.0)];
-        let shown = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
+        let shown = [&ends[0], &ends[1]].map(|end| self.space.point(end));
         (ends, shown)
     }
 
@@ -66,7 +59,7 @@ impl Search<'_> {
     pub(super) fn shown(&self, candidate: &Candidate) -> (Shown<BigInt>, Dyadic) {
         let (_, ends) = self.ends(&candidate.facet, candidate.corner);
         let Some([part, whole]) = Self::is_foot(candidate, &ends) else {
-            return (candidate.shown(self.scene, &self.frame), Dyadic::new(1.0));
+            return (candidate.shown(self.scene, &self.space), Dyadic::new(1.0));
         };
         let rest = whole.minus(&part);
         let [a, b] = &ends;
@@ -80,8 +73,9 @@ impl Search<'_> {
         (shown, whole)
     }
 
-    /// The nearest share, and the first and last shares that are left.
-    fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
+    /// The share of a side at which the picture shows it nearest to the position (the perpendicular's foot or an end), and the
+    /// first and last shares that near, far and section leave.
+    pub(super) fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let (ends, shown) = self.ends(facet, corner);
         let [part, whole] = Self::foot(&shown)?;
@@ -90,7 +84,7 @@ impl Search<'_> {
         if (first..=last).contains(&share) {
             return Some([share, first, last]);
         }
-        let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
+        let away_px = |share: f64| self.space.point(&at(share)).distance_px().ok();
         let is_first = away_px(first)? <= away_px(last)?;
         Some([if is_first { first } else { last }, first, last])
     }
@@ -147,9 +141,9 @@ impl Search<'_> {
     /// nothing.
     fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
         let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
-        let near = both(&|end| self.frame.behind_near(&shown[end]));
-        let far = both(&|end| self.frame.before_far(&shown[end]));
-        let section = [self.frame.kept(&ends[0]), self.frame.kept(&ends[1])];
+        let near = both(&|end| self.space.behind_near(&shown[end]));
+        let far = both(&|end| self.space.before_far(&shown[end]));
+        let section = [self.space.kept(&ends[0]), self.space.kept(&ends[1])];
         let section = match section {
             [Some(a), Some(b)] => Some([a, b]),
             _ => None,

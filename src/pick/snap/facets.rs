@@ -1,6 +1,6 @@
 //! Flat faces that may show near a position, by their corners.
 
-use super::super::{beam, nearest::shows_part};
+use super::super::{beam::CornerRays, nearest::shown_object};
 use crate::{
     camera::View,
     geometry::{Cuboid, PlacedPoint, Placement, Pyramid, Square},
@@ -53,14 +53,17 @@ impl Facet {
 
 /// All visible facets that may show within a distance in pixels of a position.
 pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> Vec<Facet> {
-    let corners = beam::corners([px - radius_px, px + radius_px]).map(|px| view.ray(px));
-    let side_px = 2.0 * (radius_px + beam::ROOM);
-    let pyramid_in = |placement: &Placement| beam::pyramid(&corners, placement, side_px);
+    let corners = CornerRays::about(view, px, radius_px);
     let mut facets = Vec::new();
-    match pyramid_in(&Placement::IDENTITY) {
+    match corners.pyramid(&Placement::IDENTITY) {
         Some(pyramid) => scene.visit_batches_within(&pyramid, |batch| {
             let placement = &scene.objects()[batch.start].placement;
-            add(scene, batch, pyramid_in(placement).as_ref(), &mut facets);
+            add(
+                scene,
+                batch,
+                corners.pyramid(placement).as_ref(),
+                &mut facets,
+            );
             ControlFlow::Continue(())
         }),
         // From so far away that rounding merges the rays, any may show.
@@ -79,9 +82,7 @@ fn add(scene: &Scene, batch: &Range<usize>, pyramid: Option<&Pyramid>, facets: &
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let mut visit = |triangle: u32, corners: [DVec3; 3]| {
-                let part_hit = mesh.part_of(triangle);
-                if shows_part(scene, batch, *part, part_hit) {
-                    let object = batch.start + part_hit - part;
+                if let Some(object) = shown_object(scene, batch, *part, mesh.part_of(triangle)) {
                     let origin = mesh.data().origin;
                     facets.push(Facet::new(object, Some(triangle), origin, &corners));
                 }

@@ -1,4 +1,4 @@
-//! Snapping: what lies nearest to a position, a vertex, else a point of an edge, else what is picked there.
+//! Snapping: the vertex nearest to a position, else the nearest point of an edge, else the pick.
 //!
 //! Within a radius in pixels, the nearest *visible* vertex wins ([`sight`] decides, exactly). Failing that, the nearest
 //! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section
@@ -18,7 +18,7 @@ pub use record::{Snap, SnapLine, object_area};
 
 use super::{
     SceneHit,
-    edge::{Frame, Shown},
+    edge::{PictureSpace, Shown},
     measure::ExactPoint,
     sight::{Sight, sight},
 };
@@ -73,8 +73,8 @@ impl Candidate {
     }
 
     /// As the picture shows it.
-    fn shown(&self, scene: &Scene, frame: &Frame<BigInt>) -> Shown<BigInt> {
-        frame.point(&dyadic::point_world(&self.point(scene)))
+    fn shown(&self, scene: &Scene, space: &PictureSpace<BigInt>) -> Shown<BigInt> {
+        space.point(&dyadic::point_world(&self.point(scene)))
     }
 }
 
@@ -85,7 +85,7 @@ const ALIKE: f64 = 1e-12;
 struct Search<'a> {
     scene: &'a Scene,
     view: &'a View,
-    frame: Frame<BigInt>,
+    space: PictureSpace<BigInt>,
     px: DVec2,
     radius_px: f64,
 }
@@ -97,19 +97,19 @@ fn snapped(
     (px, radius_px): (DVec2, f64),
     faces: &mut Faces,
 ) -> Snapped {
-    if let Ok(frame) = Frame::new(view, px) {
+    if let Ok(space) = PictureSpace::new(view, px) {
         let search = Search {
             scene,
             view,
-            frame,
+            space,
             px,
             radius_px,
         };
-        let facets: Vec<_> = facets(scene, view, px, radius_px);
-        if let Some(vertex) = search.vertex(px, &facets) {
+        let facets = facets(scene, view, px, radius_px);
+        if let Some(vertex) = search.vertex(&facets) {
             return Snapped::Vertex(vertex);
         }
-        if let Some(edge) = search.edge(px, &facets, faces) {
+        if let Some(edge) = search.edge(&facets, faces) {
             let exact = search.exact(&edge);
             return Snapped::Edge(edge, exact);
         }
@@ -118,13 +118,10 @@ fn snapped(
 }
 
 impl Search<'_> {
-    fn vertex(&self, px: DVec2, facets: &[Facet]) -> Option<Candidate> {
-        let corners = facets
-            .iter()
-            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
-        let candidates = corners.filter_map(|(facet, corner)| {
+    fn vertex(&self, facets: &[Facet]) -> Option<Candidate> {
+        let candidates = sides(facets).filter_map(|(facet, corner)| {
             let [a, _] = self.roughly(facet, corner);
-            let is_near = a.is_none_or(|a| a.distance(px) <= self.radius_px + 1.0);
+            let is_near = a.is_none_or(|a| a.distance(self.px) <= self.radius_px + 1.0);
             is_near
                 .then(|| self.candidate(facet, corner, 0.0))
                 .flatten()
@@ -132,21 +129,19 @@ impl Search<'_> {
         self.first(candidates.collect(), |_, _| Vec::new(), |_| true)
     }
 
-    fn edge(&self, px: DVec2, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
-        let sides = facets
-            .iter()
-            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
-        let candidates = sides.filter_map(|(facet, corner)| {
+    fn edge(&self, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
+        let candidates = sides(facets).filter_map(|(facet, corner)| {
             let is_near = match self.roughly(facet, corner) {
                 [Some(a), Some(b)] => {
                     let along = b - a;
-                    let share = ((px - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    let share = ((self.px - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
                     // True, too, where both ends are one point and the share is NaN.
-                    !(px.distance(a + share * along) > self.radius_px + 1.0)
+                    !(self.px.distance(a + share * along) > self.radius_px + 1.0)
                 }
                 _ => true,
             };
-            let share = is_near.then(|| self.nearest(facet, corner)).flatten()?;
+            let nearest = is_near.then(|| self.nearest_and_ends(facet, corner));
+            let [share, ..] = nearest.flatten()?;
             self.candidate(facet, corner, share)
         });
         let beside = |hidden: &Candidate, by: &SceneHit| self.beside(hidden, by);
@@ -184,7 +179,7 @@ impl Search<'_> {
             share,
             away_px: 0.0,
         };
-        let shown = candidate.shown(self.scene, &self.frame);
+        let shown = candidate.shown(self.scene, &self.space);
         if !shown.w.sign().is_gt() {
             return None;
         }
@@ -245,6 +240,12 @@ impl Search<'_> {
             })
             .then_with(|| name(a).cmp(&name(b)))
     }
+}
+
+/// Each side of facets, with the index of its first corner.
+fn sides(facets: &[Facet]) -> impl Iterator<Item = (&Facet, usize)> {
+    let corners = |facet: &Facet| 0..facet.corners().len();
+    (facets.iter()).flat_map(move |facet| corners(facet).map(move |corner| (facet, corner)))
 }
 
 /// The indices in a polygon of the ends of a triangle's side; `None` for a side that triangulation added. Corners are

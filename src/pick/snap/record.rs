@@ -106,21 +106,15 @@ impl Snap {
         let triangle = facet.triangle;
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
-            let corners = face
-                .corners
-                .get((triangle - face.triangles.start) as usize)?;
-            match to {
-                SnapTo::Vertex => Some(vec![corners[corner] as usize]),
-                _ => side_of(face, triangle, corner).map(Vec::from),
-            }
-            .map(|places| {
-                places
-                    .into_iter()
-                    .map(|place| face.vertices[place].clone())
-                    .collect()
-            })
+            let first = face.triangles.start;
+            let corners = face.corners.get((triangle - first) as usize)?;
+            let places = match to {
+                SnapTo::Vertex => vec![corners[corner] as usize],
+                _ => side_of(face, triangle, corner)?.into(),
+            };
+            let vertex = |place: usize| face.vertices[place].clone();
+            Some(places.into_iter().map(vertex).collect::<Vec<_>>())
         });
-        let of_file: Option<Vec<VertexInFile>> = of_file;
         let written =
             |vertex: &VertexInFile| ExactPoint::written(&object.placement, &vertex.written);
         let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);

@@ -1,9 +1,9 @@
 //! Distance in pixels to a sphere's outline, where rays of the picture touch it.
 
 use super::{
-    frame::{Frame, Shown},
-    kept::Kept,
-    nearest::Arcs,
+    conic::Arcs,
+    picture_space::{PictureSpace, Shown},
+    section::Kept,
 };
 use crate::geometry::{
     Placement,
@@ -58,8 +58,8 @@ pub(super) struct Part {
 
 /// Distance in pixels to the part of a sphere's outline at or behind the near plane that the section keeps; `None` when
 /// there is none.
-pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Option<f64> {
-    let circle = Circle::new(frame, placement)?;
+pub(super) fn distance_px(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<f64> {
+    let circle = Circle::new(space, placement)?;
     if !circle.is_visible() {
         return None;
     }
@@ -76,8 +76,8 @@ pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Optio
 
 impl Circle {
     /// `None` unless the eye is outside.
-    fn new(frame: &Frame<BigInt>, placement: &Placement) -> Option<Self> {
-        let grid = &frame.grid;
+    fn new(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<Self> {
+        let grid = &space.grid;
         let (eye, forward, determinant) = to_object(placement, grid.eye, grid.forward);
         let (o, m) = if grid.is_orthographic {
             (forward, Dyadic::new(0.0))
@@ -94,7 +94,7 @@ impl Circle {
         let model = placement.model();
         let linear = model.matrix3;
         let axes = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| frame.direction(&DyadicVector::new(axis)));
+            .map(|axis| space.direction(&DyadicVector::new(axis)));
         let row = |of: fn(&Shown<BigInt>) -> &Dyadic| {
             DyadicVector::of(&axes.each_ref().map(|axis| of(axis).clone()))
         };
@@ -103,15 +103,15 @@ impl Circle {
         let steepest = o.cross(&row(|p| &p.depth));
         let is_level = steepest.is_zero();
         let b = if is_level { across(&o) } else { steepest };
-        let center = frame.point(&DyadicVector::new(model.translation));
+        let center = space.point(&DyadicVector::new(model.translation));
         let (a, q) = (b.cross(&o), b.dot(&b));
-        let kept = Kept::new(frame, placement, [&o, &a, &b], [&m, &four_g, &q]);
+        let kept = Kept::new(space, placement, [&o, &a, &b], [&m, &four_g, &q]);
         Some(Self {
             a: shown(&a),
             kq: k.times(&q),
             b: shown(&b),
             threshold: (m_squared.times(&center.depth))
-                .minus(&four_g.times(&frame.behind_near(&center))),
+                .minus(&four_g.times(&space.behind_near(&center))),
             center: [center.u, center.v, center.w],
             g,
             is_level,

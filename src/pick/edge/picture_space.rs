@@ -17,7 +17,7 @@ use glam::DVec2;
 /// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
 /// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
 /// two are `u` and `v`, and 2 h |D| s is `w`.
-pub(in crate::pick) struct Frame<I> {
+pub(in crate::pick) struct PictureSpace<I> {
     pub(in crate::pick) grid: PixelGrid,
     u: Row<I>,
     v: Row<I>,
@@ -49,11 +49,11 @@ pub(in crate::pick) struct Shown<I> {
     pub(in crate::pick) v: Number<I>,
     /// Above 0 in front of the eye.
     pub(in crate::pick) w: Number<I>,
-    /// The ray's t there, times the frame's |D|.
+    /// The ray's t there, times |D|.
     pub(in crate::pick) depth: Number<I>,
 }
 
-impl<I: Decided> Frame<I> {
+impl<I: Decided> PictureSpace<I> {
     pub(in crate::pick) fn new(view: &View, px: DVec2) -> Result<Self, InDoubt> {
         let grid = view.camera.pixel_grid(view.viewport);
         let [right, up, forward, eye] =
@@ -140,7 +140,7 @@ impl<I: Decided> Frame<I> {
         Some(section.normal.dot(world).plus(&section.constant))
     }
 
-    /// How much a step along a direction changes [`Frame::kept`].
+    /// How much a step along a direction changes [`PictureSpace::kept`].
     pub(super) fn kept_along(&self, direction: &Vector<I>) -> Option<Number<I>> {
         Some(self.section.as_ref()?.normal.dot(direction))
     }

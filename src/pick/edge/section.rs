@@ -1,6 +1,6 @@
 //! The part of a sphere's outline that a section keeps.
 
-use super::{frame::Frame, outline::Part};
+use super::{picture_space::PictureSpace, sphere_outline::Part};
 use crate::geometry::{
     Placement,
     dyadic::{Dyadic, DyadicVector},
@@ -8,7 +8,7 @@ use crate::geometry::{
 use num_bigint::BigInt;
 
 /// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0: n . p + c times 4 g q, with the
-/// names of [`Circle`](super::outline::Circle).
+/// names of [`Circle`](super::sphere_outline::Circle).
 pub(super) struct Kept {
     middle: Dyadic,
     a: Dyadic,
@@ -18,16 +18,16 @@ pub(super) struct Kept {
 impl Kept {
     /// From the outline circle's o, a and b, and m, 4 g and q; `None` without a section.
     pub fn new(
-        frame: &Frame<BigInt>,
+        space: &PictureSpace<BigInt>,
         placement: &Placement,
         [o, a, b]: [&DyadicVector; 3],
         [m, four_g, q]: [&Dyadic; 3],
     ) -> Option<Self> {
         let model = placement.model();
         let linear = model.matrix3;
-        let of_center = frame.kept(&DyadicVector::new(model.translation))?;
+        let of_center = space.kept(&DyadicVector::new(model.translation))?;
         let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| frame.kept_along(&DyadicVector::new(axis)));
+            .map(|axis| space.kept_along(&DyadicVector::new(axis)));
         let normal = DyadicVector::of(&[x?, y?, z?]);
         let middle = (four_g.times(&of_center)).plus(&m.times(&normal.dot(o)));
         Some(Self {

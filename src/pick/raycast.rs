@@ -45,17 +45,8 @@ pub fn ids_by(
     view: &View,
     pick: impl Fn(DVec2) -> Option<SceneHit> + Sync,
 ) -> Image<Id> {
-    let ids = each_pixel(view, |px| id_or_none(scene, pick(px)));
+    let ids = each_in_tiles(view, |_| |px| id_or_none(scene, pick(px)));
     Image::new(view.viewport, ids)
-}
-
-/// `cast` for the centre of each pixel, row by row from the top, on all cores.
-#[must_use]
-pub(crate) fn each_pixel<T: Clone + Default + Send>(
-    view: &View,
-    cast: impl Fn(DVec2) -> T + Sync,
-) -> Vec<T> {
-    each_in_tiles(view, |_| &cast)
 }
 
 /// `cast` for the ray through the centre of each pixel, row by row from the top, on all cores.

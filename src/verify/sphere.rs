@@ -2,7 +2,7 @@
 
 use super::{
     OUTLINE_CEILING_PX,
-    bound::{self, Cut, Outline, Reason, Stored},
+    bound::{self, Outline, Reason, Stored},
     section::Sectioned,
     surface::{Depths, Source, Surface},
 };
@@ -71,12 +71,8 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(past_near));
         let near_error = depths.near_error(&error, false);
         let cut_error = near_error * depths.stored_per_depth(0.0);
-        let cut = Cut {
-            gap: past_near.abs(),
-            grid: 0.0,
-            f32: near_error,
-        };
-        let cut = cut.reason(bound::beyond_f32(0.0, cut_error, ceiling(0.0)));
+        let cut_beyond = bound::beyond_f32(0.0, cut_error, ceiling(0.0));
+        let cut = Reason::at_near_plane(past_near.abs(), [0.0, near_error], cut_beyond);
         Surface {
             loose: (rim.reason().into_iter().chain(cut))
                 .chain(sections[i].reason)
