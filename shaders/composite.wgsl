@@ -1,4 +1,4 @@
-// The selection's outline, and the picture with its marks on any target.
+// The selection's outline, and the copy of the picture with its marks to a target.
 
 struct Composite {
     origin_px: vec2<f32>,
@@ -14,18 +14,18 @@ struct Composite {
 @group(0) @binding(0) var<uniform> composite: Composite;
 @group(0) @binding(1) var picture: texture_2d<f32>;
 @group(0) @binding(2) var ids: texture_2d<u32>;
-// The selected object, seen through everything, when the selection is drawn; then how much of each pixel is outline.
+// For `outline`: 1 where the selected object is, even if hidden. For `selection`: how much of each pixel is outline.
 @group(0) @binding(3) var marks: texture_2d<f32>;
 
 fn inside(px: vec2<f32>, by: vec2<f32>) -> f32 {
-    // Past the picture's border its last pixel goes on, so that no outline runs along the border.
+    // Beyond the picture's border its last pixel continues, so that no outline runs along the border.
     let last = vec2<i32>(textureDimensions(marks)) - 1;
     let at = vec2<i32>(floor(px + composite.outline_px * by));
     return textureLoad(marks, clamp(at, vec2<i32>(0), last), 0).r;
 }
 
-// How much of a pixel is outline: most where half of a disc about it is inside the object. Unrolled: loops are slow on
-// software adapters.
+// How much of a pixel is outline: most where half of a disc about it lies inside the object. Unrolled, since loops are
+// slow on software adapters.
 @fragment
 fn outline(@builtin(position) position: vec4<f32>) -> @location(0) f32 {
     let px = position.xy;
@@ -45,7 +45,7 @@ fn pixel(position: vec4<f32>) -> vec2<i32> {
     return vec2<i32>((position.xy - composite.origin_px) / composite.coarseness);
 }
 
-// Values as they are: neither side converts sRGB.
+// Values are copied as they are: neither side converts sRGB.
 @fragment
 fn copy(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return textureLoad(picture, pixel(position), 0);
@@ -56,7 +56,7 @@ fn luminance(colour: vec3<f32>) -> f32 {
     return dot(colour, vec3<f32>(0.2126, 0.7152, 0.0722));
 }
 
-// What a pixel shows with its marks but the outline: look::tinted where it is selected, more light where it is hovered.
+// A pixel with its marks, without the outline: look::tinted where it is selected, brighter where it is hovered.
 fn marked(px: vec2<i32>) -> vec3<f32> {
     let colour = textureLoad(picture, px, 0).rgb;
     let object = textureLoad(ids, px, 0).r;
@@ -66,13 +66,13 @@ fn marked(px: vec2<i32>) -> vec3<f32> {
     return select(tinted, lit, object == composite.hover);
 }
 
-// Over the copy, where the hovered object may be.
+// Drawn over the copy, where the hovered object may be.
 @fragment
 fn hover(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     return vec4<f32>(marked(pixel(position)), 1.0);
 }
 
-// And then where the selected object may be, with its outline.
+// Drawn last, where the selected object may be, with its outline.
 @fragment
 fn selection(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let px = pixel(position);

@@ -31,13 +31,13 @@ struct ObjectState {
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> objects: array<ObjectState>;
 
-// From x, y and measured depth, and view depth, to clip space.
+// Clip-space position from x, y and measured depth, and view depth.
 fn project(view: vec3<f32>, view_depth: f32) -> vec4<f32> {
     let w = select(1.0, view_depth, frame.perspective == 1u);
     return vec4<f32>(view.xy * frame.ndc_per_view, frame.clip_per_depth * view.z, w);
 }
 
-// The unit vector along v; zero for zero.
+// The unit vector along v; 0 for 0.
 fn unit(v: vec3<f32>) -> vec3<f32> {
     let size = length(v);
     return select(vec3<f32>(0.0), v / size, size > 0.0);
@@ -56,7 +56,7 @@ struct ColourAndId {
     @location(1) id: vec2<u32>,
 }
 
-// Whether the section keeps what lies at a position of the picture: q is 1 / w in perspective, else the stored depth.
+// Whether the section keeps a fragment: q is 1 / w in perspective, else the stored depth.
 fn kept(px: vec2<f32>, q: f32) -> bool {
     let at = px - 0.5 * frame.viewport_px;
     let aside = frame.section_per_px * at;
@@ -65,7 +65,7 @@ fn kept(px: vec2<f32>, q: f32) -> bool {
     return frame.section_start + aside.x + aside.y + ahead >= -frame.section_slack * terms;
 }
 
-// A fragment's q.
+// The q of a fragment.
 fn q_of(position: vec4<f32>) -> f32 {
     return select(position.z, position.w, frame.perspective == 1u);
 }

@@ -1,6 +1,7 @@
-// Triangles: meshes, cubes and squares. Entry points that number them are in files of their own.
+// Triangles: meshes, cubes and squares. Entry points that need triangle numbers are in mesh_by_corner and
+// mesh_by_primitive.
 
-// Of each instance. Attributes, since rasterisers in software load each number of a storage buffer by itself.
+// Attributes of an instance, since software rasterisers load each number of a storage buffer by itself.
 struct Batch {
     @location(4) pivot_and_view_depth: vec4<f32>,
     @location(5) linear_x: vec3<f32>,
@@ -28,22 +29,22 @@ struct Corner {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) normal_view: vec3<f32>,
     @location(1) albedo: vec3<f32>,
-    // Object, what added to the primitive index (if that is known) gives the triangle's id, and flags. In one:
-    // rasterisers in software pay for each vector that a triangle carries.
+    // Object; the triangle's id minus the primitive index (where there is one); flags. In one vector: software
+    // rasterisers pay for each that a triangle carries.
     @location(2) @interpolate(flat) own: vec3<u32>,
 }
 
-// A corner of the draw's triangle of this number, or of 0 where only fragments know it.
+// A corner of the draw's triangle with this number; 0 where only the fragment shader knows it.
 fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     let object = in.part + batch.numbers.x;
     let state = objects[object];
     var out: Corner;
-    // Subtracting the pivot first is exact near it: that is where the digits go.
+    // Subtracting the pivot first is exact near it, where the digits are needed.
     let linear = mat3x3<f32>(batch.linear_x, batch.linear_y, batch.linear_z);
     let from_pivot = linear * (in.position - batch.pivot_and_view_depth.xyz);
     out.clip = project(from_pivot + batch.translation, from_pivot.z + batch.pivot_and_view_depth.w);
     if state.visible == 0u {
-        // All corners at one point outside the picture: no triangle is left.
+        // All corners at one point outside the picture: nothing is drawn.
         out.clip = vec4<f32>(2.0, 2.0, 2.0, 1.0);
     }
     out.normal_view = mat3x3<f32>(batch.normal_x, batch.normal_y, batch.normal_z) * in.normal;
@@ -53,7 +54,7 @@ fn corner(in: Vertex, batch: Batch, triangle: u32) -> Corner {
     return out;
 }
 
-// Back faces in their own colour, or in that of a solid's inside.
+// The shaded colour; back faces get that of a solid's inside where a section cuts.
 fn lit(in: Corner, winding_front: bool, is_cut: bool) -> vec4<f32> {
     let front = winding_front != ((in.own.z & MIRRORS) != 0u);
     let albedo = select(in.albedo, frame.inside, is_cut && !front);
@@ -69,7 +70,7 @@ fn colour(in: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f
     return lit(in, front, false);
 }
 
-// Dark, as thin as lines are.
+// Dark, since lines are thin.
 const EDGE = vec4<f32>(0.005, 0.005, 0.008, 1.0);
 
 @fragment
@@ -90,7 +91,7 @@ fn cut(in: Corner) {
     }
 }
 
-// Naming the sample makes the shader run once for each: the cut is smoothed like edges.
+// Naming the sample index makes the shader run per sample: the cut is antialiased like edges.
 @fragment
 fn colour_cut(in: Corner, @builtin(front_facing) front: bool, @builtin(sample_index) sample: u32) -> @location(0) vec4<f32> {
     cut(in);

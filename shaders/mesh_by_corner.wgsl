@@ -1,4 +1,4 @@
-// Triangles numbered by their corners, of which each has three to itself, for adapters without a primitive index.
+// Triangles numbered by vertex index, for adapters without a primitive index: no triangle shares its three vertices.
 
 @vertex
 fn vertex(in: Vertex, batch: Batch, @builtin(vertex_index) index: u32) -> Corner {

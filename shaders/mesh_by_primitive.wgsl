@@ -1,4 +1,4 @@
-// Triangles numbered by the index that the adapter gives each primitive.
+// Triangles numbered by the adapter's primitive index.
 
 @vertex
 fn vertex(in: Vertex, batch: Batch) -> Corner {

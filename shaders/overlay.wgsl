@@ -1,4 +1,4 @@
-// What is in the picture but not in the ids: the background and lines.
+// What the picture shows but ids do not: the background and lines.
 
 struct LineVertex {
     @location(0) position: vec4<f32>,

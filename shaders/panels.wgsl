@@ -1,4 +1,4 @@
-// The panels' picture over the frame, and a part of it emptied.
+// The panels' picture drawn over the frame, and clearing a part of it.
 
 @group(0) @binding(0) var panels: texture_2d<f32>;
 

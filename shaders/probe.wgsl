@@ -1,5 +1,5 @@
-// Triangles in pixels, one side of each a little past the centre of a pixel that it leaves out: it takes the pixel where
-// the rasteriser's grid moves that side onto the centre.
+// Measures the rasteriser's grid: triangles in pixel coordinates, each with a side that misses a pixel's centre by a
+// little. A triangle covers that pixel only where the grid moves the side onto the centre.
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
@@ -8,13 +8,13 @@ struct Corner {
 
 const SIZE_PX = vec2<f32>(16.0, 8.0);
 
-// Corner `index` of all. Four groups of eight triangles, each in a lane of its own: in rows, left of what they leave out
-// and right of it, then in columns, above and below. The one in lane i is past the centre by 3/4 of half of 2^-(i + 1).
+// Corner `index` of all. Four groups of eight triangles, one triangle per lane: in rows, left and right of the missed
+// pixels, then in columns, above and below. The one in lane i misses the centre by 3/4 of half of 2^-(i + 1).
 fn probe(index: u32) -> vec4<f32> {
     let triangle = index / 3u;
     let lane = triangle % 8u;
     let past = 0.5 + ldexp(0.375, -1 - i32(lane));
-    // Along the lane, and across it.
+    // x along the lane, y across it.
     var at = vec2<f32>(past, f32(index % 3u));
     if index % 3u == 2u {
         at = vec2<f32>(3.5, 0.5);

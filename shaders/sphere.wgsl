@@ -1,4 +1,4 @@
-// Spheres and ellipsoids as impostors: a rectangle that holds the outline, and the ray's quadratic at each pixel.
+// Spheres and ellipsoids as impostors: a rectangle around the outline, and the ray's quadratic solved at each pixel.
 
 struct Quadratic {
     linear: vec3<f32>,
@@ -48,9 +48,9 @@ fn evaluate(q: Quadratic, at: vec2<f32>) -> f32 {
 }
 
 struct Surface {
-    // What the depth buffer stores.
+    // As the depth buffer stores it.
     depth: f32,
-    // Of the side that is seen.
+    // The normal of the side that is seen.
     normal_view: vec3<f32>,
     front: bool,
 }
@@ -62,20 +62,20 @@ fn clip(index: u32, s: f32) -> vec2<f32> {
     return vec2<f32>(frame.clip_per_depth * (spheres[index].depth + ahead), w);
 }
 
-// Near belongs to the picture, far does not.
+// The near plane belongs to the picture, the far plane does not.
 fn in_range(clip: vec2<f32>) -> bool {
     let standard = 0.0 <= clip.x && clip.x < clip.y;
     let reversed = 0.0 < clip.x && clip.x <= clip.y;
     return select(reversed, standard, frame.clip_per_depth > 0.0);
 }
 
-// Whether a root is shown that has this clip z and w: between near and far, and kept by the section where one cuts.
+// Whether a root with this clip z and w is shown: between near and far, and kept by the section if one cuts.
 fn shows(px: vec2<f32>, clip: vec2<f32>, is_cut: bool) -> bool {
     let q = select(clip.x, 1.0 / clip.y, frame.perspective == 1u);
     return in_range(clip) && (!is_cut || kept(px, q));
 }
 
-// The first surface that is shown at a position in the picture; discards where there is none.
+// The first surface that is shown at a pixel position; discards the fragment where there is none.
 fn surface(index: u32, px: vec2<f32>, is_cut: bool) -> Surface {
     let sphere = &spheres[index];
     let at = px - (*sphere).pivot_px;
@@ -116,7 +116,7 @@ struct IdDepth {
     @builtin(frag_depth) depth: f32,
 }
 
-// The back in the sphere's colour, or in that of a solid's inside.
+// The shaded colour; the back gets that of a solid's inside where a section cuts.
 fn lit(index: u32, seen: Surface, is_cut: bool) -> vec4<f32> {
     let albedo = select(objects[spheres[index].object].colour, frame.inside, is_cut && !seen.front);
     return vec4<f32>(shade(albedo, seen.normal_view), 1.0);
@@ -126,7 +126,7 @@ fn id_of(index: u32) -> vec2<u32> {
     return vec2<u32>(spheres[index].object + 1u, 0u);
 }
 
-// Naming the sample makes the shader run once for each: the outline is smoothed like that of triangles.
+// Naming the sample index makes the shader run per sample: the outline is antialiased like that of triangles.
 @fragment
 fn colour(in: Corner, @builtin(sample_index) sample: u32) -> Colour {
     let seen = surface(in.sphere, in.position.xy, false);

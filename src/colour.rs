@@ -1,4 +1,4 @@
-//! Colours as files and screens write them, and as light adds up.
+//! Colours in sRGB, as files and screens have them, and in linear light, which adds up.
 
 use std::sync::LazyLock;
 
@@ -7,9 +7,9 @@ use std::sync::LazyLock;
 pub struct Srgb(pub [u8; 3]);
 
 impl Srgb {
-    /// What a surface without a colour of its own gets.
+    /// The colour of a surface without one of its own.
     pub const NEUTRAL: Self = Self([200, 200, 204]);
-    /// All light.
+    /// White.
     pub const WHITE: Self = Self([255; 3]);
 
     /// From channels in `[0, 1]`, clamped; NaN becomes 0.
@@ -50,11 +50,11 @@ static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
 /// See [`Steps`].
 static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
 
-/// Where the value of a channel changes as light grows: [`encode`] takes a power, which is most of what a ray costs.
+/// [`encode`] as a table: its power would be most of a ray's cost.
 struct Steps {
-    /// The least light of each value, and none of what would be the next.
+    /// The least light that encodes to each value; infinity past the last.
     least: [f32; 257],
-    /// The value at so many 4096ths of light, which is as finely as values change.
+    /// The value at each 4096th of light; within one, it grows by at most 1.
     values: [u8; 4097],
 }
 
@@ -84,9 +84,9 @@ impl Steps {
         Self { least, values }
     }
 
-    /// The channel's value for light.
+    /// The channel's value for this light.
     fn value(&self, light: f32) -> u8 {
-        // Written so that NaN is dark.
+        // The comparison makes NaN dark.
         let light = if light > 0.0 { light.min(1.0) } else { 0.0 };
         #[expect(
             clippy::cast_possible_truncation,
@@ -122,7 +122,7 @@ fn decode(c: f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// Around each step, and for light in between.
+    /// Near each step, and for evenly spread light.
     #[test]
     fn values_are_those_of_the_formula() {
         let mut steps = 0;

@@ -11,13 +11,13 @@
 //! | feature | adds |
 //! |---|---|
 //! | `files` | OBJ and scene files, read and written; the demo and the gallery; PNG files |
-//! | `render` | drawing by wgpu, and `verify`, which compares it with picks |
-//! | `study` | methods beside exact arithmetic; brings `files` and `render` |
+//! | `render` | drawing by wgpu, and `verify`, which compares drawings with picks |
+//! | `study` | ray methods measured against exact arithmetic; brings `files` and `render` |
 //! | `window`, on by default | window, command line and the program; brings all of the above |
 //!
-//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may ask one scene at a time. What cannot be is a
-//! miss (`None`) or an error; who names an object or triangle by an index that is not there is told by a panic. Vectors and
-//! matrices are those of [`glam`], which is handed on.
+//! Everything is `Send` and `Sync`, and a pick changes nothing: many threads may ask one scene at a time. Impossible
+//! input is a miss (`None`) or an error; the index of an object or triangle that does not exist panics. Vectors and
+//! matrices are those of [`glam`], which is re-exported.
 //!
 //! **Picks in a scene of your own.** The camera's numbers are what a renderer has already:
 //!
@@ -150,11 +150,26 @@
 //! ```
 //!
 //! Imports point one way: `geometry` <- `camera` <- `scene` <- `pick`, `render` <- `verify`, `study` <- `viewer` <-
-//! `cli`; those of one step do not know each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit and
-//! egui. What the core is (above) names nothing of the others, nor does `scene` of what it adds for files (`scene/files`).
-//! `colour`, `image`, `json`, `look` (light, and what each colour means) and `replace` (files that are written whole or not
-//! at all) stand beside them and know none of these, but that an image has a `camera::Viewport`. `tests/imports` holds all of
-//! that.
+//! `cli`; modules of one step do not import each other. Only `render` and `viewer` know wgpu; only `viewer` knows winit
+//! and egui. The core (above) names nothing of the other modules, and `scene` nothing of `scene/files`. `colour`,
+//! `image`, `json`, `look` (light, and what each colour means) and `replace` (writes a file whole or not at all) stand
+//! beside these and import none of them, except that an image has a `camera::Viewport`. `tests/imports` checks all of
+//! this.
+//!
+//! # Where to look
+//!
+//! The folders and files are named for what they hold; these are the ones that are hard to guess:
+//!
+//! | what | where |
+//! |---|---|
+//! | whether a hit lies between near and far | `geometry/interval.rs`, exactly `geometry/exact` |
+//! | which of two hits comes first: ties | `pick/order.rs` |
+//! | which of two touching surfaces is drawn | `render/order.rs` |
+//! | how far `f32` moves what is drawn | `render/transform.rs`, `render/sphere.rs`; in pixels `verify/polygon.rs`, `verify/sphere.rs` |
+//! | a camera from flags or from a scene file | `camera/choice.rs` |
+//! | work on all cores | `geometry/shares.rs` |
+//! | a scene without most of its triangles, for one pick | `scene/narrowed.rs`, `pick/narrowed.rs` |
+//! | how fine a moving picture is drawn | `viewer/screen/finish.rs`, `viewer/screen/pace.rs` |
 //!
 //! # Spaces
 //!
@@ -166,63 +181,66 @@
 //! | clip, NDC | x, y in \[-1, 1\], y up; z in \[0, 1\], by default reversed: near is 1 | [`camera::Camera::projection`] |
 //! | pixel | physical pixels from the top left corner, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | [`camera::Viewport`] |
 //!
-//! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin a file. The GPU gets matrices that were
-//! composed in `f64` (in pairs of them where that is too coarse) about a point near what the camera looks at, so that large
+//! Everything on the CPU is `f64`; vertices are `f32` about one `f64` origin per file. Matrices for the GPU are
+//! composed in `f64` (in pairs of `f64` where one is too coarse) about a point near what the camera looks at: large
 //! coordinates and close views stay sharp.
 //!
 //! # Words
 //!
-//! * **in one place**: of surfaces, closer together at a position than drawing can tell ([`verify::Places`]).
+//! * **in one place**: said of surfaces that lie closer together at a position than drawing can resolve
+//!   ([`verify::Places`]).
 //! * **placement**: an object's model matrix and its inverse.
-//! * **view**: camera, viewport, whether back faces show, and the section: all that decides, with the scene, what a pixel shows
-//!   ([`camera::View`]); *view space* is the camera's.
+//! * **view**: camera, viewport, whether back faces show, and the section: with the scene, they decide what a pixel
+//!   shows ([`camera::View`]). *View space* is the camera's.
 //! * **stored numbers**: those of camera, placements and vertices, which picks take as exact ([`pick`]).
-//! * **t**: the ray parameter; rays keep it when they change spaces. The direction of a pixel's ray is not normalised, so
-//!   its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is what the GPU counts in
-//!   place of it, from where it keeps most digits ([`render::transform::depth_origin`]).
+//! * **t**: the ray parameter; rays keep it when they change spaces. The direction of a pixel's ray is not normalised,
+//!   so its t is view depth. **distance** is from the eye; **depth** is along F; **measured depth** is depth as the GPU
+//!   counts it, from the plane where `f32` keeps most digits ([`render::transform::depth_origin`]).
 //! * **near, far**: planes at a *depth*. They clip the picture and, as `t_min` and `t_max`, the ray.
-//! * **section**: a plane that cuts the world: what lies behind it is neither drawn nor hit ([`geometry::Section`]). It bounds
-//!   the ray as near and far do, exactly.
-//! * **bound**: how far a rounded number may be from the exact one, at most. Rays carry theirs
-//!   ([`geometry::RayError`]). **In doubt**: a decision that a bound leaves open, and that exact arithmetic makes.
+//! * **section**: a plane that cuts the world: what lies behind it is neither drawn nor hit ([`geometry::Section`]). It
+//!   bounds the ray exactly, as near and far do.
+//! * **bound**: the most by which a rounded number may differ from the exact one. Rays carry theirs
+//!   ([`geometry::RayError`]). **In doubt**: a decision that a bound leaves open and exact arithmetic makes.
+//!   **Filter**: a cheap test that may decide before the exact one.
 //! * **part**: one object of a file; its triangles are a range of the file's mesh.
-//! * **batch**: objects that are drawn, and asked for hits, as one: parts of one mesh in one place, or a single object.
+//! * **batch**: objects that are drawn and tested for hits together: parts of one mesh under one placement, or a single
+//!   object.
 //! * **front**: the ray runs against the outward normal. Normals are never flipped.
 //! * **pivot**: the world point that the mouse turns the view about; in `render`, the point that is subtracted from
 //!   vertices or pixels before they become `f32`.
-//! * **at rest**: of the window's picture, that nothing has moved in it for a moment: its edges are made smooth. *Rough*:
-//!   that they are not yet. Ids are the same in both. *Coarse*: that its pixels are larger than the window's, as those of
-//!   a picture that moves are in software.
-//! * **stage**: how far along M, V, P something is shown: object, world, view, NDC ([`viewer::model::Stage`]). The *four
-//!   views* show them, each seen by an *observer* of its own; what is in none of them is the *picture*, the camera's.
-//! * **followed**: of a point, that it is shown at each stage: the pick's, or what is under the cursor.
-//! * **step**: what takes a change of the window's state back ([`viewer::model::State::next_step`]).
+//! * **at rest**: the window's picture when nothing has moved for a moment; its edges are then smooth. Until then it is
+//!   *rough*. Ids are the same in both. *Coarse*: with pixels larger than the window's, as a moving picture has on a
+//!   software adapter.
+//! * **stage**: a space along M, V, P that is shown: object, world, view, NDC ([`viewer::model::Stage`]). The *four
+//!   views* show one each, seen by an *observer* of its own. The *picture* is the camera's and none of these four.
+//! * **followed**: the point that is shown at every stage: the pick's, or the one under the cursor.
+//! * **step**: undoes one change of the window's state ([`viewer::model::State::next_step`]).
 //! * **exhibit**: a scene of the failure gallery ([`scene::gallery::Exhibit`]).
 //!
 //! # To add
 //!
-//! **A shape.** Give it a file in `geometry` with its box and its hits, a [`geometry::LocalRay`] in: a filter in `f64` with
-//! bounds, and in `geometry/exact` what decides the rest. Hold it to a closed form in `tests/shapes` and to the oracle in
-//! `tests/exact_picks`. Add the variant to [`scene::Shape`] and its word to `scene/files/entry.rs`; the compiler then
-//! names every place that has to know it: its bounds, who asks it for hits, its edges, how it is drawn, what `verify`
-//! may put down to its outline, the study's truth. Name the word in README's scene file and in [`scene::description`], and
-//! what counts as a hit on it in [`pick`] and in `pick --help`. A shape of flat faces is drawn as those
-//! ([`geometry::Cuboid::face`] is how the cube does it); a curved one needs an impostor as [`render::sphere`] is. Put one
-//! into `tests/common/scenes.rs`, and every pixel of it is compared.
+//! **A shape.** Give it a file in `geometry` with its box and its hits with a [`geometry::LocalRay`]: a filter in `f64`
+//! with bounds. What the filter leaves open is decided in `geometry/exact`. Test it against a closed form in
+//! `tests/shapes` and against the oracle in `tests/exact_picks`. Add the variant to [`scene::Shape`] and its word to
+//! `scene/files/entry.rs`; the compiler then names every place that needs a case for it: its bounds, hits, edges, how
+//! it is drawn, what its outline explains in `verify`, the study's truth. Name the word in README's scene file and in
+//! [`scene::description`], and what counts as a hit on it in [`pick`] and in `pick --help`. A shape of flat faces is
+//! drawn by its faces, as the cube is ([`geometry::Cuboid::face`]); a curved one needs an impostor, as in
+//! [`render::sphere`]. Put one into `tests/common/scenes.rs`: then every pixel of it is compared.
 //!
 //! **A ray method.** Write it as one function, generic over [`study::real::Real`], in its step's file under
 //! [`study::methods`], and give it a line in that step's list with its author or paper. Tests, table, charts and the
 //! gallery's menu read the list.
 //!
 //! **An overlay.** Add a variant to [`viewer::model::Overlay`] and to its list of all, a key to the table in
-//! `viewer/ui/keys.rs` and to README's, and the lines in world space that it stands for to
-//! `viewer/screen/overlay_lines.rs`. Lines are hidden by what lies before them.
+//! `viewer/ui/keys.rs` and to README's, and its lines in world space to `viewer/screen/overlay_lines.rs`. Nearer
+//! surfaces hide lines.
 //!
 //! **A command.** A file in [`cli`] with its arguments and `run`, a variant of [`cli::Command`] and a row in README's
-//! table, without which `tests/readme.rs` fails. Results go to stdout; everything else is said through `log` or is an
+//! table, without which `tests/readme.rs` fails. Results go to stdout; everything else goes through `log` or is an
 //! error of one line.
 
-// What only the parts above the core ask of it is unused without them.
+// Without the upper modules, what only they use is dead code.
 #![cfg_attr(not(feature = "window"), allow(dead_code, unused_imports))]
 
 pub mod camera;

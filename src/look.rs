@@ -1,4 +1,4 @@
-//! What pictures look like: one set of numbers for the rasteriser and the ray caster.
+//! Colours and light of pictures, shared by the rasteriser and the ray caster.
 //!
 //! Directions are in view space (x right, y up, z into the picture), colours in linear light.
 
@@ -7,9 +7,9 @@ use glam::Vec3;
 
 /// Background at the top and at the bottom of the picture; in between it fades.
 pub const BACKGROUND: [Srgb; 2] = [Srgb([43, 48, 58]), Srgb([18, 20, 25])];
-/// What is selected, and the ray that picks it.
+/// The selected object, and the ray that picks it.
 pub const SELECTION: Srgb = Srgb([255, 170, 10]);
-/// Where a ray hits: the pick's mark, its triangle, normals at hits, the way between two picks.
+/// Hits of a ray: the pick's mark, its triangle, normals at hits, the line between two picks.
 pub const HIT: Srgb = Srgb::WHITE;
 /// The x, y and z axes, of the world or of a camera.
 pub const AXES: [Srgb; 3] = [
@@ -17,7 +17,7 @@ pub const AXES: [Srgb; 3] = [
     Srgb([112, 192, 88]),
     Srgb([92, 140, 240]),
 ];
-/// A camera that is looked at: its frustum, and the box that this becomes in NDC.
+/// A camera seen from outside: its frustum, and its box in NDC.
 pub const CAMERA: Srgb = Srgb([110, 224, 224]);
 /// Normals of faces.
 pub const NORMALS: Srgb = Srgb([176, 144, 255]);
@@ -25,22 +25,23 @@ pub const NORMALS: Srgb = Srgb([176, 144, 255]);
 pub const BOXES: Srgb = Srgb([236, 110, 226]);
 /// Boxes of a mesh's tree.
 pub const TREE: Srgb = Srgb([200, 158, 120]);
-/// Drawn and picked differ on an outline. This and the next six are apart for all kinds of sight (Okabe & Ito 2008).
+/// Drawn and picked differ on an outline. This and the next six can be told apart with any colour vision (Okabe & Ito
+/// 2008).
 pub const EDGE: Srgb = Srgb([86, 180, 233]);
-/// Drawn and picked differ on two surfaces as deep.
+/// Drawn and picked differ between surfaces of equal depth.
 pub const DEPTH: Srgb = Srgb([240, 228, 66]);
 /// Drawn and picked differ on a section.
 pub const AT_SECTION: Srgb = Srgb([120, 90, 0]);
-/// Drawn and picked differ by what `f32` moves.
+/// Drawn and picked differ on an outline that `f32` moves.
 pub const F32_LIMIT: Srgb = Srgb([0, 158, 115]);
-/// Drawn and picked differ by more than drawing can hold.
+/// Drawn and picked differ, and the view is beyond `f32`.
 pub const BEYOND_F32: Srgb = Srgb([204, 121, 167]);
 /// Surfaces lie in one place.
 pub const IN_ONE_PLACE: Srgb = Srgb([0, 114, 178]);
 /// What is wrong: a difference that nothing explains, a method's wrong answer.
 pub const WRONG: Srgb = Srgb([213, 94, 0]);
 
-/// The colours that mean something, each one thing. What is under the cursor has none: it is lit.
+/// The colours with a meaning, one each. What is under the cursor is lit instead.
 pub const MEANINGS: [Srgb; 16] = [
     SELECTION,
     HIT,
@@ -60,29 +61,29 @@ pub const MEANINGS: [Srgb; 16] = [
     WRONG,
 ];
 
-/// Back faces where a section lets one look into solids.
+/// Back faces where a section opens a solid.
 pub const INSIDE: Srgb = Srgb([164, 122, 58]);
 
 /// Lines of the floor's grid, and each tenth of them.
 pub const GRID: [Srgb; 2] = [Srgb([62, 68, 80]), Srgb([84, 92, 107])];
-/// Pixels of a camera that is looked at.
+/// Pixels of a camera seen from outside.
 pub const CAMERA_PIXELS: Srgb = Srgb([74, 118, 118]);
 
-/// How much of a selected pixel is tint.
+/// Share of the tint in a selected pixel.
 pub const TINT: f32 = 0.16;
-/// Light that what is under the cursor sends beside its own: so many times that, and so much of white.
+/// Light added to what is under the cursor: this share of its own, and this much white.
 pub const LIT: [f32; 2] = [0.15, 0.03];
 /// Half the width of the selection's outline, in pixels of the picture at scale factor 1.
 pub const OUTLINE_PX: u32 = 2;
 
 /// Towards the key light: a headlight above the viewer's left shoulder, so that form shows.
 pub const KEY_DIRECTION: Vec3 = Vec3::new(-0.408_248_3, 0.408_248_3, -0.816_496_6);
-/// Light from everywhere, from the key light, and from above.
+/// Ambient light, the key light, and the fill from above.
 pub const LIGHT: [f32; 3] = [0.10, 0.80, 0.16];
 
-/// Light that a surface sends to the eye: under a headlight that wraps around, so that nothing is black, and a soft fill
-/// from above. `normal_view` is the normal of the side that is seen, in view space, of any length. `albedo` and result
-/// are linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
+/// Light that a surface sends to the eye: from a wrapped headlight, so that nothing is black, and a soft fill from
+/// above. `normal_view` is the normal of the side that is seen, in view space, of any length. `albedo` and result are
+/// linear. (Wrapped as by Mitchell, `McTaggart` & Green, Shading in Valve's Source Engine, 2006.)
 #[must_use]
 pub fn shade(albedo: [f32; 3], normal_view: Vec3) -> [f32; 3] {
     let normal = normal_view.normalize_or_zero();
@@ -99,7 +100,7 @@ pub fn background(down: f32) -> [f32; 3] {
     std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * down)
 }
 
-/// A linear colour with a share of the selection's: as bright as it was, so that form and shade stay.
+/// A linear colour tinted with the selection's at the same brightness, so that shading stays.
 #[must_use]
 pub fn tinted(colour: [f32; 3]) -> [f32; 3] {
     let tint = SELECTION.to_linear();

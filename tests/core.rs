@@ -1,4 +1,4 @@
-//! What the picking core promises to who builds on it, with or without the other features.
+//! The picking core's promises to users of the library, with or without the other features.
 
 use sightline::{
     camera::{Camera, CameraError, DepthMapping, Lens, Projection, View, Viewport},
@@ -13,10 +13,10 @@ use sightline::{
 };
 use std::{error::Error, fmt::Debug, sync::Arc};
 
-/// What threads share.
+/// Can be shared between threads.
 const fn is_shared<T: Debug + Send + Sync + 'static>() {}
 
-/// And what `?` hands up, from whichever thread.
+/// Can be returned by `?` from any thread.
 const fn is_error<T: Error + Clone + Send + Sync + 'static>() {}
 
 const _: () = {
@@ -68,7 +68,7 @@ fn view() -> View {
     )
 }
 
-/// Picks, from several threads at a time, are those of one after the other.
+/// Picks from several threads at once equal sequential ones.
 #[test]
 fn threads_pick_in_one_scene() {
     let mesh = roof();
@@ -103,7 +103,7 @@ fn threads_pick_in_one_scene() {
     assert_eq!(hits.iter().sum::<u32>(), 30 * 30, "{hits:?}");
 }
 
-/// A part that is not there is nowhere, and nobody meets it.
+/// A part that its mesh does not have is never hit.
 #[test]
 fn a_part_that_is_not_there_is_no_panic() {
     let mesh = roof();
@@ -125,7 +125,7 @@ fn a_part_that_is_not_there_is_no_panic() {
     }
 }
 
-/// What is no mesh is refused.
+/// Invalid mesh data is refused.
 #[test]
 fn triangles_of_ones_own_are_checked() {
     let of = |position, corner| {
@@ -152,7 +152,7 @@ fn t_of(test: TriangleTest, ray: [f64; 8], corners: [[f64; 3]; 3]) -> Option<f64
     test(&ray, corners.map(DVec3::from)).map(|hit| hit.t)
 }
 
-/// One number at a time is not finite: a miss, and no panic. Only the interval may be without end.
+/// One number at a time is not finite: a miss, no panic. Only the interval's ends may be infinite.
 #[test]
 fn what_is_not_finite_is_missed() {
     for test in [guarded_volume, exact_volume] {
@@ -173,7 +173,7 @@ fn what_is_not_finite_is_missed() {
     }
 }
 
-/// Also by the method without a guard, which nothing near a border needs.
+/// Also for the method without error bounds: these rays stay away from edges.
 #[test]
 fn every_triangle_test_tells_a_hit_from_a_miss() {
     for test in [guarded_volume, exact_volume, signed_volume] {
@@ -191,7 +191,7 @@ fn every_triangle_test_tells_a_hit_from_a_miss() {
                 let mut ray = RAY;
                 (ray[0], ray[1]) = (x, y);
                 assert_eq!(t_of(test, ray, corners), expected, "{x} {y}");
-                // The other way round next.
+                // With the opposite winding next.
                 corners.swap(0, 1);
             }
         }
@@ -210,7 +210,7 @@ fn boxes_say_how_large_they_are() {
     assert_eq!(size(DVec3::X), (1.0, 6));
     assert_eq!(size(DVec3::ZERO), (0.0, 6));
     assert_eq!(Aabb::EMPTY.decimal_places(), 6);
-    // Squares of such lengths would overflow; and one without end has no end.
+    // Squares of such lengths would overflow; an infinite box has an infinite size.
     let large = DVec3::new(1e300, 2e300, 2e300);
     assert!((Aabb::around([-large, large]).radius() / 3e300 - 1.0).abs() < 1e-15);
     let open = Aabb::around([DVec3::ZERO, DVec3::splat(f64::INFINITY)]);

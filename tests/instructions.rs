@@ -1,4 +1,4 @@
-//! Whichever instructions walk a tree, and whatever the mesh: the same hits as by trying every triangle, to the bit.
+//! Walking a tree gives the hits of brute force, to the bit, with every instruction set and on hostile meshes.
 #![cfg(feature = "window")]
 
 mod common;
@@ -8,7 +8,7 @@ use glam::{DVec3, dvec3};
 use sightline::geometry::{Bvh, Ray, Simd, TriangleHit, VertexRay, guarded_volume};
 use std::sync::atomic::AtomicBool;
 
-/// Triangles with what they are made to break.
+/// Triangles, named by what they are meant to break.
 struct Case {
     name: &'static str,
     positions: Vec<[f32; 3]>,
@@ -54,14 +54,14 @@ fn cases() -> Vec<Case> {
     let one = [DVec3::ZERO, DVec3::X, dvec3(0.25, 1.0, 0.5)];
     let flat = |p: DVec3| dvec3(p.x, 0.5, p.z);
     let on_a_line = |p: DVec3| DVec3::splat(p.x);
-    // Each a tenth larger about the same centre, so that no bin tells them apart.
+    // Each is a tenth larger about the same centre, so that no bin separates them.
     let nested = (0..350).map(|i| one.map(|p| 1.02_f64.powi(i % 350) * (p - dvec3(0.4, 0.3, 0.2))));
-    // Each half as far from the corner as the one before, and half as large: any cut by area takes off one.
+    // Each is half as large and half as far from the corner as the one before: a split by area takes off only one.
     let halving = (0..600).map(|i| {
         let size = 0.5_f64.powi(i % 100);
         one.map(|p| size * (p + DVec3::ONE))
     });
-    // The same along six arms that end in one point, so that no cut takes off much: as deep as trees become.
+    // The same along six arms that meet in one point, so that no split takes off much: trees get no deeper.
     let arms = (0..175).flat_map(|i| {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let arms = axes.into_iter().flat_map(|axis| [axis, -axis]);
@@ -101,8 +101,8 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// Rays at a mesh: from near and ever farther, at its insides, edges and corners, along axes with zeros of both signs, from
-/// the faces of boxes, of all lengths and intervals.
+/// Rays at a mesh: from near and ever farther, at interiors, edges and corners, along axes with zeros of both signs,
+/// from faces of boxes, with many lengths and intervals.
 fn rays(case: &Case) -> Vec<Ray> {
     let mut random = Random::new(11);
     let size = case.size();
@@ -128,7 +128,7 @@ fn rays(case: &Case) -> Vec<Ray> {
             if direction == DVec3::ZERO {
                 direction.x = 1.0;
             }
-            // From a face of the triangle's box, which may be a face of a node's; else from afar.
+            // From a face of the triangle's box, which may be a node's, or from afar.
             let low = a.min(b).min(c);
             eye = if i % 8 == 0 {
                 low
@@ -149,7 +149,7 @@ fn rays(case: &Case) -> Vec<Ray> {
             t_min,
             t_max,
         });
-        // The other way, where hits lie before the origin.
+        // The opposite way, with hits before the origin.
         if i % 11 == 0 {
             rays.push(Ray {
                 origin: eye,
@@ -184,7 +184,7 @@ fn rays(case: &Case) -> Vec<Ray> {
     rays
 }
 
-/// What `f64` and exact arithmetic say of every triangle.
+/// The hit on every triangle, by `f64` and exact arithmetic.
 fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
     let local = VertexRay::exact(*ray);
     let corners = (0..case.triangles.len()).map(|triangle| case.corners(triangle));
@@ -193,7 +193,7 @@ fn truth(case: &Case, ray: &Ray) -> Vec<Option<TriangleHit>> {
         .collect()
 }
 
-/// The triangles that are hit, of those that a tree leaves over.
+/// The triangles hit among those that a tree visits.
 fn all(case: &Case, tree: &Bvh, ray: &Ray, truth: &[Option<TriangleHit>]) -> Vec<usize> {
     let mut found = Vec::new();
     tree.visit(&ray.into(), &DVec3::ZERO, &mut |triangle: u32, corners| {
@@ -206,7 +206,7 @@ fn all(case: &Case, tree: &Bvh, ray: &Ray, truth: &[Option<TriangleHit>]) -> Vec
     found
 }
 
-/// The nearest `t`, by a search that ends ever earlier.
+/// The nearest `t`, by a walk whose limit shrinks with each hit.
 fn nearest(tree: &Bvh, ray: &Ray, truth: &[Option<TriangleHit>]) -> Option<f64> {
     let mut end = ray.t_max;
     let mut best: Option<f64> = None;
@@ -275,13 +275,13 @@ fn what_no_tree_can_hold_has_none() {
     let simd = Simd::fastest();
     assert!(Bvh::build(&positions, &triangle, simd, &stop).is_some());
     assert!(Bvh::build(&positions, &[], simd, &stop).is_none());
-    // Coordinates that differ by more orders of magnitude than floats have.
+    // Coordinates that span more orders of magnitude than floats have.
     let apart = [
         [f32::MIN_POSITIVE, 0.0, 0.0],
         [1e38, 0.0, 0.0],
         [0.0, 1e38, 0.0_f32],
     ];
     assert!(Bvh::build(&apart, &triangle, simd, &stop).is_none());
-    // Nor one that nobody wants any more.
+    // Nor is there a tree when the build is stopped.
     assert!(Bvh::build(&positions, &triangle, simd, &AtomicBool::new(true)).is_none());
 }

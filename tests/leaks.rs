@@ -1,4 +1,4 @@
-//! Closed meshes let no ray through: not at their edges, not at their corners, near the origin or far from it.
+//! Closed meshes let no ray through, at edges and corners too, near the origin and far from it.
 #![cfg(feature = "window")]
 
 mod common;
@@ -11,10 +11,10 @@ use sightline::geometry::{Mesh, Ray, Sides, signed_volume};
 use std::{collections::HashMap, sync::Arc, thread};
 
 const RAYS_FROM_INSIDE: u32 = 1_000_000;
-/// Triangles that the oracle tries for each solid, over all rays from outside.
+/// Triangle tests by the oracle for each solid, over all rays from outside.
 const TRIED_FROM_OUTSIDE: usize = 300_000;
 
-/// A closed surface about the origin whose points are at least 1 and at most 2 from it.
+/// A closed surface about the origin; its points are 1 to 2 away from it.
 struct Solid {
     name: String,
     positions: Vec<DVec3>,
@@ -26,7 +26,7 @@ fn ball(levels: u32) -> Solid {
     let (points, triangles) = icosphere(levels);
     Solid {
         name: format!("icosphere of {}", triangles.len()),
-        // A little beyond 1, so that faces lie beyond it as well.
+        // Slightly more than 1, so that the faces, too, are at least 1 away.
         positions: points.into_iter().map(|p| 1.3 * p).collect(),
         triangles,
     }
@@ -72,18 +72,17 @@ fn solids() -> Vec<Solid> {
     ]
 }
 
-/// A solid somewhere, with and without a tree.
+/// A solid at some place, with and without a tree.
 struct Standing {
     name: String,
     center: DVec3,
-    /// Its size: 1 of the solid's units.
+    /// Length of one of the solid's units.
     scale: f64,
     brute: Arc<Mesh>,
     with_tree: Arc<Mesh>,
 }
 
-/// At the origin; far away by the file's origin; and far away by its vertices, which are then coarse, and moved by
-/// rounding.
+/// A solid at the origin, far away by the mesh's origin, and far away by its vertices, which rounding then moves.
 fn standing(solid: &Solid) -> Vec<Standing> {
     let far = dvec3(1e6, -1e6 - 0.3, 1e6 + 0.7);
     [
@@ -111,7 +110,7 @@ fn standing(solid: &Solid) -> Vec<Standing> {
 }
 
 impl Standing {
-    /// A ray from about `distance` of its units towards a corner or an edge.
+    /// A ray from about `distance` units away towards a corner or an edge.
     fn ray(&self, random: &mut Random, distance: f64) -> Ray {
         let eye = self.center + self.scale * distance * random.direction();
         let [a, b, _] = any_triangle(&self.brute, random);
@@ -129,7 +128,7 @@ impl Standing {
     }
 }
 
-/// The corners of some triangle.
+/// The corners of a random triangle.
 fn any_triangle(mesh: &Mesh, random: &mut Random) -> [DVec3; 3] {
     let triangle = random.below(mesh.data().triangles.len());
     mesh.corners(u32::try_from(triangle).unwrap())
@@ -152,7 +151,7 @@ fn no_ray_leaves_a_closed_mesh() {
             let ray = solid.ray(&mut random, distance);
             let hit = hit(&solid.with_tree, &ray);
             leaks += u32::from(hit.is_none());
-            // The tree's answers are brute force's; some suffice here.
+            // The tree must agree with brute force; a sample suffices here.
             if i % 16 == 0 {
                 assert_eq!(hit, self::hit(&solid.brute, &ray), "{ray:?}");
             }
@@ -208,7 +207,7 @@ fn from_outside_the_nearest_triangle_is_the_oracles() {
 
 #[test]
 fn rays_exactly_through_corners_and_edges_do_not_leave_either() {
-    // Whole coordinates of 22 bits: exact, but their products are not.
+    // Integer coordinates of 22 bits: they are exact, their products are not.
     let mut random = Random::new(43);
     let mut leaks = [0, 0];
     let ball = ball(1);

@@ -1,4 +1,4 @@
-//! Every shader is valid, and both sides mean the same by each struct. Needs no GPU.
+//! Every shader is valid, and each struct has the same layout in WGSL and Rust. Needs no GPU.
 #![cfg(feature = "window")]
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
@@ -11,7 +11,7 @@ fn module(name: &str) -> naga::Module {
         .unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)))
 }
 
-/// Without a primitive index but where the name says so.
+/// Only the modules named for it may use the primitive index.
 #[test]
 fn every_shader_is_valid() {
     let sampled = Capabilities::MULTISAMPLED_SHADING;
@@ -48,7 +48,7 @@ fn wgsl_layout(shader: &str, name: &str) -> (Vec<(String, usize)>, usize) {
     found.unwrap_or_else(|| panic!("{shader} has no {name}"))
 }
 
-/// Compares a struct of `layout` with that of the same name in a shader.
+/// Compares a struct of `layout` with the shader's struct of the same name.
 macro_rules! same_layout {
     ($shader:literal, $name:ident { $($field:ident),* }) => {
         let rust = vec![$((stringify!($field).to_owned(), offset_of!(layout::$name, $field))),*];

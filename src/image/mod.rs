@@ -8,7 +8,7 @@ pub use self::png::ImageError;
 
 use crate::camera::Viewport;
 
-/// A picture: one value a pixel, rows from the top.
+/// A picture: one value per pixel, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image<T> {
     size: Viewport,
@@ -21,7 +21,7 @@ pub type Rgb = [u8; 3];
 /// What a pixel shows: an object and, on a mesh, a triangle of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Id {
-    /// Index of the object plus 1, as people count; 0 for the background.
+    /// Index of the object plus 1; 0 for the background.
     pub object: u32,
     /// Triangle of that object plus 1; 0 for analytic shapes and the background.
     pub triangle: u32,
@@ -31,7 +31,7 @@ impl<T: Copy> Image<T> {
     /// Takes pixels row by row from the top.
     ///
     /// # Panics
-    /// When there are not as many as `size` says.
+    /// When their count does not match `size`.
     #[must_use]
     pub fn new(size: Viewport, pixels: Vec<T>) -> Self {
         assert_eq!(
@@ -54,7 +54,7 @@ impl<T: Copy> Image<T> {
         &self.pixels
     }
 
-    /// All pixels, to be changed.
+    /// All pixels, mutable, row by row from the top.
     pub fn pixels_mut(&mut self) -> &mut [T] {
         &mut self.pixels
     }
@@ -69,7 +69,7 @@ impl<T: Copy> Image<T> {
         self.pixels[y as usize * self.size.width() as usize + x as usize]
     }
 
-    /// A part of it, of a size that fits: its first pixel is at `origin`.
+    /// The part of this size whose first pixel is at `origin`.
     ///
     /// # Panics
     /// When that lies outside.

@@ -8,15 +8,15 @@ use std::path::Path;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ImageError {
-    /// The file system said no.
+    /// The file cannot be written.
     #[error("cannot write {path}: {source}")]
     Write {
         /// Which file.
         path: String,
-        /// What it said.
+        /// The file system's error.
         source: std::io::Error,
     },
-    /// An id picture has 16 bits a pixel.
+    /// An object's number does not fit into the 16 bits of an id picture's pixel.
     #[error("{0} objects do not fit into a 16-bit id picture (at most 65535)")]
     TooManyObjects(u32),
 }

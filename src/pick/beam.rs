@@ -1,23 +1,24 @@
-//! What of a scene rays are held against: all of it, or what the rays through a tile of the picture may meet, which is
-//! found once for all of them.
+//! What part of a scene rays are tested against: all of it, or what the rays through one tile of the picture may meet,
+//! found once for the tile.
 
 use crate::{
+    camera::View,
     geometry::{Entry, LocalRay, PixelRays, Placement, Pyramid, WorldRay},
     scene::{Scene, Shape},
 };
 use glam::{DVec2, dvec2};
 use std::ops::{ControlFlow, Range};
 
-/// More batches than this are found sooner by each ray in the tree over the scene.
+/// With more batches than this, each ray finds its own sooner in the tree over the scene.
 const MOST_BATCHES: usize = 8;
 
-/// Rays through a scene that may meet the same.
+/// Rays that are traced through a scene together.
 ///
-/// A tile's leave out the batches beside the pyramid about them, and begin in each mesh's tree at an [`Entry`]. Nothing is
-/// left out that one of them meets, so every answer is to the bit what it is for a ray by itself.
+/// A tile's rays skip the batches outside the pyramid about them, and enter each mesh's tree at an [`Entry`]. Nothing
+/// that one of them meets is skipped, so every answer is, to the bit, that of a ray by itself.
 pub(crate) struct Beam<'a> {
     scene: &'a Scene,
-    /// `None` for the scene's.
+    /// `None` for all of the scene's.
     batches: Option<Vec<(&'a Range<usize>, Option<Entry>)>>,
 }
 
@@ -31,11 +32,8 @@ impl<'a> Beam<'a> {
     }
 
     /// The rays through a rectangle of pixels, given by its corners in pixels.
-    pub fn of_tile(scene: &'a Scene, rays: &PixelRays, [min, max]: [DVec2; 2]) -> Self {
-        let rays = rays.cut_by(None);
-        let corners = corners([min, max]).map(|px| rays.ray(px));
-        let side_px = (max - min).max_element() + 2.0 * ROOM;
-        let batches = batches(scene, |placement| pyramid(&corners, placement, side_px));
+    pub fn of_tile(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2]) -> Self {
+        let batches = batches(scene, &CornerRays::new(rays, tile));
         Self { scene, batches }
     }
 
@@ -44,8 +42,8 @@ impl<'a> Beam<'a> {
         self.scene
     }
 
-    /// Calls `visit` with every batch that one of its rays may meet, and where in the mesh's tree to begin if not at the
-    /// root; see [`Scene::visit_batches`].
+    /// Calls `visit` with every batch that the ray, one of the beam's, may meet, and where to enter the mesh's tree if
+    /// not at the root; see [`Scene::visit_batches`].
     pub fn visit(
         &self,
         ray: &WorldRay,
@@ -62,39 +60,56 @@ impl<'a> Beam<'a> {
     }
 }
 
-/// Pixels around a rectangle, as a pyramid asks for.
-pub(super) const ROOM: f64 = 1.0;
+/// Margin in pixels around a rectangle, as [`Pyramid::new`] asks for.
+const ROOM: f64 = 1.0;
 
-/// The corners of a rectangle, in order around it, with a pixel of room.
+/// The rays through the corners of a rectangle of pixels, widened by [`ROOM`]. No section cuts them.
+pub(super) struct CornerRays {
+    rays: [WorldRay<'static>; 4],
+    side_px: f64,
+}
+
+impl CornerRays {
+    fn new(rays: &PixelRays, [min, max]: [DVec2; 2]) -> Self {
+        let rays = rays.cut_by(None);
+        Self {
+            rays: corners([min, max]).map(|px| rays.ray(px)),
+            side_px: (max - min).max_element() + 2.0 * ROOM,
+        }
+    }
+
+    /// About the square of positions within so many pixels of one.
+    pub fn about(view: &View, px: DVec2, radius_px: f64) -> Self {
+        Self::new(&view.rays(), [px - radius_px, px + radius_px])
+    }
+
+    /// The pyramid about them, in a placement's object space; `None` where rounding leaves none. See [`Pyramid::new`].
+    pub fn pyramid(&self, placement: &Placement) -> Option<Pyramid> {
+        let local = self.rays.each_ref().map(|ray| placement.local_ray(ray));
+        Pyramid::new(&local.each_ref().map(LocalRay::from), self.side_px)
+    }
+}
+
+/// The corners of a rectangle widened by [`ROOM`], in order around it.
 pub(super) fn corners([min, max]: [DVec2; 2]) -> [DVec2; 4] {
     let (min, max) = (min - ROOM, max + ROOM);
     [min, dvec2(max.x, min.y), max, dvec2(min.x, max.y)]
 }
 
-/// About these rays, in the object space of a placement; `None` where rounding leaves none. See [`Pyramid::new`].
-pub(super) fn pyramid(
-    corners: &[WorldRay; 4],
-    placement: &Placement,
-    side_px: f64,
-) -> Option<Pyramid> {
-    let local = corners.each_ref().map(|ray| placement.local_ray(ray));
-    Pyramid::new(&local.each_ref().map(LocalRay::from), side_px)
-}
-
-/// The batches that rays within a pyramid may meet; `None` where there is no pyramid, or too many of them.
-fn batches(
-    scene: &Scene,
-    pyramid_in: impl Fn(&Placement) -> Option<Pyramid>,
-) -> Option<Vec<(&Range<usize>, Option<Entry>)>> {
+/// The batches that rays within a pyramid may meet; `None` without a pyramid, or where the batches are too many.
+fn batches<'a>(
+    scene: &'a Scene,
+    corners: &CornerRays,
+) -> Option<Vec<(&'a Range<usize>, Option<Entry>)>> {
     let mut batches = Vec::new();
     let mut is_complete = true;
-    scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
+    scene.visit_batches_within(&corners.pyramid(&Placement::IDENTITY)?, |batch| {
         let first = &scene.objects()[batch.start];
         let mut entry = None;
         if let Shape::Mesh { mesh, .. } = &first.shape
             && let Some(tree) = mesh.tree()
         {
-            let Some(pyramid) = pyramid_in(&first.placement) else {
+            let Some(pyramid) = corners.pyramid(&first.placement) else {
                 is_complete = false;
                 return ControlFlow::Break(());
             };

@@ -1,15 +1,15 @@
-//! How far away the picture shows something else.
+//! How far away the picture shows something else: `differs_px`.
 //!
-//! Mostly one of the nearest pixels shows something else, which a ray through the whole scene is quick to tell. Else some 200
-//! rays are asked, and each only one thing: whether it meets what shows at the position, and nothing before it.
-//! What may come before it is gathered once, by the pyramid about all of them. Triangles and squares of its own plane that
-//! come later in order do so along every ray, and are left out: ten thousand faces in one place cost as much as one. Where
-//! nothing is left and what shows fills the square of all these pixels, no ray is asked.
+//! Mostly one of the nearest pixels shows something else, and a ray through the whole scene tells quickly. Otherwise
+//! some 200 rays are cast. Each asks only whether it meets the surface that shows at the position, with nothing before
+//! it. What may occlude that surface is gathered once, by the pyramid about all rays. Flat shapes of the surface's own
+//! plane that come later in order do so along every ray and are left out: ten thousand coplanar faces cost as much as
+//! one. Where nothing may occlude the surface and it fills the square of all these pixels, no ray is cast.
 
 use super::{
-    SceneHit,
-    around::{REACH, corners, corners_px, pyramid},
-    nearest::{closest, first_on, shows_part},
+    Primitive, SceneHit,
+    beam::{self, CornerRays},
+    nearest::{closest, first_on, shown_object},
     order::{comes_later, order},
 };
 use crate::{
@@ -20,25 +20,20 @@ use crate::{
 use glam::DVec2;
 use std::ops::ControlFlow;
 
-/// So far each ray asks the whole scene, before anything is gathered: mostly one of these finds something else.
+/// How far, in pixels, to look for a pixel with another answer.
+pub(super) const REACH: f64 = 8.0;
+/// Up to this distance in pixels, rays go through the whole scene before occluders are gathered.
 const NEARBY: f64 = 2.0;
-/// With more to ask, each ray goes through the trees by itself, which costs as much as a few.
+/// With more occluders, each ray goes through the trees instead, which costs as much as testing a few.
 const MOST: usize = 6;
-/// The same where many surfaces are in one place, each of which a tree would ask about.
-const MOST_IN_A_CROWD: usize = 64;
+/// The same where `f64` leaves ties at the position: a tree would test each of the tied surfaces.
+const MOST_WHERE_TIED: usize = 64;
 
-/// Something that may come before what shows at the position: an object, or a triangle of its mesh.
-#[derive(Clone, Copy)]
-struct Rival {
-    object: usize,
-    triangle: Option<u32>,
-}
-
-/// How far from `px` the centre of the nearest pixel lies whose answer, object or triangle, is not `here`, that at `px`;
-/// within [`REACH`] and the picture. The pixel's own centre is one of them. `is_alone` says that nothing else is at one place
-/// with `here`, as far as `f64` tells.
+/// Distance from `px` to the nearest pixel centre whose answer (object and triangle) differs from `here`, the answer at
+/// `px`. Looks within [`REACH`] and the picture, and at the pixel's own centre, too. `is_alone` says that `f64` leaves
+/// no other hit tied with `here`.
 ///
-/// `None` too while a tree is still being built: every triangle would have to be asked.
+/// Also `None` while a tree is being built: every triangle would have to be tested.
 pub(super) fn differs_px(
     scene: &Scene,
     view: &View,
@@ -49,13 +44,10 @@ pub(super) fn differs_px(
     if !scene.trees_are_built() {
         return None;
     }
-    let shown = Rival {
-        object: here.object,
-        triangle: here.triangle(),
-    };
+    let shown = here.primitive();
     let differs = |ray: WorldRay| {
         let there = closest(scene, ray, view.sides);
-        there.is_none_or(|there| (there.object, there.triangle()) != (shown.object, shown.triangle))
+        there.is_none_or(|there| there.primitive() != shown)
     };
     let mut asked = 0.0;
     if is_alone {
@@ -65,28 +57,29 @@ pub(super) fn differs_px(
         }
         asked = NEARBY;
     }
-    let most = if is_alone { MOST } else { MOST_IN_A_CROWD };
-    let rivals = rivals(scene, view, px, here, most);
-    let fills = rivals.is_some() && fills(scene, view, px, shown);
-    if fills && rivals.as_ref().is_some_and(Vec::is_empty) {
+    let most = if is_alone { MOST } else { MOST_WHERE_TIED };
+    let occluders = occluders(scene, view, px, here, most);
+    let fills = occluders.is_some() && fills(scene, view, px, shown);
+    if fills && occluders.as_ref().is_some_and(Vec::is_empty) {
         return None;
     }
     let differs = |centre: DVec2| {
         let ray = view.ray(centre);
-        let Some(rivals) = &rivals else {
+        let Some(occluders) = &occluders else {
             return differs(ray);
         };
         let mut there = None;
         if !fills {
-            there = first_of(scene, view, &ray, shown);
+            there = first_on(scene, &ray, view.sides, shown);
             if there.is_none() {
                 return true;
             }
         }
-        let mut hits = (rivals.iter()).filter_map(|rival| first_of(scene, view, &ray, *rival));
-        hits.any(|rival| {
-            there = there.or_else(|| first_of(scene, view, &ray, shown));
-            there.is_none_or(|there| order(scene, &ray, &rival, &there).is_lt())
+        let mut hits =
+            (occluders.iter()).filter_map(|occluder| first_on(scene, &ray, view.sides, *occluder));
+        hits.any(|occluder| {
+            there = there.or_else(|| first_on(scene, &ray, view.sides, shown));
+            there.is_none_or(|there| order(scene, &ray, &occluder, &there).is_lt())
         })
     };
     let others = centres(view, px, [asked, REACH]).into_iter();
@@ -94,8 +87,8 @@ pub(super) fn differs_px(
     Some(nearest.0)
 }
 
-/// The centres of the picture's pixels that lie farther from a position than one distance and no farther than another,
-/// nearest first, with how far.
+/// Distance and place of the picture's pixel centres that lie more than `from` and at most `to` away from a position,
+/// nearest first.
 fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     let own = pixel_centre(px);
     let steps = || {
@@ -114,12 +107,12 @@ fn centres(view: &View, px: DVec2, [from, to]: [f64; 2]) -> Vec<(f64, DVec2)> {
     centres
 }
 
-/// Whether every ray within reach meets what shows at a position. Written so that NaN is none.
+/// Whether every ray within [`REACH`] meets the surface that shows at a position. Comparisons fail on NaN.
 ///
-/// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it; unless some of it
-/// does not count. The depth of a flat shape lies between those at the corners. Of a solid the depths of all its points are
-/// bounded, with room for what a few roundings take.
-fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
+/// The picture of a convex shape is convex, so it is enough that the rays through the corners meet it, unless the near
+/// or far plane or the section cuts the shape in between. A flat shape's depth lies between those at the corners. For a
+/// solid, the depths of all its points are bounded, with room for a few roundings.
+fn fills(scene: &Scene, view: &View, px: DVec2, shown: Primitive) -> bool {
     const ROOM: f64 = power_of_two(-40);
     let Object {
         shape, placement, ..
@@ -141,59 +134,49 @@ fn fills(scene: &Scene, view: &View, px: DVec2, shown: Rival) -> bool {
         let spread = spread + ROOM * size;
         lens.near < depth - spread && depth + spread < lens.far
     });
-    // A section leaves convex what shows of a solid's both sides together, not of its front.
+    // Cut by a section, both sides of a solid together still show as a convex region; its front alone may not.
     let is_convex = spread.is_none() || view.section.is_none() || view.sides == Sides::Both;
-    let meets = |px: &DVec2| first_of(scene, view, &view.ray(*px), shown).is_some();
-    lies_between && is_convex && corners_px(px).iter().all(meets)
+    let meets = |px: &DVec2| first_on(scene, &view.ray(*px), view.sides, shown).is_some();
+    lies_between && is_convex && beam::corners([px - REACH, px + REACH]).iter().all(meets)
 }
 
-/// The first shown hit on it.
-fn first_of(scene: &Scene, view: &View, ray: &WorldRay, what: Rival) -> Option<SceneHit> {
-    first_on(scene, ray, view.sides, what.object, what.triangle)
-}
-
-/// What may come before `here` on a ray through the centre of a pixel near a position; `None` when that is more than
-/// `most`.
-fn rivals(
+/// What may occlude `here` on rays through pixel centres near a position; `None` when there are more than `most`.
+fn occluders(
     scene: &Scene,
     view: &View,
     px: DVec2,
     here: &SceneHit,
     most: usize,
-) -> Option<Vec<Rival>> {
-    let corners = corners(view, px);
-    let pyramid_in = |placement: &Placement| pyramid(&corners, placement);
-    let mut rivals = Vec::new();
+) -> Option<Vec<Primitive>> {
+    let corners = CornerRays::about(view, px, REACH);
+    let mut occluders = Vec::new();
     let mut is_complete = true;
-    scene.visit_batches_within(&pyramid_in(&Placement::IDENTITY)?, |batch| {
-        if rivals.len() > most {
+    scene.visit_batches_within(&corners.pyramid(&Placement::IDENTITY)?, |batch| {
+        if occluders.len() > most {
             return ControlFlow::Break(());
         }
         let first = &scene.objects()[batch.start];
         let Shape::Mesh { mesh, part } = &first.shape else {
-            let is_rival = first.visible && !comes_later(scene, here, batch.start, None);
-            rivals.extend(is_rival.then_some(Rival {
+            let may_occlude = first.visible && !comes_later(scene, here, batch.start, None);
+            occluders.extend(may_occlude.then_some(Primitive {
                 object: batch.start,
                 triangle: None,
             }));
             return ControlFlow::Continue(());
         };
-        let Some(pyramid) = pyramid_in(&first.placement) else {
+        let Some(pyramid) = corners.pyramid(&first.placement) else {
             is_complete = false;
             return ControlFlow::Break(());
         };
         mesh.within(&pyramid, |triangle, corners| {
-            let part_hit = mesh.part_of(triangle);
-            if shows_part(scene, batch, *part, part_hit) {
-                let object = batch.start + part_hit - part;
-                if !comes_later(scene, here, object, Some((triangle, corners))) {
-                    rivals.push(Rival {
-                        object,
-                        triangle: Some(triangle),
-                    });
-                }
-            }
-            if rivals.len() > most {
+            let object = shown_object(scene, batch, *part, mesh.part_of(triangle));
+            let may_occlude =
+                |object: &usize| !comes_later(scene, here, *object, Some((triangle, corners)));
+            occluders.extend(object.filter(may_occlude).map(|object| Primitive {
+                object,
+                triangle: Some(triangle),
+            }));
+            if occluders.len() > most {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
@@ -201,5 +184,5 @@ fn rivals(
         });
         ControlFlow::Continue(())
     });
-    (is_complete && rivals.len() <= most).then_some(rivals)
+    (is_complete && occluders.len() <= most).then_some(occluders)
 }

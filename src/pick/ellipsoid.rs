@@ -1,19 +1,20 @@
 //! The area of a sphere under a matrix: an ellipsoid, which has no elementary formula.
 //!
-//! The sphere has radius 1/2, so the half axes are the singular values of L / 2, and the area is `4 pi R_G(x, y, z)`, where x, y
-//! and z are the squares of the products of two half axes each and `R_G` is Carlson's integral (DLMF 19.33.1). Those squares are
-//! the eigenvalues of `C^T C / 16`, with C the cofactors of L. `R_G` is of degree 1/2, so the area is pi times `R_G` of the
-//! eigenvalues of `C^T C`. It grows with each of them: bounds on them bound the area.
+//! The sphere has radius 1/2, so the half axes are the singular values of L / 2, and the area is `4 pi R_G(x, y, z)`,
+//! where x, y and z are the squares of the products of two half axes each and `R_G` is Carlson's integral (DLMF
+//! 19.33.1). Those squares are the eigenvalues of `C^T C / 16`, with C the cofactors of L. `R_G` is of degree 1/2, so
+//! the area is pi times `R_G` of the eigenvalues of `C^T C`. The area grows with each eigenvalue, so bounds on them
+//! bound the area.
 //!
-//! Eigenvalues: `f64` gives approximate eigenvectors Q (Jacobi's rotations). All that follows takes Q as it is, with nothing
-//! rounded. The diagonal of `Q^T C^T C Q` lies within the norm of what stands beside it of that matrix's eigenvalues (Weyl), and
-//! these are those of `C^T C` times factors that differ from 1 by no more than the norm of `Q^T Q - 1` (Ostrowski). Where L
-//! stretches along the axes both norms are 0, and so they are under a uniform scale s: then the area is pi s^2.
+//! Eigenvalues: `f64` gives approximate eigenvectors Q (Jacobi's rotations). From there on Q counts as exact. The
+//! diagonal of `Q^T C^T C Q` differs from that matrix's eigenvalues by at most the norm of its off-diagonal part
+//! (Weyl). These eigenvalues are those of `C^T C` times factors that differ from 1 by at most the norm of `Q^T Q - 1`
+//! (Ostrowski). Both norms are 0 where L stretches along the axes. Under a uniform scale s the area is pi s^2.
 //!
-//! `R_G` comes of `R_F` and `R_D` with the middle one of the three in the last place, where no term is below 0 (DLMF 19.21.10), and
-//! these of duplication (DLMF 19.26.18 and 19.26.20): each step leaves a quarter of what the three differ by. All of it are sums,
-//! products, quotients and roots of numbers that are not below 0, each cut off after [`BITS`] bits, so that relative errors add
-//! up. Of fewer than 2^40 of them they are below 2^-120.
+//! `R_G` is made from `R_F` and `R_D` with the middle one of the three as last argument, where no term is negative
+//! (DLMF 19.21.10). `R_F` and `R_D` come from duplication (DLMF 19.26.18 and 19.26.20): each step divides the
+//! differences of the three by four. All steps are sums, products, quotients and roots of non-negative numbers, each
+//! cut off after [`BITS`] bits, so relative errors add up: over fewer than 2^40 steps, to less than 2^-120.
 
 use super::measure::Measured;
 use crate::geometry::{
@@ -23,14 +24,14 @@ use crate::geometry::{
 use glam::{DMat3, DVec3};
 use std::f64::consts::PI;
 
-/// Digits of each number.
+/// Bits of each number.
 const BITS: i64 = 160;
-/// The three are as good as one number when they differ by less than this share of it, as a power of two: `R_F` and `R_D` of them
-/// lie between those of the least and of the largest, thrice.
+/// Duplication ends when the three differ by less than 2^[`ALIKE`] of their size: `R_F` and `R_D` lie between their
+/// values for the least, thrice, and the largest, thrice.
 const ALIKE: i64 = -80;
-/// For all that is cut off, relative: far more than it is.
+/// A generous relative bound on all that is cut off.
 const CUT_OFF: f64 = f64::EPSILON / 1024.0;
-/// What pi is above its `f64`, to 2^-109.
+/// pi minus its `f64`, to 2^-109.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 
 /// The area of the sphere of radius 1/2 where a placement puts it.
@@ -41,11 +42,11 @@ pub(super) fn sphere_area(placement: &Placement) -> Measured {
     let middle = pi.times(&half).times(&low.plus(&high));
     let off = pi.times(&half).times(&high.minus(&low));
     let [value, off] = [&middle, &off].map(|n| dyadic::rounded(&n.integer, n.exponent));
-    // What is off is rounded to within one unit in the last place, too.
+    // `off` is itself rounded, to within one unit in the last place.
     Measured::of(&middle, off * (1.0 + f64::EPSILON) + CUT_OFF * value)
 }
 
-/// Bounds from below and from above on the eigenvalues of `C^T C`, each from the largest down.
+/// Lower and upper bounds on the eigenvalues of `C^T C`, each from the largest down.
 fn eigenvalues(placement: &Placement) -> [[Dyadic; 3]; 2] {
     let DMat3 {
         x_axis,
@@ -129,7 +130,7 @@ fn eigenvectors(cofactors: &[DyadicVector; 3]) -> [DVec3; 3] {
     vectors.map(DVec3::from_array)
 }
 
-/// `R_G` of three numbers, none below 0 and the first above it, from the largest down.
+/// `R_G` of three non-negative numbers, from the largest down; the first is positive.
 fn carlson_g(x: &Dyadic, z: &Dyadic, y: &Dyadic) -> Dyadic {
     let half = Dyadic::new(0.5);
     if z.is_zero() {
@@ -142,7 +143,7 @@ fn carlson_g(x: &Dyadic, z: &Dyadic, y: &Dyadic) -> Dyadic {
     half.times(&z.times(&of_f).plus(&third).plus(&last))
 }
 
-/// `R_F` and `R_D` of numbers that are not below 0, the first and the last above it.
+/// `R_F` and `R_D` of non-negative numbers, the first and the last positive.
 fn carlson_f_and_d(x: &Dyadic, y: &Dyadic, z: &Dyadic) -> (Dyadic, Dyadic) {
     let one = Dyadic::new(1.0);
     let cut = |n: &Dyadic| n.quotient(&one, BITS);

@@ -1,9 +1,9 @@
-//! Lengths and areas with bounds on how far they are off.
+//! Lengths and areas with error bounds.
 //!
-//! Points are taken as they are, with nothing rounded: a vertex as its file writes it, in decimals, a point of an edge as the
-//! stored ends and its share, a quotient, make it. Differences, squares and sums are exact; a root or a quotient is cut off after
-//! `BITS` bits, and the end is rounded once. What is known only roughly brings its own bound, and the sum of all is the
-//! error that is said.
+//! Points are exact: a vertex is what its file writes in decimals; a point of an edge is given by the stored ends and
+//! its share, a quotient. Differences, squares and sums are exact, a root or a quotient is cut off after `BITS` bits,
+//! and the result is rounded once. A point that is known only roughly has its own bound; the error is the sum of all
+//! bounds.
 
 use crate::geometry::{
     Mesh, PlacedPoint, Placement, area,
@@ -14,13 +14,13 @@ use num_bigint::BigInt;
 use serde::Serialize;
 use std::ops::Range;
 
-/// Digits of roots and quotients before the end is rounded.
+/// Bits of roots and quotients, before the result is rounded.
 const BITS: i64 = 128;
-/// Of a number that is rounded once after its digits beyond the 64th were cut off, relative to it.
+/// Relative error of one rounding of a number whose bits beyond the 64th were cut off.
 const ROUNDING: f64 = 0.5 * f64::EPSILON * (1.0 + 1.0 / 256.0);
-/// For the roundings of bounds themselves, of which none has more than ten.
+/// For the roundings of the bounds themselves: at most ten each.
 const MORE: f64 = 1.0 + 16.0 * f64::EPSILON;
-/// A decimal exponent beyond this is that of no `f64`.
+/// No `f64` has a decimal exponent beyond this.
 const MOST_EXPONENT: i64 = 400;
 
 /// A length or an area, in world units.
@@ -28,12 +28,12 @@ const MOST_EXPONENT: i64 = 400;
 pub struct Measured {
     /// The number.
     pub value: f64,
-    /// How far it is from the exact one, at most.
+    /// The most by which it may differ from the exact one.
     pub error: f64,
 }
 
 impl Measured {
-    /// A number that is off by no more than `error` before it is rounded.
+    /// Rounds a number that is off by at most `error`.
     pub(super) fn of(exact: &Dyadic, error: f64) -> Self {
         let value = dyadic::rounded(&exact.integer, exact.exponent);
         let error = MORE * (ROUNDING * value.abs() + error);
@@ -41,7 +41,7 @@ impl Measured {
     }
 }
 
-/// A point of the world to measure from: numerators over a denominator above 0, and how far it may be off.
+/// A world point to measure from: numerators over a positive denominator, and an error bound.
 #[derive(Clone, Debug)]
 pub struct ExactPoint {
     numerators: DyadicVector,
@@ -60,7 +60,7 @@ impl ExactPoint {
         }
     }
 
-    /// A point on the way between two as they are stored: its share of it is a numerator over a denominator above 0.
+    /// A point between two stored ones; its share of the way is a numerator over a positive denominator.
     pub(super) fn between(ends: [&PlacedPoint; 2], [part, whole]: &[Dyadic; 2]) -> Self {
         let [from, to] = ends.map(dyadic::point_world);
         Self {
@@ -70,17 +70,17 @@ impl ExactPoint {
         }
     }
 
-    /// The same, off by no more than `error`.
+    /// The same point with this error bound.
     pub(super) fn within(self, error: f64) -> Self {
         Self { error, ..self }
     }
 
-    /// Where it is, each coordinate rounded once.
+    /// Its coordinates, each rounded once.
     pub(super) fn world(&self) -> DVec3 {
         dyadic::divided(&self.numerators, &self.denominator)
     }
 
-    /// A point of the world that is off by no more than `error`.
+    /// A world point that is off by at most `error`.
     #[must_use]
     pub fn about(point_world: DVec3, error: f64) -> Self {
         Self {
@@ -90,7 +90,7 @@ impl ExactPoint {
         }
     }
 
-    /// A vertex where a placement puts what is written of it: three decimal numbers, as they are. `None` of other text.
+    /// A vertex as its file writes it, under a placement: three decimal numbers, taken exactly. `None` for other text.
     #[must_use]
     pub fn written(placement: &Placement, text: &str) -> Option<Self> {
         let numbers: Option<Vec<_>> = text.split_whitespace().map(decimal).collect();
@@ -115,13 +115,13 @@ impl ExactPoint {
         })
     }
 
-    /// To another, times both denominators.
+    /// The vector to another point, times both denominators.
     fn way(&self, other: &Self) -> DyadicVector {
         let to = other.numerators.times(&self.denominator);
         to.minus(&self.numerators.times(&other.denominator))
     }
 
-    /// How far it is from another.
+    /// The distance to another point.
     #[must_use]
     pub fn distance(&self, other: &Self) -> Measured {
         let way = self.way(other);
@@ -132,14 +132,14 @@ impl ExactPoint {
     }
 }
 
-/// The area of a polygon: that of triangles by the places of their corners in it.
+/// The area of a polygon: the sum of its triangles, which index its corners.
 #[must_use]
 pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured {
     let mut sum = Dyadic::new(0.0);
     for corners in triangles {
         let [a, b, c] = corners.map(|corner| &polygon[corner as usize]);
         let cross = a.way(b).cross(&a.way(c));
-        // Both ways have the first denominator, and each that of its end.
+        // Both vectors have a's denominator; each also has its end's.
         let denominators = a.denominator.squared().times(&b.denominator);
         let denominator = Dyadic::new(2.0).times(&denominators.times(&c.denominator));
         let twice = cross.dot(&cross).sqrt(BITS);
@@ -148,9 +148,9 @@ pub fn polygon_area(polygon: &[ExactPoint], triangles: &[[u32; 3]]) -> Measured 
     Measured::of(&sum, 0.0)
 }
 
-/// The area of a range of a mesh's triangles where a placement puts them: of what its file writes, which is stored as `f32`
-/// about the mesh's origin. That moves a corner by no more than `d`, below, and the area of a triangle with the sides p and q
-/// by no more than d (|p| + |q|) + 2 d^2.
+/// The area of a range of a mesh's triangles under a placement, as the file writes them. Storing them as `f32` about
+/// the mesh's origin moves a corner by at most `d`, below, and so the area of a triangle with the sides p and q by at
+/// most d (|p| + |q|) + 2 d^2.
 #[must_use]
 pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> Measured {
     let corners = || {
@@ -164,7 +164,7 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
         .flatten()
         .fold(DVec3::ZERO, |most, p| most.max(p.abs()));
     let origin = mesh.data().origin.abs();
-    // A coordinate is rounded to `f64`, less the origin, and to `f32`, of which the least have no more digits.
+    // A coordinate is rounded to `f64`, then (minus the origin) to `f32`; the last term is for subnormal `f32`.
     let rounded = 0.5 * f64::from(f32::EPSILON) * largest
         + f64::EPSILON * (largest + origin)
         + DVec3::splat(f64::from(f32::from_bits(1)));
@@ -176,7 +176,7 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
         .sum();
     let count = f64::from(triangles.end - triangles.start);
     let stored = d * stretch * sides + 2.0 * count * d * d;
-    // Sums of so many have so many roundings.
+    // A sum of `count` terms has `count` roundings.
     let more = 1.0 + (count + 16.0) * f64::EPSILON;
     Measured {
         value,
@@ -184,7 +184,7 @@ pub fn mesh_area(mesh: &Mesh, placement: &Placement, triangles: Range<u32>) -> M
     }
 }
 
-/// A decimal number as digits times a power of ten; `None` of other text.
+/// A decimal number as digits times a power of ten; `None` for other text.
 fn decimal(text: &str) -> Option<(BigInt, i64)> {
     if !text.parse::<f64>().ok()?.is_finite() {
         return None;
@@ -200,7 +200,7 @@ fn decimal(text: &str) -> Option<(BigInt, i64)> {
     let digits: BigInt = format!("{whole}{part}").parse().ok()?;
     let exponent = exponent.saturating_sub(i64::try_from(part.len()).ok()?);
     if exponent.abs() > MOST_EXPONENT + i64::try_from(text.len()).ok()? {
-        // It is finite: too small for any `f64`.
+        // It parsed as finite, so it is too small for any `f64`.
         return Some((BigInt::ZERO, 0));
     }
     Some((digits, exponent))
@@ -256,7 +256,7 @@ mod tests {
         assert!(square.error <= 1e-15 * 6.0);
     }
 
-    /// The same points stored and written: as their shortest decimals they are the same within one rounding of each.
+    /// The same points, stored and written: the shortest decimals differ from them by at most one rounding.
     #[test]
     fn distances_lie_within_their_bounds() {
         let mut random = Random(5);
@@ -277,7 +277,7 @@ mod tests {
             let most = by_file.error + by_store.error;
             assert!((by_file.value - by_store.value).abs() <= most);
             assert!(by_file.error <= 1.12e-16 * by_file.value);
-            // A wider truth, by hypotenuses of differences in integers of 2^-60.
+            // Against plain `f64`, too, to within 1e-9.
             let exact = (a - b).length();
             assert!(is_within(
                 Measured {

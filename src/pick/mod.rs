@@ -7,9 +7,9 @@
 //!
 //! **The stored numbers.** A camera stores the eye, the axes R, U and F, half the picture's height h (at view depth 1
 //! in perspective), near and far; a [`View`] adds the picture's W x H pixels. An object stores its model matrix M, a
-//! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. All of them are taken
-//! as they stand: the axes as they were rounded, h in place of the angle that it came from, the matrix in place of its
-//! inverse. `sightline pick --stored` prints them with all digits.
+//! mesh its `f32` vertices about one `f64` origin, which lie at M (origin + vertex) in the world. They count exactly as
+//! stored: the axes as rounded, h and not the angle that it came from, the matrix and not its inverse. `sightline pick
+//! --stored` prints them with all digits.
 //!
 //! **The ray** of a position x, y in pixels, with nothing rounded:
 //!
@@ -22,60 +22,61 @@
 //! F + a is not normalised, so t is view depth ([`PixelGrid::ray`](crate::geometry::PixelGrid::ray)). A ray that is
 //! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
 //!
-//! **The answer.** A hit counts where `near <= t < far`, each hit for itself: where the near plane cuts a sphere, its
-//! exit counts and its entry does not. A [`Section`](crate::geometry::Section) counts likewise: hits whose exact point has
-//! `n . p + c >= 0`, closed, for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits count. The
-//! pick is the hit with the least t on the visible objects; of equal ones that on the first object, and then on the
-//! first triangle. [`all`] has every hit in this order, of a solid the entry before the exit.
+//! **The answer.** A hit counts where `near <= t < far`, each hit on its own: where the near plane cuts a sphere, the
+//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has `n . p
+//! + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
+//! count. The pick is the hit with the least t on the visible objects; of equal ones, that on the first object, then on
+//! the first triangle. [`all`] has every hit in this order, a solid's entry before its exit.
 //!
 //! **The shapes** are closed: edges, corners and rims belong to them.
 //!
-//! * A triangle's corners run counter-clockwise seen from outside. A ray within its plane misses it. Without area it is
-//!   never hit.
+//! * A triangle's corners run counter-clockwise seen from outside. A ray within its plane misses it. A triangle without
+//!   area is never hit.
 //! * The square of side 1 lies about the origin in the plane z = 0 and faces +z. A ray within its plane misses it.
 //! * The cube of side 1 about the origin is solid. The ray enters it (front) and leaves it (back). Where both are one
-//!   point, at an edge or corner that it touches, that is one hit: the entry. Where it enters by several faces at once,
-//!   the one across the lowest axis is named; the same where it leaves. It does not enter by a face whose plane it lies
-//!   in.
-//! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A ray that only
-//!   touches it hits it once, and not from the front.
+//!   point, at an edge or corner that the ray touches, that is one hit: the entry. Where it enters or leaves by several
+//!   faces at once, the face across the lowest axis is named. It does not enter by a face in whose plane it lies.
+//! * The sphere of radius 1/2 lies about the origin. The ray enters it (front) and leaves it (back). A tangent ray hits
+//!   it once, and not from the front.
 //!
-//! **Front** is what it is in object space: the ray runs against the outward normal there, also under a matrix that
-//! mirrors. A singular matrix is refused, as is one whose inverse does not fit into `f64`
+//! **Front** is decided in object space: the ray runs against the outward normal there, also under a mirroring matrix.
+//! A singular matrix is refused, as is one whose inverse does not fit into `f64`
 //! ([`PlacementError`](crate::geometry::PlacementError)).
 //!
 //! # What a record adds
 //!
-//! [`Pick`] says where the hit lies and how sure it is. Its `t` is the exact one rounded once (but below far where the exact
-//! one is), and so is `gap`, the difference to the next hit. Its `exact` says whether exact arithmetic had to decide, the same with or without a tree
-//! over the triangles. `edge_px` and `differs_px` say how far, in pixels, the next edge and the next other answer are.
+//! [`Pick`] says where the hit lies and how sure it is. `t` is the exact parameter rounded once (and kept below far);
+//! `gap`, the difference to the next hit, is rounded once, too. `exact` says whether exact arithmetic had to decide; it
+//! does not depend on a tree being there. `edge_px` and `differs_px` say how many pixels away the nearest edge and the
+//! nearest other answer are.
 //!
-//! The order of picks is exact however close two surfaces lie; a drawing's is not. Where others lie so close to the nearest
-//! one that drawing may show any of them, a line says so and names them ([`InOnePlace`], found by
+//! The order of picks is exact however close two surfaces lie; a drawing's is not. Where surfaces lie so close to the
+//! nearest one that drawing may show any of them, a line names them ([`InOnePlace`], found by
 //! [`verify::in_one_place`](crate::verify::in_one_place)).
 
-mod around;
 mod beam;
 mod differs;
 mod edge;
 mod ellipsoid;
 pub mod measure;
+mod narrowed;
 mod nearest;
 mod one_place;
 mod order;
-mod picture;
+mod raycast;
 mod record;
 mod selection;
 mod sight;
 pub mod snap;
 
-pub use around::narrowed;
 pub(crate) use beam::Beam;
+pub(crate) use edge::face_of;
+pub use narrowed::narrowed;
 pub(crate) use nearest::all_near;
 pub use nearest::{all, closest, closest_by};
 pub use one_place::{InOnePlace, MOST_NAMED, NamedSurface};
-pub(crate) use picture::{RAYCAST_BYTES, each_ray};
-pub use picture::{ids, ids_by, raycast};
+pub(crate) use raycast::{RAYCAST_BYTES, each_ray};
+pub use raycast::{ids, ids_by, raycast};
 pub use record::{Pick, PickLine, PickLines};
 pub use selection::draw_selection;
 pub use sight::{Sight, Whereabouts, sight};
@@ -97,6 +98,14 @@ pub struct SceneHit {
     pub hit: Hit,
 }
 
+/// An object, or a triangle of its mesh; in the order in which ties are decided.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Primitive {
+    object: usize,
+    /// By its number in the mesh.
+    triangle: Option<u32>,
+}
+
 impl SceneHit {
     /// Whether `f64` leaves open which of the two is nearer.
     fn overlaps(&self, other: &Self) -> bool {
@@ -108,22 +117,25 @@ impl SceneHit {
     #[must_use]
     pub fn triangle_of_object(&self, scene: &Scene) -> Option<u32> {
         let first = scene.objects()[self.object].shape.first_triangle();
-        self.triangle().map(|triangle| triangle - first)
+        (self.primitive().triangle).map(|triangle| triangle - first)
     }
 
-    /// The triangle of a mesh that was hit.
-    fn triangle(&self) -> Option<u32> {
-        self.hit.on_triangle.map(|at| at.triangle)
+    /// The object or triangle that was hit.
+    fn primitive(&self) -> Primitive {
+        Primitive {
+            object: self.object,
+            triangle: self.hit.on_triangle.map(|at| at.triangle),
+        }
     }
 
-    /// Nothing that may come before it begins behind this `t`.
+    /// No hit with a larger `t` can come before this one.
     fn limit(&self) -> f64 {
         self.hit.t + self.hit.t_error
     }
 }
 
-/// What a click at a pixel position picks: the surface nearest to the eye at that very position. `None` where the
-/// picture shows the background.
+/// What a click picks: the surface nearest to the eye at exactly this pixel position. `None` where the picture shows
+/// the background.
 #[must_use]
 pub fn pick(scene: &Scene, view: &View, px: DVec2) -> Option<Pick> {
     let ray = view.ray(px);
@@ -150,7 +162,7 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     let is_alone = hits.get(1).is_none_or(|next| !next.overlaps(first));
     let differs_px = differs::differs_px(scene, view, px, first, is_alone);
     let tied = tied(&hits);
-    // What is in doubt is for all hits from some one on.
+    // Once a hit is in doubt, all later hits are.
     let sure = hits.partition_point(|hit| !is_in_doubt(scene, &ray, hit.limit()));
     let at = record::At { scene, view, px };
     let picks = hits.iter().enumerate().map(|(i, hit)| {
@@ -160,7 +172,7 @@ pub fn pick_all(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     picks.collect()
 }
 
-/// Of hits from front to back: whether `f64` leaves open which of each and some other one is nearer.
+/// For each hit, from front to back: whether `f64` leaves its order with some other hit open.
 fn tied(hits: &[SceneHit]) -> Vec<bool> {
     let [low, high] =
         [-1.0, 1.0].map(|sign| move |hit: &SceneHit| hit.hit.t + sign * hit.hit.t_error);

@@ -1,8 +1,8 @@
-//! Hits of a ray on a scene: the nearest, the next one behind it, all of them. One walk answers for clicks, pictures and
-//! hover.
+//! Hits of a ray on a scene: the nearest, the next one behind it, all of them. Clicks, pictures and hover share one
+//! walk.
 
 use super::{
-    Beam, SceneHit,
+    Beam, Primitive, SceneHit,
     order::{by_name, is_at_section, is_kept, is_same_place, order},
 };
 use crate::{
@@ -21,7 +21,7 @@ pub fn closest<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) ->
     nearest(&Beam::whole(scene), &ray.into(), sides, None)
 }
 
-/// The nearest hit that comes after `after`, or of all.
+/// The nearest hit, or the nearest that comes after `after`.
 pub(super) fn nearest(
     beam: &Beam,
     ray: &WorldRay,
@@ -47,7 +47,7 @@ pub(super) fn nearest(
     best
 }
 
-/// [`closest`] by another triangle test. A section ends the ray's interval on meshes, rounded outwards.
+/// [`closest`] by another triangle test. On meshes, a section shortens the ray's interval, rounded outwards.
 #[must_use]
 pub fn closest_by<'a>(
     scene: &Scene,
@@ -57,14 +57,14 @@ pub fn closest_by<'a>(
 ) -> Option<SceneHit> {
     let ray = &ray.into();
     let mut best = None;
-    // Another test may hit what the ray misses: no batch is passed over.
+    // Another test may hit what the ray misses, so no batch is skipped.
     for batch in scene.batches() {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
         let local = LocalRay::from(&placed);
         let found = match &first.shape {
             Shape::Mesh { mesh, part } => {
-                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let accept = |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                 let hit = mesh.closest_by(local, sides, test, accept);
                 hit.map(|hit| of_mesh(scene, batch, hit))
             }
@@ -83,7 +83,7 @@ pub fn all<'a>(scene: &Scene, ray: impl Into<WorldRay<'a>>, sides: Sides) -> Vec
     all_near(&Beam::whole(scene), &ray.into(), sides, |_, _| true)
 }
 
-/// Of [`all`] hits the nearest one, and what `is_near` says to be so of a hit when it is told the nearest.
+/// Those of [`all`] hits for which `is_near(hit, nearest)` holds, and the nearest itself, in order.
 #[must_use]
 pub(crate) fn all_near(
     beam: &Beam,
@@ -97,13 +97,13 @@ pub(crate) fn all_near(
         return all;
     };
     all.retain(|hit| *hit == first || is_near(hit, &first));
-    // Those in the place of the first, of which there may be many, are ordered without a look at where they are.
+    // Hits at the first one's t may be many; they are ordered by name alone.
     let (mut here, mut others): (Vec<_>, Vec<_>) =
         (all.into_iter()).partition(|hit| is_same_place(scene, &first, hit));
     here.sort_unstable_by(by_name);
     others.sort_unstable_by(|a, b| order(scene, ray, a, b));
     here.append(&mut others);
-    // Two runs, which this merges.
+    // Merges the two sorted runs.
     here.sort_by(|a, b| order(scene, ray, a, b));
     here
 }
@@ -117,7 +117,7 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
         let local = LocalRay::from(&placed);
         match &first.shape {
             Shape::Mesh { mesh, part } => {
-                let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                let accept = |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                 let hits = mesh.each(&local, entry, sides, accept).into_iter();
                 all.extend(hits.map(|hit| of_mesh(scene, batch, hit)));
             }
@@ -137,13 +137,12 @@ fn unordered(beam: &Beam, ray: &WorldRay, sides: Sides) -> Vec<SceneHit> {
     all
 }
 
-/// The first shown hit on one object, or on a triangle of its mesh; whether it is visible or not.
+/// The first shown hit on an object, visible or not, or on a triangle of its mesh.
 pub(super) fn first_on(
     scene: &Scene,
     ray: &WorldRay,
     sides: Sides,
-    object: usize,
-    triangle: Option<u32>,
+    Primitive { object, triangle }: Primitive,
 ) -> Option<SceneHit> {
     let Object {
         shape, placement, ..
@@ -159,8 +158,8 @@ pub(super) fn first_on(
     shown.find(|hit| is_kept(scene, ray, hit))
 }
 
-/// Whether `f64` alone leaves open if a world-space ray hits one of the visible surfaces no later than at `limit`. The
-/// same with and without trees.
+/// Whether `f64` alone leaves open if a world-space ray hits some visible surface at or before `limit`. The answer does
+/// not depend on trees.
 pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
     let mut found = false;
     let placed = Placement::IDENTITY.local_ray(ray);
@@ -171,7 +170,7 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
         let first = &scene.objects()[batch.start];
         let placed = first.placement.local_ray(ray);
         let local = placed.until(limit);
-        // A tree over the scene passes by what this does, and perhaps more.
+        // A tree over the scene visits every batch that passes this filter, and perhaps more.
         let may_matter = || {
             let bounds = scene.bounds_of_batch(batch);
             bounds.may_hit_before(&world, inverse, limit)
@@ -180,7 +179,8 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
             || may_matter()
                 && match &first.shape {
                     Shape::Mesh { mesh, part } => {
-                        let accept = |part_hit| shows_part(scene, batch, *part, part_hit);
+                        let accept =
+                            |part_hit| shown_object(scene, batch, *part, part_hit).is_some();
                         mesh.is_in_doubt(local, accept)
                     }
                     _ if !first.visible => false,
@@ -189,19 +189,19 @@ pub(super) fn is_in_doubt(scene: &Scene, ray: &WorldRay, limit: f64) -> bool {
                     Shape::Square => Square::is_in_doubt(&local),
                 }
             || ray.section().is_some() && {
-                // A tree may leave out what is met behind the limit.
+                // A tree may leave out hits behind the limit.
                 let is_open = |hit: &SceneHit| hit.limit() <= limit && is_at_section(ray, hit);
                 in_batch(scene, batch, None, &local, Sides::Both, is_open).is_some()
             };
-        // Once is enough: nothing lies before this.
+        // Once is enough: this ends the walk.
         if found { f64::NEG_INFINITY } else { limit }
     });
     found
 }
 
-/// Whether `f64` leaves open which of a hit and some other one is nearer. The same with and without trees.
+/// Whether `f64` leaves open which of a hit and some other one is nearer. The answer does not depend on trees.
 pub(super) fn is_tied(scene: &Scene, ray: &WorldRay, sides: Sides, hit: &SceneHit) -> bool {
-    // What overlaps it is met no later than this, since no parameter is off by more than half of its digits.
+    // A hit that overlaps this one lies at or before this: no parameter is off by more than half of its digits.
     let limit = hit.limit() + 8.0 * HALF_OF_THE_DIGITS * hit.limit().abs();
     let mut found = false;
     scene.visit_batches(ray, |batch| {
@@ -228,7 +228,7 @@ fn lesser(
     }
 }
 
-/// The first hit on a batch that `accept` takes.
+/// The first hit on a batch that `accept` approves.
 fn in_batch(
     scene: &Scene,
     batch: &Range<usize>,
@@ -241,7 +241,8 @@ fn in_batch(
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let hit = mesh.closest_of(local, entry, sides, |part_hit, hit| {
-                shows_part(scene, batch, *part, part_hit) && accept(&of_mesh(scene, batch, *hit))
+                shown_object(scene, batch, *part, part_hit).is_some()
+                    && accept(&of_mesh(scene, batch, *hit))
             });
             hit.map(|hit| of_mesh(scene, batch, hit))
         }
@@ -265,15 +266,15 @@ fn of_mesh(scene: &Scene, batch: &Range<usize>, hit: Hit) -> SceneHit {
     SceneHit { object, hit }
 }
 
-/// Whether a part of a batch's mesh is one of its objects, and visible.
-pub(super) fn shows_part(
+/// The object of a batch that is a part of its mesh, if it is visible.
+pub(super) fn shown_object(
     scene: &Scene,
     batch: &Range<usize>,
     first_part: usize,
     part: usize,
-) -> bool {
-    let object = part.checked_sub(first_part).map(|i| batch.start + i);
-    object.is_some_and(|object| object < batch.end && scene.objects()[object].visible)
+) -> Option<usize> {
+    let object = part.checked_sub(first_part)? + batch.start;
+    (object < batch.end && scene.objects()[object].visible).then_some(object)
 }
 
 fn analytic_hits(shape: &Shape, local: &LocalRay) -> [Option<Hit>; 2] {

@@ -1,20 +1,20 @@
-//! What of a position's surfaces drawing cannot tell apart, for people and for JSON.
+//! Which surfaces at a position drawing cannot tell apart, for people and for JSON.
 
 use super::{Pick, SceneHit};
 use crate::scene::Scene;
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
-/// The most surfaces that are named; how many there are is always said.
+/// At most this many surfaces are named; the count is always complete.
 pub const MOST_NAMED: usize = 8;
 
-/// Surfaces at a position that are so close together that drawing may show any of them: the one that is picked and those
-/// that it cannot be told from. The field names are the JSON's.
+/// Surfaces at a position that lie so close together that drawing may show any of them: the picked one and those that
+/// drawing cannot tell from it. The field names are the JSON's.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InOnePlace {
     /// How many: two or more.
     pub count: usize,
-    /// The first of them, up to [`MOST_NAMED`], in the order of picks: the one that is picked is the first.
+    /// Up to [`MOST_NAMED`] of them in the order of picks; the picked one is the first.
     pub named: Vec<NamedSurface>,
 }
 
@@ -32,7 +32,7 @@ pub struct NamedSurface {
 }
 
 impl NamedSurface {
-    /// What was hit.
+    /// The surface of a hit.
     #[must_use]
     pub fn of(scene: &Scene, hit: &SceneHit) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl NamedSurface {
 }
 
 impl InOnePlace {
-    /// Of hits in the order of picks; `None` of fewer than two.
+    /// From hits in the order of picks; `None` for fewer than two.
     #[must_use]
     pub fn of(scene: &Scene, hits: &[SceneHit]) -> Option<Self> {
         (hits.len() > 1).then(|| Self {
@@ -56,7 +56,7 @@ impl InOnePlace {
         })
     }
 
-    /// Whether a pick at the position is one of them, as far as names tell.
+    /// Whether a pick at the position is one of them; true, too, if not all are named.
     #[must_use]
     pub fn may_hold(&self, pick: &Pick) -> bool {
         let is_it = |of: &NamedSurface| {
@@ -65,7 +65,7 @@ impl InOnePlace {
         self.count > self.named.len() || self.named.iter().any(is_it)
     }
 
-    /// The name of one, with what tells it from the others that are named.
+    /// A surface's name, with what tells it from the others named.
     fn label(&self, of: &NamedSurface) -> String {
         let others = || self.named.iter().filter(|other| *other != of);
         let mut label = of.object.clone();

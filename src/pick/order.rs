@@ -1,6 +1,6 @@
-//! Which of two hits comes first, as exact arithmetic says.
+//! Which of two hits comes first: ties are decided here, in exact arithmetic.
 
-use super::SceneHit;
+use super::{Primitive, SceneHit};
 use crate::{
     geometry::{
         Corners, Mesh, Parameter, Square, Surface, WorldRay, are_in_one_plane, compare_surfaces,
@@ -11,19 +11,17 @@ use crate::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// The order of two hits of a ray: by `t`, then object, then triangle. Of one object's hits at one `t` the front comes first.
+/// The order of two hits of a ray: by `t`, then object, then triangle, then front before back.
 pub(super) fn order(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Ordering {
     by_t(scene, ray, a, b).then_with(|| by_name(a, b))
 }
 
 /// [`order`] of hits at one `t`.
 pub(super) fn by_name(a: &SceneHit, b: &SceneHit) -> Ordering {
-    (a.object.cmp(&b.object))
-        .then(a.triangle().cmp(&b.triangle()))
-        .then(b.hit.front.cmp(&a.hit.front))
+    (a.primitive().cmp(&b.primitive())).then(b.hit.front.cmp(&a.hit.front))
 }
 
-/// Whether the section that cuts a ray, if one does, keeps one of its hits.
+/// Whether the ray's section, if any, keeps a hit.
 #[inline]
 pub(super) fn is_kept(scene: &Scene, ray: &WorldRay, hit: &SceneHit) -> bool {
     ray.section().is_none_or(|across| {
@@ -77,8 +75,8 @@ fn by_exact_t(scene: &Scene, ray: &WorldRay, a: &SceneHit, b: &SceneHit) -> Orde
     compare_surfaces(ray, &surface(scene, a), &surface(scene, b))
 }
 
-/// Whether two hits of one ray are at one `t` by what they are of: the same surface, or two flat ones of one plane. Cheaper
-/// to tell than by their parameters.
+/// Whether two hits of one ray have the same `t` because of what was hit: the same surface, or two coplanar ones.
+/// Cheaper than comparing their parameters.
 pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     if !a.overlaps(b) {
         return false;
@@ -90,17 +88,20 @@ pub(super) fn is_same_place(scene: &Scene, a: &SceneHit, b: &SceneHit) -> bool {
     }
 }
 
-/// Whether an object, or of a mesh's a triangle that is given by its corners about the mesh's origin, comes no earlier than
-/// a hit on every ray that meets both: the very same, or in the same place or plane and no earlier in order.
+/// Whether an object, or one triangle of it (number, and corners about the mesh's origin), comes no earlier than a hit
+/// on every ray that meets both: it is the same one, or coincides or is coplanar with it and is not earlier in order.
 pub(super) fn comes_later(
     scene: &Scene,
     hit: &SceneHit,
     object: usize,
     triangle: Option<(u32, [DVec3; 3])>,
 ) -> bool {
-    let is_later = (hit.object, hit.triangle()) <= (object, triangle.map(|(number, _)| number));
+    let primitive = Primitive {
+        object,
+        triangle: triangle.map(|(number, _)| number),
+    };
     let other = || flat(scene, object, triangle.map(|(_, corners)| corners));
-    is_later
+    hit.primitive() <= primitive
         && match (flat_of_hit(scene, hit), other()) {
             (Some(here), Some(other)) => are_in_one_plane(&here, &other),
             (None, None) => are_alike(scene, hit.object, object),
@@ -108,7 +109,7 @@ pub(super) fn comes_later(
         }
 }
 
-/// Whether two objects, of no meshes, are one shape in one place.
+/// Whether two objects, neither a mesh, are the same shape under the same placement.
 fn are_alike(scene: &Scene, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|object| &scene.objects()[object]);
     a.shape.kind() == b.shape.kind() && a.placement == b.placement
@@ -122,7 +123,7 @@ fn flat_of_hit<'a>(scene: &'a Scene, hit: &SceneHit) -> Option<Corners<'a>> {
     flat(scene, hit.object, corners)
 }
 
-/// Three corners of an object's square, or of a triangle of its mesh; `None` of solids.
+/// Three corners of a square, or of a triangle of a mesh; `None` for solids.
 fn flat(scene: &Scene, object: usize, triangle: Option<[DVec3; 3]>) -> Option<Corners<'_>> {
     let object = &scene.objects()[object];
     let (origin, corners) = match &object.shape {
@@ -144,7 +145,7 @@ fn vertex_corners(mesh: &Mesh, hit: &SceneHit) -> [DVec3; 3] {
     mesh.vertex_corners(hit.hit.on_triangle.map_or(0, |at| at.triangle))
 }
 
-/// What was hit.
+/// The surface of a hit, for exact arithmetic.
 pub(super) fn surface<'a>(scene: &'a Scene, hit: &SceneHit) -> Surface<'a> {
     let Object {
         shape, placement, ..

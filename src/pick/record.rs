@@ -38,20 +38,20 @@ pub struct Pick {
     pub normal_object: DVec3,
     /// Weights of the triangle's corners; `None` for analytic shapes.
     pub barycentric: Option<[f64; 3]>,
-    /// How far the pixel position is from the nearest edge of the triangle or face (of a sphere: from its outline),
-    /// in pixels, to within 1e-6 or 1e-9 of it. `None` where none of it lies at or behind the near plane.
+    /// How far the pixel position is from the nearest edge of the triangle or face (of a sphere: from its outline), in
+    /// pixels, to within 1e-6 or a relative 1e-9. `None` where no edge lies at or behind the near plane.
     pub edge_px: Option<f64>,
     /// How far behind the point the next surface lies, in `t`: the exact difference, rounded once. `None` when there is
     /// none.
     pub gap: Option<f64>,
-    /// Whether exact arithmetic had to decide: because `f64` left open whether a surface up to here is hit, or which of this
+    /// Whether exact arithmetic had to decide: `f64` left open whether a surface up to here is hit, or which of this
     /// one and another is nearer.
     pub exact: bool,
-    /// How far from the position the centre of the nearest pixel lies, in pixels and up to 8, in which the picture shows
-    /// another object, another triangle or the background; its own pixel's too. `None` when there is none, or while trees
-    /// are still being built. One number for all surfaces at a position.
+    /// Distance in pixels, up to 8, from the position to the nearest pixel centre where the picture shows another
+    /// object, another triangle or the background; the position's own pixel counts, too. `None` when there is none, or
+    /// while trees are being built. The same for all surfaces at a position.
     pub differs_px: Option<f64>,
-    /// What the file of its mesh says of the triangle, once somebody has read it again.
+    /// What the mesh's file says about the triangle, once it was read again.
     #[serde(flatten)]
     pub in_file: InFile,
 }
@@ -63,7 +63,7 @@ pub struct PickLine {
     pub px: DVec2,
     /// What is there; `None` for the background.
     pub hit: Option<Pick>,
-    /// What drawing cannot tell from the nearest surface there; `None` where that lies by itself.
+    /// The surfaces that drawing cannot tell from the nearest one there; `None` where there are none.
     pub in_one_place: Option<InOnePlace>,
 }
 
@@ -74,7 +74,7 @@ pub struct PickLines {
     pub px: DVec2,
     /// What is there, from front to back.
     pub hits: Vec<Pick>,
-    /// What drawing cannot tell from the first of them; `None` where that lies by itself.
+    /// The surfaces that drawing cannot tell from the first; `None` where there are none.
     pub in_one_place: Option<InOnePlace>,
 }
 
@@ -86,7 +86,7 @@ pub(super) struct At<'a> {
 }
 
 impl Pick {
-    /// The record of a hit on the ray through a position, of which `next` is the one behind it.
+    /// The record of a hit on the ray through a position; `next` is the hit behind it.
     pub(super) fn of(
         at: &At,
         found: &SceneHit,
@@ -100,7 +100,7 @@ impl Pick {
         let placement = &object.placement;
         let ray = view.ray(px);
         let at = order::parameter(scene, &ray, found);
-        // Rounded once, and in the interval still.
+        // Rounded once, and kept within the interval.
         let t = ray.kept_within(at.to_f64().unwrap_or(hit.t));
         let point_object = at.point_object(placement);
         let point_object = point_object.unwrap_or_else(|| placement.ray_to_object(&ray).at(t));
@@ -122,7 +122,7 @@ impl Pick {
             point_world: (at.point_object(&Placement::IDENTITY)).unwrap_or_else(|| ray.at(t)),
             normal_world: placement.normal_to_world(normal) + DVec3::ZERO,
             point_object,
-            // Of 0 and -0 it is 0.
+            // Adding 0 turns -0 into 0.
             normal_object: (normal / normal.abs().max_element()).normalize() + DVec3::ZERO,
             barycentric: hit.on_triangle.map(barycentric),
             edge_px: edge::edge_px(object, view, px, &hit),
@@ -134,7 +134,7 @@ impl Pick {
     }
 }
 
-/// The length of a vector, also where its square would vanish or overflow.
+/// The length of a vector, also where its square would underflow or overflow.
 fn length(v: DVec3) -> f64 {
     let size = v.abs().max_element();
     if size > 0.0 {

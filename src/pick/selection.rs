@@ -1,6 +1,6 @@
-//! The selected object in a picture that was cast: tinted where it shows, outlined wherever it is.
+//! The selected object in a ray-cast picture: tinted where it shows, outlined even where it is hidden.
 
-use super::{closest, picture::each_pixel};
+use super::{each_ray, nearest::nearest};
 use crate::{
     camera::View,
     colour::Srgb,
@@ -20,8 +20,8 @@ pub fn draw_selection(
 ) {
     // As if nothing else were there.
     let alone = Scene::new(vec![scene.objects()[object].clone()]);
-    let covered = each_pixel(view, |px| {
-        closest(&alone, view.ray(px), view.sides).is_some()
+    let covered = each_ray(&alone, view, |beam, ray, _| {
+        nearest(beam, ray, view.sides, None).is_some()
     });
     let covered = Image::new(view.viewport, covered);
     for (((x, y), id), colour) in ids.positions().zip(ids.pixels()).zip(colours.pixels_mut()) {
@@ -34,8 +34,8 @@ pub fn draw_selection(
     }
 }
 
-/// Whether the border of what is covered passes within [`look::OUTLINE_PX`] of a pixel. Beyond the picture nothing
-/// changes, so its rim is no border.
+/// Whether the border of the covered area passes within [`look::OUTLINE_PX`] of a pixel. The picture's own rim is no
+/// border.
 fn on_outline(covered: &Image<bool>, x: u32, y: u32) -> bool {
     let reach = look::OUTLINE_PX;
     let size = covered.size();

@@ -1,9 +1,9 @@
 //! Whether a point of the scene is seen, and what hides it.
 //!
-//! Decided exactly, as picks are: by the very ray of the picture that passes through the point
-//! ([`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray)), though its position need be no `f64`. What that ray
-//! picks tells. A point is seen where the pick lies at the point. What the pick lies before is hidden by it. Else nothing that
-//! is shown passes through the point: its faces are culled, of a hidden object, or seen along their plane.
+//! Decided exactly, as picks are, by what the picture's ray through the point picks
+//! ([`ThroughPoint::ray`](crate::geometry::ThroughPoint::ray); its pixel position need not be an `f64`). A point is
+//! seen where the pick lies at the point, and hidden where the pick lies before it. Otherwise no shown surface passes
+//! through the point: its faces are culled, of a hidden object, or seen edge-on.
 
 use super::{NamedSurface, SceneHit, closest, nearest::first_on, order::surface};
 use crate::{
@@ -18,16 +18,16 @@ use std::{cmp::Ordering, ops::Range, sync::Arc};
 /// Whether a point is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sight {
-    /// As a point of this surface, the first of those that pass through it.
+    /// On this surface, the first of those through the point.
     Seen(SceneHit),
-    /// This lies before it, nearest to the eye.
+    /// By this hit, the nearest to the eye.
     Hidden(SceneHit),
-    /// Nothing is shown there: it lies before the near plane or not before the far one, a section cuts it away, or no surface
-    /// through it shows.
+    /// It lies before the near plane, at or behind the far one, or is cut away by a section; or no surface through it
+    /// is shown.
     NotShown,
 }
 
-/// Whether a point is seen. It may lie beside the picture.
+/// Whether a point is seen. It may lie outside the picture.
 #[must_use]
 pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
     let through = view.through(point);
@@ -43,47 +43,47 @@ pub fn sight(scene: &Scene, view: &View, point: &PlacedPoint) -> Sight {
     }
 }
 
-/// Whether the very object or triangle that was hit lies before a point, too.
+/// Whether the object or triangle of another hit also hides a point.
 pub(super) fn hides(scene: &Scene, view: &View, by: &SceneHit, point: &PlacedPoint) -> bool {
     let through = view.through(point);
     ray(view, &through).is_some_and(|ray| {
-        let hit = first_on(scene, &ray, view.sides, by.object, by.triangle());
+        let hit = first_on(scene, &ray, view.sides, by.primitive());
         hit.and_then(|hit| compare_to_point(&ray, &surface(scene, &hit))) == Some(Ordering::Less)
     })
 }
 
-/// The ray of the picture that passes through a point, where it may show it.
+/// The picture's ray through a point; `None` where the point is outside near and far.
 fn ray<'a>(view: &View, through: &'a ThroughPoint) -> Option<WorldRay<'a>> {
     let ray = through.ray().filter(is_point_within)?;
     Some(view.section.map_or(ray, |section| ray.cut_by(&section)))
 }
 
-/// Where a vertex or a face of a file is in a picture, on one object; the field names are the JSON's.
+/// Where a picture shows a vertex or a face of a file, on one object; the field names are the JSON's.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Whereabouts {
     /// The object's name.
     pub object: String,
     /// The object's number, from 1.
     pub id: usize,
-    /// The first of the triangles that have it, of the object, from 0.
+    /// The object's first triangle that has it, from 0.
     pub triangle: u32,
     /// The vertex, or a point inside of the face, in the world.
     pub point_world: DVec3,
-    /// The same with nothing rounded.
+    /// The same point, not rounded.
     #[serde(skip)]
     pub point: PlacedPoint,
-    /// Where that is, in pixels; `None` at or behind the eye in perspective.
+    /// Its pixel position; `None` at or behind the eye in perspective.
     pub px: Option<DVec2>,
-    /// Whether that is in the picture.
+    /// Whether that position is inside the picture.
     pub in_picture: bool,
     /// Whether it is seen there; see [`sight`].
     pub seen: bool,
-    /// What lies before it; `None` too where it is not shown at all.
+    /// What hides it; `None`, too, where it is not shown at all.
     pub hidden_by: Option<NamedSurface>,
 }
 
 impl Whereabouts {
-    /// Of a vertex, about the origin of its mesh, on each object that has a corner there. None where no face has.
+    /// A vertex, given about its mesh's origin, on each object with a corner there. Empty where no face has one.
     #[must_use]
     pub fn of_vertex(scene: &Scene, view: &View, mesh: &Arc<Mesh>, vertex: DVec3) -> Vec<Self> {
         let count = u32::try_from(mesh.data().triangles.len()).unwrap_or(u32::MAX);
@@ -107,8 +107,8 @@ impl Whereabouts {
         parts.into_iter().flat_map(of_part).collect()
     }
 
-    /// Of a face, by its triangles in the mesh, on each object that has it: of a point inside of the largest of them. None
-    /// without triangles.
+    /// A face, given by its triangles in the mesh, on each object that has it: a point inside its largest triangle.
+    /// Empty without triangles.
     #[must_use]
     pub fn of_face(
         scene: &Scene,
@@ -126,7 +126,7 @@ impl Whereabouts {
         };
         let objects = objects_of(scene, mesh, mesh.part_of(triangle));
         let place = |index: usize| {
-            // Halves are exact: it lies in the triangle's plane, unless its corners are of very unlike sizes.
+            // Halving is exact: the point lies in the triangle's plane, unless its corners differ very much in size.
             let [a, b, c] = mesh.vertex_corners(triangle);
             let ends = [a, 0.5 * (b + c)];
             let placement = &scene.objects()[index].placement;
@@ -159,7 +159,7 @@ impl Whereabouts {
     }
 }
 
-/// The objects that are a part of a mesh.
+/// The objects that show this part of a mesh.
 fn objects_of(scene: &Scene, mesh: &Arc<Mesh>, part: usize) -> impl Iterator<Item = usize> {
     let objects = scene.objects().iter().enumerate();
     objects.filter_map(move |(index, object)| match &object.shape {

@@ -1,26 +1,26 @@
-//! Which triangles of a mesh go on where another one ends.
+//! Which triangles of a mesh continue across another one's edge.
 
 use crate::geometry::MeshData;
 use std::collections::HashMap;
 
-/// A mesh's triangles by where their corners are. Corners in one place are one, however often the mesh lists them: the
-/// vertex shader makes the same of them.
+/// A mesh's triangles by corner position. Corners at equal positions count as one, however often the mesh lists them:
+/// the vertex shader maps them alike.
 pub(super) struct Adjoining {
-    /// Of each vertex, the first that is in the same place.
+    /// For each vertex, the first one at the same position.
     places: Vec<u32>,
-    /// Where each place's triangles begin in `triangles`, and where the last one's end.
+    /// Where each position's triangles begin in `triangles`, and where the last ones end.
     starts: Vec<u32>,
     triangles: Vec<u32>,
 }
 
 impl Adjoining {
-    /// Of all triangles of a mesh.
+    /// Indexes all triangles of a mesh.
     pub fn new(mesh: &MeshData) -> Self {
         let mut first = HashMap::with_capacity(mesh.positions.len());
         let places: Vec<u32> = (0..)
             .zip(&mesh.positions)
             .map(|(i, position)| {
-                // Added to 0, -0 is 0.
+                // Adding 0 turns -0 into 0.
                 *first
                     .entry(position.map(|c| (c + 0.0).to_bits()))
                     .or_insert(i)
@@ -49,7 +49,7 @@ impl Adjoining {
         }
     }
 
-    /// The triangles with an edge from one vertex's place to another's, or back.
+    /// The triangles with an edge between the positions of two vertices, in either direction.
     pub fn across<'a>(
         &'a self,
         mesh: &'a MeshData,
@@ -73,11 +73,11 @@ impl Adjoining {
     }
 }
 
-/// A triangle at an edge of another one.
+/// A triangle that shares an edge with another.
 pub(super) struct Neighbour {
     pub triangle: u32,
     /// Its vertex off the edge.
     pub apex: u32,
-    /// Whether it runs the edge the other way, as two that face one way do.
+    /// Whether it runs along the edge the other way, as triangles that face the same way do.
     pub faces_alike: bool,
 }

@@ -1,5 +1,5 @@
-//! How far off drawing may be at a pixel, and what that explains there. Bounds are made from camera, scene and the
-//! driver's steps; nothing here knows what was drawn or picked.
+//! How far off drawing may be at a pixel, and what that explains. Bounds come from camera, scene and the driver's
+//! rounding; nothing here knows what was drawn or picked.
 
 use super::{Class, OUTLINE_CEILING_PX};
 use crate::render::Rasteriser;
@@ -8,36 +8,25 @@ use crate::render::Rasteriser;
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::struct_field_names, reason = "the unit")]
 pub(super) struct Outline {
-    /// From the centre, in pixels; never more than it really is.
+    /// Distance from the centre, in pixels; never overestimated.
     pub distance_px: f64,
-    /// What the rasteriser's grid moves it by, in pixels: nothing where no vertices make it.
+    /// How far the rasteriser's grid may move it, in pixels: 0 where it has no vertices.
     pub grid_px: f64,
-    /// What `f32` moves it by, in pixels.
+    /// How far `f32` may move it, in pixels.
     pub f32_px: f64,
 }
 
-/// The depth at a pixel's centre beside the near plane, which cuts away what lies before it. View depths.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
-    /// Between the surface and the plane.
-    pub gap: f64,
-    /// What the rasteriser's grid changes the surface's depth by.
-    pub grid: f64,
-    /// What `f32` changes it by.
-    pub f32: f64,
-}
-
-/// Why a surface may be at a pixel for drawing and not for the pick, or the other way round.
+/// Why a surface may be at a pixel for drawing and not for the pick, or vice versa.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reason {
     pub class: Class,
-    /// What it takes over what it may take; up to 1.
+    /// What it needs over what is allowed; at most 1.
     pub strain: f64,
-    /// The outline that it rests on; [`Outline::NONE`] for a depth.
+    /// The outline behind it; [`Outline::NONE`] for a depth.
     pub outline: Outline,
 }
 
-/// What the depth buffer may hold for a surface at a pixel's centre, by nearness: more is nearer.
+/// What the depth buffer may hold for a surface at a pixel's centre, as nearness: more is nearer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stored {
     /// Without any rounding.
@@ -46,28 +35,28 @@ pub(super) struct Stored {
     pub nearest: f64,
     /// The farthest that drawing may make it.
     pub farthest: f64,
-    /// What rounding may take of that, apart from moving the surface aside.
+    /// The part of these bounds that is due to rounding, without moving the surface aside.
     pub rounding: f64,
-    /// What of that drawing may be off by and be held to hold the view.
+    /// The most that rounding may be in a view that drawing can hold.
     pub ceiling: f64,
     /// Whether the bounds lie above a ceiling.
     pub beyond_f32: bool,
 }
 
 impl Outline {
-    /// None there.
+    /// No outline.
     pub const NONE: Self = Self {
         distance_px: f64::INFINITY,
         grid_px: 0.0,
         f32_px: 0.0,
     };
 
-    /// How far drawing may move it, in pixels.
+    /// The most by which drawing may move it, in pixels.
     pub fn error_px(&self) -> f64 {
         self.grid_px + self.f32_px
     }
 
-    /// What it explains: nothing when it is farther off than drawing may move it, or nobody knows how far that is.
+    /// What it explains: nothing when it is farther off than drawing may move it, or that has no bound.
     pub fn reason(self) -> Option<Reason> {
         let error_px = self.error_px();
         let strain = strain(self.distance_px, error_px)?;
@@ -86,7 +75,7 @@ impl Outline {
         })
     }
 
-    /// The one of two that is nearer for what drawing may move it by; one without a bound before all others.
+    /// The one of two that is nearer relative to how far drawing may move it; one without a bound wins.
     pub fn nearer(self, other: Self) -> Self {
         let [of_self, of_other] = [self, other].map(|at| {
             if at.is_bounded() {
@@ -98,33 +87,31 @@ impl Outline {
         if of_other < of_self { other } else { self }
     }
 
-    /// Whether it is known how far drawing may move it.
+    /// Whether there is a bound on how far drawing may move it.
     pub fn is_bounded(&self) -> bool {
         self.error_px().is_finite()
     }
 }
 
-impl Cut {
-    /// What it explains. `beyond_f32` when the bounds of the depth lie above a ceiling.
-    pub fn reason(self, beyond_f32: bool) -> Option<Reason> {
-        let strain = strain(self.gap, self.grid + self.f32)?;
+impl Reason {
+    /// What the near plane explains for a surface whose depth lies `gap` off it, when the rasteriser's grid and `f32` may
+    /// change that depth by so much; `beyond_f32` says that the depth's bounds exceed a ceiling.
+    pub fn at_near_plane(gap: f64, [grid, f32]: [f64; 2], beyond_f32: bool) -> Option<Self> {
         let class = if beyond_f32 {
             Class::BeyondF32
-        } else if self.f32 <= self.grid {
+        } else if f32 <= grid {
             Class::Edge
         } else {
             Class::Depth
         };
-        Some(Reason {
+        Some(Self {
             class,
-            strain,
+            strain: strain(gap, grid + f32)?,
             outline: Outline::NONE,
         })
     }
-}
 
-impl Reason {
-    /// The one that takes less: of the better class, then of less strain.
+    /// The better of two: by class, then by less strain.
     pub fn or(self, other: Self) -> Self {
         if (other.class, other.strain) < (self.class, self.strain) {
             other
@@ -133,7 +120,7 @@ impl Reason {
         }
     }
 
-    /// It, where something else of this class has to hold too.
+    /// This reason, where something of another class has to hold, too.
     pub fn and(self, class: Class) -> Self {
         Self {
             class: if class == Class::BeyondF32 {
@@ -147,8 +134,8 @@ impl Reason {
 }
 
 impl Stored {
-    /// What it takes for drawing to show this surface in front of `other`, where both are: nothing where it is in front;
-    /// `None` where drawing cannot.
+    /// The class by which drawing may show this surface in front of `other` where both are: [`Class::Edge`] where it
+    /// really is in front, `None` where drawing cannot.
     pub fn hides(&self, other: &Self) -> Option<Class> {
         if self.nearness >= other.nearness {
             Some(Class::Edge)
@@ -159,14 +146,14 @@ impl Stored {
         }
     }
 
-    /// Whether it really comes first where both are, or as good as. A pick's order does not depend on how far drawing moves
+    /// Whether it really comes first where both are, to within rounding. Picks do not depend on how far drawing moves
     /// surfaces aside.
     pub fn precedes(&self, other: &Self) -> bool {
         self.nearness + self.rounding >= other.nearness - other.rounding
     }
 
-    /// What two surfaces explain that both cover a pixel: nothing unless the buffer may order them either way. Two that
-    /// nothing moves are in one order only.
+    /// What two surfaces that both cover a pixel explain: nothing unless the buffer may order them either way. Without
+    /// any error they have one order only.
     pub fn reason(&self, other: &Self) -> Option<Reason> {
         let (near, far) = if self.nearness < other.nearness {
             (other, self)
@@ -175,7 +162,7 @@ impl Stored {
         };
         let allowed = (near.nearness - near.farthest) + (far.nearest - far.nearness);
         let strain = strain(near.nearness - far.nearness, allowed)?;
-        // Closer together than the ceiling, either may show, whatever the bounds.
+        // Two surfaces closer together than the ceiling are harmless, whatever the bounds.
         let class = if near.capped().farthest <= far.capped().nearest {
             Class::Depth
         } else {
@@ -188,18 +175,18 @@ impl Stored {
         })
     }
 
-    /// Whether the buffer may order two surfaces either way that both cover a pixel; a bound above a ceiling counts as the
-    /// ceiling.
+    /// Whether the buffer may order two surfaces that both cover a pixel either way; a bound above a ceiling counts as
+    /// the ceiling.
     pub fn is_in_one_place(&self, other: &Self) -> bool {
         self.capped().reason(&other.capped()).is_some()
     }
 
-    /// The same of two that drawing moves aside together.
+    /// The same for two surfaces that drawing moves aside together.
     pub fn is_in_one_place_unmoved(&self, other: &Self) -> bool {
         (self.nearness - other.nearness).abs() <= self.rounding + other.rounding
     }
 
-    /// With bounds in depth of no more than the ceiling, where they lie above one.
+    /// With depth bounds capped to the ceiling, where a bound exceeds one.
     fn capped(&self) -> Self {
         if !self.beyond_f32 {
             return *self;
@@ -211,7 +198,7 @@ impl Stored {
         }
     }
 
-    /// Whether it is known how far off the buffer may be.
+    /// Whether there is a bound on how far off the buffer may be.
     pub fn is_bounded(&self) -> bool {
         self.nearest.is_finite() && self.farthest.is_finite() && self.rounding.is_finite()
     }
@@ -225,12 +212,12 @@ impl Stored {
     }
 }
 
-/// Whether drawing in `f32` cannot hold what may be so far off: aside in pixels, or in depth beside its ceiling.
+/// Whether bounds, aside in pixels or in depth, exceed their ceilings, so that `f32` cannot hold the view.
 pub(super) fn beyond_f32(error_px: f64, depth_error: f64, depth_ceiling: f64) -> bool {
     !(error_px <= OUTLINE_CEILING_PX && depth_error <= depth_ceiling)
 }
 
-/// What is needed over what is allowed, when it suffices. Neither nothing nor infinity nor NaN allows anything.
+/// `needed / allowed` where that is at most 1. An `allowed` of 0, infinity or NaN allows nothing.
 pub(super) fn strain(needed: f64, allowed: f64) -> Option<f64> {
     (allowed > 0.0 && allowed.is_finite() && needed <= allowed).then(|| needed / allowed)
 }

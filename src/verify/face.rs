@@ -1,17 +1,16 @@
-//! What ids and hits stand for: flat faces by their corners, spheres by their placements; and what the GPU makes of them
-//! at a pixel.
+//! The faces and spheres that ids and hits stand for, and the surfaces that the GPU makes of them at a pixel.
 
 use super::{
     adjoining::Adjoining,
     flat::{Flat, Vertices},
-    round,
+    sphere,
     surface::{Depths, Surface},
 };
 use crate::{
     camera::View,
-    geometry::{Cuboid, Hit, Square, are_coplanar},
+    geometry::{Hit, Square, are_coplanar},
     image::Id,
-    pick::SceneHit,
+    pick::{SceneHit, face_of},
     render::{
         Rasteriser,
         transform::{self, VertexToView},
@@ -38,14 +37,14 @@ pub(super) struct Surfaces<'a> {
     pub scene: &'a Scene,
     pub space: ViewSpace,
     grid_px: f64,
-    /// By the batch's first object; of those that were asked for.
+    /// By the batch's first object; filled on demand.
     vertices: RwLock<HashMap<usize, Vertices>>,
-    /// By where the mesh is kept; of those that were asked for.
+    /// By the mesh's address; filled on demand.
     adjoining: RwLock<HashMap<usize, Arc<Adjoining>>>,
 }
 
-/// What a triangle fills about one of its corners: between the directions of its two sides there, counter-clockwise about
-/// the normal.
+/// The sector that a triangle fills at one of its corners: between its two sides there, counter-clockwise about the
+/// normal.
 struct Sector {
     sides: [DVec3; 2],
     normal: DVec3,
@@ -61,7 +60,7 @@ impl Sector {
         }
     }
 
-    /// Whether a side of another sector of its plane, or its middle, lies strictly within.
+    /// Whether a side or the middle of another sector in its plane lies strictly within.
     fn holds_some_of(&self, other: &Self) -> bool {
         let [first, last] = self.sides;
         let is_left = |from: DVec3, to: DVec3| from.cross(to).dot(self.normal) > 0.0;
@@ -73,22 +72,8 @@ impl Sector {
 }
 
 impl Face {
-    fn of_square() -> Self {
-        Self {
-            origin: DVec3::ZERO,
-            corners: Square::corners().into(),
-        }
-    }
-
-    fn of_cube(normal: DVec3) -> Self {
-        Self {
-            origin: DVec3::ZERO,
-            corners: Cuboid::face(normal).into(),
-        }
-    }
-
-    /// The corners that it shares with another face of its batch; none where the two overlap: all are shared, by a face and
-    /// itself or its own back, or they lie over each other in one plane.
+    /// The corners that it shares with another face of its batch. None where the two overlap: they share all corners,
+    /// or lie over each other in one plane.
     pub fn shared_corners(&self, other: &Self) -> Vec<DVec3> {
         let shared = self.corners.iter().copied();
         let shared: Vec<_> = shared.filter(|at| other.corners.contains(at)).collect();
@@ -99,7 +84,7 @@ impl Face {
         }
     }
 
-    /// Whether two triangles lie in one plane and overlap about a corner that they share, however near to it.
+    /// Whether two triangles are coplanar and overlap arbitrarily near a corner that they share.
     fn overlaps(&self, other: &Self, shared: &[DVec3]) -> bool {
         let triangle = |face: &Self| <[DVec3; 3]>::try_from(face.corners.as_slice());
         let (&[corner, ..], Ok(a), Ok(b)) = (shared, triangle(self), triangle(other)) else {
@@ -113,15 +98,8 @@ impl Face {
 
     /// The face that was hit; `None` on a sphere.
     pub fn of_hit(object: &Object, hit: &Hit) -> Option<Self> {
-        match &object.shape {
-            Shape::Sphere => None,
-            Shape::Square => Some(Self::of_square()),
-            Shape::Cube => Some(Self::of_cube(hit.normal)),
-            Shape::Mesh { mesh, .. } => Some(Self {
-                origin: mesh.data().origin,
-                corners: mesh.vertex_corners(hit.on_triangle?.triangle).into(),
-            }),
-        }
+        let (origin, corners) = face_of(object, hit)?;
+        Some(Self { origin, corners })
     }
 }
 
@@ -146,8 +124,8 @@ impl<'a> Surfaces<'a> {
             return Vec::new();
         };
         match &object.shape {
-            Shape::Sphere => round::surfaces(&self.space, &object.placement, px),
-            Shape::Square => self.flat(px, index).square(),
+            Shape::Sphere => sphere::surfaces(&self.space, &object.placement, px),
+            Shape::Square => Vec::from_iter(self.flat(px, index).face(&Square::corners())),
             Shape::Cube => self.flat(px, index).cube(),
             Shape::Mesh { mesh, part } => {
                 let data = mesh.data();
@@ -164,7 +142,7 @@ impl<'a> Surfaces<'a> {
                 let of =
                     |triangle| flat.triangle(data, &adjoining, batch.start, triangle, is_shown);
                 let Some(number) = id.triangle.checked_sub(1) else {
-                    // Whichever of its triangles that is.
+                    // Any of its triangles.
                     let near = triangles.clone().filter(|&i| flat.may_show(data, i));
                     return near.flat_map(of).collect();
                 };
@@ -175,11 +153,11 @@ impl<'a> Surfaces<'a> {
         }
     }
 
-    /// The surface that a hit lies on, which has this face.
+    /// The surface that a hit lies on, given its face (`None` for a sphere).
     pub fn of_hit(&self, px: DVec2, hit: &SceneHit, face: Option<&Face>) -> Option<Surface> {
         let placement = &self.scene.objects()[hit.object].placement;
         let Some(face) = face else {
-            let (both, _) = round::both(&self.space, placement, px);
+            let (both, _) = sphere::both(&self.space, placement, px);
             return Some(both[usize::from(!hit.hit.front)]);
         };
         let surface = self.flat(px, hit.object).face(&face.corners)?;
@@ -213,9 +191,9 @@ impl<'a> Surfaces<'a> {
     }
 }
 
-/// What is kept for a key, made the first time that it is asked for.
+/// The cached value for a key, made on first use.
 fn kept<T: Clone>(all: &RwLock<HashMap<usize, T>>, key: usize, make: impl FnOnce() -> T) -> T {
-    // Nobody can panic while they hold it.
+    // Nothing panics while holding the lock.
     let known = all.read().unwrap_or_else(PoisonError::into_inner);
     if let Some(found) = known.get(&key) {
         return found.clone();

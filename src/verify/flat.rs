@@ -1,8 +1,8 @@
 //! Triangles, squares and the faces of cubes at a pixel.
 //!
-//! An edge across which the surface goes on is no outline: drawing that moves it shows the neighbour there, and nothing
-//! behind. So an id stands for all triangles that may show in its place, edge by edge, and has an outline only where one
-//! of them ends.
+//! An edge across which the surface continues is no outline: when drawing moves it, the neighbour shows, and nothing
+//! behind. So an id stands for all triangles that may show in its place, found edge by edge, and has an outline only
+//! where one of them ends.
 
 use super::{
     OUTLINE_CEILING_PX,
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     camera::Projection,
-    geometry::{Cuboid, MeshData, Placement, Sides, Square},
+    geometry::{Cuboid, MeshData, Placement, Sides},
     render::{
         transform::{Rounding, VertexToView, ViewError},
         view_space::ViewSpace,
@@ -22,50 +22,44 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::collections::HashSet;
 
-/// Where more triangles than these may show, their edges are outlines: all of them together are smaller than what drawing
-/// may move an edge by.
+/// Where more triangles than this may show, the rest of their edges are outlines: together they are smaller than what
+/// drawing may move an edge by.
 const MOST: usize = 1024;
 
-/// No bound within its ceiling moves an edge so far.
+/// More than any bound within its ceiling moves an edge.
 const REACH_PX: f64 = 2.0 * OUTLINE_CEILING_PX;
 
-/// The sine of the angle under which a triangle is seen edge-on: far more than `f64` loses of it, and next to nothing of a
-/// pixel.
+/// Below this sine of the viewing angle a triangle counts as edge-on: far above `f64`'s error, far below a pixel.
 const EDGE_ON: f64 = 1e-6;
 
 /// Flat surfaces of one placement at a pixel.
 pub(super) struct Flat<'a> {
     pub space: &'a ViewSpace,
-    /// The rasteriser's.
+    /// The rasteriser's grid step.
     pub grid_px: f64,
     pub placement: &'a Placement,
     pub vertices: Vertices,
     pub px: DVec2,
 }
 
-/// What the vertex shader does to a batch.
+/// The vertex shader's transform of a batch.
 #[derive(Clone, Copy)]
 pub(super) struct Vertices {
-    /// Where vertex space begins, in object space.
+    /// The origin of vertex space, in object space.
     pub origin: DVec3,
     pub to_view: VertexToView,
-    /// How far off its numbers are.
+    /// Error bounds of its numbers.
     pub rounding: Rounding,
 }
 
 impl Flat<'_> {
-    /// A face by itself: all its edges are outlines. `None` when all of it lies before the near plane.
+    /// A single face, all of whose edges are outlines; `None` when all of it lies before the near plane.
     pub fn face(&self, corners_vertex_space: &[DVec3]) -> Option<Surface> {
         let polygon = self.polygon(corners_vertex_space)?;
         Some(surface(polygon, |_, _| false))
     }
 
-    /// The square.
-    pub fn square(&self) -> Vec<Surface> {
-        self.face(&Square::corners()).into_iter().collect()
-    }
-
-    /// Whether an edge or a corner, given by its ends, lies at the pixel's centre to what drawing may move it by.
+    /// Whether drawing may move an edge or a corner, given by its ends, onto the pixel's centre.
     pub fn is_at(&self, ends_vertex_space: &[DVec3]) -> bool {
         let ends: Vec<_> = (ends_vertex_space.iter())
             .map(|&corner| self.corner(corner))
@@ -100,8 +94,8 @@ impl Flat<'_> {
         with_cut_neighbours(faces.collect())
     }
 
-    /// A triangle of the mesh of the batch that begins with this object, and all that may show in its place of those that
-    /// `is_shown` is true of.
+    /// A triangle of the mesh of the batch whose first object is `batch`, and all shown triangles that may show in its
+    /// place.
     pub fn triangle(
         &self,
         mesh: &MeshData,
@@ -153,8 +147,8 @@ impl Flat<'_> {
         with_cut_neighbours(surfaces)
     }
 
-    /// Whether drawing may show a triangle at the pixel: as far as its place in the picture goes. One that reaches before
-    /// the near plane may be anywhere.
+    /// Whether drawing may show a triangle at the pixel, by its rectangle in the picture. One that reaches before the
+    /// near plane may be anywhere.
     pub fn may_show(&self, mesh: &MeshData, triangle: u32) -> bool {
         let corners = mesh.triangles[triangle as usize];
         let corners = corners.map(|i| mesh.positions[i as usize]);
@@ -190,14 +184,14 @@ impl Flat<'_> {
         Corner { view, error }
     }
 
-    /// In view space, z being depth past near.
+    /// The point in view space, with depth past near as z.
     fn view(&self, point_vertex_space: DVec3) -> DVec3 {
         let at = (self.space).at(self.placement, self.vertices.origin, point_vertex_space);
         at.aside.extend(at.past_near)
     }
 
-    /// Whether the picture shows `other` beyond an edge on whose near side it shows `apex`: the plane through the edge and
-    /// the eye lies between them. Not where either is seen edge-on, so that nobody knows its side.
+    /// Whether the picture shows `other` on the opposite side of an edge from `apex`: the plane through edge and eye
+    /// separates them. False where either is seen edge-on and its side is unknown.
     fn is_beyond(&self, edge: [DVec3; 2], apex: DVec3, other: DVec3) -> bool {
         let lens = self.space.view().camera.lens();
         let [a, b, apex, other] = [edge[0], edge[1], apex, other].map(|point| self.view(point));
@@ -212,7 +206,7 @@ impl Flat<'_> {
     }
 }
 
-/// A polygon with its near edges as what they are: ways across, of which `goes_on` is true, or outlines.
+/// A polygon's surface; its nearby edges become crossings where `goes_on` says so, else outlines.
 fn surface(polygon: Polygon, mut goes_on: impl FnMut(usize, Reason) -> bool) -> Surface {
     let Polygon { mut surface, edges } = polygon;
     for (i, outline) in edges {

@@ -1,4 +1,4 @@
-//! What interpolating depth over the picture takes.
+//! Error bounds for interpolating depth over the picture.
 
 use super::polygon::{project, w};
 use crate::{
@@ -11,14 +11,14 @@ use glam::{DVec2, DVec3};
 /// A corner in the picture, in pixels, and what the depth buffer stores there.
 type Corner = (DVec2, f64);
 
-/// How far off, at a pixel, what the depth buffer stores for a flat polygon may be beside what it stores for its corners, or
-/// another number that is linear over the picture, given by depth past near:
-/// those of what [`within_picture`] leaves of it. The pixel may lie `reach_px` outside.
+/// Error at a pixel of interpolating, over a flat polygon, what the depth buffer stores at its corners, or another
+/// function of depth past near that is linear over the picture. The polygon is what [`within_picture`] leaves. The
+/// pixel may lie up to `reach_px` outside.
 ///
-/// It is drawn as triangles between these corners, nobody knows which. The plane through three corners has slopes that
-/// are differences of products of corner differences over the area, relative to which they round; so off by some U times
-/// the range of depths, longest side squared over area, at the far end of the triangle. And a few roundings of the
-/// largest depth.
+/// It is drawn as unknown triangles between these corners. The plane through three corners has slopes that are
+/// differences of products of corner differences over the area, and round relatively to those products. At the far end
+/// of the triangle that is some U times the range of depths times longest side squared over area. A few roundings of
+/// the largest depth add to it.
 pub(super) fn error(
     view: &View,
     stored: impl Fn(f64) -> f64,
@@ -33,13 +33,13 @@ pub(super) fn error(
     let n = corners.len();
     let triangles = (0..n).flat_map(|i| (1..n - 1).map(move |j| [i, (i + j) % n, (i + j + 1) % n]));
     let triangles = triangles.map(|indices| indices.map(|i| corners[i]));
-    // Cut to less than the grid, what is left covers no centre but at its ends; without area, none.
+    // A piece clipped to less than the grid covers no centre except at its ends; one without area covers none.
     let is_left = |triangle: &[Corner; 3]| {
         let is_short = |side: &DVec2| side.length() <= grid_px;
         n == 3 || !(sides_px(triangle).iter().any(is_short) || slimness(triangle).is_infinite())
     };
     let about = triangles.filter(|triangle| is_left(triangle) && may_hold(triangle, px, reach_px));
-    // Slopes are of a pixel, and count over the whole picture.
+    // Slopes are per pixel and act over the whole picture.
     let across = UNDERFLOW * view.viewport.size_px().element_sum();
     about
         .map(|triangle| {
@@ -53,7 +53,8 @@ pub(super) fn error(
         .fold(0.0, larger)
 }
 
-/// What is left of a polygon within the borders of the picture and before the far plane. In view space, z being depth past near; nothing of it before the near plane.
+/// The part of a polygon within the picture's borders and before the far plane. Points are in view space with depth
+/// past near as z, none before the near plane.
 pub(super) fn within_picture(view: &View, corners: &[DVec3]) -> Vec<DVec3> {
     let lens = view.camera.lens();
     let half = view.half_extent();
@@ -74,14 +75,14 @@ fn sides_px(triangle: &[Corner; 3]) -> [DVec2; 3] {
     [b - a, c - b, a - c]
 }
 
-/// Longest side squared over twice the area.
+/// Longest side squared over twice the area; infinite without area.
 fn slimness(triangle: &[Corner; 3]) -> f64 {
     let [ab, bc, ca] = sides_px(triangle);
     let longest = (ab.length_squared().max(bc.length_squared())).max(ca.length_squared());
     longest / ab.perp_dot(bc).abs()
 }
 
-/// Whether a triangle holds a position or a point so near to it; true of some that do not, near its corners.
+/// Whether a position lies in a triangle or within `reach_px` of it; also true for some positions near its corners.
 fn may_hold(triangle: &[Corner; 3], px: DVec2, reach_px: f64) -> bool {
     let sides = sides_px(triangle);
     let turn = sides[0].perp_dot(sides[1]).signum();

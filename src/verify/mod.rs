@@ -1,58 +1,59 @@
-//! Drawn against picked: every pixel's (object, triangle) as the GPU drew it and as a ray through the pixel's centre
-//! hits it; each difference is put down to geometry, or is a defect.
+//! Compares drawing with picks: each pixel's (object, triangle) as the GPU drew it, and as the ray through the pixel's
+//! centre hits it. Each difference is explained by geometry, or is a defect.
 //!
-//! A rasteriser moves vertices to a grid, mostly of 1/256 pixel, and computes in `f32`; the pick does neither. How far that may
-//! carry a surface at a pixel is bounded from camera, scene and the driver's steps before anybody looks at what differs,
-//! and never by trying pixels nearby. Where drawn and picked differ, one of these has to hold:
+//! A rasteriser snaps vertices to a grid, mostly of 1/256 pixel, and computes in `f32`; the pick does neither. How far
+//! that may move a surface at a pixel is bounded from camera, scene and the driver's rounding alone, never from the
+//! pixels that differ or their neighbours. Where drawn and picked differ, one of these has to hold:
 //!
 //! * **edge**: one side's surface has its outline (projected edges, the cut of the near plane, a sphere's rim) so near
-//!   the pixel's centre that the grid, and what `f32` moves the outline by ([`transform`](crate::render::transform),
-//!   [`sphere`](crate::render::sphere)), carry it across, and its depth there is one that the answer needs;
-//! * **depth**: both surfaces cover the centre, as deep as the depth buffer can tell, or closer together than the ceiling;
-//!   the empty buffer counts as a surface at the far plane, and so does the near plane;
-//! * **section**: a section passes one side's surface at the centre so near that the grid, and what `f32` makes of the test
-//!   in the shaders ([`ScreenSection`](crate::render)), leave open whether it is kept, and its depth there is one that the
-//!   answer needs;
+//!   the pixel's centre that the grid and `f32` ([`transform`](crate::render::transform),
+//!   [`sphere`](crate::render::sphere)) may carry it across, and its depth fits that answer;
+//! * **depth**: both surfaces cover the centre and the depth buffer cannot tell their depths apart, or they are closer
+//!   together than the ceiling. The empty buffer counts as a surface at the far plane; the near plane counts as a
+//!   surface, too;
+//! * **section**: a section cuts one side's surface so near the centre that the grid and the shaders' `f32` test
+//!   ([`ScreenSection`](crate::render)) leave open whether it is kept, and its depth fits that answer;
 //! * **f32 limit**: an edge, but `f32` moves the outline by more than the grid does;
-//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]); or a
-//!   surface for which there is no bound, or one larger than the picture; or one well before the far plane that the buffer
-//!   cannot tell from nothing. Drawing in `f32` cannot hold the view; the picture cast by rays can. A view whose bounds all
-//!   lie below the ceiling, and above what the buffer can tell from nothing, has no such pixel;
-//! * **unexplained**: anything else. Somebody is wrong.
+//! * **beyond f32**: one of these, but by a bound above the ceiling ([`OUTLINE_CEILING_PX`], [`DEPTH_CEILING_STEPS`]);
+//!   or a bound that does not exist or exceeds the picture; or a surface well before the far plane that the buffer
+//!   cannot tell from nothing. Drawing in `f32` cannot render the view faithfully; casting rays can. No such pixel
+//!   occurs where all bounds lie below the ceiling and the buffer can tell every surface from nothing;
+//! * **unexplained**: anything else: a defect.
 //!
-//! A surface has no outline where it goes on beyond an edge: there its neighbours may show, and nothing behind.
+//! An edge across which the surface continues is no outline: a neighbour may show there, but nothing behind.
 //!
-//! A bound that is infinite or NaN is none, and explains nothing. A picture that is empty where picks are not, or the
-//! reverse, fails whatever explains its pixels one by one, but for a speck smaller than a pixel ([`Report::verdict`]).
+//! A bound that is infinite or NaN explains nothing. An empty drawing with picks, or the reverse, fails whatever
+//! explains its single pixels, except for a speck smaller than a pixel or a section through all of them
+//! ([`Report::verdict`]).
 //!
-//! Whether drawing and pick differ there or not: where the bounds leave the order of two surfaces open, they lie *in one
-//! place* ([`Places`]).
+//! Where the bounds leave the order of two surfaces open, they lie *in one place* ([`Places`]), whether or not drawing
+//! and pick differ there.
 //!
-//! # What the bounds take for granted
+//! # What the bounds assume
 //!
 //! * The driver's `f32` sums, products and conversions are rounded once, in any order, fused or not; a division takes 2.5
 //!   units in the last place (WGSL's rules).
-//! * Corners are moved by no more than half a step of a grid along each axis. Direct3D asks for one of 1/256 pixel, Vulkan for
-//!   1/16, and wgpu does not tell: each device's is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
-//! * A pixel is covered when its centre is, by edges through the rounded corners; clipping at a border of the picture makes new
-//!   corners between old ones and rounds them.
-//! * Depth over a triangle is the plane through its corners, with slopes that are rounded relatively to their terms; of one
-//!   that leaves the picture, through corners of what is left of it within the picture's borders, or as good as that. Not so
-//!   good is `SwiftShader`: its plane goes through the corners of the whole triangle in the picture's plane, to its grid and to
-//!   `f32`, however far outside or behind the eye they lie, so that of triangles far larger than the picture it may show
-//!   pixels by wrong depths. Those are called unexplained, since nothing bounds them.
-//! * The same numbers drawn twice give the same pixels and depths, to the bit, and the first of equal depths stays.
-//! * The geometry here is in `f64`. Its own roundings are small beside those of `f32`.
+//! * Corners move by at most half a grid step along each axis. Direct3D requires a grid of 1/256 pixel, Vulkan of 1/16,
+//!   and wgpu does not tell: each device's is measured ([`Rasteriser::grid_px`](crate::render::Rasteriser)).
+//! * A pixel is covered when its centre is, by edges through the rounded corners. Clipping at the picture's border
+//!   makes new corners between old ones and rounds them.
+//! * Depth over a triangle is the plane through its corners, with slopes rounded relatively to their terms. For a
+//!   triangle that leaves the picture, it is the plane through the corners of its clipped part, or as accurate.
+//!   `SwiftShader` is not: its plane goes through the whole triangle's corners as projected, rounded to its grid and to
+//!   `f32`, however far outside or behind the eye they lie. So it may show triangles far larger than the picture at
+//!   wrong depths. Those pixels are called unexplained, since nothing bounds them.
+//! * The same numbers drawn twice give the same pixels and depths, to the bit; of equal depths, the first drawn stays.
+//! * The geometry here is in `f64`, whose own roundings are small beside those of `f32`.
 //!
 //! # What it cannot see
 //!
-//! The far side of a cube or a sphere where its near side ought to be: both have one id.
+//! A cube's or sphere's far side in place of its near side: both have one id.
 //!
-//! A ray's error below the bound at a pixel: whether a pick is exactly right, this does not tell. That is held by an
-//! oracle (`tests/exact_picks`). Where a pixel's ray runs is defined once for picks, for the drawing of spheres and for the
-//! bounds here ([`PixelGrid`](crate::geometry::PixelGrid)); vertices go through matrices and do not share it.
+//! An error of a ray below the bounds at its pixel. Whether picks are exactly right is checked by an oracle
+//! (`tests/exact_picks`). Picks, the drawing of spheres and the bounds here share one definition of a pixel's ray
+//! ([`PixelGrid`](crate::geometry::PixelGrid)); vertices go through matrices and do not share it.
 //!
-//! [`compare`] is pure: whatever answers for a pixel can be put to the test.
+//! [`compare`] is pure: any picker or drawing can be tested with it.
 
 mod adjoining;
 mod bound;
@@ -60,17 +61,17 @@ mod face;
 mod flat;
 mod interpolation;
 mod one_place;
-mod picture;
+mod paint;
 mod polygon;
 mod report;
-mod round;
 mod section;
+mod sphere;
 mod surface;
 #[cfg(test)]
 mod tests;
 
 pub use one_place::{Places, in_one_place};
-pub use picture::{COLOURS, IN_ONE_PLACE, marks, paint};
+pub use paint::{COLOURS, IN_ONE_PLACE, marks, paint};
 pub use report::{Disagreement, Report, Verdict};
 
 use crate::{
@@ -86,31 +87,31 @@ use glam::DVec2;
 use serde::Serialize;
 use surface::{Depths, Surface};
 
-/// The most that drawing may move an outline by, in pixels, and be held to hold the view: a picture that is off by more
-/// shows other pixels than the scene has.
+/// The most by which drawing may move an outline, in pixels, in a view that `f32` can draw: beyond it, whole pixels are
+/// wrong.
 pub const OUTLINE_CEILING_PX: f64 = 0.5;
 
-/// The most that `f32` may be off in depth and be held to hold the view, in steps of 2^-23 of the depth, or of the distance
-/// between near and far where that is less: 1/8192 of it. Nor may it be off by more than half a pixel's width, or by more
-/// than moving the surface aside by half a pixel makes of it, where that is more.
+/// The most by which `f32` may be off in depth in a view that it can draw, in steps of 2^-23 of the depth, or of the
+/// distance between near and far where that is less: 1/8192 of it; but at most half a pixel's width. A slanted surface
+/// may also be off by what moving it aside by half a pixel changes in its depth.
 ///
-/// These are lengths, and do not depend on what a depth buffer stores. They hold for sections, too: for how far off along
-/// the line of sight the shaders may be about where the plane passes.
+/// These are lengths and do not depend on what a depth buffer stores. They also limit how far along the line of sight
+/// the shaders may misplace a section.
 pub const DEPTH_CEILING_STEPS: f64 = 1024.0;
 
-/// Why a pixel is drawn as one thing and picked as another, from harmless to not.
+/// Why a pixel is drawn as one thing and picked as another, from harmless to grave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
-    /// The centre lies on an outline, to the rasteriser's grid.
+    /// The centre lies on an outline, to within the rasteriser's grid.
     Edge,
-    /// Both surfaces are as deep, to the depth buffer's steps.
+    /// Both surfaces are equally deep, to within the depth buffer's steps.
     Depth,
-    /// The section passes a surface at the centre, to what drawing can tell.
+    /// The section cuts a surface at the centre, as closely as drawing can tell.
     Section,
-    /// The centre lies on an outline, to what `f32` can tell, which here is less than the grid.
+    /// The centre lies on an outline to within `f32`, which here is coarser than the grid.
     F32Limit,
-    /// One of these by a bound above the ceiling, or there is no bound: drawing in `f32` cannot hold the view.
+    /// One of these, but with a bound above the ceiling or none: `f32` cannot draw the view faithfully.
     BeyondF32,
     /// A defect.
     Unexplained,
@@ -141,11 +142,11 @@ impl Class {
     }
 }
 
-/// Compares two id pictures of a scene, pixel by pixel; the first is this rasteriser's. Where that names no triangles, objects
-/// are compared.
+/// Compares two id pictures of a scene, pixel by pixel; this rasteriser drew the first. Where it numbers no triangles,
+/// only objects are compared.
 ///
 /// # Panics
-/// When either has another size than the view.
+/// When either differs from the view in size.
 #[must_use]
 pub fn compare(
     scene: &Scene,
@@ -192,7 +193,7 @@ pub fn compare(
 
 /// Whether a neighbour to the left, right, top or bottom shows something else.
 fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
-    // Past the border the last pixel goes on.
+    // Beyond the border the last pixel continues.
     let (right, bottom) = (ids.size().width() - 1, ids.size().height() - 1);
     let around = [
         (x.saturating_sub(1), y),
@@ -205,14 +206,14 @@ fn on_outline(ids: &Image<Id>, x: u32, y: u32) -> bool {
         .any(|(i, j)| ids.at(i, j) != ids.at(x, y))
 }
 
-/// Puts a difference down to geometry.
+/// Explains a difference by geometry.
 fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Disagreement {
     let px = pixel_centre(DVec2::from(pixel.map(f64::from)));
     let sides = [
         surface::may_be_drawn(surfaces.of_id(px, drawn)),
         surface::may_be_picked(surfaces.of_id(px, picked)),
     ];
-    // From the same the GPU makes the same: which of the two shows is settled by their order.
+    // Identical input gives identical output on the GPU: the order of the two decides which shows.
     let twins = (sides[0].first().zip(sides[1].first())).is_some_and(|(a, b)| a.source == b.source);
     let pairs = sides[0]
         .iter()
@@ -246,7 +247,7 @@ fn explain(surfaces: &Surfaces, pixel: [u32; 2], [drawn, picked]: [Id; 2]) -> Di
     };
     let (reason, mut depth) = best.unwrap_or_else(unexplained);
     if !depth[1].is_finite() && picked != Id::default() {
-        // A face that is seen edge-on has no depth of its own; the hit on its rim has.
+        // A face seen edge-on has no depth of its own; the hit on its rim has.
         let (scene, view) = (surfaces.scene, surfaces.space.view());
         let hit = pick::closest(scene, view.ray(px), view.sides);
         depth[1] = hit.map_or(f64::NAN, |hit| hit.hit.t);

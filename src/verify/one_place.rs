@@ -1,21 +1,20 @@
-//! Surfaces in one place: as deep at a position as the surface that a pick finds there, to what drawing may be off.
+//! Surfaces in one place: equally deep at a position, as far as drawing can tell, as the picked surface there.
 //!
-//! A pick's order is exact, a depth buffer's is not. Two surfaces that the ray of a position hits are *in one place*
-//! there when the bounds that [`compare`](super::compare) puts *depth* down to let the buffer order them either way: the
-//! bounds of both together, a bound above a ceiling counting as the ceiling. So a pixel of the class *depth* that shows
-//! one surface and picks another has both in one place, at its centre; on a coarser grid than the common one, unless both
-//! are triangles of one mesh with a corner nearby that they share.
+//! A pick's order is exact, a depth buffer's is not. Two surfaces hit by a position's ray are *in one place* there when
+//! the bounds by which [`compare`](super::compare) explains the class *depth* let the buffer order them either way; a
+//! bound above a ceiling counts as the ceiling. So a pixel of the class *depth* that shows one surface and picks
+//! another has both in one place at its centre. The exception, on a grid coarser than the common one: two triangles of
+//! one mesh that share a corner nearby.
 //!
 //! What counts as two:
 //!
-//! * Surfaces of two objects, two triangles of one mesh: identical ones, the two sides of a thin sheet, whatever lies
+//! * Surfaces of two objects, or two triangles of one mesh: identical ones, both sides of a thin sheet, whatever lies
 //!   within the bounds.
-//! * Not two triangles of one mesh that meet right there, in an edge or corner of both: which passes the position as near as
-//!   drawing may move it, or so near that only moved aside, as they are together, one could be as deep as the other. They
-//!   are one surface that goes on or turns.
-//! * Not the near and the far side of one cube or sphere, which have one name.
-//! * Not a surface and the near plane or the empty buffer, which the class *depth* has too: those are no surfaces to
-//!   name.
+//! * Not two triangles of one mesh that meet there in a shared edge or corner: one that drawing may move onto the
+//!   position, or so near that the two can be equally deep only when moved aside, which happens to both together. They
+//!   are one surface that continues or turns.
+//! * Not the near and the far side of one cube or sphere, which share a name.
+//! * Not the near plane or the empty buffer, which the class *depth* includes: they have no name.
 
 use super::{
     OUTLINE_CEILING_PX,
@@ -33,8 +32,8 @@ use crate::{
 use glam::{DVec2, DVec3};
 use std::collections::HashSet;
 
-/// The least cosine between a ray and a face's normal at which `f64` makes no slope of them that is less than half of what
-/// it is: under a matrix of condition 1e14 a normal is off by some hundredths.
+/// At this cosine between a ray and a face's normal or above, the slope in `f64` is at least half the true one: under a
+/// matrix of condition 1e14 a normal is off by some hundredths.
 const LEAST_COSINE: f64 = 1.0 / 16.0;
 
 /// Where surfaces of a scene lie in one place, in a view.
@@ -42,15 +41,15 @@ pub struct Places<'a> {
     surfaces: Surfaces<'a>,
 }
 
-/// What was hit: a face of a batch, or the sphere that it is.
+/// What was hit: a face of a batch, or (without a face) its sphere.
 #[derive(Clone, PartialEq)]
 struct Patch {
     batch: usize,
     face: Option<Face>,
 }
 
-/// What drawing cannot tell from the pick at a pixel position; `None` where that lies by itself, and where nothing is
-/// picked. By the common rasteriser's grid, whichever draws: a pick is the same everywhere.
+/// What drawing cannot tell from the pick at a pixel position; `None` where there is nothing such, or no pick. Uses the
+/// common rasteriser's grid, so that the answer is the same on every device.
 #[must_use]
 pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace> {
     let places = Places::new(scene, view, Rasteriser::COMMON);
@@ -58,7 +57,7 @@ pub fn in_one_place(scene: &Scene, view: &View, px: DVec2) -> Option<InOnePlace>
 }
 
 impl<'a> Places<'a> {
-    /// Of a scene in a view, as this rasteriser draws it.
+    /// For a scene in a view, as this rasteriser draws it.
     #[must_use]
     pub fn new(scene: &'a Scene, view: &View, rasteriser: Rasteriser) -> Self {
         Self {
@@ -66,19 +65,19 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The hits at a pixel position whose surfaces lie in one place with the nearest one's, which is the first of them, from
-    /// front to back. Empty where that lies by itself, and where nothing is hit.
+    /// The nearest hit at a pixel position and the hits in one place with it, from front to back. Empty where there are
+    /// none such, or nothing is hit.
     #[must_use]
     pub fn at(&self, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
         self.on_ray(&Beam::whole(scene), &view.ray(px), px)
     }
 
-    /// [`Places::at`] by the ray through the position, one of a beam's.
+    /// [`Places::at`] by the ray through the position, which belongs to a beam.
     fn on_ray(&self, beam: &Beam, ray: &WorldRay, px: DVec2) -> Vec<SceneHit> {
         let (scene, view) = (self.surfaces.scene, self.surfaces.space.view());
         let reach = Reach::new(&self.surfaces, ray, px);
-        // Most lie too far behind, which is cheap to tell.
+        // Filter: most hits lie too far behind.
         let is_near =
             |hit: &SceneHit, first: &SceneHit| reach.nearness(hit)[0] >= reach.nearness(first)[1];
         let hits = pick::all_near(beam, ray, view.sides, is_near);
@@ -92,7 +91,7 @@ impl<'a> Places<'a> {
         let Some(picked) = self.surfaces.of_hit(px, first, nearest.face.as_ref()) else {
             return Vec::new();
         };
-        // Of those found the ones whose outlines pass here.
+        // The surfaces found so far whose outlines pass here.
         let mut outlines = Vec::new();
         outlines.extend(is_on_outline(&picked).then(|| nearest.clone()));
         let (mut found, mut last, mut counts) = (vec![*first], nearest.clone(), true);
@@ -102,7 +101,7 @@ impl<'a> Places<'a> {
                 continue;
             }
             let patch = Patch::of(scene, hit);
-            // Identical triangles follow each other, and count alike.
+            // Identical triangles follow each other and share an answer.
             if patch.face.is_none() || patch != last {
                 let surface = self.surfaces.of_hit(px, hit, patch.face.as_ref());
                 let surface = surface.filter(|other| {
@@ -121,8 +120,8 @@ impl<'a> Places<'a> {
         if found.len() > 1 { found } else { Vec::new() }
     }
 
-    /// The pixels at whose centres surfaces lie in one place, row by row from the top; on all cores. None once `stop`
-    /// says so.
+    /// The pixels at whose centres surfaces lie in one place, row by row from the top; on all cores. Pixels after
+    /// `stop` returns true are left out.
     #[must_use]
     pub fn pixels(&self, stop: impl Fn() -> bool + Sync) -> Vec<[u32; 2]> {
         let view = self.surfaces.space.view();
@@ -143,7 +142,7 @@ impl Patch {
         }
     }
 
-    /// Both faces, where they are of one batch.
+    /// Both faces, if they belong to one batch.
     fn faces_of_batch<'a>(&'a self, other: &'a Self) -> Option<[&'a Face; 2]> {
         let faces = [self.face.as_ref()?, other.face.as_ref()?];
         (self.batch == other.batch).then_some(faces)
@@ -154,7 +153,7 @@ impl Patch {
         faces.is_some_and(|[a, b]| !a.shared_corners(b).is_empty())
     }
 
-    /// Whether both meet at a position that lies on the outlines of both.
+    /// Whether both meet at a position on the outlines of both.
     fn meets(&self, other: &Self, surfaces: &Surfaces, px: DVec2) -> bool {
         let faces = self.faces_of_batch(other);
         faces.is_some_and(|faces| surfaces.meet(px, self.batch, faces))
@@ -165,8 +164,8 @@ fn is_on_outline(surface: &Surface) -> bool {
     surface.outline.reason().is_some()
 }
 
-/// How near and how far a hit's surface may be drawn if none of its bounds lies above a ceiling: from the hit alone, and
-/// more than it really is.
+/// How near and how far a hit's surface may be drawn with bounds capped at their ceilings: a generous estimate from the
+/// hit alone.
 struct Reach<'a> {
     scene: &'a Scene,
     view: &'a View,
@@ -187,7 +186,7 @@ impl<'a> Reach<'a> {
         }
     }
 
-    /// The nearest and the farthest, by nearness: more is nearer.
+    /// The nearest and the farthest, as nearness: more is nearer.
     fn nearness(&self, SceneHit { object, hit }: &SceneHit) -> [f64; 2] {
         let object = &self.scene.objects()[*object];
         let aside = if matches!(object.shape, Shape::Sphere) {
@@ -201,15 +200,15 @@ impl<'a> Reach<'a> {
         let past_near = hit.t - self.view.camera.lens().near;
         let [near, far] = [past_near - off, past_near + off];
         let most = |end: f64| {
-            // It grows towards one end, or towards both.
+            // The ceiling grows towards one end, or towards both.
             let ceiling = self.depths.ceiling(past_near).max(self.depths.ceiling(end));
-            // What is stored changes less on the way to greater depths than where the surface is.
+            // Stored values change less with depth behind the surface than at it.
             ceiling + aside * self.depths.stored_per_depth(past_near)
         };
         let nearest = self.depths.nearness(near) + most(near);
         let farthest = self.depths.nearness(far) - most(far);
         [
-            // At the eye and behind it there is no depth to speak of.
+            // At and behind the eye the depth is undefined.
             if self.depths.w(near) > 0.0 && nearest.is_finite() {
                 nearest
             } else {
@@ -223,7 +222,7 @@ impl<'a> Reach<'a> {
         ]
     }
 
-    /// How much deeper or nearer moving it aside may make a flat surface of this depth and normal, in view depth.
+    /// How much moving a flat surface aside may change its view depth, given depth and normal.
     fn aside(&self, depth: f64, normal_world: DVec3) -> f64 {
         let normal = self.view.camera.rotation() * normal_world;
         let cosine = self.ray.direction.normalize().dot(normal).abs();

@@ -1,8 +1,8 @@
-//! A flat convex polygon at a pixel, with how far drawing in `f32` may move it.
+//! A flat convex polygon at a pixel, with bounds on how far drawing in `f32` may move it.
 
 use super::{
     OUTLINE_CEILING_PX,
-    bound::{self, Cut, Outline, Reason, Stored},
+    bound::{self, Outline, Reason, Stored},
     interpolation,
     section::Sectioned,
     surface::{Depths, Source, Surface, ViewRay},
@@ -17,32 +17,32 @@ use crate::{
 };
 use glam::{DVec2, DVec3};
 
-/// A corner in view space, z being depth past near, and how far the vertex shader may put it from there.
+/// A corner in view space, with depth past near as z, and a bound on the vertex shader's error there.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub view: DVec3,
     pub error: ViewError,
 }
 
-/// A corner of what is left behind the near plane.
+/// A corner of the part behind the near plane.
 #[derive(Clone, Copy)]
 struct SeenCorner {
     at: Corner,
-    /// Made by the near plane and not by the shape.
+    /// Made by the near plane's cut, not a corner of the shape.
     is_cut: bool,
-    /// The polygon's edge that goes on from here, counted from the corner it begins at.
+    /// The polygon's edge that continues from here, by the index of its first corner.
     edge: usize,
 }
 
 /// A polygon at a pixel.
 pub(super) struct Polygon {
-    /// As if no edge were near.
+    /// Its surface, as if no edge were near.
     pub surface: Surface,
-    /// The edges that are seen, each counted from the corner it begins at.
+    /// The edges that are seen, each with the index of its first corner.
     pub edges: Vec<(usize, Outline)>,
 }
 
-/// A flat convex polygon at a pixel, drawn on this grid; `None` when all of it lies before the near plane.
+/// A flat convex polygon at a pixel, drawn on a grid of `grid_px`; `None` when all of it lies before the near plane.
 pub(super) fn polygon(
     space: &ViewSpace,
     grid_px: f64,
@@ -67,7 +67,7 @@ pub(super) fn polygon(
     let ends = depth_ends(&seen)?;
     let seen_views: Vec<DVec3> = seen.iter().map(|corner| corner.at.view).collect();
     let shown = interpolation::within_picture(view, &seen_views);
-    // Clipping's new corners are some of these.
+    // The new corners of clipping are among these.
     let nearest_shown = shown.iter().map(|corner| corner.z).reduce(f64::min);
     let nearest_w = depths.w(nearest_shown.unwrap_or(ends[0]));
     let border_px = shift_px(view, px, nearest_w, &clipped);
@@ -82,7 +82,7 @@ pub(super) fn polygon(
             )
         })
         .collect();
-    // Seen edge-on it may be as deep as any of it.
+    // Seen edge-on, it may have any depth of the polygon.
     let slope_px = ray.slope(near + past_near, normal);
     let slope = slope_px.length();
     let at = if past_near.is_finite() {
@@ -107,21 +107,17 @@ pub(super) fn polygon(
     } else {
         f64::INFINITY
     };
-    // A surface that is seen at an angle may be off by as much as moving it aside makes of it; NaN gives way.
+    // A slanted surface may be off by what moving it aside changes in its depth; `min` drops NaN.
     let of_slope = (OUTLINE_CEILING_PX * slope).min(ends[1] - ends[0]);
     let ceiling =
         |past_near: f64| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
     let beyond_f32 = bound::beyond_f32(aside_px, rounding, ceiling(at));
     let covers = covers(&ray, corners);
-    let cut = Cut {
-        gap: past_near.abs(),
-        grid: slope * grid_px,
-        f32: slope * f32_px + cut_error,
-    };
-    // Corners are cut off before anything is interpolated.
+    // Clipping at the near plane comes before interpolation.
     let cut_stored = cut_error * depths.stored_per_depth(0.0);
     let cut_beyond = bound::beyond_f32(aside_px, cut_stored, ceiling(0.0));
-    let cut = covers.then(|| cut.reason(cut_beyond)).flatten();
+    let errors = [slope * grid_px, slope * f32_px + cut_error];
+    let cut = Reason::at_near_plane(past_near.abs(), errors, cut_beyond).filter(|_| covers);
     let section = Sectioned::new(space);
     let section = section.face(px, past_near, slope_px, aside_px, &error, || {
         interpolation::error(view, |z| section.q(z), &shown, px, [grid_px, aside_px])
@@ -150,7 +146,8 @@ pub(super) fn polygon(
     Some(Polygon { surface, edges })
 }
 
-/// The depth past near of all that may be behind the near plane; but the eye's plane has no place in the picture.
+/// The least depth past near that drawing may take for behind the near plane; kept in front of the eye's plane, which
+/// cannot be projected.
 fn nearest(view: &View, cut_error: f64) -> f64 {
     let lens = view.camera.lens();
     match lens.projection {
@@ -159,7 +156,7 @@ fn nearest(view: &View, cut_error: f64) -> f64 {
     }
 }
 
-/// What is left of a polygon at this depth past near and behind.
+/// The part of a polygon at or behind this depth past near.
 fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
     let tagged = corners.iter().enumerate().map(|(edge, &at)| SeenCorner {
         at,
@@ -177,7 +174,7 @@ fn seen_from(corners: &[Corner], past_near: f64) -> Vec<SeenCorner> {
     )
 }
 
-/// What is behind the near plane of a segment, or of one corner, as an outline; `None` when nothing is.
+/// The part of a segment, or of a single corner, behind the near plane as an outline; `None` when there is none.
 pub(super) fn outline(view: &View, grid_px: f64, px: DVec2, ends: &[Corner]) -> Option<Outline> {
     let seen = clip(ends, |corner| corner.view.z, Corner::lerp);
     let (from, to) = (seen.first()?, seen.last()?);
@@ -194,7 +191,7 @@ impl Corner {
     }
 }
 
-/// Whether `f64` tells the depth at a pixel: it loses less of corners as large as these than the ceiling.
+/// Whether `f64` resolves the depth at a pixel: it loses less than the ceiling with corners this large.
 fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
     let sizes = corners.iter().map(|corner| corner.view.abs().max_element());
     let lost = 16.0 * f64::EPSILON * sizes.fold(0.0, larger);
@@ -202,14 +199,14 @@ fn is_known(depths: &Depths, corners: &[Corner], past_near: f64) -> bool {
     lost <= depths.ceiling(at) / depths.stored_per_depth(at)
 }
 
-/// The least and the largest depth of corners; `None` of none.
+/// The least and the largest depth of corners; `None` without corners.
 fn depth_ends(corners: &[SeenCorner]) -> Option<[f64; 2]> {
     let depths = corners.iter().map(|corner| corner.at.view.z);
     let least = depths.clone().reduce(f64::min)?;
     Some([least, depths.reduce(f64::max)?])
 }
 
-/// Whether a line passes through a convex polygon: on one side of all its edges.
+/// Whether a line passes through a convex polygon, on the same side of all its edges.
 fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
     let mut sides = (0..corners.len()).map(|i| {
         let [a, b] = [corners[i], corners[(i + 1) % corners.len()]].map(|p| p.view - ray.origin);
@@ -220,15 +217,14 @@ fn covers(ray: &ViewRay, corners: &[Corner]) -> bool {
 
 /// The edge between two corners, neither in front of the near plane.
 ///
-/// On its way to the picture a point that lies the share `s` along the edge is moved by `1 - s` of what moves one end
-/// and `s` of what moves the other.
+/// Drawing moves the point at share `s` of the edge by `1 - s` times the one end's error and `s` times the other's.
 fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: ViewError) -> Outline {
     let [from, to] = [a, b].map(|corner| project(view, corner.view));
     let along = to - from;
     let s = (px - from).dot(along) / along.length_squared();
-    // An edge seen end-on has no length: either end is as near.
+    // An edge seen end-on has no length: both ends are as near.
     let s_px = if s.is_nan() { 0.0 } else { s.clamp(0.0, 1.0) };
-    // Shares of the picture's edge to shares of the edge: weighed by 1 / w.
+    // From the share in the picture to the share in space: weighted by 1 / w.
     let [wa, wb] = [a, b].map(|corner| w(view, corner.view));
     let s = s_px * wa / (s_px * wa + (1.0 - s_px) * wb);
     Outline {
@@ -243,8 +239,8 @@ fn edge(view: &View, grid_px: f64, px: DVec2, [a, b]: [Corner; 2], clipped: View
     }
 }
 
-/// The nearest of the picture's borders that cut the polygon. Clipping makes new corners on a border, and rounds them:
-/// where a pixel is a tiny part of the polygon, that leaves out pixels along the border.
+/// The nearest border of the picture that cuts the polygon. Clipping makes new corners on the border and rounds them:
+/// if a pixel is a tiny part of the polygon, that loses pixels along the border.
 fn border(view: &View, px: DVec2, corners: &[Corner], [grid_px, f32_px]: [f64; 2]) -> Outline {
     let half = view.half_extent();
     let size = view.viewport.size_px();
@@ -262,13 +258,13 @@ fn border(view: &View, px: DVec2, corners: &[Corner], [grid_px, f32_px]: [f64; 2
     }
 }
 
-/// Clip space's w of a view-space point, z being depth past near.
+/// Clip space's w of a view-space point, with depth past near as z.
 pub(super) fn w(view: &View, point: DVec3) -> f64 {
     let lens = view.camera.lens();
     lens.w(lens.near + point.z)
 }
 
-/// A view-space point, z being depth past near, in the picture.
+/// The pixel position of a view-space point, with depth past near as z.
 pub(super) fn project(view: &View, point: DVec3) -> DVec2 {
     view.px_of(point.truncate(), w(view, point))
 }
@@ -285,7 +281,7 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
         Projection::Orthographic { .. } => DVec2::ZERO,
     };
     let px = (aside + towards).length() + 5.0 * U * size.length();
-    // Larger than the picture it bounds nothing.
+    // A bound larger than the picture is none.
     if px <= size.length() {
         px
     } else {
@@ -293,9 +289,9 @@ pub(super) fn shift_px(view: &View, px: DVec2, w: f64, error: &ViewError) -> f64
     }
 }
 
-/// What clipping at the picture's borders takes: a point made between two corners has two roundings of their difference
-/// and one of the sum, all at most twice the largest coordinate, for each of two borders. Nothing for what lies in the
-/// picture as a whole, and nothing of a coordinate that is the same at both.
+/// Error from clipping at the picture's borders: a new point between two corners has two roundings of their difference
+/// and one of the sum, all at most twice the largest coordinate, for each of two borders. None for a polygon inside the
+/// picture, nor for a coordinate that all corners share.
 fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
     let lens = view.camera.lens();
     let half = view.half_extent();
@@ -307,7 +303,7 @@ fn clipping_error(view: &View, corners: &[Corner]) -> ViewError {
         return ViewError::default();
     }
     let to_origin = depth_origin(view) - lens.near;
-    // What all corners share, the new ones share too.
+    // A coordinate that all corners share, new ones share exactly.
     let of = |coordinate: &dyn Fn(DVec3) -> f64| {
         let all = corners.iter().map(|corner| coordinate(corner.view));
         let [least, most] = [f64::min, f64::max].map(|end| all.clone().reduce(end));

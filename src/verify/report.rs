@@ -14,14 +14,14 @@ pub struct Disagreement {
     pub picked: Id,
     /// Why they differ.
     pub class: Class,
-    /// What the explanation takes over what it may take: at most 1. Infinite where nothing explains it.
+    /// What the explanation needs over what is allowed: at most 1. Infinite where nothing explains it.
     pub strain: f64,
-    /// From the centre to the outline that explains it, or that comes nearest to doing so, in pixels; infinite where it
-    /// is a matter of depth, or of nothing.
+    /// Distance in pixels from the centre to the outline that explains it, or comes nearest to doing so; infinite where
+    /// depth does, or no outline is there.
     pub outline_px: f64,
     /// How far drawing may move that outline, in pixels.
     pub outline_error_px: f64,
-    /// View depth at the centre of what was drawn and of what was picked; NaN where there is none.
+    /// View depth at the centre of what was drawn and what was picked; NaN where there is none.
     pub depth: [f64; 2],
 }
 
@@ -34,8 +34,8 @@ pub struct Report {
     pub drawn: usize,
     /// Pixels on which something was picked.
     pub picked: usize,
-    /// Pixels on outlines, where differences can be expected: what was drawn, or what was picked, is another thing above,
-    /// below, left or right of them.
+    /// Pixels on outlines, where differences can be expected: a neighbour above, below, left or right was drawn or
+    /// picked as something else.
     pub outline: usize,
     /// Pixels on outlines that differ.
     pub outline_differ: usize,
@@ -43,7 +43,7 @@ pub struct Report {
     pub disagreements: Vec<Disagreement>,
 }
 
-/// As many pixels as something has that is no wider than one.
+/// The most pixels that something no wider than a pixel may touch.
 const SPECK_PX: usize = 4;
 
 /// What a comparison comes to. All but the first are failures.
@@ -51,14 +51,14 @@ const SPECK_PX: usize = 4;
 pub enum Verdict {
     /// Geometry explains every difference.
     Agrees,
-    /// So many pixels differ where drawing in `f32` cannot hold the view. The rest is explained.
+    /// This many pixels differ by more than `f32` can draw. The rest is explained.
     BeyondF32(usize),
-    /// So many pixels are picked and not one is drawn, whatever explains them one by one; unless all that is picked is at
-    /// most four pixels, each on an edge: something smaller than a pixel may be seen or not; or a section passes all of them.
+    /// This many pixels are picked and none is drawn, whatever explains them singly. Excepted are at most four pixels,
+    /// each on an edge (something smaller than a pixel may be missed), and pixels that all lie on a section.
     NothingDrawn(usize),
-    /// So many pixels are drawn and not one is picked, likewise.
+    /// This many pixels are drawn and none is picked, likewise.
     NothingPicked(usize),
-    /// So many pixels are defects.
+    /// This many pixels are defects.
     Unexplained(usize),
 }
 
@@ -76,7 +76,7 @@ impl Report {
         self.pixels - self.disagreements.len()
     }
 
-    /// Of the pixels on outlines those that differ, in [0, 1]; 0 where there are none.
+    /// The share of outline pixels that differ, in [0, 1]; 0 where there are none.
     #[must_use]
     pub fn share_of_outline(&self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "pixels are counted in millions")]
@@ -84,7 +84,7 @@ impl Report {
         share
     }
 
-    /// Pixels that differ in the midst of what was drawn and of what was picked.
+    /// Pixels that differ away from all outlines.
     #[must_use]
     pub fn differ_off_outlines(&self) -> usize {
         self.disagreements.len() - self.outline_differ
@@ -103,18 +103,18 @@ impl Report {
         }
     }
 
-    /// Whether one picture may show nothing where the other does: a speck, or a face in the plane of a section, of which
-    /// drawing cannot tell whether it is kept.
+    /// Whether one picture may be empty: the other has a speck, or a face in a section's plane, of which drawing cannot
+    /// tell whether it is kept.
     fn may_be_empty(&self) -> bool {
         self.is_a_speck() || self.count(Class::Section) == self.disagreements.len()
     }
 
-    /// Whether all that differs is so little that it may be one thing smaller than a pixel, beside whose edge the centre lies.
+    /// Whether all that differs may be one thing smaller than a pixel, with the pixel centres on its edge.
     fn is_a_speck(&self) -> bool {
         self.disagreements.len() <= SPECK_PX && self.count(Class::Edge) == self.disagreements.len()
     }
 
-    /// The pixel hardest to explain: of the gravest class the one with the most strain.
+    /// The pixel hardest to explain: that of the gravest class with the most strain.
     #[must_use]
     pub fn worst(&self) -> Option<&Disagreement> {
         let gravity = |a: &&Disagreement, b: &&Disagreement| {

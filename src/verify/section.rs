@@ -1,8 +1,9 @@
-//! The section at a pixel: what of a surface it keeps, and how far off drawing may be about that.
+//! The section at a pixel: whether it keeps a surface, and how far off drawing may be about that.
 //!
-//! The shaders' test ([`ScreenSection`]) is linear over the picture on every plane, so moving a face aside changes it by its
-//! slope there. Bounds have the ceiling of depths: [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) of the depth and half
-//! a pixel's width, and what half a pixel aside makes of it.
+//! The shaders' test ([`ScreenSection`]) is linear over the picture on every plane, so moving a face aside changes its
+//! value by the slope there. Bounds have the same ceiling as depths:
+//! [`DEPTH_CEILING_STEPS`](super::DEPTH_CEILING_STEPS) and half a pixel's width, plus what moving aside by half a pixel
+//! changes.
 
 use super::{
     Class, OUTLINE_CEILING_PX,
@@ -20,7 +21,7 @@ use glam::DVec2;
 pub(super) struct AtSection {
     /// Whether it is kept at the centre.
     pub keeps: bool,
-    /// Why drawing may see that otherwise.
+    /// Why drawing may decide otherwise.
     pub reason: Option<Reason>,
 }
 
@@ -40,13 +41,13 @@ impl<'a> Sectioned<'a> {
         }
     }
 
-    /// What a fragment has at a depth past near, by which the shaders test.
+    /// The q that a fragment at a depth past near is tested with.
     pub fn q(&self, past_near: f64) -> f64 {
         q(self.space, past_near)[0]
     }
 
-    /// A face by its depth past near at a pixel's centre and the slope of that, in depth per pixel. Drawing moves it aside by
-    /// `aside_px`, and `f32` off by `error`; interpolation over it takes `interpolation` of [`Sectioned::q`].
+    /// A face, by its depth past near at a pixel's centre and its slope in depth per pixel. Drawing moves it aside by
+    /// up to `aside_px`; `error` is due to `f32`, `interpolation` the error of interpolating [`Sectioned::q`] over it.
     pub fn face(
         &self,
         px: DVec2,
@@ -67,7 +68,7 @@ impl<'a> Sectioned<'a> {
         self.at(screen, px, past_near, error, [moved, off, room])
     }
 
-    /// A sphere, which nothing moves aside; half a pixel aside makes `of_slope` of its depth.
+    /// A sphere, which nothing moves aside; half a pixel aside would change its depth by `of_slope`.
     pub fn sphere(&self, px: DVec2, past_near: f64, of_slope: f64, error: &ViewError) -> AtSection {
         let Some(screen) = &self.screen else {
             return AtSection::WHOLE;
@@ -78,7 +79,8 @@ impl<'a> Sectioned<'a> {
         self.at(screen, px, past_near, error, [0.0, 0.0, room])
     }
 
-    /// What moves the test's value aside, and what else takes of it, are given; so is what moving aside may take.
+    /// `moved` and `off` are errors of the test's value from moving aside and from all else so far; `room` is the
+    /// ceiling's part for moving aside.
     fn at(
         &self,
         screen: &ScreenSection,
@@ -116,7 +118,7 @@ impl<'a> Sectioned<'a> {
 }
 
 impl AtSection {
-    /// Nothing cuts.
+    /// Without a section.
     const WHOLE: Self = Self {
         keeps: true,
         reason: None,

@@ -14,36 +14,38 @@ use crate::{
 };
 use glam::{DAffine3, DVec2, DVec3};
 
-/// What an id may have shown at a pixel.
+/// A surface that an id may stand for at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Why it may be there for one side only: an outline or the near plane's cut is near enough.
+    /// Why only drawing or only the pick may have it: an outline or the near plane's cut is near enough.
     pub loose: Option<Reason>,
-    /// Why a neighbour may be there in its place, or it in a neighbour's: an edge between them is near enough.
+    /// Why a neighbour may show in its place or vice versa: an edge between them is near enough.
     pub crossed: Option<Reason>,
-    /// Why drawing may see otherwise whether the section keeps it, if it is there.
+    /// Why drawing may decide otherwise whether the section keeps it.
     pub cut: Option<Reason>,
-    /// Of a mesh's triangle: its batch's first object and its number.
+    /// For a mesh's triangle: its batch's first object, and its number.
     pub triangle: Option<(usize, u32)>,
-    /// Its nearest outline, near enough or not.
+    /// Its nearest outline, however far.
     pub outline: Outline,
-    /// Whether it really covers the centre, behind the near plane.
+    /// Whether it truly covers the centre, behind the near plane and kept by the section.
     pub covers: bool,
     /// View depth at the centre; NaN where there is none.
     pub depth: f64,
-    /// What the depth buffer may hold for that.
+    /// What the depth buffer may hold for this depth.
     pub stored: Stored,
-    /// What the GPU makes it from.
+    /// The GPU's input.
     pub source: Source,
 }
 
-/// What a surface is made from. From the same the GPU makes the same, to the bit, and so does a pick: their order settles
-/// which shows. Of matrices that differ by less than `f32` can tell, the GPU makes the same, and a pick does not.
+/// What a surface is made from. From identical input the GPU makes identical output, to the bit, and so does a pick:
+/// then object order decides which shows. Matrices that differ by less than `f32` resolves give identical drawings, but
+/// not identical picks; so the model matrix is compared, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Source {
     /// Nothing.
     Empty,
-    /// Vertices in this order (of a face the first three) about an origin, under a model matrix and what the GPU has of it.
+    /// An origin and, about it, vertices in this order (of a face the first three), under a model matrix and the GPU's
+    /// version of it.
     Vertices(VertexToView, DAffine3, [DVec3; 4]),
     /// A sphere's equations.
     Sphere(Placement),
@@ -76,7 +78,7 @@ impl Surface {
         }
     }
 
-    /// The same where a ray hits it at this view depth, which its corners may be too large to tell.
+    /// The same at the view depth where a ray hits it, if its corners are too large to tell the depth.
     pub fn at_hit(self, depths: &Depths, depth: f64) -> Self {
         if self.stored.is_bounded() {
             return self;
@@ -94,8 +96,8 @@ impl Surface {
         }
     }
 
-    /// Whether it lies so near to a plane of the lens that it may look as deep as the empty buffer, or be cut off: no
-    /// farther off than the ceiling. Standard depth stores 1 for most of what lies between planes far apart.
+    /// Whether it lies within the ceiling of the near or far plane, and so may be cut off or look as deep as the empty
+    /// buffer. (Standard depth stores 1 for most of what lies between planes far apart.)
     fn is_at_plane(&self, depths: &Depths) -> bool {
         let Lens { near, far, .. } = depths.lens;
         let ceiling = self.stored.ceiling / depths.stored_per_depth(self.depth - near);
@@ -105,8 +107,8 @@ impl Surface {
     }
 }
 
-/// A neighbour across an edge may be cut away where a surface is kept, or the other way round: what lies behind may then
-/// show at the edge between them.
+/// A neighbour across an edge may be cut away by the section where a surface is kept, or vice versa: then what lies
+/// behind may show at the edge between them.
 pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     let cut = surfaces.iter().filter_map(|surface| surface.cut);
     if let Some(cut) = cut.reduce(Reason::or) {
@@ -118,21 +120,21 @@ pub(super) fn with_cut_neighbours(mut surfaces: Vec<Surface>) -> Vec<Surface> {
     surfaces
 }
 
-/// Those of an object's surfaces at a pixel that drawing may show there: not a solid's far side where drawing is certain to
-/// put its near side before it.
+/// The surfaces of an object that drawing may show at a pixel: no far side of a solid where its near side is certainly
+/// drawn before it.
 pub(super) fn may_be_drawn(surfaces: Vec<Surface>) -> Vec<Surface> {
     not_behind(surfaces, |near, far| {
         near.stored.farthest > far.stored.nearest
     })
 }
 
-/// Those that a pick may show there: not a solid's far side where the near one certainly covers the centre, since picks are in
-/// exact order.
+/// The surfaces that a pick may find there: no far side of a solid where its near side certainly covers the centre,
+/// since picks have exact order.
 pub(super) fn may_be_picked(surfaces: Vec<Surface>) -> Vec<Surface> {
     not_behind(surfaces, |near, far| near.depth < far.depth)
 }
 
-/// Those that no other one certainly covers and lies before.
+/// The surfaces that no other one certainly hides.
 fn not_behind(
     mut surfaces: Vec<Surface>,
     lies_before: impl Fn(&Surface, &Surface) -> bool,
@@ -148,33 +150,33 @@ fn not_behind(
     surfaces
 }
 
-/// The best explanation for one surface having been drawn and the other picked; `None` when nothing explains it.
+/// The best explanation why one surface was drawn and the other picked; `None` when there is none.
 ///
-/// A surface whose outline is far covers the centre, or not, for both sides alike; then the other one is there for one
-/// side only, and has to come first there. Two surfaces made from the same cover the same pixels at the same depths:
-/// which of them shows is settled by their order, and nothing excuses another answer.
+/// Drawing and pick agree on whether a surface covers the centre if its outline is far away. Then the other surface
+/// must be there for one of them only, and come first there. Two surfaces made from the same input cover the same
+/// pixels at the same depths: their order decides which shows, and nothing excuses another answer.
 ///
-/// A surface well within the planes that the depth buffer takes for nothing is lost, whatever its bounds.
+/// A surface well between near and far that the depth buffer takes for nothing is lost, whatever its bounds.
 pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Option<Reason> {
     if drawn.triangle.is_some() && drawn.triangle == picked.triangle {
-        // Both sides come to the same one, edge by edge.
+        // Drawing and pick reach the same triangle across edges.
         return drawn.crossed;
     }
     if drawn.source == picked.source {
         return None;
     }
     let missing = |surface: &Surface| surface.loose.map(|reason| reason.class);
-    // For drawing it comes first, or the other one is not there.
+    // For drawing, `drawn` comes first or `picked` is missing.
     let first = || drawn.stored.hides(&picked.stored);
     let hides = picked.covers.then(first).flatten();
     let drawn_only = (hides.into_iter().chain(missing(picked)).min())
         .and_then(|class| Some(drawn.loose?.and(class)));
-    // The same for the pick.
+    // For the pick, `picked` comes first or `drawn` is missing.
     let precedes = drawn.covers && picked.stored.precedes(&drawn.stored);
     let hides = precedes.then_some(Class::Edge);
     let picked_only = (hides.into_iter().chain(missing(drawn)).min())
         .and_then(|class| Some(picked.loose?.and(class)));
-    // A neighbour's depth may be what counts.
+    // A neighbour in its place may cover the centre.
     let may_cover = |surface: &Surface| {
         let reached = || Some(surface.crossed?.class);
         surface.covers.then_some(Class::Edge).or_else(reached)
@@ -193,15 +195,15 @@ pub(super) fn explain(depths: &Depths, drawn: &Surface, picked: &Surface) -> Opt
     })
 }
 
-/// A lens's depths as the GPU makes them. Depths count from the near plane (*past near*): that keeps digits both at the eye
-/// and where near and far lie close together in the distance.
+/// A lens's depths as the GPU computes them. Depths count from the near plane (*past near*), which keeps digits both at
+/// the eye and where near and far lie close together far away.
 #[derive(Clone, Copy)]
 pub(super) struct Depths {
     lens: Lens,
     unit: f64,
     /// From the near plane to where the depth buffer stores 0.
     origin: f64,
-    /// What the depth buffer stores for a unit of measured depth, times w.
+    /// The stored value times w, per unit of measured depth.
     per_measured: f64,
     /// A pixel's height in world units where w is 1.
     pixel_at_w_1: f64,
@@ -228,12 +230,12 @@ impl Depths {
         self.lens.w(self.lens.near + past_near)
     }
 
-    /// What the depth buffer stores, without any rounding.
+    /// The depth buffer's value, unrounded.
     pub fn stored(&self, past_near: f64) -> f64 {
         self.per_measured * (past_near - self.origin) / self.w(past_near)
     }
 
-    /// The same by nearness: more is nearer.
+    /// The same as nearness: more is nearer.
     pub fn nearness(&self, past_near: f64) -> f64 {
         match self.lens.depth {
             DepthMapping::Reversed => self.stored(past_near),
@@ -241,10 +243,10 @@ impl Depths {
         }
     }
 
-    /// How far off the stored number may be.
+    /// Error bound of the stored value.
     ///
-    /// Rounded are the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last place), the
-    /// product with that and what is stored: 9 halves of a unit, and one for second order.
+    /// Rounded are the factor, its product with the measured depth, the reciprocal of w (2.5 units in the last place),
+    /// the product with that, and the stored value: 9 half units, and one for second order.
     pub fn error(&self, past_near: f64, error: &ViewError) -> f64 {
         let (w, stored) = (self.w(past_near), self.stored(past_near).abs());
         let of_w = match self.lens.projection {
@@ -259,49 +261,43 @@ impl Depths {
             + underflow
     }
 
-    /// How far off in depth drawing may see the near plane. In reversed depth clipping compares a product of two rounded
-    /// factors with w, as large as the near plane's depth (or 1); their difference changes with depth by 1 and the factor.
-    /// In standard depth it looks at the sign of the measured depth.
+    /// How far drawing may misplace the near plane, in depth. In reversed depth, clipping compares a product of two
+    /// rounded factors with w, which is the near plane's depth (or 1); their difference changes with depth by 1 plus
+    /// the factor (orthographic: by the factor). In standard depth it tests the sign of the measured depth.
     pub fn near_error(&self, error: &ViewError, exact: bool) -> f64 {
+        if self.lens.depth == DepthMapping::Standard {
+            return error.measured;
+        }
         let factor = self.per_measured.abs();
         let (w, of_w, change) = match self.lens.projection {
             Projection::Perspective { .. } => (self.lens.near, error.depth, 1.0 + factor),
             Projection::Orthographic { .. } => (1.0, 0.0, factor),
         };
-        match self.lens.depth {
-            DepthMapping::Standard => error.measured,
-            DepthMapping::Reversed => {
-                let product = if exact {
-                    0.0
-                } else {
-                    2.0 * U * w + 2.0 * UNDERFLOW / self.unit
-                };
-                (product + factor * error.measured + of_w) / change
-            }
-        }
+        let product = if exact {
+            0.0
+        } else {
+            2.0 * U * w + 2.0 * UNDERFLOW / self.unit
+        };
+        (product + factor * error.measured + of_w) / change
     }
 
-    /// Whether `f32` holds what clipping compares at this depth.
+    /// Whether `f32` represents exactly what clipping compares at this depth.
     pub fn clips_exactly(&self, past_near: f64) -> bool {
-        let (factor, measured) = match self.lens.projection {
-            Projection::Perspective { .. } => {
-                (self.per_measured, self.unit * (past_near - self.origin))
-            }
-            Projection::Orthographic { .. } => (
-                self.per_measured / self.unit,
-                self.unit * (past_near - self.origin),
-            ),
+        let factor = match self.lens.projection {
+            Projection::Perspective { .. } => self.per_measured,
+            Projection::Orthographic { .. } => self.per_measured / self.unit,
         };
+        let measured = self.unit * (past_near - self.origin);
         #[expect(clippy::float_cmp, reason = "to the bit: it may have been rounded")]
         let is_exact = measured / self.unit + self.origin == past_near;
         is_exact && is_f32(factor) && is_f32(measured) && is_f32(factor * measured)
     }
 
-    /// The most that the stored number may be off for drawing to hold the view: [`DEPTH_CEILING_STEPS`] of 2^-23 of the
-    /// depth, or of the distance between near and far where that is less; and no more than half a pixel's width, as far
-    /// as an outline may be off.
+    /// The most that the stored value may be off in a view that drawing can hold: [`DEPTH_CEILING_STEPS`] of 2^-23 of
+    /// the depth, or of the distance between near and far where that is less; at most half a pixel's width, as for
+    /// outlines.
     ///
-    /// In lengths, whatever the buffer stores: one that holds less is no excuse for showing more of it wrong.
+    /// It comes from lengths, whatever the buffer stores: a coarser buffer excuses no larger errors.
     pub fn ceiling(&self, past_near: f64) -> f64 {
         self.stored_per_depth(past_near) * self.ceiling_world(past_near)
     }
@@ -319,7 +315,7 @@ impl Depths {
         steps.min(aside)
     }
 
-    /// How fast the stored number changes with depth.
+    /// How fast the stored value changes with depth.
     pub fn stored_per_depth(&self, past_near: f64) -> f64 {
         match self.lens.projection {
             Projection::Perspective { .. } => {
@@ -331,8 +327,8 @@ impl Depths {
     }
 }
 
-/// The ray through a pixel position in view space, z being depth past near: where it meets the near plane and its step for
-/// one unit of depth; and the change of whichever moves for one pixel right and down.
+/// The ray through a pixel position in view space, with depth past near as z: where it meets the near plane, its step
+/// per unit of depth, and the change of origin or direction per pixel right and down.
 pub(super) struct ViewRay {
     pub origin: DVec3,
     pub direction: DVec3,
@@ -355,12 +351,12 @@ impl ViewRay {
         }
     }
 
-    /// Depth past near at which it meets the plane through `point` across `normal`.
+    /// Depth past near at which it meets the plane through `point` with this normal.
     pub fn depth_on(&self, point: DVec3, normal: DVec3) -> f64 {
         normal.dot(point - self.origin) / normal.dot(self.direction)
     }
 
-    /// Change of that depth for one pixel right and down, at a view depth. From `N . (o + z d - P) = 0`, where o or d
+    /// Change of that depth per pixel right and down, at a view depth. From `N . (o + z d - P) = 0`, where o or d
     /// moves.
     pub fn slope(&self, depth: f64, normal: DVec3) -> DVec2 {
         let [right, down] = self.steps;

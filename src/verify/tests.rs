@@ -1,5 +1,5 @@
-//! Terms of the bounds against `f32` step by step, as the shader and the hardware do it: nothing lies above a bound, and
-//! something comes so near to it that a bound without the term would not hold.
+//! Tests the terms of the bounds against `f32` computed step by step, as shader and hardware do: no error exceeds its
+//! bound, and some come so near that the bound would fail without the term.
 
 use super::{polygon::shift_px, surface::Depths};
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
 };
 use glam::{DAffine3, DMat3, DVec2, DVec3, Vec3};
 
-/// What is found to be off, over what may be: the largest of all.
+/// The largest ratio of an error to its bound.
 #[derive(Default)]
 struct Shares {
     largest: f64,
@@ -33,14 +33,14 @@ impl Shares {
     }
 }
 
-/// What `f32` holds of a number; with what is too small for a normal one lost, as GPUs may.
+/// A number rounded to `f32`, with subnormals flushed to 0, as GPUs may.
 #[expect(clippy::cast_possible_truncation, reason = "that is its purpose")]
 fn rounded(value: f64) -> f32 {
     let rounded = value as f32;
     if rounded.is_normal() { rounded } else { 0.0 }
 }
 
-/// A product or a sum as a GPU makes it: of two `f32` numbers both are exact in `f64`, or as good as that.
+/// A product or a sum as a GPU computes it: `f64` has those of two `f32` exactly, or nearly so.
 fn product(a: f32, b: f32) -> f32 {
     rounded(f64::from(a) * f64::from(b))
 }
@@ -49,7 +49,7 @@ fn sum(a: f32, b: f32) -> f32 {
     rounded(f64::from(a) + f64::from(b))
 }
 
-/// The reciprocal of a number, by two units in the last place off.
+/// A reciprocal that is off by two units in the last place.
 fn reciprocal(random: &mut Random, w: f32) -> f32 {
     let exact = 1.0 / w;
     if random.next() > 0.0 {
@@ -61,7 +61,7 @@ fn reciprocal(random: &mut Random, w: f32) -> f32 {
 
 const MAPPINGS: [DepthMapping; 2] = [DepthMapping::Reversed, DepthMapping::Standard];
 
-/// A view of what lies about the origin at most a unit away.
+/// A view of the unit ball about the origin.
 fn view(random: &mut Random, depth: DepthMapping, orthographic: bool) -> View {
     let eye = (3.0 + random.next()) * random.point().normalize();
     let fov_y = 0.8 + 0.5 * random.next();
@@ -94,7 +94,7 @@ fn views(count: usize) -> impl Iterator<Item = (View, Random)> {
     })
 }
 
-/// The vertex shader's: right, up, measured depth, view depth.
+/// The vertex shader's result: right, up, measured depth, view depth.
 fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
     let from_pivot = [0, 1, 2].map(|i| sum(position[i], -to_view.pivot[i]));
     let row = |i: usize| {
@@ -106,7 +106,7 @@ fn vertex(to_view: &VertexToView, position: Vec3) -> [f32; 4] {
     [x, y, z, sum(turned[2], to_view.view_depth)]
 }
 
-/// How far off the vertex shader puts vertices of this size, over their bounds: aside, and in depth.
+/// The vertex shader's errors over their bounds, for vertices of this size: aside, and in depth.
 fn vertices(size: f64, views: impl Iterator<Item = (View, Random)>) -> [Shares; 2] {
     let mut shares = <[Shares; 2]>::default();
     for (view, mut random) in views {
@@ -139,7 +139,7 @@ fn vertices_lie_within_their_bounds() {
     }
 }
 
-/// Vertices as small as the least `f32` numbers, on the line of sight: sideways nothing but underflow moves them.
+/// Vertices as small as the least `f32` numbers, on the line of sight: only underflow moves them sideways.
 #[test]
 fn vertices_that_underflow_lie_within_their_bounds() {
     let straight = views(4000).map(|(view, random)| {
@@ -151,7 +151,7 @@ fn vertices_that_underflow_lie_within_their_bounds() {
     aside.reach(0.1);
 }
 
-/// The projection of what the vertex shader makes, and what the hardware does then.
+/// The projection in the vertex shader and the hardware's steps after it.
 #[test]
 fn projected_points_lie_within_their_bounds() {
     let mut shares = Shares::default();
@@ -185,7 +185,7 @@ fn projected_points_lie_within_their_bounds() {
     shares.reach(0.3);
 }
 
-/// What clipping at the near plane compares is right where the plane is farther off than the bound.
+/// Clipping at the near plane decides rightly wherever the plane is farther off than the bound.
 #[test]
 fn the_near_plane_cuts_within_its_bound() {
     for mapping in MAPPINGS {
@@ -205,7 +205,7 @@ fn the_near_plane_cuts_within_its_bound() {
                 let bound = depths.near_error(&error, false);
                 let past_near = 1.5 * bound * random.next();
                 let exact = [past_near - to_origin, lens.near + past_near];
-                // A quarter is left for rounding.
+                // A quarter of the bound is left for rounding.
                 let mut off = |at: f64, error: f64| at + 0.75 * error * random.next().signum();
                 let measured = rounded(unit * off(exact[0], error.measured));
                 let depth = rounded(unit * off(exact[1], error.depth));
@@ -223,7 +223,7 @@ fn the_near_plane_cuts_within_its_bound() {
     }
 }
 
-/// What the depth buffer stores for a depth, as near to the far plane as `near` is to 0.
+/// The depth buffer's errors over their bounds, for depths from `near` to far.
 fn stored(near: f64) -> [Shares; 2] {
     MAPPINGS.map(|mapping| {
         let mut shares = Shares::default();
@@ -265,7 +265,7 @@ fn stored_depths_lie_within_their_bounds() {
     }
 }
 
-/// A near plane so close that most of what reversed depth stores is lost.
+/// A near plane so close that reversed depth loses most of what it stores.
 #[test]
 fn stored_depths_that_underflow_lie_within_their_bounds() {
     let [reversed, _] = stored(3.0 * f64::from(f32::MIN_POSITIVE));

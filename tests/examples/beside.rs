@@ -1,10 +1,10 @@
-//! Picks beside what else an engine would build them from: a camera and raycaster as three.js has them, which tests every
-//! triangle, and the same camera with the mesh of parry3d, which has a tree. All get the same positions of the same picture
-//! and answer by triangle and distance.
+//! Compares picks with what an engine might use instead: three.js's camera and raycaster (ported), which tests every
+//! triangle, and the same camera with parry3d's mesh, which has a tree. All pick the same positions of one picture and
+//! return triangle and distance.
 //!
-//! `cargo run --release --no-default-features --features rivals --example beside`: times are of the fastest of passes in
-//! turn; ratios hold on a busy machine where times do not. Where an answer is another than Sightline's, which is exact
-//! arithmetic's, it is wrong.
+//! `cargo run --release --no-default-features --features rivals --example beside`: times are of the fastest pass;
+//! passes alternate, so that ratios hold on a busy machine. An answer that differs from Sightline's is wrong, since
+//! Sightline's is exact arithmetic's.
 
 use parry3d::{
     math::Vector,
@@ -24,13 +24,13 @@ const SIZE: [u32; 2] = [320, 240];
 const FOV_DEG: f64 = 40.0;
 const EYE: DVec3 = DVec3::new(1.0, 1.5, 3.0);
 const PASSES: usize = 9;
-/// Positions of which every triangle is tested for one.
+/// One in this many positions tests every triangle.
 const FEW: usize = 75;
 
-/// A position's triangle, and how far along the ray.
+/// A position's triangle, and its distance along the ray.
 type Answer = Option<(u32, f64)>;
 
-/// `PerspectiveCamera` with `lookAt`: matrices of `f64`, as JavaScript has them; looks along its -z.
+/// `PerspectiveCamera` with `lookAt`: `f64` matrices, as in JavaScript; looks along its -z.
 struct ThreeCamera {
     matrix_world: DMat4,
     projection_inverse: DMat4,
@@ -63,7 +63,7 @@ impl ThreeCamera {
     }
 }
 
-/// `Mesh.raycast` with `DoubleSide`: into the mesh's space, then each triangle by `Ray.intersectTriangle`.
+/// `Mesh.raycast` with `DoubleSide`: in the mesh's space, `Ray.intersectTriangle` on each triangle.
 fn three_closest(data: &MeshData, inverse: &DMat4, (origin, direction): (DVec3, DVec3)) -> Answer {
     let origin = inverse.transform_point3(origin);
     let direction = (*inverse * direction.extend(0.0)).truncate().normalize();
@@ -101,7 +101,7 @@ fn intersect_triangle(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) ->
     (along >= 0.0).then_some(along / facing)
 }
 
-/// parry's mesh, which is `f32`, asked in its own space.
+/// parry's mesh (`f32`), in its own space.
 fn parry_closest(mesh: &TriMesh, inverse: &DMat4, (origin, direction): (DVec3, DVec3)) -> Answer {
     let narrow = |v: DVec3| Vector::from(v.as_vec3().to_array());
     let origin = inverse.transform_point3(origin);
@@ -129,7 +129,7 @@ fn ball(rings: u16) -> MeshData {
         [[a, b, c], [a, c, d]]
     };
     let quads = (0..rows).flat_map(|i| (0..width).map(move |j| (i, j)));
-    // At the poles every other one has no area.
+    // At the poles, every second triangle has no area.
     let triangles = quads.flat_map(|(i, j)| quad(i, j)).enumerate();
     let whole = triangles.filter(|(n, _)| {
         let (row, second) = (n / 2 / width as usize, n % 2 == 1);
@@ -139,7 +139,7 @@ fn ball(rings: u16) -> MeshData {
     MeshData::of_triangles("ball", positions.collect(), triangles)
 }
 
-/// Nanoseconds a position, of one pass.
+/// Nanoseconds per position in one pass.
 fn pass(positions: &[DVec2], answer: impl Fn(DVec2) -> Answer) -> f64 {
     let start = Instant::now();
     for px in positions {
@@ -192,7 +192,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let parry = |px: DVec2| parry_closest(&parry, &inverse, ray(px));
         let each = |px: DVec2| three_closest(mesh.data(), &inverse, ray(px));
 
-        // No order that a processor learns.
+        // In an order that branch prediction cannot learn.
         let pixels = u64::from(SIZE[0] * SIZE[1]);
         let centre = |n: u64| {
             let n = n * 48_271 % pixels;

@@ -1,4 +1,5 @@
-//! How sure a pick says that it is: held against pixels nearby, and against exact arithmetic. `edges` has `edge_px`.
+//! A pick's `differs_px` and `exact` are true: checked against nearby pixels and exact arithmetic. For `edge_px` see
+//! `edges`.
 
 use crate::common::{Random, mesh, orthographic, perspective, scene_of, view};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2};
@@ -107,15 +108,15 @@ fn exact_says_when_f64_cannot_decide() {
         picks.iter().map(|pick| pick.exact).collect()
     };
     let (beside, diagonal) = (dvec2(9.5, 3.5), dvec2(9.5, 6.5));
-    // Alone: only upon the diagonal, where both triangles are hit.
+    // The quad alone: only on the diagonal, where both triangles are hit.
     let one = Scene::new(vec![object(sheet(0.0))]);
     assert_eq!(exact(&one, beside), [false]);
     assert_eq!(exact(&one, diagonal), [true, true]);
-    // What lies behind is not in doubt because of what lies behind it.
+    // A hit is not in doubt because of what lies behind it.
     let mut two = Scene::new(vec![object(Shape::Square), object(sheet(-3.0))]);
     let front = dvec2(8.25, 7.75);
     assert_eq!(exact(&two, front), [false, true, true]);
-    // Nor because of what is hidden.
+    // Nor because of hidden objects.
     two.set_visible(1, false);
     assert_eq!(exact(&two, front), [false]);
     let mut solid = Scene::new(vec![object(Shape::Square), object(Shape::Cube)]);

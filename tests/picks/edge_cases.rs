@@ -1,4 +1,4 @@
-//! Positions upon objects, for distances to their edges: ordinary ones, and those where digits run out.
+//! Families of positions on objects, to test distances to edges: ordinary ones, and those where digits run out.
 
 use crate::common::{Random, mesh, orthographic, perspective, placements, view};
 use glam::{DAffine3, DMat3, DVec2, DVec3, dvec2};
@@ -9,7 +9,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// An object, how it is looked at, and where.
+/// An object, a view of it, and a position.
 #[derive(Debug)]
 pub struct Case {
     pub object: Object,
@@ -23,7 +23,7 @@ impl Case {
     }
 }
 
-/// One more case, if it has any use.
+/// Makes a case; `None` if this try is of no use.
 pub type Family = fn(&mut Random, &Shape) -> Option<Case>;
 
 /// Points of a shape's surface in object space.
@@ -50,7 +50,7 @@ fn surface_point(random: &mut Random, shape: &Shape) -> DVec3 {
     }
 }
 
-/// The object where the picture shows some point of it; `None` when it shows none of a few.
+/// The position of a random point of the object that the picture shows; `None` when none of a few tries is shown.
 fn aimed(random: &mut Random, shape: &Shape, model: DAffine3, view: View) -> Option<Case> {
     let placement = Placement::new(model).ok()?;
     let px = (0..50).find_map(|_| Some(shown_point(random, shape, &placement, &view)?.px))?;
@@ -58,7 +58,7 @@ fn aimed(random: &mut Random, shape: &Shape, model: DAffine3, view: View) -> Opt
     Some(Case { object, view, px })
 }
 
-/// Where the picture shows some point of a shape.
+/// The pixel position of a random point of a shape.
 fn shown_point(
     random: &mut Random,
     shape: &Shape,
@@ -72,7 +72,7 @@ fn shown_point(
 
 fn lens(random: &mut Random, fov: f64, near: f64) -> Lens {
     if random.below(3) == 0 {
-        // As high as the perspective picture is at distance 3.
+        // As high as the perspective picture at distance 3.
         orthographic(6.0 * (0.5 * fov.to_radians()).tan(), near, 1e12)
     } else {
         perspective(fov, near, 1e12)
@@ -110,14 +110,14 @@ fn cut(random: &mut Random, shape: &Shape) -> Option<Case> {
     let lens = lens(random, fov, near);
     let view = looking(random, eye, lens);
     let placement = Placement::new(placement(random)).ok()?;
-    // Close to the cut, if any of some points is.
+    // The point of several that is closest to the cut.
     let shown = (0..50).filter_map(|_| shown_point(random, shape, &placement, &view));
     let px = shown.min_by(|a, b| a.depth.total_cmp(&b.depth))?.px;
     let object = Object::new("it", shape.clone(), placement);
     Some(Case { object, view, px })
 }
 
-/// A near plane within a hair of an eye that stands close to the object, or in it.
+/// A tiny near distance, and an eye close to the object or inside it.
 fn tiny_near(random: &mut Random, shape: &Shape) -> Option<Case> {
     let near = 10_f64.powf(random.within(-300.0, -1.0));
     let eye = random.within(0.05, 0.8) * random.direction();
@@ -127,7 +127,7 @@ fn tiny_near(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Close to an edge of the picture's shape.
+/// Close to an edge of the shape as the picture shows it.
 fn near_an_edge(random: &mut Random, shape: &Shape) -> Option<Case> {
     let Case { object, view, px } = ordinary(random, shape)?;
     let scene = Scene::new(vec![object.clone()]);
@@ -173,7 +173,7 @@ fn wide_lens(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Through a lens of 1e-7 degrees and more; half the objects are long, up to 1e30 times as long as wide.
+/// Lenses from 1e-7 degrees; half the objects are elongated, up to 1e30 times as long as wide.
 fn long_lens(random: &mut Random, shape: &Shape) -> Option<Case> {
     let mut model = placement(random);
     let mut point = surface_point(random, shape);
@@ -198,7 +198,7 @@ fn long_lens(random: &mut Random, shape: &Shape) -> Option<Case> {
     Some(Case { object, view, px })
 }
 
-/// Squeezed and sheared, to a condition of 1e14.
+/// Squeezed and sheared, up to a condition number of 1e14.
 fn squeezed(random: &mut Random, shape: &Shape) -> Option<Case> {
     let condition = 10_f64.powf(random.within(3.0, 14.0));
     let turn =
@@ -218,7 +218,7 @@ fn squeezed(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Coordinates large beside the object.
+/// Coordinates that are large relative to the object.
 fn far_from_the_origin(random: &mut Random, shape: &Shape) -> Option<Case> {
     let offset = 10_f64.powf(random.within(3.0, 12.0)) * random.direction();
     let mut model = placement(random);
@@ -235,7 +235,7 @@ fn far_from_the_origin(random: &mut Random, shape: &Shape) -> Option<Case> {
     aimed(random, shape, model, view)
 }
 
-/// Straight before the eye, where everything is symmetrical.
+/// Straight ahead, where everything is symmetrical.
 fn straight(random: &mut Random, shape: &Shape) -> Option<Case> {
     let size = DVec3::from_array([0, 1, 2].map(|_| [0.5, 1.0, 2.0][random.below(3)]));
     let near = [0.01, 1.5, 2.0, 2.5][random.below(4)];
@@ -248,7 +248,7 @@ fn straight(random: &mut Random, shape: &Shape) -> Option<Case> {
     Some(Case { object, view, px })
 }
 
-/// An edge that passes the eye about as closely as the near plane does, so that the cut is within the picture.
+/// An edge that passes the eye about as closely as the near plane, so that the cut lies within the picture.
 fn past_the_eye(random: &mut Random, shape: &Shape) -> Option<Case> {
     if !matches!(shape, Shape::Mesh { .. }) {
         return None;

@@ -1,4 +1,4 @@
-//! `edge_px`: as exact as it says, whatever the lens, the distance and the near plane.
+//! `edge_px` is as exact as documented, whatever the lens, the distance and the near plane.
 
 use crate::{
     common::{Random, mesh},
@@ -12,20 +12,20 @@ use sightline::{
     scene::Shape,
 };
 
-/// What the cases of a family came to.
+/// Counts over a family's cases.
 #[derive(Debug, Default, PartialEq)]
 struct Counts {
-    /// Positions at which the object is.
+    /// Positions where the object is picked.
     picked: u32,
-    /// No edge lies behind the near plane.
+    /// Of these, no edge lies behind the near plane.
     none: u32,
-    /// The nearest point of an edge is where the near plane cuts it.
+    /// Of these, the nearest point is where the near plane cuts an edge.
     cut: u32,
-    /// Farther than promised from the truth, or a number where null is due, or the reverse.
+    /// Less exact than promised, or a number in place of null, or the reverse.
     wrong: u32,
 }
 
-/// A triangle whose vertices no `f64` coordinate holds.
+/// A triangle whose world vertices (origin + vertex) do not fit into `f64`.
 fn triangle() -> Shape {
     let corners = vec![[-0.5, -0.5, 0.1], [0.6, -0.4, 0.0], [-0.3, 0.5, -0.2]];
     let mesh = mesh(
@@ -36,7 +36,7 @@ fn triangle() -> Shape {
     Shape::Mesh { mesh, part: 0 }
 }
 
-/// The distance to the nearest edge, and whether it is to where the near plane cuts one.
+/// The distance to the nearest edge, and whether the nearest point is a cut by the near plane.
 fn truth(case: &Case, pick: &Pick) -> Option<(f64, bool)> {
     let placement = &case.object.placement;
     let corners = |origin: DVec3, vertices: &[DVec3], bits| {
@@ -49,7 +49,7 @@ fn truth(case: &Case, pick: &Pick) -> Option<(f64, bool)> {
     let square = Square::corners();
     let found = match &case.object.shape {
         Shape::Sphere => {
-            // Where the near plane is nearest to the eye, the ends are shown farthest out.
+            // The nearer the near plane is to the eye, the farther out the ends are shown.
             let bits = if case.view.camera.lens().near < 1e-60 {
                 2400
             } else {
@@ -103,7 +103,7 @@ fn counts(family: Family, shape: &Shape, tries: u32, seed: u64) -> Counts {
     counts
 }
 
-/// So many tries of each family, and what they came to together.
+/// Sums the counts of all families, with `tries` each.
 fn all_counts(shape: &Shape, tries: u32) -> Counts {
     let mut all = Counts::default();
     for (seed, (name, family)) in (100..).zip(FAMILIES) {

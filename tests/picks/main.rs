@@ -24,7 +24,7 @@ use sightline::{
     verify,
 };
 
-/// Something of every shape, one behind the other, about a point.
+/// One of every shape, one behind the other, about a point.
 fn mixed(center: DVec3) -> Scene {
     let positions = vec![
         [-1.0, -1.0, 0.3],
@@ -112,7 +112,7 @@ fn distances_are_those_of_exact_arithmetic() {
                 let line = Line::of(&view, px);
                 let truth = world.hits(&line, view.sides);
                 for (pick, hit) in pick::pick_all(&scene, &view, px).iter().zip(&truth) {
-                    // A coordinate of 1e6 rounds; how far the eye is from what it sees does not depend on it.
+                    // A coordinate of 1e6 rounds; the distance from the eye must not depend on that.
                     let distance = line.distance(view.camera.eye(), &hit.t);
                     let t_off = ((pick.depth - hit.t.rounded()) / pick.depth).abs();
                     assert_close(pick.distance, distance, 1e-14 + 2.0 * t_off);
@@ -151,7 +151,7 @@ fn consistent(scene: &Scene, view: &View, px: DVec2, pick: &Pick) {
     );
     assert_eq!(pick.front, ray.direction.dot(pick.normal_world) < 0.0);
 
-    // Where the shape's own equation says that it is.
+    // The point satisfies the shape's own equation.
     let p = pick.point_object;
     let inverse = object.placement.inverse_linear();
     let slack = 1e-14
@@ -194,7 +194,7 @@ fn where_the_near_plane_cuts_a_cube_the_face_behind_is_picked() {
         let view_of =
             |near, far| view([0.0, 0.0, 3.0], [0.0; 3], lens(40.0, near, far), [100, 100]);
         let corner = view_of(1.0, 10.0).project(dvec3(0.5, -0.5, -0.5)).unwrap();
-        // All over the face behind: at the middle the ray runs along F, elsewhere depth rounds.
+        // All over the back face: in the middle the ray runs along F, elsewhere depth rounds.
         let steps = || (-9..=9).map(|i| f64::from(i) / 9.3);
         let shares = steps().flat_map(|y| steps().map(move |x| dvec2(x, y)));
         for px in shares.map(|share| 50.0 + share * (corner.px - 50.0)) {
@@ -290,7 +290,7 @@ fn nothing_changes_far_from_the_origin() {
                 continue;
             };
             if a.edge_px.is_some_and(|px| px < 1e-4) {
-                continue; // So near an edge, the coordinates' own rounding decides.
+                continue; // So near an edge, the rounding of coordinates decides.
             }
             assert_eq!(
                 (a.id, a.triangle, a.front),
@@ -322,7 +322,7 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
         hit: pick::pick(&scene, &view, px),
         in_one_place: verify::in_one_place(&scene, &view, px),
     };
-    // Of 90 degrees the camera stores half a height of 0.999..., so the square is shown as much wider.
+    // For 90 degrees the camera stores a half height of 0.999..., so the square appears that much wider.
     assert_eq!(
         serde_json::to_string(&line).unwrap(),
         r#"{"px":[4.0,4.0],"hit":{"object":"it","id":1,"triangle":null,"front":true,"t":2.0,"distance":2.0,"depth":2.0,"ndc":[0.0,0.0,0.25],"point_world":[0.0,0.0,0.0],"normal_world":[0.0,0.0,1.0],"point_object":[0.0,0.0,0.0],"normal_object":[0.0,0.0,1.0],"barycentric":null,"edge_px":1.0000000000000002,"gap":null,"exact":false,"differs_px":1.5811388300841898,"file":null,"line":null,"face":null,"vertices":null,"corners":null,"file_error":null},"in_one_place":null}"#
@@ -354,7 +354,7 @@ fn json_has_the_documented_fields_in_order_and_no_nan() {
 
 #[test]
 fn records_are_finite_from_any_eye() {
-    // Within objects, upon them, a hair before them, and from far away.
+    // From inside objects, on their surfaces, just before them, and from far away.
     let scene = mixed(DVec3::ZERO);
     let mut random = Random::new(44);
     let mut hits = 0;

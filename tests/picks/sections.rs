@@ -1,4 +1,4 @@
-//! Records under a section: edges and outlines count as far as it keeps them, solids that it opens show their backs.
+//! Pick records under a section: only kept edges and outlines count, and solids that it opens show their backs.
 
 use crate::common::{Random, mesh, orthographic, perspective, placements, view};
 use glam::{DAffine3, DVec2, DVec3};
@@ -69,7 +69,7 @@ fn offset(case: &Case, point: DVec3) -> DVec2 {
     case.view.project(point).expect("before the eye").px - case.px
 }
 
-/// To what is kept of a polygon's sides, and whether an end that the section makes is nearest.
+/// Distance to the kept parts of a polygon's sides, and whether an end made by the section is nearest.
 fn polygon_px(case: &Case, corners: &[DVec3]) -> Option<(f64, bool)> {
     let section = case.view.section.expect("a section");
     let sides = (0..corners.len()).filter_map(|i| {
@@ -94,13 +94,13 @@ fn polygon_px(case: &Case, corners: &[DVec3]) -> Option<(f64, bool)> {
     sides.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The same of a sphere's outline: looked at in many places, and refined about the nearest and about each end.
+/// The same for a sphere's outline: sampled, and refined about the nearest sample and about each end.
 fn outline_px(case: &Case) -> Option<(f64, bool)> {
     const STEPS: u32 = 4000;
     let camera = &case.view.camera;
     let placement = &case.object.placement;
     let to_object = placement.model().inverse();
-    // Where rays touch: y . eye = 1/4, or y . direction = 0.
+    // Where rays are tangent: y . eye = 1/4, or y . direction = 0.
     let (axis, centre, radius) = if camera.lens().is_orthographic() {
         let axis = to_object.transform_vector3(camera.forward());
         (axis, DVec3::ZERO, 0.5)
@@ -142,7 +142,7 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
         } else if !at_from {
             continue;
         }
-        // The least within: distances have one minimum over so little.
+        // The least in the interval: distances have one minimum in one this short.
         for _ in 0..80 {
             let [a, b] = [from + (to - from) / 3.0, to - (to - from) / 3.0];
             if px(a) < px(b) {
@@ -151,7 +151,7 @@ fn outline_px(case: &Case) -> Option<(f64, bool)> {
                 from = a;
             }
         }
-        // At an end it is the end that counts.
+        // At an end, the end itself counts.
         found(px(0.5 * (from + to)) + 1e-12, false);
     }
     best
@@ -214,7 +214,7 @@ fn edges_and_outlines_count_as_far_as_a_section_keeps_them() {
     }
 }
 
-/// A ball that is cut in front shows its back, and only where both sides show; the plane itself is kept.
+/// A ball whose front is cut away shows its back if both sides show; the plane itself is kept.
 #[test]
 fn a_solid_that_is_opened_shows_its_back() {
     let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);
@@ -249,7 +249,7 @@ fn a_solid_that_is_opened_shows_its_back() {
     }
 }
 
-/// Whether three points span a plane is decided exactly, however little they miss a line.
+/// Whether three points span a plane is decided exactly, however close to a line they lie.
 #[test]
 fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
     let of = |text: &str| text.parse::<SectionChoice>();
@@ -276,7 +276,7 @@ fn three_points_span_a_plane_or_lie_on_a_line_exactly() {
     }
 }
 
-/// Cut in half across the line of sight, a ball has its outline on the border of what is kept, which is kept.
+/// Cut in half across the line of sight, a ball has its outline exactly in the plane, which is kept.
 #[test]
 fn an_outline_in_the_sections_plane_counts() {
     let ball = Object::new("ball", Shape::Sphere, Placement::IDENTITY);

@@ -1,6 +1,6 @@
-//! Where the picture shows edges and outlines, from the stored numbers, with so many digits that none is missed.
+//! Where the picture shows edges and outlines, computed from the stored numbers with enough digits.
 //!
-//! Shares nothing with the program: floats of another crate; points go through inverse matrices, angles are sampled.
+//! Shares no code with the program: it uses another crate's floats, inverse matrices and sampled angles.
 
 use dashu_float::{FBig, round::mode::HalfEven};
 use glam::{DMat3, DVec2, DVec3};
@@ -80,7 +80,7 @@ fn columns(m: DMat3) -> [DVec3; 3] {
     [m.x_axis, m.y_axis, m.z_axis]
 }
 
-/// The rows of the inverse of a matrix, given by its columns.
+/// The rows of a matrix's inverse, from its columns.
 fn dual([x, y, z]: &[V; 3]) -> [V; 3] {
     let rows = [cross(y, z), cross(z, x), cross(x, y)];
     let determinant = dot(x, &rows[0]);
@@ -137,13 +137,13 @@ impl Truth {
         v.to_array().map(|x| self.wide(x))
     }
 
-    /// R, U and F coordinates from the eye: a t of F, and of R and U what makes the picture's x and y.
+    /// Coordinates along R, U and F from the eye; that along F is t.
     fn coordinates(&self, world: &V) -> V {
         let q = minus(world, &self.eye);
         self.dual.each_ref().map(|row| dot(row, &q))
     }
 
-    /// How far from the position the picture shows a point, in pixels.
+    /// Offset in pixels from the position to where the picture shows a point.
     fn offset(&self, [r, u, t]: &V) -> [Wide; 2] {
         let depth = if self.perspective {
             t.clone()
@@ -157,7 +157,7 @@ impl Truth {
         [x - self.px[0].clone(), y - self.px[1].clone()]
     }
 
-    /// World points of a mesh's vertices, or of anything's.
+    /// The world point of a vertex about an origin.
     pub fn world(&self, placement: &Placement, origin: DVec3, vertex: DVec3) -> V {
         let [x, y, z] = columns(placement.model().matrix3).map(|v| self.vector(v));
         let local: V = array::from_fn(|i| self.wide(origin[i]) + self.wide(vertex[i]));
@@ -206,7 +206,7 @@ impl Truth {
         if s >= self.wide(1.0) {
             return Some((square(&q).sqrt(), is_cut));
         }
-        // No point that is looked at by itself is nearer.
+        // Check: no sampled point is nearer.
         let foot = square(&array::from_fn(|i| &p[i] + &(&s * &d[i])));
         for i in 0..=16 {
             let point = along(a, &self.wide(f64::from(i) / 16.0), &minus(&b, a));
@@ -225,7 +225,7 @@ impl Truth {
 /// A sphere's outline as a circle in object space.
 struct Outline<'a> {
     truth: &'a Truth,
-    /// In R, U and F coordinates, as every other vector: its centre and its two radii.
+    /// Its centre and two radii, in R, U and F coordinates like every vector here.
     center: V,
     radii: [V; 2],
 }
@@ -277,7 +277,7 @@ impl<'a> Outline<'a> {
         })
     }
 
-    /// The point at a parameter, whose first quarters lie within 1 of 0 on both sides and the other two within 2.
+    /// The point at a parameter in [-2, 2]; each unit is a quarter of the circle, 0 in the middle.
     fn at(&self, s: &Wide) -> V {
         let wide = |x| self.truth.wide(x);
         let minus = |x: Wide| wide(0.0) - x;
@@ -309,7 +309,7 @@ impl<'a> Outline<'a> {
     fn distance_px(mut self) -> Option<(f64, bool)> {
         let truth = self.truth;
         let [zero, one] = [0.0, 1.0].map(|x| truth.wide(x));
-        // Turned so that the deepest point is at 0.
+        // Rotated so that the deepest point is at 0.
         let [slope_0, slope_1] = self.radii.each_ref().map(|radius| radius[2].clone());
         let amplitude = (&slope_0 * &slope_0 + &slope_1 * &slope_1).sqrt();
         let missing = &truth.near - &self.center[2];
@@ -339,8 +339,8 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Where a squared distance is least within an interval, and its value there. Samples; then looks about each sample that
-/// is no greater than its neighbours in the same way, on and on, until those differ by no more than is asked for.
+/// Where a squared distance is least within an interval, and its value there. Samples the interval, then recursively
+/// the neighbourhood of each local minimum, until neighbours differ by no more than is asked for.
 fn least(
     start: &Wide,
     end: &Wide,

@@ -1,5 +1,5 @@
-//! Adapters that can do less draw the same: without a primitive index, without multisampling, within the smallest limits.
-//! What this adapter has is left unused.
+//! Lesser adapters draw the same pictures: without a primitive index, without multisampling, within the smallest
+//! limits. They are simulated by not using what this adapter has.
 
 use super::*;
 use sightline::{
@@ -39,7 +39,7 @@ fn views() -> [View; 3] {
     ]
 }
 
-/// All that is drawn of a view: ids, colours with the edges of triangles, marks, at one sample and smooth.
+/// Every picture of a view: ids, colours with edges of triangles, marks, at one sample and smooth.
 fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<Rgb>>) {
     let mut ids = Vec::new();
     let mut colours = Vec::new();
@@ -66,7 +66,7 @@ fn all_of(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<Image<Id>>, Vec<Image<R
     (ids, colours)
 }
 
-/// Pictures that are the same to the bit, as many of them.
+/// Asserts equal counts of pictures, equal to the bit.
 #[track_caller]
 fn assert_same<T: Copy + PartialEq>(some: &[Image<T>], others: &[Image<T>]) {
     assert_eq!(some.len(), others.len());
@@ -124,7 +124,7 @@ fn without_multisampling_pictures_are_rough() {
     }
 }
 
-/// What every adapter has by WebGPU's rules.
+/// The limits that WebGPU guarantees.
 fn smallest() -> wgpu::Limits {
     wgpu::Limits::default()
 }
@@ -151,7 +151,7 @@ fn the_smallest_limits_draw_the_same_and_refuse_in_a_line() {
     }
 }
 
-/// Two instances of a mesh in two parts with buffers that hold a few triangles, so that it is in many.
+/// Two instances of a mesh in two parts, with buffers so small that the mesh needs many.
 #[test]
 fn meshes_larger_than_a_buffer_are_split() {
     let (positions, triangles) = common::icosphere(4);

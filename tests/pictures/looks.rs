@@ -1,4 +1,4 @@
-//! Colours mean one thing each, light leaves nothing black, and a selected surface stays what it is.
+//! Each colour has one meaning, light leaves nothing black, and a selected surface stays recognisable.
 
 use super::*;
 use sightline::{
@@ -9,8 +9,8 @@ use sightline::{
 };
 use std::fs;
 
-/// Lightness and two opponent colours, as far apart as people see colours to be (Ottosson, A perceptual color space for
-/// image processing, 2020).
+/// Oklab: lightness and two opponent colours, with perceptual distances (Ottosson, A perceptual color space for image
+/// processing, 2020).
 fn oklab(colour: Srgb) -> [f32; 3] {
     let [r, g, b] = colour.to_linear();
     let [l, m, s] = [
@@ -37,7 +37,7 @@ fn no_two_meanings_have_colours_that_look_alike() {
     }
 }
 
-/// Where pictures get their colours: each is a name of `look`'s.
+/// Files that colour pictures use named colours of `look`.
 #[test]
 fn colours_of_pictures_stand_in_one_place() {
     let folders = ["render", "verify", "viewer/screen"].map(|name| format!("src/{name}"));
@@ -62,7 +62,7 @@ fn colours_of_pictures_stand_in_one_place() {
     assert!(seen > 30, "{seen} files");
 }
 
-/// From everywhere about the demo: no pixel of an object is darker than this, of 1.
+/// From anywhere around the demo, no pixel of an object is darker than this share of 1.
 const NEAR_BLACK: f32 = 0.025;
 
 #[test]
@@ -97,8 +97,8 @@ fn no_face_of_the_demo_is_near_black() {
     assert!(darkest > NEAR_BLACK, "{darkest}");
 }
 
-/// As bright as it was, and near the colour that it had: form, shade and colour are still seen. What the graphics adapter
-/// draws is what `look` says.
+/// It is as bright as before and near its own colour, so form, shading and colour can still be seen. The adapter draws
+/// what `look` computes.
 #[test]
 fn a_selected_surface_keeps_its_colour() {
     let gpu = gpu();

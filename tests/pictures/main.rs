@@ -1,4 +1,4 @@
-//! What is drawn looks as it should: like the ray caster's picture, with its marks, lines and culling.
+//! Drawn pictures look right: like the ray caster's, with marks, lines and culling.
 #![cfg(feature = "window")]
 
 #[path = "../common/mod.rs"]
@@ -35,7 +35,7 @@ fn overview(size: [u32; 2]) -> View {
     )
 }
 
-/// Ids, colours and the finished picture at `samples` a pixel.
+/// Ids, colours and the finished picture with `samples` per pixel.
 fn draw(
     gpu: &Gpu,
     scene: &Scene,
@@ -63,13 +63,13 @@ fn draw(
     )
 }
 
-/// In how many pixels two pictures differ.
+/// The number of pixels in which two pictures differ.
 fn differing<T: Copy + PartialEq>(a: &Image<T>, b: &Image<T>) -> usize {
     let pairs = a.pixels().iter().zip(b.pixels());
     pairs.filter(|(a, b)| a != b).count()
 }
 
-/// Writes a picture where `SIGHTLINE_PICTURES` says, for people to look at.
+/// Writes a picture to the folder `SIGHTLINE_PICTURES`, for people to look at.
 fn show(name: &str, picture: &Image<Rgb>) {
     if let Some(folder) = std::env::var_os("SIGHTLINE_PICTURES") {
         let path = std::path::Path::new(&folder)
@@ -222,7 +222,7 @@ fn several_samples_smooth_every_outline() {
     let (smooth_ids, smooth, _) = draw(&gpu, &scene, &view, &[], &Marks::default(), 4);
     show("smooth", &smooth);
     assert_eq!(differing(&ids, &smooth_ids), 0, "ids have one sample");
-    // Mesh, sphere, cube, square: pixels of each next to something else are mixed, others are not.
+    // Mesh, sphere, cube, square: each one's border pixels are blended, others are not.
     for object in [2, 3, 8, 10] {
         let own = || {
             ids.positions().filter(|&(x, y)| {

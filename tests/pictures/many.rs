@@ -1,5 +1,5 @@
-//! Of many objects only what the view can see is drawn, those of a kind together: and the picture is what drawing each of them
-//! in turn would give.
+//! Of many objects, only those in view are drawn, grouped by kind. The picture is the same as if each were drawn in
+//! turn.
 
 use super::*;
 use common::Random;
@@ -14,10 +14,10 @@ use sightline::{
 };
 use std::sync::Arc;
 
-/// More than are seen to at once.
+/// More than are processed at once.
 const MANY: usize = 1500;
 
-/// One square of two triangles in the plane of x and y, of side 1.
+/// A square of side 1 in the xy plane, of two triangles.
 fn plate() -> Shape {
     let corners = vec![
         [-0.5, -0.5, 0.0],
@@ -42,7 +42,7 @@ fn shape(i: usize, plate: &Shape) -> Shape {
     }
 }
 
-/// Anywhere within 20 of the origin, turned, sheared and some of them mirrored.
+/// Anywhere within 20 of the origin, rotated, sheared and sometimes mirrored.
 fn model(random: &mut Random) -> DAffine3 {
     let turned = DMat3::from_axis_angle(random.direction(), random.within(0.0, 6.0));
     let mut scale = DVec3::new(1.0, 0.6, 1.4) * random.within(0.5, 2.0);
@@ -55,7 +55,7 @@ fn model(random: &mut Random) -> DAffine3 {
     }
 }
 
-/// Shapes anywhere; each ninth is where the one four before it is.
+/// Shapes anywhere; every ninth is in the place of the one four before it.
 fn scattered(random: &mut Random) -> Scene {
     let plate = plate();
     let mut models: Vec<DAffine3> = Vec::new();
@@ -115,7 +115,7 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
         );
         assert_eq!(report.count(verify::Class::Unexplained), 0, "{view:?}");
         seen += picked.pixels().iter().filter(|id| id.object > 0).count();
-        // In pieces, which take what is composed as it comes: the same.
+        // In pieces, which use transforms as they are composed: the same.
         let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
         let mut drawing = Drawing::of_scene(1, &view, Vec::new());
         let piece = Piece {
@@ -138,8 +138,8 @@ fn what_lies_beside_the_picture_is_left_out_and_nothing_else() {
     assert!(drawn > whole / 200, "{drawn} of {whole}");
 }
 
-/// Faces of all kinds in one plane before the eye, their borders between pixels: `f32` has each of their depths exactly, and
-/// they are all the same.
+/// Faces of all kinds in one plane before the eye, with borders between pixels. Their depths are all equal and exact in
+/// `f32`.
 #[test]
 fn of_surfaces_in_one_place_the_lower_object_is_drawn_whatever_its_kind() {
     let gpu = gpu();
@@ -181,7 +181,7 @@ fn of_surfaces_in_one_place_the_lower_object_is_drawn_whatever_its_kind() {
     assert!(shown.len() > 150, "{}", shown.len());
 }
 
-/// One change after the other, of which most write a row and some all of them.
+/// One change after another: most write one row of the tables, some write all.
 #[test]
 fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
     let gpu = gpu();
@@ -197,7 +197,7 @@ fn what_changes_among_many_is_drawn_as_if_it_had_always_been_so() {
     let mut before = ids(&gpu, &buffers, &view);
     let mut changed = 0;
     for i in 0..60 {
-        // What is seen, or anything: shown or hidden, before the eye, or anywhere.
+        // A seen object or any; shown or hidden; before the eye or anywhere.
         let at = (random.below(160), random.below(100));
         let seen = before.at(
             u32::try_from(at.0).expect("few"),

@@ -1,4 +1,4 @@
-//! What is drawn over the scene: the selection, lines, wireframes; and where in the window.
+//! What is drawn over the scene: the selection, lines and wireframes; and where in the window the picture goes.
 
 use crate::{
     common::orthographic,
@@ -43,7 +43,7 @@ fn the_selection_is_outlined_through_what_hides_it() {
                 let line = !apart(picture.at(x, y), look::SELECTION.0, 12);
                 tinted += u32::from(shows(x, y) == selected && changed);
                 outlined += u32::from(line);
-                // Not at the rim of what is seen of it: within what hides it.
+                // Not at the visible rim, but inside the object that hides it.
                 let mut around = (0..9).flat_map(|i| (0..9).map(move |j| (i, j)));
                 let within = around.all(|(i, j)| {
                     shows((x + i).saturating_sub(4), (y + j).saturating_sub(4)) != selected
@@ -154,7 +154,7 @@ fn a_picture_goes_where_the_window_wants_it() {
     }
 }
 
-/// Edges of triangles are in the colours alone: what is picked by ids stays the same.
+/// Edges of triangles show in the colours alone: ids stay the same.
 #[test]
 fn a_wireframe_is_not_in_the_ids() {
     let gpu = &gpu();
@@ -194,7 +194,8 @@ fn a_wireframe_is_not_in_the_ids() {
             let (all_ids, all) = draw(Some(Wireframe::OfAll));
             let (one_ids, one) = draw(Some(Wireframe::Of(0)));
             assert!(all_ids == ids && one_ids == ids, "{depth} {samples}");
-            // Edges of what is seen, also of backs, and few beside it: lines are wider than outlines.
+            // Edges of visible triangles, back faces too. A few pixels lie beside the object: lines reach beyond
+            // outlines.
             let (all, one) = (changed(&all), changed(&one));
             assert!(
                 one.len() > 100 && all.len() > 2 * one.len(),

@@ -1,4 +1,4 @@
-//! Drawn in pieces, a picture is what it is when drawn at once; and what changes in a scene is taken over piece by piece.
+//! A picture drawn in pieces equals one drawn at once, and changes of a scene are uploaded piece by piece.
 
 use super::*;
 use glam::DAffine3;
@@ -7,7 +7,7 @@ use sightline::{
     render::{Drawing, Piece, SMOOTH_SAMPLES, Wireframe},
 };
 
-/// Ids, colours and the picture with its marks, in pieces, and how many those were.
+/// Ids, colours and the picture with its marks, drawn in pieces, and the number of pieces.
 fn in_pieces(
     gpu: &Gpu,
     scene: &Scene,
@@ -85,7 +85,7 @@ fn pieces_make_the_whole_picture() {
     }
 }
 
-/// Single rows of tables are written, and after a mirror all of them.
+/// Single rows of tables are written; after a mirroring, all rows.
 #[test]
 fn objects_that_move_are_drawn_where_they_are() {
     let gpu = gpu();
@@ -98,7 +98,7 @@ fn objects_that_move_are_drawn_where_they_are() {
     let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
     let up = DAffine3::from_translation(DVec3::new(0.1, 0.3, 0.0));
     for by in [up, mirror] {
-        // Without a mirror no more than single rows: none of these is one of several parts.
+        // Without mirroring only single rows: none of these objects is one of several parts.
         for object in [0, 1, 6, 9] {
             let model = by * scene.objects()[object].placement.model();
             scene.place(object, Placement::new(model).expect("invertible"));
@@ -116,7 +116,7 @@ fn objects_that_move_are_drawn_where_they_are() {
     }
 }
 
-/// Edges of triangles, and more lines than a piece has.
+/// Edges of triangles, and more lines than one piece holds.
 #[test]
 fn edges_and_lines_come_in_pieces_too() {
     let gpu = gpu();

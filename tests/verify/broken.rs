@@ -1,4 +1,4 @@
-//! Pickers that are wrong in the ways that pickers are: each is found out, on a view where the right one is not.
+//! Verify finds out every broken picker, each with a typical bug, on a view where the right picker passes.
 
 use crate::{common, compare, drawn_once, scenes::shapes};
 use glam::{DAffine3, DVec2, DVec3, dvec3};
@@ -18,7 +18,7 @@ fn overview() -> View {
     common::view([3.5, 2.8, 5.6], [0.0, 0.0, 0.0], lens, SIZE)
 }
 
-/// Fails unless the program's own picker leaves nothing unexplained on a view and `broken` at least `least` pixels.
+/// Asserts that on a view the program's own picker leaves nothing unexplained, and `broken` at least `least` pixels.
 #[track_caller]
 fn found_out(
     scene: &Scene,
@@ -119,7 +119,7 @@ fn hidden_objects() {
     });
 }
 
-/// Each object twice, in the same place: the first of two wins everywhere.
+/// Each object twice in the same place: the first of the two must win everywhere.
 #[test]
 fn ties_won_by_the_later_object() {
     let once = shapes(DVec3::ZERO).objects().to_vec();
@@ -143,7 +143,7 @@ fn the_surface_behind() {
     });
 }
 
-/// What is right everywhere near the middle, and wrong by distortion towards the corners.
+/// Right near the middle, and ever more distorted towards the corners.
 #[test]
 fn a_wrong_aspect() {
     let (scene, view) = (shapes(DVec3::ZERO), overview());
@@ -157,7 +157,7 @@ fn a_wrong_aspect() {
     });
 }
 
-/// The inverse of Projection * View in f32 carries the eye's place in the world.
+/// In f32, the inverse of Projection * View contains the eye's large world coordinates.
 #[test]
 fn rays_in_f32_far_from_the_origin() {
     let center = dvec3(1e6, -2e6, 5e5);
@@ -187,8 +187,8 @@ fn rays_in_f32_between_distant_planes() {
     found_out(&scene, &view, 300, |px| usual::closest(&scene, &view, px));
 }
 
-/// Two squares 1e-4 apart at depth 10 are no tie under reversed depth, and one under standard depth with near at 1e-3:
-/// the same wrong answer is a defect there and excused here.
+/// Two squares 1e-4 apart at depth 10 do not tie under reversed depth, but do under standard depth with near at 1e-3:
+/// the same wrong answer is a defect in the first case and excused in the second.
 #[test]
 fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
     let square = |z: f64| {
@@ -222,7 +222,7 @@ fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
         });
         let report = compare(&scene, &view, &right, &swapped);
         let count = report.count(Class::Unexplained);
-        // But for a few at the rim.
+        // Except for a few at the rim.
         let expected = if unexplained {
             report.picked * 9 / 10..=report.picked
         } else {
@@ -237,7 +237,7 @@ fn an_order_that_the_depth_buffer_can_or_cannot_tell() {
     }
 }
 
-/// An outline through pixel centres explains nothing where its surface is hidden anyway.
+/// An outline through pixel centres explains nothing where its surface is hidden.
 #[test]
 fn a_hidden_outline() {
     let square = |z: f64, side: f64| {
@@ -250,7 +250,7 @@ fn a_hidden_outline() {
         Object::new("square", Shape::Square, placement)
     };
     let scene = Scene::new(vec![square(0.0, 20.0), square(-1.0, 2.1)]);
-    // A tenth of a unit a pixel: the smaller square's rim runs through pixel centres.
+    // A pixel is a tenth of a unit: the smaller square's rim runs through pixel centres.
     let lens = common::orthographic(12.0, 1.0, 100.0);
     let view = common::view([0.0, 0.0, 10.0], [0.0, 0.0, 0.0], lens, [160, 120]);
     let drawn = pick::ids(&scene, &view);

@@ -1,4 +1,4 @@
-//! Drawings that are wrong in the ways that drawings are: each is found out, on ordinary views where the right one is not.
+//! Verify finds out every broken drawing, each with a typical bug, on ordinary views where the right drawing passes.
 
 use crate::{
     cameras::culled,
@@ -18,7 +18,7 @@ use sightline::{
 
 pub const SIZE: [u32; 2] = [200, 150];
 
-/// A scene, a view of it, and what is drawn rightly.
+/// A scene, a view of it, and the right drawing.
 struct Case {
     name: &'static str,
     scene: Scene,
@@ -27,7 +27,7 @@ struct Case {
     picked: Image<Id>,
 }
 
-/// Ordinary views of all shapes and of the demo, through lenses of each kind.
+/// Ordinary views of all shapes and of the demo, with every kind of lens.
 fn cases() -> Vec<Case> {
     let demo = scene::load(&[], &Progress::default()).expect("the demo");
     let scenes = [("shapes", shapes(DVec3::ZERO)), ("demo", demo.scene)];
@@ -59,7 +59,7 @@ impl Case {
     }
 }
 
-/// Fails unless the right drawing of each case agrees, and the `broken` one leaves at least so many pixels unexplained.
+/// Asserts that the right drawing of each case agrees, and the `broken` one leaves at least `least` pixels unexplained.
 #[track_caller]
 fn found_out(least: usize, broken: impl Fn(&Case) -> Image<Id>) {
     for case in cases() {
@@ -84,8 +84,8 @@ fn found_out(least: usize, broken: impl Fn(&Case) -> Image<Id>) {
     }
 }
 
-/// Standard depth between planes so far apart stores the far plane's depth for everything: no surface can be told from
-/// nothing, and neither a blank picture nor one of which a tenth is left passes for that.
+/// Standard depth between planes this far apart stores the far plane's depth for everything, so no surface can be told
+/// from nothing. Still, neither a blank picture nor one with a tenth left may pass.
 #[test]
 fn a_picture_that_standard_depth_loses_fails() {
     let scene = shapes(DVec3::ZERO);
@@ -123,7 +123,7 @@ fn a_picture_that_standard_depth_loses_fails() {
     );
 }
 
-/// An id picture from another one's ids.
+/// An id picture of the same size, computed pixel by pixel.
 pub fn mapped(size: &Image<Id>, id: impl Fn(u32, u32) -> Id) -> Image<Id> {
     let mut picture = size.clone();
     let width = size.size().width();
@@ -150,7 +150,7 @@ fn a_picture_shifted_by_a_pixel() {
     }
 }
 
-/// Half of what is shown lies before the wrong plane.
+/// Half of what is shown lies before the misplaced near plane.
 #[test]
 fn a_wrong_near_plane() {
     found_out(500, |case| {
@@ -168,7 +168,7 @@ fn a_wrong_near_plane() {
     });
 }
 
-/// The object that most pixels show.
+/// The object that covers most pixels.
 fn most_shown(ids: &Image<Id>) -> usize {
     let mut counts = std::collections::BTreeMap::new();
     for id in ids.pixels().iter().filter(|id| id.object > 0) {
@@ -198,7 +198,7 @@ fn what_is_behind_drawn_before() {
     });
 }
 
-/// A hundredth of its size, where it stands: what an object drawn from rounded matrices looks like.
+/// Moved by a hundredth of its size, as rounded matrices may do.
 #[test]
 fn an_object_moved_by_a_hundredth() {
     found_out(5, |case| {
@@ -220,7 +220,7 @@ fn an_object_moved_by_a_hundredth() {
     });
 }
 
-/// Pixels that show one triangle of a mesh show what is behind it.
+/// The pixels of one triangle of a mesh show what is behind it.
 #[test]
 fn a_triangle_missing() {
     found_out(2, |case| {

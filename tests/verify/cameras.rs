@@ -15,10 +15,10 @@ pub const SIZE: [u32; 2] = [128, 96];
 /// From a scene's middle to the eye.
 const WAY: DVec3 = dvec3(1.0, 0.8, 1.6);
 
-/// The condition beyond what `f32` can draw of some meshes.
+/// The condition under which some meshes are beyond `f32`.
 pub const NARROWEST: &str = "narrowed down to 1e-4 degrees";
 
-/// A condition, and whether it is ordinary: then few outline pixels may differ.
+/// A view under a named condition. In an ordinary one, few outline pixels may differ.
 pub struct Shot {
     pub condition: &'static str,
     pub view: View,
@@ -35,12 +35,12 @@ impl Shot {
     }
 }
 
-/// What cameras are placed by.
+/// The measures of a scene by which cameras are placed.
 struct Stage {
     /// The view that the program frames.
     base: View,
     center: DVec3,
-    /// Half the diagonal of what is visible.
+    /// Half the diagonal of the visible objects' box.
     r: f64,
     /// Something that the framed view shows.
     aim: DVec3,
@@ -77,7 +77,7 @@ pub fn shots(scene: &Scene) -> Vec<Shot> {
     .collect()
 }
 
-/// The framed view, and near and far planes far apart.
+/// The framed view, and views with near and far planes far apart.
 fn near_and_far(stage: &Stage) -> Vec<Shot> {
     let Stage {
         base, r, center, ..
@@ -178,7 +178,7 @@ fn orthographic_lenses(stage: &Stage) -> Vec<Shot> {
     shots
 }
 
-/// Planes through what is seen, and the eye in the middle of the scene.
+/// Near and far planes through visible objects, and the eye in the middle of the scene.
 fn cuts(stage: &Stage) -> Vec<Shot> {
     let Stage {
         base,
@@ -230,7 +230,7 @@ fn zooms(stage: &Stage) -> Vec<Shot> {
     shots
 }
 
-/// Four cameras, for scenes under many model matrices.
+/// A few cameras, for scenes that are tested under many model matrices.
 pub fn few_shots(scene: &Scene, condition: &'static str, ordinary: bool) -> Vec<Shot> {
     let Stage {
         base, r, aim, way, ..
@@ -289,8 +289,8 @@ fn with_lens(view: &View, change: impl Fn(Lens) -> Lens) -> View {
     }
 }
 
-/// A corner of the triangle that the picture shows nearest to its middle, or the point itself: zooming in on it keeps
-/// outlines in view.
+/// A corner of the triangle shown nearest to the picture's middle, or the hit point: zooming in on it keeps outlines in
+/// view.
 fn detail(scene: &Scene, view: &View) -> DVec3 {
     let (px, hit) = shown(scene, view);
     let object = &scene.objects()[hit.object];
@@ -302,7 +302,7 @@ fn detail(scene: &Scene, view: &View) -> DVec3 {
     }
 }
 
-/// A point where the outline of what the picture shows nearest to its middle is, by bisection towards its left border.
+/// A point on the outline of what shows nearest to the picture's middle, by bisection towards the left border.
 fn rim(scene: &Scene, view: &View) -> DVec3 {
     let (px, shown) = shown(scene, view);
     let at = |x: f64| {

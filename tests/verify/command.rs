@@ -45,7 +45,8 @@ fn json_counts_every_pixel_once() {
     assert!(count("outline") > 1000, "{line}");
 }
 
-/// Tinted in the picture, counted in the line and in the text beside the classes, among whose pixels they are.
+/// They are tinted in the picture, and counted in the line and in the text beside the classes, of whose pixels they are
+/// a part.
 #[test]
 fn pixels_in_one_place_are_counted_and_tinted() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -79,7 +80,7 @@ fn pixels_in_one_place_are_counted_and_tinted() {
     assert!(text.contains(&row), "{text}");
 }
 
-/// Seen from afar through a long lens the usual picker is wrong, and verify says so in every way it has.
+/// From afar through a long lens the usual picker is wrong; verify says so by exit code, line and place.
 #[test]
 fn a_defect_is_an_exit_code_a_line_and_a_place() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -105,7 +106,7 @@ fn a_defect_is_an_exit_code_a_line_and_a_place() {
     assert_eq!(at, [213, 94, 0], "the worst pixel is painted");
 }
 
-/// A ray within a cube's side enters by the rim of its front.
+/// A ray within the plane of a cube's side enters at the rim of its front.
 #[test]
 fn the_depth_of_a_rim_is_the_hits() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -128,7 +129,7 @@ fn without_a_driver_it_says_that_picking_needs_none() {
     let output = command.output().expect("the program runs");
     assert_eq!(output.status.code(), Some(4), "{output:?}");
     let stderr = String::from_utf8(output.stderr).expect("text");
-    // A flag of another command.
+    // Another command's flag.
     assert!(stderr.contains("sightline render --by raycast"), "{stderr}");
     assert!(
         stderr.ends_with("picking itself needs no driver\n"),

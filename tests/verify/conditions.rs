@@ -15,17 +15,17 @@ use sightline::{
 };
 use std::{collections::BTreeMap, time::Instant};
 
-/// What a view must show at the least, in pixels: agreement on nothing is no agreement. A view that is cut or culled may
-/// be left with nothing; all of its condition together may not.
+/// The pixels that a view must show at least: agreement on an empty picture proves nothing. A view that is cut or
+/// culled may be empty, but not all views of a condition.
 const LEAST_SHOWN: usize = 10;
 
-/// Pixels of a view on outlines that `f32` moves further than the grid does.
+/// The most `f32 limit` pixels of a view.
 const MOST_AT_F32_LIMIT: usize = 20;
 
-/// The condition under which the depth buffer loses most of what is there.
+/// The condition under which the depth buffer cannot tell most surfaces from nothing.
 const LOST: &str = "1e9, standard";
 
-/// Meshes that take long to draw are seen by a third of the cameras.
+/// Whether a mesh takes long to draw: then only a third of the cameras look at it.
 fn takes_long(triangles: usize) -> bool {
     triangles > 50_000
 }
@@ -52,23 +52,23 @@ impl Tally {
     }
 }
 
-/// Pixels that both show something on: a blank picture shows nothing, whatever is picked.
+/// The lesser count of pixels drawn and picked: in a blank picture nothing shows, whatever is picked.
 fn shown(report: &Report) -> usize {
     report.drawn.min(report.picked)
 }
 
-/// What a sweep is over, by which more or less may be asked.
+/// The kind of scenes in a sweep; demands depend on it.
 #[derive(Clone, Copy, PartialEq)]
 enum Over {
-    /// Scenes that are made for it.
+    /// Scenes made for the test.
     Own,
-    /// Whatever people made.
+    /// Models from the wild.
     Files,
     /// Blades less than a pixel wide, and faces in one plane.
     Hardest,
 }
 
-/// Draws, picks and compares; collects what must not be.
+/// Draws, picks and compares; collects failures.
 struct Sweep {
     gpu: Gpu,
     renderer: Renderer,
@@ -132,9 +132,9 @@ impl Sweep {
         }
     }
 
-    /// Whether `f32` may fail to hold such a view: by standard depth, which stores 1 for nearly everything between planes far
-    /// apart; of triangles that are a million pictures wide, run under the eye into the distance, or are slimmer than the
-    /// grid.
+    /// Whether such a view may be beyond `f32`: through standard depth, which stores 1 for nearly everything between
+    /// planes far apart, or with triangles that are a million pictures wide, run under the eye into the distance, or
+    /// are slimmer than the grid.
     fn may_be_beyond_f32(&self, condition: &str) -> bool {
         let is_any = |words: &[&str]| words.iter().any(|word| condition.contains(word));
         match self.over {
@@ -151,10 +151,10 @@ impl Sweep {
         if is_any(&["cut", "culled", "from the middle", "along an axis"]) {
             0
         } else if is_any(&[LOST]) {
-            // Nearly all of it is as deep as the far plane, to the depth buffer.
+            // To the depth buffer, nearly all of it is as deep as the far plane.
             1
         } else if is_any(&["zoomed", "narrowed"]) {
-            // A detail fills the picture, or a good part of it.
+            // A detail fills a good part of the picture.
             let tenths = if self.over == Over::Own { 3 } else { 1 };
             tenths * (SIZE[0] * SIZE[1]) as usize / 10
         } else {
@@ -198,7 +198,7 @@ impl Sweep {
     }
 }
 
-/// Per cent of outline pixels that differ.
+/// Percentage of outline pixels that differ.
 fn share(tally: &Tally) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "few pixels")]
     let share = 100.0 * tally.outline_differ as f64 / tally.outline.max(1) as f64;
@@ -209,7 +209,7 @@ fn under_matrices(sweep: &mut Sweep, name: &str, scene: &Scene) {
     let bounds = scene.visible_bounds();
     let flat = (bounds.max - bounds.min).min_element() == 0.0;
     for (condition, matrix, ordinary) in matrices() {
-        // What is flat already would be a line.
+        // A flat scene, flattened again, would be a line.
         if flat && condition == "thin as paper" {
             continue;
         }
@@ -231,7 +231,7 @@ fn own_scenes() {
     sweep.check("demo", &demo, shots(&demo));
     under_matrices(&mut sweep, "demo", &demo);
     for (condition, scene, view) in inside() {
-        // Nothing but a mesh about the eye has nothing to show when culled.
+        // Only a mesh around the eye shows nothing when culled.
         let views = if scene.objects().len() > 1 {
             vec![view, culled(&view)]
         } else {

@@ -1,9 +1,9 @@
-//! Depths that `f32` cannot hold, by the command each was found with: what is drawn before what it lies behind is no harmless
-//! difference, however little the buffer stores of it.
+//! Depths that `f32` cannot hold, each with the command that found it: drawing a surface in front of one that hides it
+//! is never excused, however coarse the buffer.
 
 use crate::extremes::{Counts, run, scene};
 
-/// Drawing shows what lies farther off, at so many pixels at least, and verify does not excuse it.
+/// Asserts that drawing shows the farther surface at `least` pixels or more, and that verify does not excuse it.
 #[track_caller]
 fn cannot_be_held(toml: Option<&str>, view: &str, least: u64) {
     let file = toml.map(scene);
@@ -60,7 +60,7 @@ fn a_telescope_with_planes_from_the_eye_on() {
     cannot_be_held(None, view, 10_000);
 }
 
-/// Lying on each other, seen at a glance: drawing may show either, at any height.
+/// A rug on a floor seen at a grazing angle: drawing may show either, at any height.
 #[test]
 fn a_rug_on_a_floor_at_a_glance() {
     let objects = [("floor", 4, 0), ("rug", 2, 30)].map(|(name, scale, turn)| {
@@ -82,7 +82,7 @@ fn a_rug_on_a_floor_at_a_glance() {
     }
 }
 
-/// What `f64` cannot tell from the near plane, a face too large for its own depth, a sphere too flat.
+/// Without usable bounds: a square that `f64` cannot tell from the near plane, a face too large, a sphere too flat.
 #[test]
 fn numbers_that_no_bound_holds() {
     let hair = r#"

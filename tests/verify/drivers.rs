@@ -1,5 +1,5 @@
-//! Whatever driver there is: what is measured of it, and that nothing is left unexplained on it. `.ci/run` runs these tests on
-//! two drivers that share no code.
+//! On any driver its properties are measured, and nothing is left unexplained. `.ci/run` runs these tests on two
+//! drivers that share no code.
 
 use crate::{
     compare, drawn_once,
@@ -16,7 +16,7 @@ use sightline::{
     verify::{self, Class, Verdict},
 };
 
-/// Words of an adapter's name, its sub-pixel bits, and how it numbers triangles.
+/// Part of an adapter's name, its sub-pixel bits, and how it numbers triangles.
 const KNOWN: [(&str, u32, Numbers); 2] = [
     ("llvmpipe", 8, Numbers::Primitives),
     ("SwiftShader", 4, Numbers::Corners),
@@ -37,7 +37,7 @@ fn what_known_drivers_do_is_measured() {
     }
 }
 
-/// As framed, and with standard depth.
+/// The framed view, with reversed and with standard depth.
 fn views(scene: &Scene) -> [View; 2] {
     let viewport = Viewport::new(320, 240).expect("a size");
     let camera = CameraChoice::default().resolve(&scene.visible_bounds(), viewport);
@@ -85,8 +85,7 @@ fn nothing_is_unexplained_in_the_demo_the_gallery_and_two_scenes() {
     assert!(shown > 200_000, "{shown}: the scenes are seen");
 }
 
-/// The bound is the driver's: by the common grid pixels of a driver with a coarser one are called unexplained, and are not by
-/// its own.
+/// Bounds need the driver's own grid: with the common, finer one, pixels of a coarser driver are called unexplained.
 #[test]
 fn a_coarser_grid_is_what_its_edges_need() {
     let own = gpu().rasteriser();
@@ -106,7 +105,7 @@ fn a_coarser_grid_is_what_its_edges_need() {
     assert_eq!(by_common > 0, own.sub_pixel_bits() < 8, "{by_common}");
 }
 
-/// Where triangles have no numbers objects are compared, and what differs there is explained.
+/// Where triangles have no numbers, objects are compared, and their differences are explained.
 #[test]
 fn objects_alone_are_compared_where_triangles_have_no_numbers() {
     let objects = Restraint {

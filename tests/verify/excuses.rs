@@ -1,5 +1,5 @@
-//! What a bound must not excuse and what it must: surfaces of triangles slimmer than the grid, floors that run under the eye,
-//! specks, and what `f32` cannot tell apart.
+//! What bounds must excuse and must not: surfaces of triangles slimmer than the grid, floors that run under the eye,
+//! specks, and surfaces that `f32` cannot tell apart.
 
 use crate::{
     broken_drawings::{SIZE, mapped},
@@ -16,8 +16,8 @@ use sightline::{
     verify::{Class, Verdict},
 };
 
-/// A pipe through the middle of a wall, six pixels wide, of strips a four-hundredth of a pixel wide: each pixel lies as near
-/// to an edge as drawing may move edges, and yet nothing but the pipe can show.
+/// A pipe before the middle of a wall, six pixels wide, of strips 1/400 pixel wide. Drawing may move an edge onto every
+/// pixel, and yet nothing but the pipe can show there.
 fn pipe() -> (Scene, View) {
     const STRIPS: u32 = 4000;
     let mut positions = Vec::new();
@@ -59,8 +59,8 @@ fn a_mesh_missing_whose_triangles_are_slimmer_than_the_grid() {
     assert!(found >= shown * 9 / 10, "{found} of {shown} are found out");
 }
 
-/// From before the eye to behind it, with a near plane a millionth of a step away: what is behind the eye takes no digits
-/// from what is seen.
+/// A floor from before the eye to behind it, with a near plane a millionth of a step away: the part behind the eye must
+/// not cost digits of the visible part.
 #[test]
 fn a_floor_under_the_eye_missing() {
     let floor = DAffine3::from_rotation_x(-std::f64::consts::FRAC_PI_2)
@@ -98,7 +98,7 @@ fn a_floor_under_the_eye_missing() {
     }
 }
 
-/// The GPU gets the same numbers for both, of which a pick tells the second one to be nearer.
+/// The GPU gets the same numbers for both; a pick knows that the second one is nearer.
 #[test]
 fn what_f32_cannot_tell_apart_is_as_deep() {
     let square = |depth: f64| {
@@ -123,7 +123,7 @@ fn what_f32_cannot_tell_apart_is_as_deep() {
     assert!(report.count(Class::Depth) > 5000, "{report:?}");
 }
 
-/// Squares and wires in a picture of a unit a pixel, whose pixel centres lie at halves: centre and size.
+/// Squares and wires, by centre and size, in a picture with one unit per pixel and pixel centres at halves.
 fn in_pixels(squares: &[(DVec3, DVec2)]) -> (Scene, View) {
     let squares = squares.iter().map(|(centre, size)| {
         let scale = DAffine3::from_scale(size.extend(1.0));
@@ -135,7 +135,7 @@ fn in_pixels(squares: &[(DVec3, DVec2)]) -> (Scene, View) {
     (Scene::new(squares.collect()), view)
 }
 
-/// What a blank drawing of it comes to, and what picks of nothing where all of it is drawn come to.
+/// The verdicts on a blank drawing with right picks, and on empty picks with a right drawing.
 fn one_sided(squares: &[(DVec3, DVec2)]) -> [Verdict; 2] {
     let (scene, view) = in_pixels(squares);
     let all = pick::ids(&scene, &view);
@@ -144,8 +144,8 @@ fn one_sided(squares: &[(DVec3, DVec2)]) -> [Verdict; 2] {
         .map(|(drawn, picked)| compare(&scene, &view, drawn, picked).verdict())
 }
 
-/// Something smaller than a pixel may be seen or not where a centre lies on its edge, to the grid; where it lies inside, it
-/// must be.
+/// Something smaller than a pixel may be missed if a pixel's centre lies on its edge, to within the grid; if the centre
+/// lies inside, it may not.
 #[test]
 fn a_speck_at_an_edge_is_no_blank_picture() {
     let at = |px: f64, inside: f64| {
@@ -156,7 +156,7 @@ fn a_speck_at_an_edge_is_no_blank_picture() {
     };
     let speck = [at(3.0, 0.001)];
     assert_eq!(one_sided(&speck), [Verdict::Agrees; 2]);
-    // Drawing leaves it out indeed.
+    // Drawing does leave it out.
     let (scene, view) = in_pixels(&speck);
     assert_eq!(
         pick::ids(&scene, &view)
@@ -181,7 +181,7 @@ fn a_speck_at_an_edge_is_no_blank_picture() {
     );
 }
 
-/// A wire through the centres of a row: each of its pixels lies on an edge, but all of them are a picture.
+/// A wire through the centres of a row: each pixel lies on an edge, but the row as a whole may not be missing.
 #[test]
 fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
     let wire = [(DVec3::new(0.0, 0.5, 0.0), DVec2::new(150.0, 0.002))];
@@ -191,8 +191,8 @@ fn a_blank_picture_fails_where_an_edge_explains_each_pixel() {
     );
 }
 
-/// A board just before a cube's back, drawn in front of the cube: that it is as deep as the back is no excuse, since picks show
-/// the front. With near at the eye, standard depth tells none of them apart.
+/// A board just before a cube's back is drawn in front of the cube. That it is as deep as the back is no excuse, since
+/// picks show the front. With near at the eye, standard depth tells none of the three apart.
 #[test]
 fn a_cubes_front_missing_before_a_board_at_its_back() {
     let board = |z: f64| {

@@ -1,5 +1,6 @@
-//! Views that drawing got wrong and verify excused, each by the command it was found with: planes on what is seen, planes
-//! close together in the distance, matrices that flatten, scenes too large for `f32`, eyes out of all proportion.
+//! Views that were once drawn wrongly and excused by verify, each with the command that found it: near or far on a
+//! visible surface, planes close together far away, matrices that flatten, scenes too large for `f32`, extremely
+//! distant eyes.
 
 use glam::{DMat3, DVec3};
 use serde_json::Value;
@@ -49,7 +50,7 @@ impl Counts {
             .unwrap_or_else(|| panic!("{name}: {}", self.line))
     }
 
-    /// Nothing but edges differs, and something is shown.
+    /// Only edges differ, and at least so many pixels are shown.
     #[track_caller]
     fn agree(&self, least_shown: u64) {
         assert_eq!(self.code, Some(0), "{} {}", self.line, self.stderr);
@@ -103,7 +104,7 @@ rotation = [10, 20, 20]
 position = [-0.4, -0.5, 0]
 "#;
 
-/// Nothing of it was drawn, and all of it excused.
+/// Nothing was drawn here, and verify excused it.
 #[test]
 fn planes_close_together_in_the_distance() {
     let (_folder, mixed) = scene(MIXED);
@@ -117,7 +118,7 @@ fn planes_close_together_in_the_distance() {
     }
 }
 
-/// Eyes 1e7 to 1e12 units away: each is as good as the demo from nearby.
+/// Eyes 1e7 to 1e12 units away: as good as from nearby.
 #[test]
 fn eyes_far_away() {
     for distance in [1e7, 1e9, 1e11, 1e12] {
@@ -150,7 +151,7 @@ fn matrices_that_flatten() {
     Counts::of(run(Some(&cube), long)).agree(3000);
 }
 
-/// Framed, drawn and picked; or refused by a line.
+/// They are framed, drawn and picked, or refused with one line.
 #[test]
 fn scenes_of_any_size() {
     for exponent in [-95, -39, 39, 97] {
@@ -172,7 +173,7 @@ fn scenes_of_any_size() {
     }
 }
 
-/// Coordinates 1e13 times the features: of placements, and of a mesh's own vertices under a matrix that turns.
+/// Coordinates 1e13 times the size of features, in placements and in a mesh's own vertices under a rotation.
 #[test]
 fn far_from_the_origin() {
     let turn = DMat3::from_rotation_y(0.5) * DMat3::from_rotation_x(0.3);
@@ -213,7 +214,7 @@ fn far_from_the_origin() {
     Counts::of(run(Some(&file), &view)).agree(3000);
 }
 
-/// What `f32` has no number for is not drawn right, and said to be beyond it.
+/// What `f32` cannot represent is not drawn right, and verify says that it is beyond `f32`.
 #[test]
 fn a_near_plane_below_what_f32_can_hold() {
     for (near, least) in [("1e-35", 1), ("1e-36", 1000), ("1e-300", 1000)] {
@@ -231,7 +232,7 @@ fn a_near_plane_below_what_f32_can_hold() {
     }
 }
 
-/// Planes as far off as `f64` has numbers leave some of the bounds without one.
+/// With planes at the limits of `f64`, some bounds do not exist.
 #[test]
 fn planes_farther_off_than_f32_can_hold() {
     for far in ["1e39", "1e150", "1e300"] {
@@ -247,7 +248,7 @@ fn planes_farther_off_than_f32_can_hold() {
     }
 }
 
-/// Lenses so wide that a pixel at the border spans more than the middle does.
+/// Lenses so wide that one pixel at the border spans more than the middle of the picture.
 #[test]
 fn the_widest_lenses() {
     for fov in ["179", "179.9", "179.999"] {
@@ -274,8 +275,8 @@ fn the_widest_lenses() {
     }
 }
 
-/// Vertices of 1e10 under a matrix of 5e-39, which a driver may take for 0: drawing cannot hold what is so small beside the far
-/// plane, and with planes that fit it can.
+/// Vertices of 1e10 under a matrix of 5e-39, which a driver may flush to 0: beside a distant far plane drawing cannot
+/// hold such numbers; with fitting planes it can.
 #[test]
 fn matrices_below_what_f32_holds() {
     let (folder, file) = scene(

@@ -1,5 +1,5 @@
-//! `verify`: what is drawn is what is picked under every condition that a user can bring about, and a picker or a
-//! drawing that is wrong in any way is found out.
+//! `verify`: under every condition that a user can bring about, what is drawn is what is picked; and wrong pickers and
+//! drawings are found out.
 #![cfg(feature = "window")]
 
 #[allow(dead_code, reason = "the oracle's tests use the rest")]
@@ -47,23 +47,23 @@ use sightline::{
 };
 use std::sync::OnceLock;
 
-/// What the driver does that draws here.
+/// The rasteriser of this machine's driver.
 fn rasteriser() -> Rasteriser {
     static FOUND: OnceLock<Rasteriser> = OnceLock::new();
     *FOUND.get_or_init(|| scenes::gpu().rasteriser())
 }
 
-/// [`verify::compare`] by it.
+/// [`verify::compare`] with this rasteriser.
 fn compare(scene: &Scene, view: &View, drawn: &Image<Id>, picked: &Image<Id>) -> Report {
     verify::compare(scene, view, rasteriser(), drawn, picked)
 }
 
-/// [`Places`] by it.
+/// [`Places`] with this rasteriser.
 fn places<'a>(scene: &'a Scene, view: &View) -> Places<'a> {
     Places::new(scene, view, rasteriser())
 }
 
-/// What the GPU draws, as ids.
+/// The GPU's drawing, as ids.
 fn drawn(gpu: &Gpu, renderer: &mut Renderer, buffers: &SceneBuffers, view: &View) -> Image<Id> {
     let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
     renderer

@@ -13,7 +13,7 @@ use sightline::{
 };
 use std::sync::Arc;
 
-/// Every object moved.
+/// The scene with every object transformed.
 fn moved(scene: &Scene, by: DAffine3) -> Scene {
     let objects = scene.objects().iter().map(|object| Object {
         placement: Placement::new(by * object.placement.model()).expect("an invertible matrix"),
@@ -54,7 +54,7 @@ pub fn matrices() -> Vec<(&'static str, DAffine3, bool)> {
     all
 }
 
-/// Moves are by sizes of the scene, everything else about its middle.
+/// The scene under a matrix: translations are in sizes of the scene, all else is about its middle.
 pub fn under(scene: &Scene, matrix: DAffine3) -> Scene {
     let bounds = scene.visible_bounds();
     let to_middle = DAffine3::from_translation(-bounds.center());
@@ -65,7 +65,7 @@ pub fn under(scene: &Scene, matrix: DAffine3) -> Scene {
     moved(scene, by * to_middle)
 }
 
-/// Blades less than a pixel wide, all ways.
+/// Blades less than a pixel wide, in all directions.
 pub fn slivers() -> Scene {
     let mut random = common::Random::new(5);
     let mut positions = Vec::new();
@@ -79,7 +79,7 @@ pub fn slivers() -> Scene {
         triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
     let mesh = Arc::new(mesh(DVec3::ZERO, positions, &[&triangles]));
-    // Something to be seen between them.
+    // Something that shows between them.
     let way = dvec3(1.0, 0.8, 1.6).normalize();
     let behind = DAffine3 {
         matrix3: 6.0 * DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Z, way)),
@@ -96,7 +96,7 @@ pub fn slivers() -> Scene {
     ])
 }
 
-/// Faces in one plane, of several objects and shapes, turned and not; and an object twice in one place.
+/// Coplanar faces of several objects and shapes, axis-aligned and rotated; and an object twice in one place.
 pub fn coplanar() -> Scene {
     let turn = DAffine3::from_quat(DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 0.5, 0.1));
     let cube = |x: f64, y: f64, size: f64| {
@@ -131,7 +131,7 @@ pub fn coplanar() -> Scene {
     Scene::new(objects)
 }
 
-/// A sphere and a mesh about the eye, and a sphere just before it.
+/// A sphere and a mesh around the eye, and a sphere just before it.
 pub fn inside() -> Vec<(&'static str, Scene, View)> {
     let scene = shapes(DVec3::ZERO);
     let bumpy = Scene::new(scene.objects()[1..2].to_vec());
@@ -166,7 +166,7 @@ pub fn inside() -> Vec<(&'static str, Scene, View)> {
             look(dvec3(0.1, 0.1, 0.05), dvec3(1.0, 0.3, 0.2), near),
         ));
     }
-    // The sphere's surface, and the way out of it.
+    // A point on the sphere's surface, and the way out of it.
     let center = dvec3(-1.5, -0.5, 1.2);
     let out = dvec3(0.3, 0.5, 1.0).normalize();
     let eye = center + (0.5 + 1e-3) * out;

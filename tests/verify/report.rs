@@ -1,4 +1,4 @@
-//! What a report makes of the pixels that differ, and how they are painted: of reports made by hand.
+//! How a report judges differing pixels, and how they are painted; with reports made by hand.
 
 use sightline::{
     camera::Viewport,
@@ -20,7 +20,7 @@ fn at(pixel: [u32; 2], class: Class, strain: f64) -> Disagreement {
     }
 }
 
-/// Pixels of one class, of a picture of 100, on which nothing was drawn.
+/// The verdict if nothing was drawn and `count` of 100 pixels differ, all of one class.
 fn nothing_drawn(class: Class, count: u32) -> Verdict {
     let report = Report {
         pixels: 100,
@@ -72,7 +72,7 @@ fn pixels_that_differ_are_counted_on_outlines_and_off_them() {
     assert_eq!(Report::default().share_of_outline().to_bits(), 0);
 }
 
-/// One thing smaller than a pixel may be seen or not, and a face in a section's plane kept or not; all else must show.
+/// Something smaller than a pixel may be missed, and a face in a section's plane may be cut away; all else must show.
 #[test]
 fn a_picture_of_nothing_agrees_only_with_a_speck_or_a_section() {
     assert_eq!(nothing_drawn(Class::Edge, 4), Verdict::Agrees);
@@ -89,7 +89,7 @@ fn a_picture_of_nothing_agrees_only_with_a_speck_or_a_section() {
     );
 }
 
-/// Grey is paler and as bright to the eye; a tint goes half the way; a mark has a ring of half its brightness.
+/// Grey is paler with the luma of the colour; a tint is mixed in by half; a mark has a ring of half its brightness.
 #[test]
 fn the_picture_is_grey_with_tints_and_marks() {
     let size = Viewport::new(7, 4).expect("a size");

@@ -1,5 +1,5 @@
-//! Hundreds of cuts, along faces, through vertices and the eye, along rays, across axes and anywhere: what is drawn is what
-//! is picked, or lies as near to the plane as drawing can tell.
+//! Hundreds of sections, along faces, through vertices and the eye, along rays, across axes and anywhere: what is drawn
+//! is what is picked, except nearer to the plane than drawing can tell.
 
 use crate::{
     cameras::few_shots,
@@ -21,7 +21,7 @@ use sightline::{
 };
 use std::path::PathBuf;
 
-/// Cuts of each of a scene's four views in an ordinary run.
+/// Cuts per view of a scene (it has four) in an ordinary run.
 const CUTS: usize = 8;
 
 fn wanted() -> usize {
@@ -30,11 +30,11 @@ fn wanted() -> usize {
     })
 }
 
-/// What many cuts came to.
+/// Counts over many cuts.
 #[derive(Default)]
 struct Tally {
     cuts: usize,
-    /// Pixels that show another thing, or nothing, for the cut.
+    /// Pixels that the cut changes.
     changed: usize,
     /// Pixels that still show something.
     shown: usize,
@@ -151,8 +151,7 @@ fn of_real_files() {
     tally.finish([500, 300]);
 }
 
-/// A face that lies in the plane is drawn as a whole and picked as a whole, from both sides; the rest of the cube beyond it
-/// is not there.
+/// A face in the section's plane is drawn and picked whole, from both sides; the rest of the cube is cut away.
 #[test]
 fn a_face_in_the_plane_shows_as_a_whole() {
     let cube = sightline::scene::Object::new(
@@ -168,7 +167,7 @@ fn a_face_in_the_plane_shows_as_a_whole() {
     for shot in few_shots(&scene, "a face in the plane", true) {
         for axis in DVec3::AXES {
             for sign in [1.0, -1.0] {
-                // What lies beyond the face: only that is left.
+                // The half space beyond the cube: only the face is left.
                 let section = Section::new(sign * axis, -0.5).expect("a section");
                 let view = View {
                     section: Some(section),
@@ -179,7 +178,7 @@ fn a_face_in_the_plane_shows_as_a_whole() {
                 let drawn = drawn(&gpu, &mut renderer, &buffers, &view);
                 let report = compare(&scene, &view, &drawn, &picked);
                 assert_eq!(report.verdict(), Verdict::Agrees, "{:?}", report.worst());
-                // Specks would be everywhere, and not at the face's rim only.
+                // Specks would be all over the face, not only at its rim.
                 assert!(report.count(Class::Section) < 4);
                 shown += report.picked;
             }

@@ -1,5 +1,5 @@
-//! The families of scenes that picks are held to exact arithmetic on (`tests/exact_picks`), each drawn and compared: what
-//! drawing in `f32` does there lies within its bounds, or the view is said to be beyond `f32`.
+//! Draws and compares the families of scenes that test picks against exact arithmetic (`tests/exact_picks`): drawing in
+//! `f32` stays within its bounds, or verify says that the view is beyond `f32`.
 //!
 //! `SIGHTLINE_VIEWS=1000 cargo test --locked --release --test verify -- --nocapture views` compares that many views of each
 //! family and prints a line for each.
@@ -20,7 +20,7 @@ use sightline::{
     verify::{Class, Report, Verdict},
 };
 
-/// Views of each family in an ordinary run: so many that edges of neighbours that are seen edge-on come up.
+/// Views of each family in an ordinary run: enough that edges between neighbours seen edge-on occur.
 const VIEWS: usize = 40;
 
 /// Small pictures: there are many.
@@ -32,13 +32,13 @@ struct Tally {
     picked: usize,
     drawn: usize,
     classes: [usize; 6],
-    /// Views that were beyond `f32` by their planes or their depth mapping, and are not by others.
+    /// Views that are beyond `f32` only by their planes or their depth mapping.
     by_planes: usize,
-    /// Views with pixels that are beyond `f32`, and with nothing drawn or nothing picked.
+    /// Views with pixels beyond `f32`, and views with nothing drawn or nothing picked.
     beyond: usize,
     one_sided: usize,
     defects: Vec<String>,
-    /// Pixels of the class *depth* by two surfaces; picks there name what is drawn.
+    /// Pixels of the class *depth* because of two surfaces; the picks there name the drawn one.
     of_two: usize,
 }
 
@@ -62,15 +62,15 @@ impl Tally {
     }
 }
 
-/// What a family may come to.
+/// The limits of a family's counts.
 struct Expected {
-    /// Pixels that must show something on both sides, in a thousand.
+    /// Pixels that must show something, both drawn and picked, per thousand.
     shown: usize,
-    /// Views that may be beyond `f32`, in a thousand.
+    /// Views that may be beyond `f32`, per thousand.
     beyond: usize,
-    /// Pixels of the class *depth* by a plane of the lens, in a thousand views.
+    /// Pixels of the class *depth* at a plane of the lens, per thousand views.
     at_planes: usize,
-    /// Views of which one picture may be empty, in a thousand: where a plane of the lens lies on what is seen.
+    /// Views with one picture empty, per thousand: where a plane of the lens lies on a visible surface.
     one_sided: usize,
 }
 
@@ -125,7 +125,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
         "{name}: {}",
         tally.defects.join("\n")
     );
-    // The rest of the class has a plane of the lens for one of the two.
+    // In the rest of the class, one of the two is a plane of the lens.
     let at_planes = depth - tally.of_two;
     let shown = tally.picked.min(tally.drawn) * 1000 / pixels;
     assert!(
@@ -142,7 +142,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
         ("beyond f32", tally.beyond, expected.beyond),
         ("one-sided", tally.one_sided, expected.one_sided),
     ] {
-        // One by itself is no share of so few views.
+        // With so few views, a single one is allowed.
         let most = if most > 0 {
             1 + most * wanted() / 1000
         } else {
@@ -152,7 +152,7 @@ fn run(name: &str, seed: u64, make: fn(&mut Random) -> Sample, expected: &Expect
     }
 }
 
-/// The same, with near and far about the scene and reversed depth.
+/// The same view with reversed depth, and near and far fitted to the scene.
 fn with_planes_that_fit(Sample { scene, view, .. }: &Sample) -> Sample {
     let (near, far) = fit_near_far(&view.camera, &scene.visible_bounds(), None, None);
     let lens = Lens {
@@ -178,7 +178,7 @@ fn compared(gpu: &Gpu, renderer: &mut Renderer, sample: &Sample) -> Report {
     compare(scene, view, &drawn, &pick::ids(scene, view))
 }
 
-/// How many pixels of the class *depth* show one surface and pick another; fails where a pick does not name both.
+/// The number of pixels of the class *depth* that show one surface and pick another; asserts that the pick names both.
 fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &Report) -> usize {
     let places = places(scene, view);
     let of_two = report.disagreements.iter();
@@ -195,7 +195,7 @@ fn depths_are_named(family: &str, Sample { scene, view, .. }: &Sample, report: &
         .count()
 }
 
-/// The near or the far plane through what some pixel shows, at the `f64` that its depth rounds to.
+/// The near or the far plane at the `f64` nearest to some pixel's depth.
 fn planes_through(random: &mut Random) -> Sample {
     loop {
         let make = [families::ordinary, families::far_eyes, families::condition][random.below(3)];
@@ -232,7 +232,7 @@ macro_rules! families {
     };
 }
 
-// Beyond f32 are faces in one place that are seen nearly from the side; one-sided are pictures of a pixel or three.
+// Beyond f32 are coincident faces seen nearly edge-on; one-sided are pictures of one to three pixels.
 families! {
     ordinary, 1, families::ordinary, 100, 0, 5, 0;
     culled, 2, families::culled, 100, 0, 5, 0;

@@ -1,13 +1,13 @@
-//! How far a position is from the nearest edge of what was hit there, in pixels.
+//! Distance in pixels from a position to the nearest edge of what was hit there: `edge_px`.
 //!
-//! A long lens or a near plane just before the eye makes any rounding in world space as large as the picture. So points
-//! become picture coordinates in exact arithmetic ([`Frame`]), and each distance is rounded once, at the end. Pairs of `f64`
-//! with bounds stand for the exact numbers where they round to the same.
+//! With a long lens, or a near plane just before the eye, a rounding in world space can be as large as the picture. So
+//! points become picture coordinates in exact arithmetic ([`PictureSpace`]), and each distance is rounded once, at the end. A
+//! filter in pairs of `f64` with bounds answers where it rounds to the same.
 
-mod frame;
-mod kept;
-mod nearest;
-mod outline;
+mod conic;
+mod picture_space;
+mod section;
+mod sphere_outline;
 
 use crate::{
     camera::View,
@@ -17,30 +17,37 @@ use crate::{
     },
     scene::{Object, Shape},
 };
-pub(super) use frame::{Frame, Shown};
 use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
+pub(super) use picture_space::{PictureSpace, Shown};
 
-/// How far `px` is from the nearest edge of the triangle or face that was hit there, in pixels; for a sphere from
-/// its outline. Only what lies at or behind the near plane, and what a section keeps, counts; `None` when nothing does, as inside a sphere, or when
-/// it lies farther off than `f64` can tell.
+/// Distance in pixels from `px` to the nearest edge of the triangle or face that was hit there, or to a sphere's
+/// outline. Only what lies at or behind the near plane and is kept by the section counts. `None` when nothing does, as
+/// inside a sphere, or when the distance overflows `f64`.
 pub(super) fn edge_px(object: &Object, view: &View, px: DVec2, hit: &Hit) -> Option<f64> {
     let placement = &object.placement;
-    let polygon = |origin: DVec3, corners: &[DVec3]| {
-        polygon_px::<Enclosure>(view, px, placement, origin, corners)
-            .or_else(|InDoubt| polygon_px::<BigInt>(view, px, placement, origin, corners))
+    let nearest = if matches!(object.shape, Shape::Sphere) {
+        sphere_outline::distance_px(&PictureSpace::new(view, px).ok()?, placement)
+    } else {
+        let (origin, corners) = face_of(object, hit)?;
+        polygon_px::<Enclosure>(view, px, placement, origin, &corners)
+            .or_else(|InDoubt| polygon_px::<BigInt>(view, px, placement, origin, &corners))
             .ok()?
     };
-    let nearest = match &object.shape {
-        Shape::Sphere => outline::distance_px(&Frame::new(view, px).ok()?, placement),
-        Shape::Cube => polygon(DVec3::ZERO, &Cuboid::face(hit.normal)),
-        Shape::Square => polygon(DVec3::ZERO, &Square::corners()),
+    nearest.filter(|px| px.is_finite())
+}
+
+/// The triangle or face that was hit: an origin in object space and the corners about it; `None` on a sphere.
+pub(crate) fn face_of(object: &Object, hit: &Hit) -> Option<(DVec3, Vec<DVec3>)> {
+    match &object.shape {
+        Shape::Sphere => None,
+        Shape::Cube => Some((DVec3::ZERO, Cuboid::face(hit.normal).into())),
+        Shape::Square => Some((DVec3::ZERO, Square::corners().into())),
         Shape::Mesh { mesh, .. } => {
             let corners = mesh.vertex_corners(hit.on_triangle?.triangle);
-            polygon(mesh.data().origin, &corners)
+            Some((mesh.data().origin, corners.into()))
         }
-    };
-    nearest.filter(|px| px.is_finite())
+    }
 }
 
 /// Distance in pixels to the nearest side of a polygon given by its corners about an origin of object space.
@@ -51,11 +58,11 @@ fn polygon_px<I: Decided>(
     origin: DVec3,
     corners: &[DVec3],
 ) -> Result<Option<f64>, InDoubt> {
-    let frame = Frame::<I>::new(view, px)?;
+    let space = PictureSpace::<I>::new(view, px)?;
     let end = |&corner| {
         let world = vertex_world(placement, origin, corner);
-        let shown = frame.point(&world);
-        let sides = [Some(frame.behind_near(&shown)), frame.kept(&world)];
+        let shown = space.point(&world);
+        let sides = [Some(space.behind_near(&shown)), space.kept(&world)];
         End {
             picture: [shown.u, shown.v, shown.w],
             sides: sides.into_iter().flatten().collect(),
@@ -71,17 +78,17 @@ fn polygon_px<I: Decided>(
     Ok(nearest)
 }
 
-/// An end of what is seen of a segment; all numbers times one that is above 0.
+/// An end of the visible part of a segment; all its numbers share a positive factor.
 #[derive(Clone)]
 struct End<I> {
     /// u, v and w.
     picture: [Number<I>; 3],
-    /// How far it lies behind the near plane and within the section; below 0 beyond them.
+    /// How far it lies behind the near plane and within the section; negative where it is cut away.
     sides: Vec<Number<I>>,
 }
 
 impl<I: Decided> End<I> {
-    /// Where the way to an end that is seen comes to a plane that this one lies beyond.
+    /// Where the segment from this end, which a plane cuts away, to a seen end crosses that plane.
     fn cut(&self, seen: &Self, plane: usize) -> Self {
         let cut = |of_self: &_, of_seen: &_| {
             determinant([&seen.sides[plane], &self.sides[plane]], [of_seen, of_self])
@@ -96,14 +103,15 @@ impl<I: Decided> End<I> {
 
     fn distance_px(&self) -> Result<f64, InDoubt> {
         let [u, v, w] = &self.picture;
-        frame::distance_px(u, v, w)
+        picture_space::distance_px(u, v, w)
     }
 }
 
 /// Distance in pixels to what the picture shows of a segment.
 ///
-/// Where the near plane cuts it just before the eye, the cut is shown so far out that its coordinates hide the distance.
-/// So the distance is that of the line through both *ends*, and a cut only tells by a sign which part of it counts.
+/// A cut by the near plane just before the eye is shown so far out that its coordinates lose the distance. So the
+/// distance is that of the line through both *original* ends, and a cut tells only, by a sign, which part of the line
+/// counts.
 fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt> {
     let (mut from, mut to) = (a.clone(), b.clone());
     for plane in 0..a.sides.len() {
@@ -131,10 +139,10 @@ fn segment_px<I: Decided>(a: &End<I>, b: &End<I>) -> Result<Option<f64>, InDoubt
         return to.distance_px().map(Some);
     }
     let offset = determinant([a_u, a_v], [b_u, b_v]);
-    frame::ratio(&offset, &line_u, &line_v).map(Some)
+    picture_space::ratio(&offset, &line_u, &line_v).map(Some)
 }
 
-/// Of the matrix with these rows.
+/// Determinant of the matrix with these rows.
 pub(super) fn determinant<I: Ring>([a, b]: [&Number<I>; 2], [c, d]: [&Number<I>; 2]) -> Number<I> {
     a.times(d).minus(&b.times(c))
 }

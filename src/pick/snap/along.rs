@@ -1,5 +1,5 @@
-//! Along a side: where the picture shows it nearest to the position, what planes leave of it, and where it comes out from
-//! behind a surface.
+//! Points along an edge: where the picture shows it nearest to the position, what near, far and section leave of it,
+//! and where it emerges from behind a surface.
 
 use super::{Candidate, Facet, Search};
 use crate::{
@@ -14,18 +14,11 @@ use crate::{
 use num_bigint::BigInt;
 
 impl Search<'_> {
-    /// The share of a side at which the picture shows it nearest to the position: of the perpendicular's foot, or of an end of
-    /// what near, far and the section leave of it.
-    pub(super) fn nearest(&self, facet: &Facet, corner: usize) -> Option<f64> {
-        let [share, ..] = self.nearest_and_ends(facet, corner)?;
-        Some(share)
-    }
-
-    /// The share of the perpendicular's foot, which may lie beyond the ends: a part of a whole. `None` of a side that shows as
-    /// a point.
+    /// The share of the perpendicular's foot as [part, whole]; it may lie beyond the ends. `None` for a side that shows
+    /// as a point.
     fn foot(shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [a, b] = shown;
-        // As in `edge`: the line through both ends, and how far along it they are.
+        // As in `edge`: the line through both ends, and their places along it.
         let line_u = determinant([&a.v, &a.w], [&b.v, &b.w]);
         let line_v = determinant([&a.w, &a.u], [&b.w, &b.u]);
         let along = |p: &Shown<BigInt>| determinant([&p.u, &p.v], [&line_u, &line_v]);
@@ -38,11 +31,11 @@ impl Search<'_> {
     fn ends(&self, facet: &Facet, corner: usize) -> ([DyadicVector; 2], [Shown<BigInt>; 2]) {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let ends = [at(0.0), at(1.0)];
-        let shown = [&ends[0], &ends[1]].map(|end| self.frame.point(end));
+        let shown = [&ends[0], &ends[1]].map(|end| self.space.point(end));
         (ends, shown)
     }
 
-    /// The share of a point of an edge, where that is the foot's own.
+    /// The exact share of a point of an edge if that point is the foot, with a positive whole.
     fn is_foot(point: &Candidate, shown: &[Shown<BigInt>; 2]) -> Option<[Dyadic; 2]> {
         let [part, whole] = Self::foot(shown)?;
         let share = point.share.to_bits();
@@ -52,21 +45,21 @@ impl Search<'_> {
         })
     }
 
-    /// The point of an edge that a position is led to.
+    /// The exact point of an edge that a position snaps to.
     pub(super) fn exact(&self, edge: &Candidate) -> ExactPoint {
         let at = |share: f64| edge.facet.point(self.scene, edge.corner, share);
         match Self::is_foot(edge, &self.ends(&edge.facet, edge.corner).1) {
             Some(share) => ExactPoint::between([&at(0.0), &at(1.0)], &share),
-            // An end of what is left, or of what is hidden.
+            // An end of what is left, or where a hidden part ends.
             None => ExactPoint::stored(&edge.point(self.scene), 0.0),
         }
     }
 
-    /// As the picture shows it, times a weight above 0.
+    /// The candidate as the picture shows it, times a positive weight.
     pub(super) fn shown(&self, candidate: &Candidate) -> (Shown<BigInt>, Dyadic) {
         let (_, ends) = self.ends(&candidate.facet, candidate.corner);
         let Some([part, whole]) = Self::is_foot(candidate, &ends) else {
-            return (candidate.shown(self.scene, &self.frame), Dyadic::new(1.0));
+            return (candidate.shown(self.scene, &self.space), Dyadic::new(1.0));
         };
         let rest = whole.minus(&part);
         let [a, b] = &ends;
@@ -80,8 +73,9 @@ impl Search<'_> {
         (shown, whole)
     }
 
-    /// That share, and the first and the last that are left.
-    fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
+    /// The share of a side at which the picture shows it nearest to the position (the perpendicular's foot or an end), and the
+    /// first and last shares that near, far and section leave.
+    pub(super) fn nearest_and_ends(&self, facet: &Facet, corner: usize) -> Option<[f64; 3]> {
         let at = |share: f64| dyadic::point_world(&facet.point(self.scene, corner, share));
         let (ends, shown) = self.ends(facet, corner);
         let [part, whole] = Self::foot(&shown)?;
@@ -90,13 +84,13 @@ impl Search<'_> {
         if (first..=last).contains(&share) {
             return Some([share, first, last]);
         }
-        let away_px = |share: f64| self.frame.point(&at(share)).distance_px().ok();
+        let away_px = |share: f64| self.space.point(&at(share)).distance_px().ok();
         let is_first = away_px(first)? <= away_px(last)?;
         Some([if is_first { first } else { last }, first, last])
     }
 
-    /// Where a side comes out from behind what hides a point of it: further from the position than that point is, so to both
-    /// sides of the nearest one. What hides an interval of a side, as all that is convex does, is passed whole.
+    /// Where a side emerges from behind the surface that hides a point of it, away from the nearest point: if that is
+    /// the hidden one, to both sides. A convex surface hides one interval of a side, which is skipped whole.
     pub(super) fn beside(&self, hidden: &Candidate, by: &SceneHit) -> Vec<Candidate> {
         let Candidate {
             facet,
@@ -121,7 +115,7 @@ impl Search<'_> {
             .collect()
     }
 
-    /// Where a side leaves the radius on its way from a share to another, or a little beyond: as near as `f64` tells, by halves.
+    /// Where a side leaves the radius between two shares, or a little beyond: by bisection in `f64`.
     fn reach(&self, facet: &Facet, corner: usize, [mut within, mut beyond]: [f64; 2]) -> f64 {
         let [from, to] = facet.side(corner).map(|end| facet.origin + end);
         let placement = &self.scene.objects()[facet.object].placement;
@@ -143,18 +137,19 @@ impl Search<'_> {
         beyond
     }
 
-    /// The shares of a side between which near, far and the section leave it, rounded inwards; `None` where they leave nothing.
+    /// The interval of shares that near, far and section leave of a side, rounded inwards; `None` where they leave
+    /// nothing.
     fn left(&self, ends: &[DyadicVector; 2], shown: &[Shown<BigInt>; 2]) -> Option<[f64; 2]> {
         let both = |of: &dyn Fn(usize) -> Dyadic| [of(0), of(1)];
-        let near = both(&|end| self.frame.behind_near(&shown[end]));
-        let far = both(&|end| self.frame.before_far(&shown[end]));
-        let section = [self.frame.kept(&ends[0]), self.frame.kept(&ends[1])];
+        let near = both(&|end| self.space.behind_near(&shown[end]));
+        let far = both(&|end| self.space.before_far(&shown[end]));
+        let section = [self.space.kept(&ends[0]), self.space.kept(&ends[1])];
         let section = match section {
             [Some(a), Some(b)] => Some([a, b]),
             _ => None,
         };
         let mut left = [0.0_f64, 1.0];
-        // What lies on the far plane is not shown; on the others it is.
+        // A point on the far plane is not shown; on the other planes it is.
         for ([a, b], with_zero) in [(near, true), (far, false)]
             .into_iter()
             .chain(section.map(|section| (section, true)))
@@ -184,9 +179,9 @@ impl Search<'_> {
     }
 }
 
-/// The share next to those that are hidden, on the way from one of them to one that is not. Shares lie between 0 and 1.
+/// The first share that is not hidden, between one that is and one that is not. Shares lie in [0, 1].
 fn first_without(hidden: f64, shown: f64, is_hidden: impl Fn(f64) -> bool) -> f64 {
-    // Numbers of one sign have the order of their bits.
+    // Non-negative floats are ordered as their bits are.
     let [mut hidden, mut shown] = [hidden, shown].map(|share| share.abs().to_bits());
     while hidden.abs_diff(shown) > 1 {
         let middle = hidden.midpoint(shown);

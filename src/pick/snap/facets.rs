@@ -1,6 +1,6 @@
-//! Flat faces that may show about a position, by their corners.
+//! Flat faces that may show near a position, by their corners.
 
-use super::super::{beam, nearest::shows_part};
+use super::super::{beam::CornerRays, nearest::shown_object};
 use crate::{
     camera::View,
     geometry::{Cuboid, PlacedPoint, Placement, Pyramid, Square},
@@ -17,7 +17,7 @@ pub(super) struct Facet {
     /// Of the mesh.
     pub triangle: Option<u32>,
     pub origin: DVec3,
-    /// About the origin of object space; so many of them count.
+    /// About `origin`; the first `count` are used.
     corners: [DVec3; 4],
     count: usize,
 }
@@ -44,26 +44,29 @@ impl Facet {
         [corner, corner + 1].map(|corner| self.corners[corner % self.count])
     }
 
-    /// Some way along a side.
+    /// The point at a share of a side.
     pub fn point(&self, scene: &Scene, corner: usize, share: f64) -> PlacedPoint {
         let placement = &scene.objects()[self.object].placement;
         PlacedPoint::between(placement, self.origin, self.side(corner), share)
     }
 }
 
-/// All that are visible and may show within a distance in pixels of a position.
+/// All visible facets that may show within a distance in pixels of a position.
 pub(super) fn facets(scene: &Scene, view: &View, px: DVec2, radius_px: f64) -> Vec<Facet> {
-    let corners = beam::corners([px - radius_px, px + radius_px]).map(|px| view.ray(px));
-    let side_px = 2.0 * (radius_px + beam::ROOM);
-    let pyramid_in = |placement: &Placement| beam::pyramid(&corners, placement, side_px);
+    let corners = CornerRays::about(view, px, radius_px);
     let mut facets = Vec::new();
-    match pyramid_in(&Placement::IDENTITY) {
+    match corners.pyramid(&Placement::IDENTITY) {
         Some(pyramid) => scene.visit_batches_within(&pyramid, |batch| {
             let placement = &scene.objects()[batch.start].placement;
-            add(scene, batch, pyramid_in(placement).as_ref(), &mut facets);
+            add(
+                scene,
+                batch,
+                corners.pyramid(placement).as_ref(),
+                &mut facets,
+            );
             ControlFlow::Continue(())
         }),
-        // From so far that the rays cannot be told apart, all may.
+        // From so far away that rounding merges the rays, any may show.
         None => {
             for batch in scene.batches() {
                 add(scene, batch, None, &mut facets);
@@ -79,9 +82,7 @@ fn add(scene: &Scene, batch: &Range<usize>, pyramid: Option<&Pyramid>, facets: &
     match &first.shape {
         Shape::Mesh { mesh, part } => {
             let mut visit = |triangle: u32, corners: [DVec3; 3]| {
-                let part_hit = mesh.part_of(triangle);
-                if shows_part(scene, batch, *part, part_hit) {
-                    let object = batch.start + part_hit - part;
+                if let Some(object) = shown_object(scene, batch, *part, mesh.part_of(triangle)) {
                     let origin = mesh.data().origin;
                     facets.push(Facet::new(object, Some(triangle), origin, &corners));
                 }

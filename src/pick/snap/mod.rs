@@ -1,16 +1,14 @@
-//! What of a scene lies nearest to a position: a vertex, else an edge, else what is picked there.
+//! Snapping: the vertex nearest to a position, else the nearest point of an edge, else the pick.
 //!
-//! Within a radius in pixels, the nearest *visible* vertex is taken ([`sight`] decides, exactly). Where there is none, the
-//! visible point of an edge that is nearest: of each edge the foot of the perpendicular in the picture, or an end of what the
-//! near and far planes and the section leave of it. Whether it is seen is asked of
-//! the share of the edge as an `f64` has it, so of a point that lies on the stored edge exactly; told and measured is the
-//! nearest point itself. Where a surface hides that point, the next share along the edge, to either side, that
-//! this surface does not hide takes its place. Where no edge shows, the pick.
+//! Within a radius in pixels, the nearest *visible* vertex wins ([`sight`] decides, exactly). Failing that, the nearest
+//! visible point of an edge: the foot of the perpendicular in the picture, or an end of what near, far and section
+//! leave of the edge. [`sight`] is asked about the point at the foot's share rounded to `f64`, which lies exactly on
+//! the stored edge; the exact foot is reported and measured. Where a surface hides the point, the next shares along the
+//! edge, to either side, that this surface does not hide take its place. Where no edge shows, the pick.
 //!
-//! Corners and edges are those of polygons as the file has them: edges that splitting them into triangles
-//! added do not count, and where the file does not say any more which do, none of its edges does. Cubes and squares have
-//! corners and edges; spheres have none. Of two that are as near, to the last bit,
-//! that with the lesser depth is taken; then that on the first object, and on the first triangle.
+//! Corners and edges are those of the file's polygons. Edges added by triangulation do not count; where the file can no
+//! longer be read to tell, none of its edges counts. Cubes and squares have corners and edges; spheres have none. Of
+//! two that are exactly as near, that of lesser depth wins, then that on the first object, then on the first triangle.
 
 mod along;
 mod facets;
@@ -20,7 +18,7 @@ pub use record::{Snap, SnapLine, object_area};
 
 use super::{
     SceneHit,
-    edge::{Frame, Shown},
+    edge::{PictureSpace, Shown},
     measure::ExactPoint,
     sight::{Sight, sight},
 };
@@ -35,7 +33,7 @@ use num_bigint::BigInt;
 use serde::Serialize;
 use std::{cmp::Ordering, collections::HashMap};
 
-/// What lies nearest.
+/// What a position snaps to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SnapTo {
@@ -47,20 +45,20 @@ pub enum SnapTo {
     Face,
 }
 
-/// Where a position was led to.
+/// Where a position snaps to.
 enum Snapped {
     Vertex(Candidate),
-    /// And the nearest point itself, with nothing rounded.
+    /// And the exact nearest point.
     Edge(Candidate, ExactPoint),
     /// The pick, if any.
     Face,
 }
 
-/// Tells what a file says of a triangle of a mesh, by object and triangle; `None` where there is no file, else why it does
-/// not say.
+/// Looks up a mesh's triangle in its file, by object and triangle; `None` where there is no file. The error says why
+/// the file cannot tell.
 pub type Faces<'a> = dyn FnMut(usize, u32) -> Result<Option<FaceInFile>, String> + 'a;
 
-/// A point of a facet's side: so far along it.
+/// A point of a facet's side, at `share` of its length.
 #[derive(Clone, Copy, Debug)]
 struct Candidate {
     facet: Facet,
@@ -75,43 +73,43 @@ impl Candidate {
     }
 
     /// As the picture shows it.
-    fn shown(&self, scene: &Scene, frame: &Frame<BigInt>) -> Shown<BigInt> {
-        frame.point(&dyadic::point_world(&self.point(scene)))
+    fn shown(&self, scene: &Scene, space: &PictureSpace<BigInt>) -> Shown<BigInt> {
+        space.point(&dyadic::point_world(&self.point(scene)))
     }
 }
 
-/// Distances that differ by more than this, relative to them, are those of points that differ: each is rounded a few times.
+/// Relative difference above which rounded distances have the order of the exact ones: each has a few roundings.
 const ALIKE: f64 = 1e-12;
 
-/// Finds it.
+/// The search about one position.
 struct Search<'a> {
     scene: &'a Scene,
     view: &'a View,
-    frame: Frame<BigInt>,
+    space: PictureSpace<BigInt>,
     px: DVec2,
     radius_px: f64,
 }
 
-/// Where a position is led to.
+/// Finds where a position snaps to.
 fn snapped(
     scene: &Scene,
     view: &View,
     (px, radius_px): (DVec2, f64),
     faces: &mut Faces,
 ) -> Snapped {
-    if let Ok(frame) = Frame::new(view, px) {
+    if let Ok(space) = PictureSpace::new(view, px) {
         let search = Search {
             scene,
             view,
-            frame,
+            space,
             px,
             radius_px,
         };
-        let facets: Vec<_> = facets(scene, view, px, radius_px);
-        if let Some(vertex) = search.vertex(px, &facets) {
+        let facets = facets(scene, view, px, radius_px);
+        if let Some(vertex) = search.vertex(&facets) {
             return Snapped::Vertex(vertex);
         }
-        if let Some(edge) = search.edge(px, &facets, faces) {
+        if let Some(edge) = search.edge(&facets, faces) {
             let exact = search.exact(&edge);
             return Snapped::Edge(edge, exact);
         }
@@ -120,13 +118,10 @@ fn snapped(
 }
 
 impl Search<'_> {
-    fn vertex(&self, px: DVec2, facets: &[Facet]) -> Option<Candidate> {
-        let corners = facets
-            .iter()
-            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
-        let candidates = corners.filter_map(|(facet, corner)| {
+    fn vertex(&self, facets: &[Facet]) -> Option<Candidate> {
+        let candidates = sides(facets).filter_map(|(facet, corner)| {
             let [a, _] = self.roughly(facet, corner);
-            let is_near = a.is_none_or(|a| a.distance(px) <= self.radius_px + 1.0);
+            let is_near = a.is_none_or(|a| a.distance(self.px) <= self.radius_px + 1.0);
             is_near
                 .then(|| self.candidate(facet, corner, 0.0))
                 .flatten()
@@ -134,21 +129,19 @@ impl Search<'_> {
         self.first(candidates.collect(), |_, _| Vec::new(), |_| true)
     }
 
-    fn edge(&self, px: DVec2, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
-        let sides = facets
-            .iter()
-            .flat_map(|facet| (0..facet.corners().len()).map(move |i| (facet, i)));
-        let candidates = sides.filter_map(|(facet, corner)| {
+    fn edge(&self, facets: &[Facet], faces: &mut Faces) -> Option<Candidate> {
+        let candidates = sides(facets).filter_map(|(facet, corner)| {
             let is_near = match self.roughly(facet, corner) {
                 [Some(a), Some(b)] => {
                     let along = b - a;
-                    let share = ((px - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-                    // Also where both are one point, of which the share is no number.
-                    !(px.distance(a + share * along) > self.radius_px + 1.0)
+                    let share = ((self.px - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+                    // True, too, where both ends are one point and the share is NaN.
+                    !(self.px.distance(a + share * along) > self.radius_px + 1.0)
                 }
                 _ => true,
             };
-            let share = is_near.then(|| self.nearest(facet, corner)).flatten()?;
+            let nearest = is_near.then(|| self.nearest_and_ends(facet, corner));
+            let [share, ..] = nearest.flatten()?;
             self.candidate(facet, corner, share)
         });
         let beside = |hidden: &Candidate, by: &SceneHit| self.beside(hidden, by);
@@ -162,13 +155,13 @@ impl Search<'_> {
             match faces(object, triangle) {
                 Ok(None) => true,
                 Ok(Some(face)) => side_of(&face, triangle, candidate.corner).is_some(),
-                // Nobody can tell whether it was added.
+                // Whether triangulation added it is unknown.
                 Err(_) => false,
             }
         })
     }
 
-    /// Where `f64` puts both ends in the picture; `None` of those behind the eye, or that are nowhere.
+    /// Both ends in the picture, by `f64`; `None` for an end behind the eye or without a finite position.
     fn roughly(&self, facet: &Facet, corner: usize) -> [Option<DVec2>; 2] {
         let placement = &self.scene.objects()[facet.object].placement;
         facet.side(corner).map(|end| {
@@ -178,7 +171,7 @@ impl Search<'_> {
         })
     }
 
-    /// A point of a side, where it is within reach.
+    /// A point of a side, if it is within the radius.
     fn candidate(&self, facet: &Facet, corner: usize, share: f64) -> Option<Candidate> {
         let mut candidate = Candidate {
             facet: *facet,
@@ -186,7 +179,7 @@ impl Search<'_> {
             share,
             away_px: 0.0,
         };
-        let shown = candidate.shown(self.scene, &self.frame);
+        let shown = candidate.shown(self.scene, &self.space);
         if !shown.w.sign().is_gt() {
             return None;
         }
@@ -194,20 +187,20 @@ impl Search<'_> {
         (candidate.away_px <= self.radius_px).then_some(candidate)
     }
 
-    /// The nearest that is seen and counts; `beside` has others for one that a surface hides, further away.
+    /// The nearest candidate that is seen and counts. `beside` replaces a hidden one by others farther away.
     fn first(
         &self,
         mut candidates: Vec<Candidate>,
         beside: impl Fn(&Candidate, &SceneHit) -> Vec<Candidate>,
         mut counts: impl FnMut(&Candidate) -> bool,
     ) -> Option<Candidate> {
-        // From the last to the first.
+        // Nearest last.
         candidates.sort_by(|a, b| self.order(b, a));
-        // A vertex belongs to several triangles.
+        // Several triangles share a vertex: each point is looked up once.
         let mut known = HashMap::new();
         while let Some(candidate) = candidates.pop() {
             let point = candidate.point(self.scene);
-            // Rounded, points that differ are one; with their share they are not.
+            // Different points may round to one; their shares then differ.
             let at = point.object().to_array().map(f64::to_bits);
             let sight = *known
                 .entry((candidate.facet.object, at, candidate.share.to_bits()))
@@ -249,9 +242,15 @@ impl Search<'_> {
     }
 }
 
-/// The places in a polygon of the ends of a triangle's side, where that is one of the polygon's; `None` of one that splitting it
-/// added. What tells is where corners lie, and not their places: a polygon may name a vertex more than once, as one with a
-/// hole does at both ends of the way to it, and a triangle have either.
+/// Each side of facets, with the index of its first corner.
+fn sides(facets: &[Facet]) -> impl Iterator<Item = (&Facet, usize)> {
+    let corners = |facet: &Facet| 0..facet.corners().len();
+    (facets.iter()).flat_map(move |facet| corners(facet).map(move |corner| (facet, corner)))
+}
+
+/// The indices in a polygon of the ends of a triangle's side; `None` for a side that triangulation added. Corners are
+/// compared by position, not by index: a polygon may name a vertex twice, as one with a hole does at both ends of the
+/// bridge to it, and a triangle may have either.
 fn side_of(face: &FaceInFile, triangle: u32, corner: usize) -> Option<[usize; 2]> {
     let corners = face
         .corners

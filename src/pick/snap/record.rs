@@ -1,4 +1,4 @@
-//! What is known of a point that a position was led to, and its JSON.
+//! What is known about a snapped point, and its JSON.
 
 use super::{
     super::{
@@ -16,10 +16,10 @@ use crate::{
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// A point that a position was led to; the field names are the JSON's. Lengths in world units.
+/// A snapped point; the field names are the JSON's. Lengths in world units.
 #[derive(Clone, Debug, Serialize)]
 pub struct Snap {
-    /// What it is.
+    /// A vertex, an edge or a face.
     pub to: SnapTo,
     /// The object's name.
     pub object: String,
@@ -27,47 +27,47 @@ pub struct Snap {
     pub id: usize,
     /// Triangle of the object, from 0; `None` for other shapes.
     pub triangle: Option<u32>,
-    /// Where it is in the world: each coordinate of a vertex, as it is stored, or of a point of an edge rounded once; of a
-    /// face within three roundings.
+    /// Where it is in the world. Each coordinate is rounded once for a stored vertex or a point of an edge, and is
+    /// within three roundings for a face.
     pub point_world: DVec3,
-    /// Where it is in the picture.
+    /// Where it is in the picture, in pixels.
     pub px: DVec2,
-    /// How far that is from the position, in pixels.
+    /// Distance in pixels from the position.
     pub away_px: f64,
-    /// The line of its face in the file; `None` where that does not say.
+    /// The line of its face in the file; `None` where the file cannot tell.
     pub line: Option<usize>,
     /// The number of its face in the file.
     pub face: Option<usize>,
-    /// The vertex, or the ends of the edge, or the corners of the face, as the file has them.
+    /// The vertex, the edge's ends or the face's corners, as the file has them.
     pub vertices: Option<Vec<VertexInFile>>,
-    /// Why the file does not say, where it does not.
+    /// Why the file cannot tell, where it cannot.
     pub file_error: Option<String>,
     /// How long the edge is.
     pub length: Option<Measured>,
-    /// The area of the face that it is on; of a vertex or an edge the first that has it.
+    /// The area of its face; for a vertex or an edge, of the first face that has it.
     pub area: Option<Measured>,
-    /// To measure from.
+    /// The point to measure from.
     #[serde(skip)]
     pub exact: ExactPoint,
 }
 
-/// A position and where it was led to, as a line of JSON.
+/// A position and what it snaps to, as a line of JSON.
 #[derive(Clone, Debug, Serialize)]
 pub struct SnapLine {
     /// Where: pixels from the top left corner.
     pub px: DVec2,
     /// What is there; `None` for the background.
     pub snap: Option<Snap>,
-    /// From the position before to this one.
+    /// Distance from the previous position's point to this one's.
     pub distance: Option<Measured>,
     /// The area of the object; see [`object_area`].
     pub object_area: Option<Measured>,
-    /// Why edges were passed over, where nothing else is there.
+    /// Why edges were skipped, where nothing else is there.
     pub file_error: Option<String>,
 }
 
 impl Snap {
-    /// Where a position is led to; `None` where nothing is within the radius and the background shows. See [`super`].
+    /// What a position snaps to; `None` where nothing is within the radius and the background shows. See [`super`].
     #[must_use]
     pub fn at(
         scene: &Scene,
@@ -106,25 +106,19 @@ impl Snap {
         let triangle = facet.triangle;
         let (face, file_error) = asked(faces, facet.object, triangle);
         let of_file = face.as_ref().zip(triangle).and_then(|(face, triangle)| {
-            let corners = face
-                .corners
-                .get((triangle - face.triangles.start) as usize)?;
-            match to {
-                SnapTo::Vertex => Some(vec![corners[corner] as usize]),
-                _ => side_of(face, triangle, corner).map(Vec::from),
-            }
-            .map(|places| {
-                places
-                    .into_iter()
-                    .map(|place| face.vertices[place].clone())
-                    .collect()
-            })
+            let first = face.triangles.start;
+            let corners = face.corners.get((triangle - first) as usize)?;
+            let places = match to {
+                SnapTo::Vertex => vec![corners[corner] as usize],
+                _ => side_of(face, triangle, corner)?.into(),
+            };
+            let vertex = |place: usize| face.vertices[place].clone();
+            Some(places.into_iter().map(vertex).collect::<Vec<_>>())
         });
-        let of_file: Option<Vec<VertexInFile>> = of_file;
         let written =
             |vertex: &VertexInFile| ExactPoint::written(&object.placement, &vertex.written);
         let stored = |share: f64| ExactPoint::stored(&facet.point(scene, corner, share), 0.0);
-        // What is in the file is measured as the file has it; of a point between, the ends tell how far it may be off.
+        // A vertex is measured as the file writes it; a point of an edge is off by at most what its ends are.
         let ends: Option<Vec<_>> =
             (of_file.as_deref()).and_then(|all| all.iter().map(written).collect());
         let exact = match (to, ends.as_deref()) {
@@ -187,7 +181,7 @@ impl Snap {
             (None, Shape::Square | Shape::Sphere, _) => Some(object_area(object)),
             (None, Shape::Mesh { .. }, None) => None,
         };
-        // Three roundings of each coordinate, and what storing its face has moved.
+        // Three roundings of each coordinate, and how far storing the face moved it.
         let rounding = 2.0 * f64::EPSILON * pick.point_world.length();
         let moved = face.as_ref().map_or(0.0, |face| moved(face, scene, index));
         Self {
@@ -209,7 +203,7 @@ impl Snap {
     }
 }
 
-/// What a file says of a triangle of a mesh, or why it does not.
+/// What a file says about a triangle of a mesh, or why it cannot tell.
 fn asked(
     faces: &mut Faces,
     object: usize,
@@ -222,7 +216,8 @@ fn asked(
     }
 }
 
-/// The area of an object in the world. A mesh's is that of what its file writes, with a bound on what storing that has moved.
+/// The area of an object in the world. A mesh's is that of what its file writes; the error bounds how far storing moved
+/// it.
 #[must_use]
 pub fn object_area(object: &Object) -> Measured {
     let placement = &object.placement;
@@ -234,7 +229,7 @@ pub fn object_area(object: &Object) -> Measured {
         Shape::Square => area_of_corners(placement, DVec3::ZERO, &Square::corners()),
         Shape::Cube => {
             let faces = DVec3::AXES.map(Cuboid::face);
-            // Each once more across.
+            // Each counts twice, with its opposite.
             let corners: Vec<_> = faces.iter().chain(&faces).flatten().copied().collect();
             area_of_corners(placement, DVec3::ZERO, &corners)
         }
@@ -242,7 +237,7 @@ pub fn object_area(object: &Object) -> Measured {
     }
 }
 
-/// The area of a face as its file writes it; `None` where something of it is left out.
+/// The area of a face as its file writes it; `None` where a corner is not three numbers.
 fn area_of(face: &FaceInFile, scene: &Scene, object: usize) -> Option<Measured> {
     let placement = &scene.objects()[object].placement;
     let written = |vertex: &VertexInFile| ExactPoint::written(placement, &vertex.written);
@@ -250,7 +245,7 @@ fn area_of(face: &FaceInFile, scene: &Scene, object: usize) -> Option<Measured> 
     Some(polygon_area(&corners, &face.corners))
 }
 
-/// The area of a triangle, or of faces of four corners, one after the other.
+/// The area of one triangle, or of faces of four corners each.
 fn area_of_corners(placement: &Placement, origin: DVec3, corners: &[DVec3]) -> Measured {
     let stored =
         |corner: &DVec3| ExactPoint::stored(&PlacedPoint::vertex(placement, origin, *corner), 0.0);
@@ -264,7 +259,7 @@ fn area_of_corners(placement: &Placement, origin: DVec3, corners: &[DVec3]) -> M
     polygon_area(&points, &all)
 }
 
-/// How far storing has moved a corner of a face, at most.
+/// The most by which storing moved a corner of a face.
 fn moved(face: &FaceInFile, scene: &Scene, object: usize) -> f64 {
     let object = &scene.objects()[object];
     let Shape::Mesh { mesh, .. } = &object.shape else {

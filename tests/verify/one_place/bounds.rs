@@ -1,4 +1,4 @@
-//! What lies within the bounds of drawing.
+//! Surfaces are in one place exactly where they lie within the bounds of drawing.
 
 use super::*;
 
@@ -14,7 +14,7 @@ fn coplanar_squares_seen_from_the_side() {
     assert_eq!(unexplained, 0);
 }
 
-/// Two meshes that are worth a tree, in which the rays of a picture go together.
+/// Two meshes large enough for a tree, which a tile's rays enter together.
 #[test]
 fn a_ball_and_its_copy() {
     let (points, triangles) = icosphere(3);
@@ -32,7 +32,7 @@ fn a_ball_and_its_copy() {
     assert!(marked > 5_000, "{marked}");
 }
 
-/// `f32` takes both for one and draws the first: that is no defect, and the pick names both.
+/// `f32` cannot tell the two apart and draws the first: no defect, and the pick names both.
 #[test]
 fn a_mesh_nearer_by_a_hair() {
     let scene = Scene::new(vec![
@@ -44,7 +44,7 @@ fn a_mesh_nearer_by_a_hair() {
     let [depth, marked, unexplained] = counts(&scene, &view);
     assert_eq!(unexplained, 0);
     assert!(depth > 10_000, "{depth}");
-    // But for a few on edges.
+    // Except for a few on edges.
     assert!((depth..depth + 20).contains(&marked), "{depth} of {marked}");
     let said = in_one_place(&scene, &view, dvec2(80.0, 50.5)).expect("two");
     assert_eq!(said.to_string(), "two in one place: B and A");
@@ -72,8 +72,8 @@ fn what_standard_depth_cannot_tell_far_away() {
     }
 }
 
-/// Half a pixel aside a ball's surface is far deeper near its rim: where `f32` holds no depths, a board that lies within that
-/// is in one place with it, and one that does not is not.
+/// Near a ball's rim, its surface half a pixel aside is far deeper. Where `f32` cannot hold depths, a board within that
+/// depth is in one place with the ball, and a board beyond is not.
 #[test]
 fn a_board_behind_the_steep_part_of_a_ball() {
     let scene = |z| {
@@ -87,7 +87,7 @@ fn a_board_behind_the_steep_part_of_a_ball() {
         ..perspective(30.0, 1e-7, 100.0)
     };
     let view = view([0.0, 0.0, 5.0], [0.0; 3], lens, [64, 64]);
-    // The pixel in which the ball ends to the right.
+    // The pixel at the ball's right rim.
     let pixels = (32..64).map(|x| dvec2(f64::from(x) + 0.5, 32.5));
     let picks = pixels.map_while(|px| Some((px, pick::pick(&scene(-2.0), &view, px)?)));
     let (px, at) = picks.filter(|(_, at)| at.id == 1).last().expect("a ball");
@@ -99,7 +99,7 @@ fn a_board_behind_the_steep_part_of_a_ball() {
     }
 }
 
-/// Corners so far out that `f64` does not tell from them how deep the squares are; a pick does.
+/// Corners so far out that `f64` cannot compute the squares' depth from them; the pick's depth is used.
 #[test]
 fn squares_of_one_plane_too_large_for_their_depth() {
     let sheared = |exponent: i32| {
@@ -123,7 +123,7 @@ fn squares_of_one_plane_too_large_for_their_depth() {
     }
 }
 
-/// At each pixel those squares that cover it.
+/// At each pixel, all squares that cover it are named.
 #[test]
 fn all_that_lie_in_one_plane_are_found() {
     let scene = coplanar();
@@ -150,7 +150,7 @@ fn all_that_lie_in_one_plane_are_found() {
     assert_eq!(text(0.5, 0.5), None);
 }
 
-/// As far as reversed depth tells two squares apart at depth 3: 2^-24 of it is 2e-7, of which the bound is some.
+/// The gap at which reversed depth tells two squares at depth 3 apart: a few times 2^-24 of the depth, 2e-7.
 #[test]
 fn a_gap_that_drawing_can_tell_or_not() {
     for (gap, found) in [
@@ -175,8 +175,8 @@ fn a_gap_that_drawing_can_tell_or_not() {
     }
 }
 
-/// Two surfaces of one kind that come apart over the picture, the farther one drawn: it is excused as *depth* where both are
-/// in one place, and a defect elsewhere.
+/// Two surfaces of one kind diverge across the picture, and the farther one is drawn: excused as *depth* where both are
+/// in one place, a defect elsewhere.
 #[test]
 fn the_bound_is_the_one_that_excuses_depth() {
     let wedge = |angle: f64| DAffine3::from_rotation_x(0.3 + angle) * turned(10.0, 1.0);
@@ -228,7 +228,7 @@ fn the_bound_is_the_one_that_excuses_depth() {
     }
 }
 
-/// What lies behind another surface between them is found; what does not lie as deep is not.
+/// Surfaces behind the second one are found, too, as long as they are equally deep.
 #[test]
 fn not_only_the_next_one() {
     let squares = [0.0, 0.0, 1e-9, -1e-9, -1e-3];

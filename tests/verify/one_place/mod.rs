@@ -1,4 +1,4 @@
-//! Surfaces in one place: named wherever drawing may show another one than is picked, and nowhere else.
+//! Surfaces in one place are named wherever drawing may show another one than is picked, and nowhere else.
 
 mod bounds;
 mod surfaces;
@@ -34,7 +34,7 @@ fn turned(degrees: f64, side: f64) -> DAffine3 {
     )
 }
 
-/// Side 2 about the origin in the plane z = 0; by triangles of these corners.
+/// A square mesh of side 2 about the origin in the plane z = 0, with these triangles.
 fn quad(triangles: Vec<[u32; 3]>) -> Shape {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let corners = corners.map(|[x, y]| [x, y, 0.0_f32]);
@@ -60,9 +60,8 @@ fn centres(view: &View) -> impl Iterator<Item = DVec2> {
     (0..size.height()).flat_map(row)
 }
 
-/// Whether the surfaces in one place at a pixel are there and have one among them that an id may stand for: the very one, or
-/// a neighbour of it in the mesh. Triangles that meet right there count once, and across an edge of its own drawing may show
-/// a neighbour of what is hit.
+/// Whether the surfaces in one place at a pixel include one that an id may stand for: that triangle or a neighbour.
+/// Triangles that meet there count once, and drawing may show the neighbour across a shared edge.
 pub fn name(scene: &Scene, places: &Places, pixel: [u32; 2], id: Id) -> bool {
     let px = DVec2::from(pixel.map(f64::from)) + 0.5;
     let Some(object) = scene.objects().get((id.object as usize).wrapping_sub(1)) else {
@@ -81,8 +80,8 @@ pub fn name(scene: &Scene, places: &Places, pixel: [u32; 2], id: Id) -> bool {
     places.at(px).iter().any(is_it)
 }
 
-/// Whether a pixel is of the class *depth* by two surfaces: neither by the empty buffer nor by the near or far plane, which
-/// one of them lies on, to drawing.
+/// Whether a pixel is of the class *depth* because of two surfaces, not because of the empty buffer, or a near or far
+/// plane on which, for drawing, one of them lies.
 pub fn is_of_two_surfaces(view: &View, at: &Disagreement) -> bool {
     let lens = view.camera.lens();
     let off = 1e-5 * (lens.far - lens.near).min(lens.near.abs().max(lens.far.abs()));
@@ -93,8 +92,7 @@ pub fn is_of_two_surfaces(view: &View, at: &Disagreement) -> bool {
         && !at.depth.into_iter().any(is_on_plane)
 }
 
-/// Draws and compares: how many pixels of the class *depth*, all of which name what is drawn, how many in one place, and
-/// how many unexplained.
+/// Draws and compares. Counts pixels of the class *depth* (all must name what is drawn), in one place, and unexplained.
 #[track_caller]
 fn counts(scene: &Scene, view: &View) -> [usize; 3] {
     scene.build_trees();

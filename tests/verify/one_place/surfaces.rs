@@ -1,8 +1,8 @@
-//! What counts as two, and how it is named.
+//! Which surfaces count as two, and how they are named.
 
 use super::*;
 
-/// Positions on the diagonal of a quad of two triangles, which both are hit there.
+/// Positions on the diagonal of a quad, where both of its triangles are hit.
 #[test]
 fn an_edge_that_two_triangles_share_is_one_surface() {
     let once = Scene::new(vec![object("once", halves(), DAffine3::IDENTITY)]);
@@ -27,7 +27,7 @@ fn an_edge_that_two_triangles_share_is_one_surface() {
     }
 }
 
-/// Two objects of one file that fill the same square by other diagonals, at an edge of the square: they overlap there.
+/// Two objects of one file fill the same square with different diagonals: at the square's edge they overlap.
 #[test]
 fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
     let positions = vec![
@@ -53,7 +53,7 @@ fn an_edge_that_two_overlapping_triangles_share_is_of_two() {
     }
 }
 
-/// Two triangles of one plane that lie over each other about the one corner that they share, and the same side by side.
+/// Two coplanar triangles that share one corner and overlap there; and two that lie side by side there.
 #[test]
 fn overlapping_triangles_that_share_a_corner_are_two() {
     let corners = [[0.0, 0.0], [-1.0, 2.0], [2.0, 2.2], [1.0, 1.3], [0.5, 2.0]];
@@ -114,7 +114,7 @@ fn identical_triangles_are_as_many_surfaces() {
     }
 }
 
-/// A ray that touches a sphere on its rim, where it meets a board.
+/// A ray tangent to a ball, with its point of contact on a board.
 #[test]
 fn a_touched_rim_and_a_board_are_two() {
     let scaled = |scale| DAffine3::from_scale(DVec3::splat(scale));
@@ -137,7 +137,7 @@ fn a_touched_rim_and_a_board_are_two() {
     }
 }
 
-/// A solid's front and back come together at its rim. Those of a mesh that is thin all over are two.
+/// A solid's front and back meet at its rim: one surface. Those of a mesh that is thin all over are two.
 #[test]
 fn a_rim_is_one_surface_and_a_thin_sheet_two() {
     let (positions, triangles) = box_triangles(1.0);
@@ -158,7 +158,7 @@ fn a_rim_is_one_surface_and_a_thin_sheet_two() {
             };
             let scene = solid(1.0);
             let places = places(&scene, &view);
-            // From pixels within to pixels without, as near to the rim as f64 goes.
+            // From pixels inside to pixels outside, as close to the rim as f64 allows.
             for i in 0..60 {
                 let (sin, cos) = (0.1 * f64::from(i)).sin_cos();
                 let ray = |s: f64| dvec2(32.0, 24.0) + s * dvec2(cos, sin);

@@ -1,9 +1,9 @@
-//! The outline of a sphere: where rays of the picture touch it.
+//! Distance in pixels to a sphere's outline, where rays of the picture touch it.
 
 use super::{
-    frame::{Frame, Shown},
-    kept::Kept,
-    nearest::Arcs,
+    conic::Arcs,
+    picture_space::{PictureSpace, Shown},
+    section::Kept,
 };
 use crate::geometry::{
     Placement,
@@ -13,18 +13,18 @@ use crate::geometry::{
 use num_bigint::BigInt;
 use std::{array, cmp::Ordering};
 
-/// What the picture shows of the circle in which rays touch the sphere; exact, but for two roots that are left to take.
+/// The circle in which rays touch the sphere, as the picture shows it; exact, with two square roots not yet taken.
 ///
-/// In object space the sphere is |y| = 1/2. With the eye at o / m, m = det L, a ray touches it where y . o = m / 4. So with
-/// g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside, the circle has the centre o m / (4 g) and the
-/// squared radius k / (16 g). (In orthographic projection o is the rays' direction and m = 0.) Let n be the gradient of
-/// depth. Of the circle's plane, b = o x n keeps the depth and a = b x o raises it; a . a = g b . b. So with q = b . b the
-/// circle consists of
+/// In object space the sphere is |y| = 1/2. With the eye at o / m, m = det L, a ray touches it where y . o = m / 4. So
+/// with g = o . o and k = 4 g - m^2, which is above 0 where the eye is outside, the circle has the centre o m / (4 g)
+/// and the squared radius k / (16 g). (In orthographic projection o is the rays' direction and m = 0.) Let n be the
+/// gradient of depth. In the circle's plane, b = o x n keeps the depth and a = b x o raises it; a . a = g b . b. So
+/// with q = b . b the circle consists of
 ///
 /// (m o + sqrt(k / q) (cos a + sin sqrt(g) b)) / (4 g).
 ///
-/// The picture's coordinates (u, v, w) are linear, those of the direction o being -m times those of the sphere's centre,
-/// since the eye has none. So the circle is shown, up to a factor, as
+/// The picture coordinates (u, v, w) are linear and 0 at the eye, so those of the direction o are -m times those of the
+/// sphere's centre. The circle is shown, up to a factor, as
 ///
 /// sqrt(k q) centre + cos a + sin sqrt(g) b.
 pub(super) struct Circle {
@@ -36,9 +36,9 @@ pub(super) struct Circle {
     b: Vec3,
     g: Dyadic,
     kq: Dyadic,
-    /// Points lie at or behind the near plane where sqrt(k q) cos is at least this.
+    /// A point lies at or behind the near plane where sqrt(k q) cos is at least this.
     threshold: Dyadic,
-    /// All points have the same depth: what has to be at least the threshold is 0.
+    /// All points have the same depth: 0 takes the place of sqrt(k q) cos.
     is_level: bool,
     kept: Option<Kept>,
 }
@@ -46,8 +46,8 @@ pub(super) struct Circle {
 /// Picture coordinates (u, v, w).
 type Vec3 = [Dyadic; 3];
 
-/// A part of the circle, in one of both halves, which a range of p in (1 - p^2, 2 p, 1 + p^2) stands for. That is the
-/// (cosine, sine, 1) of the angle from the deepest point or, where `turned`, from the other end.
+/// A part of the circle's left or right half, given by a range of p: (1 - p^2, 2 p, 1 + p^2) is a multiple of (cosine,
+/// sine, 1) of the angle from the deepest point or, where `turned`, from its opposite.
 #[derive(Clone)]
 pub(super) struct Part {
     pub turned: bool,
@@ -56,14 +56,14 @@ pub(super) struct Part {
     pub to: Dyadic,
 }
 
-/// Distance in pixels to the part of a sphere's outline that lies at or behind the near plane and that a section keeps;
-/// `None` when there is none.
-pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Option<f64> {
-    let circle = Circle::new(frame, placement)?;
+/// Distance in pixels to the part of a sphere's outline at or behind the near plane that the section keeps; `None` when
+/// there is none.
+pub(super) fn distance_px(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<f64> {
+    let circle = Circle::new(space, placement)?;
     if !circle.is_visible() {
         return None;
     }
-    // 112 bits are enough for all but the strangest views. Coordinates need at most three more, and a sign.
+    // 112 bits are enough for all but extreme views. Coordinates need at most three more, and a sign.
     let narrow = |n: BigInt| i128::try_from(n).unwrap_or_default();
     let mut distance = circle.arcs(112, narrow)?.distance_px();
     for bits in [448, 1792, 7168] {
@@ -75,9 +75,9 @@ pub(super) fn distance_px(frame: &Frame<BigInt>, placement: &Placement) -> Optio
 }
 
 impl Circle {
-    /// `None` when the eye is not outside.
-    fn new(frame: &Frame<BigInt>, placement: &Placement) -> Option<Self> {
-        let grid = &frame.grid;
+    /// `None` unless the eye is outside.
+    fn new(space: &PictureSpace<BigInt>, placement: &Placement) -> Option<Self> {
+        let grid = &space.grid;
         let (eye, forward, determinant) = to_object(placement, grid.eye, grid.forward);
         let (o, m) = if grid.is_orthographic {
             (forward, Dyadic::new(0.0))
@@ -94,7 +94,7 @@ impl Circle {
         let model = placement.model();
         let linear = model.matrix3;
         let axes = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| frame.direction(&DyadicVector::new(axis)));
+            .map(|axis| space.direction(&DyadicVector::new(axis)));
         let row = |of: fn(&Shown<BigInt>) -> &Dyadic| {
             DyadicVector::of(&axes.each_ref().map(|axis| of(axis).clone()))
         };
@@ -103,15 +103,15 @@ impl Circle {
         let steepest = o.cross(&row(|p| &p.depth));
         let is_level = steepest.is_zero();
         let b = if is_level { across(&o) } else { steepest };
-        let center = frame.point(&DyadicVector::new(model.translation));
+        let center = space.point(&DyadicVector::new(model.translation));
         let (a, q) = (b.cross(&o), b.dot(&b));
-        let kept = Kept::new(frame, placement, [&o, &a, &b], [&m, &four_g, &q]);
+        let kept = Kept::new(space, placement, [&o, &a, &b], [&m, &four_g, &q]);
         Some(Self {
             a: shown(&a),
             kq: k.times(&q),
             b: shown(&b),
             threshold: (m_squared.times(&center.depth))
-                .minus(&four_g.times(&frame.behind_near(&center))),
+                .minus(&four_g.times(&space.behind_near(&center))),
             center: [center.u, center.v, center.w],
             g,
             is_level,
@@ -127,16 +127,16 @@ impl Circle {
         }
     }
 
-    /// k q less the square of the threshold: below 0 where no sine belongs to the threshold's cosine.
+    /// k q times the squared sine at the threshold; negative where no point lies on the near plane.
     fn beyond_threshold(&self) -> Dyadic {
         self.kq.minus(&self.threshold.squared())
     }
 
-    /// The parts at or behind the near plane that a section keeps, with tangents of half angles to so many bits.
+    /// The parts at or behind the near plane that the section keeps; tangents of half angles have `bits` bits.
     fn visible_parts(&self, [root, root_g]: [&Dyadic; 2], bits: i64) -> Vec<Part> {
         let [zero, one] = [0.0, 1.0].map(Dyadic::new);
         let sine = self.beyond_threshold();
-        // tan(angle / 2) = sin / (1 + cos), by the angle from the end on whose side it is.
+        // tan(angle / 2) = sin / (1 + cos), with the angle counted from the end on the same side.
         let tangent = || {
             let sine = sine.sqrt(bits);
             sine.quotient(&root.plus(&self.threshold.abs()), bits)
@@ -166,9 +166,9 @@ impl Circle {
         }
     }
 
-    /// The visible part in fixed point of so many bits; `None` where there is none.
+    /// The visible parts in fixed point of `bits` bits; `None` where there are none.
     fn arcs<T>(&self, bits: i64, fixed: impl Fn(BigInt) -> T) -> Option<Arcs<T>> {
-        // Guard bits: what is cut off before the end adds up to less than a unit.
+        // Guard bits: what is cut off before the last step adds up to less than one unit.
         let longer = bits + 8;
         let root = self.kq.sqrt(longer);
         let root_g = self.g.sqrt(longer);
@@ -220,14 +220,14 @@ impl Circle {
         (!controls.is_empty()).then(|| Arcs {
             controls,
             bits,
-            // One for what fixed point cuts off, one for all that was cut off before.
+            // One unit for what fixed point cuts off, one for all that was cut off before.
             error: 2.0,
             px: times_power_of_two(1.0, size_uv - size_w),
         })
     }
 }
 
-/// Some vector perpendicular to one that is not 0.
+/// A vector perpendicular to one that is not 0.
 fn across(v: &DyadicVector) -> DyadicVector {
     let [x, y, z] = &v.integers;
     let zero = BigInt::ZERO;

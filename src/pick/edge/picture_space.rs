@@ -1,4 +1,4 @@
-//! The picture's coordinates about one position, without rounding.
+//! Exact picture coordinates about one position.
 
 use crate::{
     camera::View,
@@ -10,14 +10,14 @@ use crate::{
 };
 use glam::DVec2;
 
-/// What a camera shows about a position of its picture. All of it is exact in the numbers that the camera stores, whether
-/// or not its axes are perpendicular to the last bit.
+/// Maps world points to picture coordinates about a position. Exact for the numbers that the camera stores, also where
+/// its axes are not perpendicular to the last bit.
 ///
 /// The point at depth t on the ray through (x, y) is E + Q with Q = t F + s (X R + Y U), where s is t in perspective and 1
 /// in orthographic projection, X = (h / H) (2 x - W) and Y = (h / H) (H - 2 y). By Cramer's rule, with D = det(R, U, F):
 /// Q . (U x F) = D s X, Q . (F x R) = D s Y and Q . (R x U) = D t. Multiplied by H and shifted by the position, the first
 /// two are `u` and `v`, and 2 h |D| s is `w`.
-pub(in crate::pick) struct Frame<I> {
+pub(in crate::pick) struct PictureSpace<I> {
     pub(in crate::pick) grid: PixelGrid,
     u: Row<I>,
     v: Row<I>,
@@ -28,9 +28,9 @@ pub(in crate::pick) struct Frame<I> {
     section: Option<Row<I>>,
 }
 
-/// What makes `w`.
+/// How `w` follows from depth.
 enum Weight<I> {
-    /// A factor of depth: perspective.
+    /// Perspective: `w` is this factor times depth.
     PerDepth(Number<I>),
     /// Orthographic.
     Constant(Number<I>),
@@ -42,18 +42,18 @@ struct Row<I> {
     constant: Number<I>,
 }
 
-/// A point as the picture shows it: right by `u / w` and down by `v / w` pixels from the position. Of a direction, by how
-/// much a step along it changes each.
+/// A point as the picture shows it: `u / w` pixels right and `v / w` pixels down from the position. For a direction:
+/// how much a step along it changes each.
 pub(in crate::pick) struct Shown<I> {
     pub(in crate::pick) u: Number<I>,
     pub(in crate::pick) v: Number<I>,
     /// Above 0 in front of the eye.
     pub(in crate::pick) w: Number<I>,
-    /// The t of the ray there, in units of the frame's own.
+    /// The ray's t there, times |D|.
     pub(in crate::pick) depth: Number<I>,
 }
 
-impl<I: Decided> Frame<I> {
+impl<I: Decided> PictureSpace<I> {
     pub(in crate::pick) fn new(view: &View, px: DVec2) -> Result<Self, InDoubt> {
         let grid = view.camera.pixel_grid(view.viewport);
         let [right, up, forward, eye] =
@@ -134,20 +134,20 @@ impl<I: Decided> Frame<I> {
         self.far.minus(&point.depth)
     }
 
-    /// How far the section keeps a point of world space; below 0 where it cuts it away, `None` where there is none.
+    /// n . p + c of the section at a world point: below 0 where it is cut away. `None` without a section.
     pub(in crate::pick) fn kept(&self, world: &Vector<I>) -> Option<Number<I>> {
         let section = self.section.as_ref()?;
         Some(section.normal.dot(world).plus(&section.constant))
     }
 
-    /// By how much a step along a direction changes that.
+    /// How much a step along a direction changes [`PictureSpace::kept`].
     pub(super) fn kept_along(&self, direction: &Vector<I>) -> Option<Number<I>> {
         Some(self.section.as_ref()?.normal.dot(direction))
     }
 }
 
 impl<I: Decided> Row<I> {
-    /// The one that is 0 at a point.
+    /// The row that is 0 at a point.
     fn through(point: &Vector<I>, normal: Vector<I>) -> Self {
         Self {
             constant: normal.dot(point).negated(),
@@ -157,7 +157,7 @@ impl<I: Decided> Row<I> {
 }
 
 impl<I: Decided> Shown<I> {
-    /// Distance from the position, of a point in front of the eye.
+    /// Distance from the position to a point in front of the eye.
     pub(in crate::pick) fn distance_px(&self) -> Result<f64, InDoubt> {
         distance_px(&self.u, &self.v, &self.w)
     }

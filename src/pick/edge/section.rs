@@ -1,6 +1,6 @@
-//! What a section keeps of a sphere's outline.
+//! The part of a sphere's outline that a section keeps.
 
-use super::{frame::Frame, outline::Part};
+use super::{picture_space::PictureSpace, sphere_outline::Part};
 use crate::geometry::{
     Placement,
     dyadic::{Dyadic, DyadicVector},
@@ -8,7 +8,7 @@ use crate::geometry::{
 use num_bigint::BigInt;
 
 /// The outline is kept where `middle + sqrt(k q) (cos a + sin sqrt(g) b)` is not below 0: n . p + c times 4 g q, with the
-/// names of [`Circle`](super::outline::Circle).
+/// names of [`Circle`](super::sphere_outline::Circle).
 pub(super) struct Kept {
     middle: Dyadic,
     a: Dyadic,
@@ -16,18 +16,18 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// Of the circle about the placement's sphere that is made of o, a and b, m, 4 g and q; `None` where nothing is cut.
+    /// From the outline circle's o, a and b, and m, 4 g and q; `None` without a section.
     pub fn new(
-        frame: &Frame<BigInt>,
+        space: &PictureSpace<BigInt>,
         placement: &Placement,
         [o, a, b]: [&DyadicVector; 3],
         [m, four_g, q]: [&Dyadic; 3],
     ) -> Option<Self> {
         let model = placement.model();
         let linear = model.matrix3;
-        let of_center = frame.kept(&DyadicVector::new(model.translation))?;
+        let of_center = space.kept(&DyadicVector::new(model.translation))?;
         let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis]
-            .map(|axis| frame.kept_along(&DyadicVector::new(axis)));
+            .map(|axis| space.kept_along(&DyadicVector::new(axis)));
         let normal = DyadicVector::of(&[x?, y?, z?]);
         let middle = (four_g.times(&of_center)).plus(&m.times(&normal.dot(o)));
         Some(Self {
@@ -37,9 +37,9 @@ impl Kept {
         })
     }
 
-    /// What is kept of a part. `kq` and `g` come with their roots; new ends have so many bits.
+    /// The kept pieces of a part. `kq` and `g` come with their roots; new ends have `bits` bits.
     ///
-    /// With the tangent p of half the angle it is a quadratic `alpha p^2 + 2 h p + gamma` over `1 + p^2`.
+    /// With p the tangent of half the angle, the condition is `alpha p^2 + 2 h p + gamma >= 0`.
     pub fn of_part(
         &self,
         part: &Part,
@@ -55,7 +55,7 @@ impl Kept {
         let discriminant = kq.times(&squares).minus(&self.middle.squared());
         let mut ends = vec![part.from.clone(), part.to.clone()];
         if !discriminant.is_negative() {
-            // By the sum that does not cancel.
+            // The root by the sum that does not cancel; the other by the product of both.
             let sum = h.plus(&signed(h.is_negative(), discriminant.sqrt(bits)));
             for (n, by) in [(&sum, &alpha), (&gamma, &sum)] {
                 if by.is_zero() {

@@ -1,20 +1,20 @@
 //! The point of a conic's arcs nearest to the origin, by branch and bound.
 //!
-//! An arc is a rational quadratic Bézier curve: u, v and w are quadratics in a parameter, and the picture shows
-//! (u / w, v / w). So the squared distance (u^2 + v^2) / w^2 is a quotient of quartics. Where the denominator's Bernstein
-//! coefficients are positive, it is nowhere below the least quotient of coefficients (Narkawicz et al., "Bounding the
-//! Range of a Rational Function over a Box", Reliable Computing 17, 2012). That bound's error falls with the square of
-//! the parameter's range. So arcs are halved until no part may be nearer than the nearest known end by more than the
-//! tolerance. This needs no start value and overlooks no minimum; a circle about the origin needs no halving at all.
+//! An arc is a rational quadratic Bézier curve: u, v and w are quadratics in a parameter, and the picture shows (u / w,
+//! v / w). So the squared distance (u^2 + v^2) / w^2 is a quotient of quartics. Where the denominator's Bernstein
+//! coefficients are positive, the quotient is nowhere below the least quotient of coefficients (Narkawicz et al.,
+//! "Bounding the Range of a Rational Function over a Box", Reliable Computing 17, 2012). That bound's error falls with
+//! the square of the parameter's range. Arcs are halved until no piece may be nearer than the nearest known end by more
+//! than the tolerance. This needs no start value and misses no minimum; a circle about the origin needs no halving.
 //!
-//! Halving adds coordinates, which cancels digits. So they are held in fixed point, where rounding has a bound. The bound
-//! is taken off each lower bound and added to each distance.
+//! Halving adds coordinates, which cancels digits. So coordinates are in fixed point, where the rounding has a bound.
+//! That bound is subtracted from each lower bound and added to each distance.
 
 use crate::geometry::{binary::times_power_of_two, dyadic::rounded};
 use num_bigint::BigInt;
 use std::array;
 
-/// How far the answer may be above the least distance: by this share of itself or, in pixels, by [`TOLERANCE_PX`]. A
+/// How far the answer may exceed the least distance: relatively by this or, in pixels, by [`TOLERANCE_PX`]. A
 /// ten-thousandth of what picks promise.
 const TOLERANCE: f64 = 1e-13;
 const TOLERANCE_PX: f64 = 1e-10;
@@ -51,14 +51,14 @@ impl Fixed for BigInt {
 /// Three control points (u, v, w).
 pub(super) type Controls<T> = [[T; 3]; 3];
 
-/// Arcs in fixed point, at least one. Where an arc's `w` is above 0, that of its control points is too.
+/// Arcs in fixed point, at least one. Where `w` is positive along an arc, it is at its control points, too.
 pub(super) struct Arcs<T> {
     pub(super) controls: Vec<Controls<T>>,
-    /// In units of 2^bits coordinates are about 1 or less.
+    /// Divided by 2^bits, coordinates are about 1 or less.
     pub(super) bits: i64,
-    /// How far each coordinate may be from what it stands for, in units of its last bit.
+    /// Error bound of each coordinate, in units of its last bit.
     pub(super) error: f64,
-    /// How many pixels a `u / w` of 1 is.
+    /// Pixels per unit of `u / w`.
     pub(super) px: f64,
 }
 
@@ -67,7 +67,7 @@ struct Piece<T> {
     controls: Controls<T>,
     /// How often it was halved.
     halvings: i32,
-    /// Nothing of it is nearer to the origin than this.
+    /// Lower bound on its distance from the origin.
     least: f64,
 }
 
@@ -75,14 +75,14 @@ impl<T: Fixed> Arcs<T> {
     /// The distance in pixels from the origin to the nearest point.
     ///
     /// # Errors
-    /// When fixed point has too few bits to tell: the distance to the nearest point known.
+    /// When `bits` are too few to tell: the distance to the nearest known point.
     pub(super) fn distance_px(&self) -> Result<f64, f64> {
         let mut best = f64::INFINITY;
         let mut pieces = Vec::new();
         for controls in self.controls.iter().cloned() {
             best = self.add(&mut pieces, controls, 0, best);
         }
-        // With a minimum on each of four arcs, each bit takes four halvings.
+        // With a minimum on each of four arcs, each bit costs four halvings; this is twice that.
         for _ in 0..8 * self.bits {
             pieces.retain(|piece| piece.least + self.tolerance(piece.least) < best);
             let least =
@@ -102,7 +102,8 @@ impl<T: Fixed> Arcs<T> {
         (TOLERANCE * distance).max(TOLERANCE_PX / self.px)
     }
 
-    /// Adds a piece to those that may be nearest, and returns the nearest known point's distance, its ends among them.
+    /// Adds a piece to those that may be nearest. Returns the distance to the nearest known point, the piece's ends
+    /// included.
     fn add(
         &self,
         pieces: &mut Vec<Piece<T>>,
@@ -139,7 +140,7 @@ fn least_distance(points: &[[f64; 3]; 3], error: f64) -> f64 {
     let coordinate = |i: usize| points.map(|point| point[i]);
     let [u, v, w] = [0, 1, 2].map(coordinate);
     let size = u.iter().chain(&v).fold(error, |size, c| size.max(c.abs()));
-    // What two squares may be off by, of coordinates as of sums of their products.
+    // Error of the sum of two squares: from the coordinates', and from rounding sums of their products.
     let slack = 2.0 * error * (2.0 * size + error) + 16.0 * f64::EPSILON * size * size;
     let (u, v, w) = (square(u), square(v), square(w.map(|w| w.max(0.0) + error)));
     let quotients = (0..5).map(|i| (u[i] + v[i] - slack).max(0.0) / w[i]);

@@ -1,4 +1,4 @@
-//! A whole picture by casting a ray a pixel: needs no graphics driver.
+//! A whole picture by one ray per pixel; needs no graphics driver.
 
 use super::{Beam, SceneHit, nearest::nearest};
 use crate::{
@@ -11,10 +11,10 @@ use crate::{
 };
 use glam::DVec2;
 
-/// Pixels to a side of the tiles whose rays go through the scene together.
+/// Side in pixels of a tile, whose rays go through the scene together.
 const TILE: u32 = 16;
 
-/// Memory that [`raycast`] takes for a pixel, in bytes: while its pictures are told apart there are both.
+/// Bytes per pixel that [`raycast`] takes: while ids and colours are separated, both forms exist.
 pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>() + size_of::<Rgb>();
 
 /// Ids and shaded colours of every pixel, by the ray through its centre, on all cores. For more than a few pixels
@@ -38,27 +38,18 @@ pub fn ids(scene: &Scene, view: &View) -> Image<Id> {
     Image::new(view.viewport, ids)
 }
 
-/// [`ids`] by another way to pick at a pixel position.
+/// [`ids`] by another picker, which is given pixel positions.
 #[must_use]
 pub fn ids_by(
     scene: &Scene,
     view: &View,
     pick: impl Fn(DVec2) -> Option<SceneHit> + Sync,
 ) -> Image<Id> {
-    let ids = each_pixel(view, |px| id_or_none(scene, pick(px)));
+    let ids = each_in_tiles(view, |_| |px| id_or_none(scene, pick(px)));
     Image::new(view.viewport, ids)
 }
 
-/// What `cast` says about the centre of each pixel, row by row from the top, on all cores.
-#[must_use]
-pub(crate) fn each_pixel<T: Clone + Default + Send>(
-    view: &View,
-    cast: impl Fn(DVec2) -> T + Sync,
-) -> Vec<T> {
-    each_in_tiles(view, |_| &cast)
-}
-
-/// What `cast` says about the ray through the centre of each pixel, row by row from the top, on all cores.
+/// `cast` for the ray through the centre of each pixel, row by row from the top, on all cores.
 pub(crate) fn each_ray<T: Clone + Default + Send>(
     scene: &Scene,
     view: &View,
@@ -71,7 +62,7 @@ pub(crate) fn each_ray<T: Clone + Default + Send>(
     })
 }
 
-/// What is said about the centre of each pixel by what `of_tile` makes for the tile about it, which is given by its corners.
+/// Calls `of_tile` with the corners of each tile, and what that returns with each pixel centre of the tile.
 fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
     view: &View,
     of_tile: impl Fn([DVec2; 2]) -> C + Sync,
@@ -114,7 +105,7 @@ fn id_or_none(scene: &Scene, hit: Option<SceneHit>) -> Id {
     hit.map_or(Id::default(), |hit| id(scene, &hit))
 }
 
-/// The id that a picture holds for a hit.
+/// A hit as a picture's id.
 fn id(scene: &Scene, hit: &SceneHit) -> Id {
     Id {
         object: u32::try_from(hit.object + 1).unwrap_or(u32::MAX),
@@ -127,7 +118,7 @@ fn colour(scene: &Scene, view: &View, ray: &Ray, hit: &SceneHit) -> Srgb {
     let rotation = view.camera.rotation();
     let to_view = |normal| (rotation * object.placement.normal_to_world(normal)).as_vec3();
     let normal = to_view(object.shading_normal(&hit.hit));
-    // Which side is seen is for the surface to say, not for its interpolated normal.
+    // The geometric normal, not the interpolated one, decides which side is seen.
     let front = ray
         .direction
         .dot(object.placement.normal_to_world(hit.hit.normal))

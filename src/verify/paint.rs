@@ -1,4 +1,4 @@
-//! A picture of where drawn and picked differ.
+//! The picture that shows where drawn and picked differ.
 
 use super::{Class, Disagreement};
 use crate::{
@@ -8,7 +8,7 @@ use crate::{
     look,
 };
 
-/// What each class is painted in, and the colour's name.
+/// Each class's colour, and its name.
 pub const COLOURS: [(Class, Srgb, &str); 6] = [
     (Class::Edge, look::EDGE, "blue"),
     (Class::Depth, look::DEPTH, "yellow"),
@@ -18,10 +18,10 @@ pub const COLOURS: [(Class, Srgb, &str); 6] = [
     (Class::Unexplained, look::WRONG, "vermilion"),
 ];
 
-/// What pixels are tinted in whose surfaces lie in one place, and the colour's name.
+/// The tint of pixels whose surfaces lie in one place, and its name.
 pub const IN_ONE_PLACE: (Srgb, &str) = (look::IN_ONE_PLACE, "dark blue");
 
-/// The picture in grey, with pixels `in_one_place` tinted and its [`marks`] over them.
+/// The picture in grey, with pixels `in_one_place` tinted and [`marks`] over them.
 #[must_use]
 pub fn paint(
     colours: &Image<Rgb>,
@@ -48,8 +48,8 @@ pub fn paint(
     picture
 }
 
-/// What to paint where, in this order: about each pixel that differs a darker ring of a pixel, so that it can be seen,
-/// then the pixel itself in its class's colour; the gravest last.
+/// What to paint, in order: first a darker ring, one pixel wide, about each pixel that differs, then each such pixel in
+/// its class's colour; the gravest last.
 pub fn marks(
     size: Viewport,
     disagreements: &[Disagreement],
@@ -75,7 +75,7 @@ fn colour(class: Class) -> Srgb {
     of_class.map_or(Srgb::WHITE, |(_, colour, _)| *colour)
 }
 
-/// As bright, paler.
+/// A paler grey, by luma.
 fn grey(pixel: Rgb) -> Rgb {
     // Luma of Rec. 709, of the encoded values: good enough to tell shapes.
     let [r, g, b] = pixel.map(u32::from);

@@ -2,7 +2,7 @@
 
 use super::{
     OUTLINE_CEILING_PX,
-    bound::{self, Cut, Outline, Reason, Stored},
+    bound::{self, Outline, Reason, Stored},
     section::Sectioned,
     surface::{Depths, Source, Surface},
 };
@@ -16,8 +16,8 @@ use crate::{
 };
 use glam::DVec2;
 
-/// The sphere's front and, where the near plane or a section opens it or the eye is inside, its back at a pixel: what
-/// drawing may show.
+/// What drawing may show of a sphere at a pixel: its front, and its back where the near plane or a section opens it or
+/// the eye is inside.
 pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> Vec<Surface> {
     let (both, is_opened) = both(space, placement, px);
     let shown = 1 + usize::from(is_opened && space.view().sides == Sides::Both);
@@ -26,15 +26,15 @@ pub(super) fn surfaces(space: &ViewSpace, placement: &Placement, px: DVec2) -> V
 
 /// The sphere's front and its back at a pixel, and whether the near plane or a section may open it.
 ///
-/// No vertices make a sphere, so no grid moves it: the shader solves the ray's quadratic at the pixel's very centre.
-/// Only `f32` is to blame, as far as [`sphere::rounding`] goes.
+/// A sphere has no vertices, so no grid moves it: the shader solves the ray's quadratic at the pixel's exact centre.
+/// Its only error is that of `f32`, bounded by [`sphere::rounding`].
 pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Surface; 2], bool) {
     let (view, depths) = (space.view(), Depths::new(space));
     let lens = view.camera.lens();
     let error = sphere::rounding(&sphere::sphere(space, placement, 0), space.unit(), px);
     let ray = sphere::ray_object::<DoubleDouble>(view, placement, px);
     let d2 = ray.direction.narrow().length_squared();
-    // About the ray's point nearest to the centre, where nothing cancels.
+    // From the ray's point nearest to the sphere's centre, where nothing cancels.
     let (middle, outside) = sphere::nearest_to_centre(&ray);
     let middle: f64 = (middle - lens.near.into()).into();
     let discriminant = -d2 * outside;
@@ -44,9 +44,10 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         grid_px: 0.0,
         f32_px: change.least_distance_px(error.discriminant),
     };
-    // 0 on the rim, and never -0, which the slope is divided by.
+    // 0 on the rim and never -0: the slope is divided by it.
     let root = (outside.min(0.0).abs() / d2).sqrt();
-    // The root is that of the discriminant over d^2: so much half a pixel aside makes of it, at most the sphere's radius.
+    // How much half a pixel aside changes the root, which is that of the discriminant over d^2; at most the sphere's
+    // radius.
     let of_slope = OUTLINE_CEILING_PX * change.slope / (2.0 * d2 * d2 * root);
     let of_slope = (Sphere::RADIUS / d2.sqrt()).min(of_slope);
     let ends = [middle - root, middle + root];
@@ -64,18 +65,14 @@ pub(super) fn both(space: &ViewSpace, placement: &Placement, px: DVec2) -> ([Sur
         let (past_near, error) = (ends[i], errors[i]);
         let nearness = depths.nearness(past_near);
         let rounding = depths.error(past_near, &error);
-        // No grid, and the rim by itself: at the centre nothing moves the surface aside.
+        // Nothing moves the surface aside at the centre: there is no grid, and the rim is handled on its own.
         let ceiling =
             |past_near| depths.ceiling(past_near) + of_slope * depths.stored_per_depth(past_near);
         let beyond_f32 = bound::beyond_f32(0.0, rounding, ceiling(past_near));
         let near_error = depths.near_error(&error, false);
         let cut_error = near_error * depths.stored_per_depth(0.0);
-        let cut = Cut {
-            gap: past_near.abs(),
-            grid: 0.0,
-            f32: near_error,
-        };
-        let cut = cut.reason(bound::beyond_f32(0.0, cut_error, ceiling(0.0)));
+        let cut_beyond = bound::beyond_f32(0.0, cut_error, ceiling(0.0));
+        let cut = Reason::at_near_plane(past_near.abs(), [0.0, near_error], cut_beyond);
         Surface {
             loose: (rim.reason().into_iter().chain(cut))
                 .chain(sections[i].reason)
@@ -134,7 +131,8 @@ impl Change {
         }
     }
 
-    /// No position nearer than this, in pixels, has a discriminant that differs by `change` from the one at the centre.
+    /// Lower bound on the distance in pixels at which the discriminant differs by `change` from its value at the
+    /// centre.
     fn least_distance_px(&self, change: f64) -> f64 {
         let (Self { slope, bend }, change) = (self, change.abs());
         2.0 * change / (slope + (slope * slope + 4.0 * bend * change).sqrt())
