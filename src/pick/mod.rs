@@ -23,8 +23,8 @@
 //! given by its own numbers ([`Ray`](crate::geometry::Ray)) is taken as exact.
 //!
 //! **The answer.** A hit counts where `near <= t < far`, each hit on its own: where the near plane cuts a sphere, the
-//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has `n . p
-//! + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
+//! exit counts and the entry does not. A [`Section`](crate::geometry::Section) keeps a hit whose exact point has
+//! `n . p + c >= 0` (closed), for the stored n and c. With [`Sides::Front`](crate::geometry::Sides::Front) only front hits
 //! count. The pick is the hit with the least t on the visible objects; of equal ones, that on the first object, then on
 //! the first triangle. [`all`] has every hit in this order, a solid's entry before its exit.
 //!
