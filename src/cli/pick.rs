@@ -255,13 +255,14 @@ impl Picker<'_> {
 
     /// Picks at each line's position as it comes. Nothing is held back while the next one is waited for.
     fn pick_lines(&mut self, mut lines: BufReader<impl Read>) -> Result<(), CliError> {
-        let mut line = String::new();
+        let mut bytes = Vec::new();
         for number in 1.. {
             if !lines.buffer().contains(&b'\n') {
                 self.flush()?;
             }
-            line.clear();
-            let read = lines.by_ref().take(LONGEST_LINE + 1).read_line(&mut line);
+            bytes.clear();
+            let mut limited = lines.by_ref().take(LONGEST_LINE + 1);
+            let read = limited.read_until(b'\n', &mut bytes);
             let read = read.map_err(|source| CliError::Stream {
                 stream: "standard input",
                 source,
@@ -274,6 +275,8 @@ impl Picker<'_> {
                     "standard input, line {number}: longer than {LONGEST_LINE} bytes"
                 )));
             }
+            // What is no text is no number either.
+            let line = String::from_utf8_lossy(&bytes);
             if line.trim().is_empty() {
                 continue;
             }

@@ -4,14 +4,15 @@ use crate::json::is_mark;
 use log::{Level, LevelFilter};
 use std::io::Write;
 
-/// Log lines go to stderr: warnings always, phases with `verbose`, of other crates only errors. `RUST_LOG` says more.
+/// Log lines go to stderr: warnings always, phases with `verbose`, of other crates only errors. `RUST_LOG` says more. A log
+/// that the process has already stays.
 pub(super) fn start_log(verbose: bool) {
     let ours = if verbose {
         LevelFilter::Info
     } else {
         LevelFilter::Warn
     };
-    env_logger::Builder::new()
+    let _ = env_logger::Builder::new()
         .filter_level(LevelFilter::Error)
         .filter_module("sightline", ours)
         .parse_default_env()
@@ -23,7 +24,7 @@ pub(super) fn start_log(verbose: bool) {
             };
             writeln!(out, "{}", line(&format!("{kind}{}", record.args())))
         })
-        .init();
+        .try_init();
 }
 
 /// A line on stderr.

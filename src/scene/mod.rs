@@ -173,15 +173,16 @@ impl Scene {
     /// When there is no object of an index.
     pub fn toggle(&mut self, objects: &[usize]) {
         let all = Arc::make_mut(&mut self.objects);
-        Arc::make_mut(&mut self.sums).toggle(objects, all, &self.bounds);
-        for &object in objects {
+        let count = all.len();
+        let tell = |object, visible| {
             let change = Change {
                 object,
                 moved: false,
-                visible: all[object].visible,
+                visible,
             };
-            self.changes.push(change, all.len());
-        }
+            self.changes.push(change, count);
+        };
+        Arc::make_mut(&mut self.sums).toggle(objects, all, &self.bounds, tell);
     }
 
     /// Puts an object somewhere else.

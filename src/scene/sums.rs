@@ -86,13 +86,20 @@ impl Sums {
         self.add_up();
     }
 
-    /// Shows those of these objects that are hidden, and hides the others.
-    pub fn toggle(&mut self, changed: &[usize], objects: &mut [Object], bounds: &[Aabb]) {
+    /// Shows those of these objects that are hidden, and hides the others. Tells of each whether it is shown now.
+    pub fn toggle(
+        &mut self,
+        changed: &[usize],
+        objects: &mut [Object],
+        bounds: &[Aabb],
+        mut tell: impl FnMut(usize, bool),
+    ) {
         let mut is_changed = vec![false; self.runs.len()];
         for &object in changed {
             let run = object / RUN;
             let visible = &mut objects[object].visible;
             *visible = !*visible;
+            tell(object, *visible);
             if *visible {
                 self.runs[run].hidden -= 1;
             } else {

@@ -74,14 +74,14 @@ impl Folder {
     }
 
     /// Runs with lines on standard input.
-    fn run_with(&self, args: &str, input: &str) -> Output {
+    fn run_with(&self, args: &str, input: impl AsRef<[u8]>) -> Output {
         let mut command = self.command(args);
         command
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();
-        let written = child.stdin.take().unwrap().write_all(input.as_bytes());
+        let written = child.stdin.take().unwrap().write_all(input.as_ref());
         // The program may stop reading at a bad line.
         written
             .or_else(|error| {

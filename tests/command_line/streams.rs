@@ -44,6 +44,18 @@ fn standard_input_gives_positions() {
             "{error}"
         );
     }
+    let error = error(&folder.run_with(args, b"1,2\n1,\xff\n"), 2, "no UTF-8");
+    assert!(
+        error.contains("line 2:") && error.contains("X,Y"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_process_may_run_several_commands() {
+    for _ in 0..2 {
+        let _ = sightline::cli::run(["sightline", "list", "nowhere.obj"].map(Into::into));
+    }
 }
 
 /// A program that asks, and waits for the answer before it asks again.

@@ -40,7 +40,10 @@ fn the_arrows_walk_through_the_list() {
     press_key(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert_eq!(selected(&window), Some("back"));
     type_into(&mut window, "search", "xyz");
-    assert!(has_control(&window, "No name holds \u{201c}xyz\u{201d}."));
+    assert!(has_control(
+        &window,
+        "No name contains \u{201c}xyz\u{201d}."
+    ));
 }
 
 /// A name that is too long keeps both ends; the object's name leads the pick.
