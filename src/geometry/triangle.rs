@@ -63,17 +63,17 @@ pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
 /// usually all. A ray or corner that is not finite misses.
 #[must_use]
 pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    if is_passed_by(ray, corners) {
+    if is_missed(ray, corners) {
         None
     } else {
-        settled_volume(ray, corners)
+        filtered_volume(ray, corners)
     }
 }
 
-/// [`guarded_volume`], to the bit, for triangles that are likely to be hit: it costs the same for those that are not.
+/// [`guarded_volume`], to the bit, for triangles that a tree has filtered: it has no early way out for misses.
 #[inline(always)]
-pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    settle(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
+pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    filter(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
 }
 
 /// Weights that are less certain than this are worth exact arithmetic.
@@ -88,7 +88,7 @@ pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit>
 
 /// Whether `f64` leaves [`guarded_volume`]'s answer to exact arithmetic.
 pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
-    !is_passed_by(ray, corners) && settle(ray, corners).is_err()
+    !is_missed(ray, corners) && filter(ray, corners).is_err()
 }
 
 /// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it; by exact
@@ -158,7 +158,7 @@ fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
 ///
 /// The tail is reckoned as an error: with `m` larger by the length whose rounding it is, a corner is within `U m`.
 #[inline]
-fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
+fn is_missed(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let edges = edges(corners);
     let m = largest(seen) + ray.tail_as_length;
@@ -168,7 +168,7 @@ fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
 
 /// For triangles that may be hit: the tail is taken off the corners, which are then within `2 U`.
 #[inline(always)]
-fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
+fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let edges = edges(corners);
     let volumes = volumes(ray.ray.direction, seen, edges);

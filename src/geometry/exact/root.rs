@@ -143,8 +143,8 @@ impl Root {
 
     /// What a function that grows or falls makes of it, given numerators and denominators: what both ends of an enclosure
     /// give, as [`rounded`] does it.
-    pub(super) fn settled<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
-        settled(|bits| {
+    pub(super) fn agreed<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
+        agreed(|bits| {
             self.enclosed(bits)
                 .map(|end| of([end.numerator, end.denominator]))
         })
@@ -282,11 +282,11 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
 /// mathematical functions with correctly rounded last bit", 1991). It ends: only rational numbers lie in the middle between
 /// two `f64`, and the enclosure of those is a point.
 fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
-    settled(|bits| enclosure(bits).map(|end| end.to_f64()))
+    agreed(|bits| enclosure(bits).map(|end| end.to_f64()))
 }
 
 /// What both ends give, of so many bits that they give the same.
-fn settled<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
+fn agreed<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
     let mut bits = 128;
     loop {
         let [low, high] = ends(bits);

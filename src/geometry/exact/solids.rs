@@ -204,7 +204,7 @@ pub(super) fn at<I: Decided>(
 
 /// [`at`] a parameter as it is.
 fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
-    root.settled(|quotient| {
+    root.agreed(|quotient| {
         let quotient = quotient.map(|integer| Number {
             integer,
             exponent: 0,
