@@ -10,10 +10,9 @@ use super::{
     simd::{Instructions, with_large_pages},
     split::{Leaf, Range, Whole},
 };
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, shares::cores};
 use glam::Vec3A;
 use std::{
-    num::NonZero,
     sync::{
         Condvar, Mutex, MutexGuard, PoisonError,
         atomic::{AtomicBool, Ordering},
@@ -44,7 +43,7 @@ pub(super) fn build(
     let threads = if triangles.len() < WORTH_THREADS {
         1
     } else {
-        thread::available_parallelism().map_or(1, NonZero::get)
+        cores()
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));

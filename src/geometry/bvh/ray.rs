@@ -14,9 +14,9 @@
 //!
 //! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's times the distance.
 //!
-//! From here on nothing that matters is farther from the origin than `D`. `D` is `|o| + M`; where the eye was moved, it
-//! is `2 M + far / u`, so that `u D` has room for `far` (a near eye's is below `2^-26 u D`, and with errors of the ray
-//! itself below `2^-3 u D`).
+//! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
+//! Then `far / u` is added, so that `u D` has room for `far`, but not for a near eye, whose `far` is below `2^-26 u D`,
+//! or below `2^-3 u D` with the ray's own errors.
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the

@@ -30,7 +30,8 @@ impl Bvh {
                 for lane in packet.lanes() {
                     let (triangle, corners) = (packet.triangles[lane], packet.corners_of(lane));
                     let found = seen.get_mut(triangle as usize);
-                    let found = found.ok_or_else(|| format!("triangle {triangle} does not exist"))?;
+                    let found =
+                        found.ok_or_else(|| format!("triangle {triangle} does not exist"))?;
                     if std::mem::replace(found, true) {
                         return Err(format!("triangle {triangle} is there twice"));
                     }

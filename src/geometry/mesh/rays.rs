@@ -9,7 +9,7 @@ use crate::geometry::{
     Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
     Visit, guarded_volume,
     shares::in_shares,
-    triangle::{compare_t, is_in_doubt, reaches_plane, filtered_volume},
+    triangle::{compare_t, filtered_volume, is_in_doubt, reaches_plane},
 };
 use glam::{DVec3, Vec3};
 use std::{
