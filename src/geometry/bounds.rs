@@ -134,8 +134,8 @@ impl Aabb {
 }
 
 /// The `t` at which a ray enters a box before its interval ends; `None` where it misses. Both ends of each slab are
-/// widened by `widen`, relatively. `ways` lead from the ray's origin to the least and greatest corner; `inverse` is `1 /
-/// direction`.
+/// widened by `widen`, relatively. `ways` lead from the ray's origin to the least and greatest corner; `inverse` is
+/// `1 / direction`.
 pub(crate) fn entry(
     ways: [DVec3; 2],
     inverse: DVec3,

@@ -16,8 +16,8 @@ impl Pyramid {
     /// everything that a ray at least a pixel inside the rectangle meets.
     ///
     /// That pixel is the margin for rounding: `None` where it is less than 16 times the error of planes and points. With
-    /// `s` the largest component of a side, off by `e`, and `d` that of a direction, off by `f`, a normal is off by `6 U
-    /// d s + 2 (d e + s f)` in each component.
+    /// `s` the largest component of a side, off by `e`, and `d` that of a direction, off by `f`, a normal is off by
+    /// `6 U d s + 2 (d e + s f)` in each component.
     pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
         const ROOM: f64 = 16.0;
         let mut planes = [(DVec3::ZERO, DVec3::ZERO); 4];

@@ -224,7 +224,7 @@ impl PixelGrid {
         N::from(self.half_height) / N::from(self.size_px[1].into())
     }
 
-    /// Of R and of U.
+    /// The factors of R and U.
     #[inline]
     fn factors<N: Number>(&self, px: DVec2) -> [N; 2] {
         let [width, height] = self.size_px.map(|size| N::from(size.into()));
@@ -233,8 +233,8 @@ impl PixelGrid {
         [per_half_px * (x - width), per_half_px * (height - y)]
     }
 
-    /// [`PixelGrid::ray`], its origin seen from `origin`, without bounds, in `f64` or where that is too coarse in pairs of
-    /// them; with what changes from pixel to pixel.
+    /// [`PixelGrid::ray`] relative to `origin`, without bounds, and its change per pixel. In `f64`, or in pairs of them
+    /// where that is too coarse.
     pub(crate) fn differential<N: Number>(&self, px: DVec2, origin: DVec3) -> RayDifferential<N> {
         let [right, up] = [self.right, self.up].map(Vector::<N>::from);
         let [of_right, of_up] = self.factors::<N>(px);
@@ -314,8 +314,8 @@ impl PixelRays {
     /// The ray through a position in pixels; see [`PixelGrid::ray`].
     ///
     /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once,
-    /// the sum of both products once, and adding F or the eye once. With `A` and `B` the two products, that is below `6 U
-    /// (|A| + |B|)` plus `U` of the result, and 0 where both products are 0.
+    /// the sum of both products once, and adding F or the eye once. With `A` and `B` the two products, that is below
+    /// `6 U (|A| + |B|)` plus `U` of the result, and 0 where both products are 0.
     #[inline]
     #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
@@ -382,7 +382,7 @@ impl PixelRays {
         (ray, [a, b])
     }
 
-    /// From the middle of the picture, to the right and upwards.
+    /// From the middle of the picture, to the right and upwards, in half pixels.
     #[inline]
     fn half_pixels(&self, px: DVec2) -> [f64; 2] {
         let [width, height] = self.grid.size_px.map(f64::from);

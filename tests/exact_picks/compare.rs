@@ -18,8 +18,8 @@ use sightline::{
 };
 use std::fmt::Write;
 
-/// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it; and besides as far as
-/// the coordinates round by which it was found.
+/// The relative error allowed for `t`: half of the digits, as in `geometry`. The rounding of the coordinates that it was
+/// found with is added.
 const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
 /// Additional relative error allowed for a number computed from `t` and stored numbers in a few steps.
 pub const FEW_ROUNDINGS: f64 = 16.0 * f64::EPSILON;

@@ -110,8 +110,8 @@ impl Side {
         (is_left && first <= last).then_some([first, last])
     }
 
-    /// The share that is shown nearest to a position, of what near, far and the section leave, and whether it is an end that
-    /// one of them has made.
+    /// Of what near, far and the section leave: the share shown nearest to a position, and whether it is an end that one of
+    /// them made.
     fn nearest(&self, view: &View, px: DVec2) -> Option<(f64, bool)> {
         let [first, last] = self.left(view)?;
         let lens = view.camera.lens();
@@ -169,8 +169,8 @@ enum Kind {
     Beside,
 }
 
-/// How many positions are led to a vertex, an edge, a face; of edges to an end that a plane has made, and to where they come
-/// out from behind a surface.
+/// How many positions snap to a vertex, an edge, a face; and of those on edges, to an end made by a plane, and to where the
+/// edge comes out from behind a surface.
 fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
     let mut random = Random::new(seed);
     let mut counts = [0; 5];
