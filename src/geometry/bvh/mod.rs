@@ -80,34 +80,22 @@ impl Bvh {
     /// Which other triangles are visited may differ between processors.
     #[inline]
     pub fn visit(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
-        self.visit_from(None, ray, center, visit);
+        self.visit_from::<true>(None, ray, center, visit);
     }
 
-    /// [`Bvh::visit`] for a ray whose entry point may be known.
+    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER` it rejects by boxes alone, for triangle
+    /// tests under study: these may hit a triangle that the ray misses.
     #[inline]
-    pub(crate) fn visit_from(
+    pub(crate) fn visit_from<const FILTER: bool>(
         &self,
         entry: Option<&Entry>,
         ray: &LocalRay,
         center: &DVec3,
         visit: &mut impl Visit,
     ) {
-        self.instructions.run(Walk::<_, true> {
+        self.instructions.run(Walk::<_, FILTER> {
             tree: self,
             from: entry.map_or_else(|| self.root(), |Entry(node)| node),
-            ray,
-            center,
-            visit,
-        });
-    }
-
-    /// [`Bvh::visit`] that rejects by boxes alone, for triangle tests under study: these may hit a triangle that the ray
-    /// misses.
-    #[inline]
-    pub(crate) fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
-        self.instructions.run(Walk::<_, false> {
-            tree: self,
-            from: self.root(),
             ray,
             center,
             visit,

@@ -33,7 +33,7 @@ impl Place {
 
     /// In this line, which must be below `2^31`.
     pub fn new(line: usize, is_packet: bool) -> Self {
-        Self(narrow(line << 1 | usize::from(is_packet)))
+        Self(to_u32(line << 1 | usize::from(is_packet)))
     }
 
     #[inline(always)]
@@ -82,9 +82,9 @@ impl Child {
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "build refuses meshes that large"
+    reason = "trees are smaller, and bins few"
 )]
-fn narrow(index: usize) -> u32 {
+pub(super) fn to_u32(index: usize) -> u32 {
     index as u32
 }
 

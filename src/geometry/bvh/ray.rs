@@ -47,9 +47,9 @@ const PAD: f32 = 8.0;
 /// How far a corner may be from where `f32` sees it, in `u D`.
 const REACH: f32 = 10.0;
 /// Directions are scaled to be no smaller than this, and no larger than its reciprocal.
-const LEAST_SIZE: f32 = narrow(binary::power_of_two(-30));
+const LEAST_SIZE: f32 = to_f32(binary::power_of_two(-30));
 /// Smaller components of a direction are raised to this.
-const LEAST_COMPONENT: f32 = narrow(binary::power_of_two(-90));
+const LEAST_COMPONENT: f32 = to_f32(binary::power_of_two(-90));
 /// An eye that is farther away than this many times the mesh's largest coordinate is moved.
 const NEAR: f32 = 7.0;
 
@@ -163,7 +163,7 @@ impl TreeRay {
             entry_offset: offset - padding,
             exit_offset: offset + padding,
             // Like `end`, but never too late.
-            start: narrow(start - 4.0 * f64::from(U32) * start.abs()),
+            start: to_f32(start - 4.0 * f64::from(U32) * start.abs()),
             placed,
         }
     }
@@ -174,7 +174,7 @@ impl TreeRay {
         // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
         let end = t_max * self.placed.t_scale - self.placed.t_start;
         let end = end * (1.0 + 4.0 * f64::from(U32));
-        narrow(greater(end, 0.0))
+        to_f32(greater(end, 0.0))
     }
 
     /// As triangles see it.
@@ -251,7 +251,7 @@ impl Placed {
         Ok(Self {
             origin: origin.as_vec3a(),
             direction: direction.as_vec3a(),
-            distance: narrow(distance + far / f64::from(U32)),
+            distance: to_f32(distance + far / f64::from(U32)),
             t_scale,
             t_start,
         })
@@ -281,7 +281,7 @@ fn greater(a: f64, b: f64) -> f64 {
 
 #[expect(clippy::cast_possible_truncation, reason = "a filter's number")]
 #[inline(always)]
-const fn narrow(x: f64) -> f32 {
+const fn to_f32(x: f64) -> f32 {
     x as f32
 }
 
@@ -305,13 +305,13 @@ mod tests {
             };
             let frame = Frame {
                 bounds,
-                most: narrow(most),
+                most: to_f32(most),
                 scale: 1.0,
                 unscale: 1.0,
             };
             // Near the box, as far as an eye may stay, and beyond.
             let away = [0.3, 1.0, 6.99, 1e3, 1e9][i as usize % 5];
-            let plane = narrow(most * random.next());
+            let plane = to_f32(most * random.next());
             let target = most * random.point();
             let origin = away * most * random.point();
             let ray = Ray {

@@ -8,7 +8,7 @@
 //! presets were worse on rays.
 
 use super::{
-    node::WIDTH,
+    node::{WIDTH, to_u32},
     simd::{Eight, Instructions, Lanes, StackRoom, Work},
 };
 use glam::Vec3A;
@@ -290,7 +290,7 @@ struct Binning<const BINS: usize> {
 impl<const BINS: usize> Binning<BINS> {
     #[inline(always)]
     fn new<L: Lanes>(lanes: L, range: &Range) -> Self {
-        let bins = Bins::new(&range.centers, narrow(BINS - 1));
+        let bins = Bins::new(&range.centers, to_u32(BINS - 1));
         let mut extents = [[Extent::EMPTY; BINS]; 3];
         let mut counts = [[0; BINS]; 3];
         for leaf in &*range.leaves {
@@ -342,7 +342,7 @@ impl<const BINS: usize> Binning<BINS> {
         Some(Cut {
             bins: self.bins,
             axis,
-            first_above: narrow(first_above),
+            first_above: to_u32(first_above),
             bounds,
         })
     }
@@ -356,9 +356,4 @@ fn cost(extent: &Extent, count: usize) -> f32 {
         return f32::INFINITY;
     }
     extent.area() * count.div_ceil(WIDTH) as f32
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "a number of bins")]
-fn narrow(bin: usize) -> u32 {
-    bin as u32
 }

@@ -38,13 +38,11 @@ pub(crate) use triangle::Corners;
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
 pub(super) use triangle::{compare, hit, reaches_plane};
-pub(super) use world::Rounded;
 #[cfg(test)]
 pub(super) use world::errors;
+pub(super) use world::{Rounded, point_world, rounded_line};
 
-use super::{
-    PixelGrid, PlacedPoint, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line,
-};
+use super::{PixelGrid, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line};
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -96,17 +94,6 @@ pub(crate) fn compare_to_point(ray: &WorldRay, surface: &Surface) -> Option<Orde
 /// Whether the point that a ray was made through lies within the ray's interval.
 pub(crate) fn is_point_within(ray: &WorldRay) -> bool {
     world::point_parameter(ray.line()).is_some_and(|point| point.is_within(ray))
-}
-
-/// Where a point is in the world, each coordinate rounded once.
-pub(super) fn point_world(point: &PlacedPoint) -> DVec3 {
-    world::rounded_point(point)
-}
-
-/// The numbers of a line through a point, each within three roundings; `None` where a number is not
-/// finite, or the line's weight is not above 0.
-pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
-    is_finite(line).then(|| world::rounded_line(line))?
 }
 
 /// How far a parameter may be off after a few roundings, also if it underflowed to 0.

@@ -168,8 +168,12 @@ pub(in super::super) struct Rounded {
     pub direction: DVec3,
 }
 
-/// The numbers of a line, each within three roundings; `None` where its weight is not above 0.
-pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
+/// The numbers of a line, each within three roundings; `None` where a number is not finite, or the line's weight is not
+/// above 0.
+pub(in super::super) fn rounded_line(line: &Line) -> Option<Rounded> {
+    if !super::is_finite(line) {
+        return None;
+    }
     let exact = ExactLine::<BigInt>::new(line);
     exact.weight.sign().is_gt().then(|| Rounded {
         origin: rounded(&exact.origin, &exact.weight),
@@ -178,7 +182,7 @@ pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
 }
 
 /// Where a point is in the world, each coordinate rounded once.
-pub(super) fn rounded_point(point: &PlacedPoint) -> DVec3 {
+pub(in super::super) fn point_world(point: &PlacedPoint) -> DVec3 {
     divided(&placed(point), &Number::new(1.0))
 }
 

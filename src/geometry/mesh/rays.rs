@@ -129,7 +129,7 @@ impl Mesh {
         match self.tree.get() {
             // The tree has filtered already.
             Some(tree) => Nearest::of(self, ray, sides, Filtered, accept, |nearest| {
-                tree.visit_from(entry, ray, center, nearest);
+                tree.visit_from::<true>(entry, ray, center, nearest);
             }),
             None => Nearest::of(self, ray, sides, guarded_volume, accept, |nearest| {
                 self.every_triangle(nearest);
@@ -268,8 +268,7 @@ impl Mesh {
     ) {
         let center = &self.data.origin;
         match self.tree.get() {
-            Some(tree) if FILTER => tree.visit_from(entry, ray, center, visit),
-            Some(tree) => tree.visit_boxes(ray, center, visit),
+            Some(tree) => tree.visit_from::<FILTER>(entry, ray, center, visit),
             None => self.every_triangle(visit),
         }
     }
