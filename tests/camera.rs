@@ -32,7 +32,7 @@ fn views() -> Vec<View> {
     views
 }
 
-/// Through the matrix that the GPU gets, in place of `Camera::project`.
+/// Checks the matrix that the GPU gets, not `Camera::project`.
 fn through_matrix(view: &View, point_world: DVec3) -> DVec3 {
     let clip: DVec4 =
         view.camera.projection(view.viewport) * view.camera.view() * point_world.extend(1.0);
@@ -48,7 +48,7 @@ fn a_segment_is_shown_from_the_near_plane_on() {
         [100, 100],
     );
     let px = |point: DVec3| seen.project(point).unwrap().px;
-    // From depth 5 to depth -1; two thirds of the way lie behind the near plane at depth 1.
+    // From depth 5 to depth -1: the near plane, at depth 1, cuts it after two thirds of the way.
     let (shown, behind) = (dvec3(4.0, 2.0, -5.0), dvec3(0.0, -2.0, 1.0));
     let cut = px(dvec3(4.0 / 3.0, -2.0 / 3.0, -1.0));
     let [first, last] = seen.project_segment(shown, behind).unwrap();
@@ -98,7 +98,7 @@ fn projection_times_view_is_glams() {
                 rh::proj::directx::orthographic(-right, right, -top, top, near, far)
             }
         };
-        // Turned about: 1 - z, which is the same projection with its planes swapped.
+        // Swapping: 1 - z, the same projection with its planes exchanged.
         let theirs = match lens.depth {
             DepthMapping::Standard => of_planes(near, far),
             DepthMapping::Reversed => of_planes(far, near),
@@ -238,7 +238,7 @@ fn a_direction_will_do_in_place_of_a_target() {
         looking,
         Camera::new(eye, eye + along, DVec3::Y, lens).unwrap()
     );
-    // Squares of these lengths are no numbers.
+    // Squares of these lengths overflow or vanish.
     for size in [1e-200, 1e200] {
         let camera = Camera::looking(DVec3::ZERO, size * along, size * DVec3::Y, lens).unwrap();
         assert_near(camera.forward(), along.normalize(), 1e-15);
@@ -404,7 +404,7 @@ fn extreme_lenses_never_give_nan() {
                     (lens.far, depth == DepthMapping::Standard),
                 ] {
                     let error = (lens.ndc_depth(z) - f64::from(u8::from(ndc))).abs();
-                    // Both planes at one place to 15 digits leave none for what lies between.
+                    // Both planes agree to 15 digits, so nothing can be told between them.
                     assert!(
                         error <= if far < 1.1 * near { 1.0 } else { 1e-10 },
                         "{lens:?} {z}: {error}"

@@ -1,4 +1,4 @@
-//! Meshes: the tree against brute force, ties, hidden parts, culled sides and triangles that are none.
+//! Meshes: the tree against brute force, ties, hidden parts, culled sides and degenerate triangles.
 #![cfg(feature = "window")]
 
 mod common;
@@ -92,7 +92,7 @@ fn the_tree_finds_what_brute_force_finds() {
 #[test]
 fn of_equal_hits_the_lower_object_and_the_lower_triangle_win() {
     let corners = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0_f32]];
-    // Enough of one triangle that a tree is built.
+    // Enough copies of one triangle that a tree is built.
     let many = mesh(corners, vec![[0, 1, 2]; 600], DVec3::ZERO);
     // Few objects, and enough that the scene has a tree, in which the larger ones of every third come first or last.
     let scene = |shape: &Shape, count: i32| {
@@ -203,7 +203,7 @@ fn what_is_hidden_is_never_hit() {
             .iter()
             .map(|hit| hit.object)
             .collect();
-        // Sphere, cube and square overlap: their order is not this test's.
+        // Sphere, cube and square overlap; their order is not tested here.
         found.sort_unstable();
         found.dedup();
         assert_eq!(found, expected);
@@ -282,7 +282,7 @@ fn triangles_without_area_are_never_hit() {
             random.point(1.0).as_vec3().as_dvec3(),
             random.point(1.0).as_vec3().as_dvec3(),
         );
-        // A point, a point twice, and three points of a line (small multiples are exact).
+        // A point, a segment, and three points of a line (small multiples are exact).
         let flat = [
             [a, a, a],
             [a, a, step],
@@ -304,7 +304,7 @@ fn triangles_without_area_are_never_hit() {
                 tried += 1;
             }
         }
-        // Nor one that is seen edge-on by a ray within its plane.
+        // Nor is a triangle that a ray in its plane sees edge-on.
         let (b, c) = (a + DVec3::X, a + DVec3::Y);
         let within = Ray {
             direction: dvec3(1.0, 0.5, 0.0),

@@ -1,4 +1,4 @@
-//! A camera that is only partly told, by flags or by a scene file, and framing for the rest.
+//! A camera given only in part, by flags or a scene file; framing does the rest.
 
 use super::{
     Camera, CameraError, DepthMapping, Lens, Orbit, Projection, SectionChoice, UpAxis, Viewport,
@@ -8,8 +8,8 @@ use crate::geometry::Aabb;
 use glam::DVec3;
 use serde::{Deserialize, Deserializer, Serialize, de::Error};
 
-/// What somebody said about the camera; `None` leaves the field to the next source. World space and units; angles
-/// in degrees, since this is the user's edge.
+/// The camera as far as the user chose it; `None` leaves a field to the next source. World space and units; angles in
+/// degrees, as users give them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct CameraChoice {
@@ -22,7 +22,7 @@ pub struct CameraChoice {
     /// Which way it looks, in place of a target.
     #[serde(deserialize_with = "some_vector")]
     pub look: Option<DVec3>,
-    /// What is up in the picture; need not be perpendicular to the line of sight.
+    /// Which way is up in the picture; need not be perpendicular to the line of sight.
     #[serde(deserialize_with = "some_vector")]
     pub up: Option<DVec3>,
     /// Vertical field of view in degrees.
@@ -37,11 +37,11 @@ pub struct CameraChoice {
     pub depth: Option<DepthMapping>,
     /// Which world axis points up.
     pub up_axis: Option<UpAxis>,
-    /// What cuts the world; [`Scene::section`](crate::scene::Scene::section) resolves it.
+    /// The plane that cuts the world; [`Scene::section`](crate::scene::Scene::section) resolves it.
     pub section: Option<SectionChoice>,
 }
 
-/// An array of exactly `N` values: arrays by themselves pass over what is too much.
+/// An array of exactly `N` values: plain arrays ignore extra ones.
 pub(crate) fn exactly<'de, const N: usize, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
 ) -> Result<[T; N], D::Error> {
@@ -53,7 +53,7 @@ pub(crate) fn exactly<'de, const N: usize, T: Deserialize<'de>, D: Deserializer<
         .map_err(|_| D::Error::invalid_length(count, &expected.as_str()))
 }
 
-/// A vector, where there is one.
+/// A vector, for an optional field.
 pub(crate) fn some_vector<'de, D: Deserializer<'de>>(from: D) -> Result<Option<DVec3>, D::Error> {
     exactly(from).map(|vector| Some(DVec3::from_array(vector)))
 }
@@ -62,8 +62,8 @@ impl CameraChoice {
     /// Vertical field of view where none is given, in degrees.
     pub const FOV: f64 = 45.0;
 
-    /// These choices, and `other`'s where there are none. Target and look stand in for each other, and so do field
-    /// of view and orthographic height.
+    /// These choices; where there are none, `other`'s. A target replaces a look and the reverse; so do field of view
+    /// and orthographic height.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         let aims = self.target.is_some() || self.look.is_some();
@@ -83,7 +83,7 @@ impl CameraChoice {
         }
     }
 
-    /// The camera: what was chosen, and framing of `bounds_world` for the rest.
+    /// The camera as chosen; framing of `bounds_world` decides the rest.
     ///
     /// # Errors
     /// When the choices make no camera; see [`CameraError`].
@@ -95,7 +95,7 @@ impl CameraChoice {
                 Some(height) => Projection::Orthographic { height },
                 None => Projection::Perspective { fov_y },
             },
-            // Any valid planes, until the camera is there to fit them to.
+            // Any valid planes; they are fitted once there is a camera.
             near: 1.0,
             far: 2.0,
             depth: self.depth.unwrap_or_default(),
@@ -105,7 +105,7 @@ impl CameraChoice {
             return Err(CameraError::NotFinite("direction"));
         }
         let size = 2.0 * bounds_world.radius();
-        // Framing stands back by more than the size.
+        // Framing moves back by more than the scene's size.
         let (least, most) = (100.0 * Orbit::DISTANCES.0, 0.01 * Orbit::DISTANCES.1);
         if !bounds_world.is_empty() && size != 0.0 && !(least..=most).contains(&size) {
             return Err(CameraError::SceneSize(size));
@@ -128,7 +128,7 @@ impl CameraChoice {
         let camera = match self.up {
             Some(up) => camera(up)?,
             None => match camera(upright.y_axis) {
-                // Straight down or up: the picture is turned as an orbit that ends there has it.
+                // Straight down or up: the picture is turned like that of an orbit that ends there.
                 Err(CameraError::UpAlongForward) => {
                     let down = camera(upright.z_axis)?.forward().dot(upright.y_axis) < 0.0;
                     camera(if down {

@@ -3,23 +3,22 @@
 use super::{Camera, Projection};
 use crate::geometry::Aabb;
 
-/// The least near plane as a fraction of far, unless the eye comes closer to its target than that.
+/// The least near plane as a fraction of far, unless the eye is closer to its target than that.
 const NEAREST: f64 = 1e-5;
 /// The least near plane as a fraction of the distance to the target, so that zooming in never cuts what is looked at.
 const NEAREST_TO_TARGET: f64 = 1e-2;
 
-/// The least room about the scene as a fraction of its depth, well above what `f64` rounds of a depth.
+/// The least margin about the scene as a fraction of its depth, well above the rounding of a depth in `f64`.
 const LEAST_ROOM: f64 = 1e-12;
 
-/// View depths `(near, far)` of planes about `bounds_world` as this camera's eye and direction see them; the
-/// camera's own planes do not matter. A plane that is given stays as it is and the other one fits, but keeps to
-/// its side.
+/// View depths `(near, far)` of planes that hold `bounds_world`, for this camera's eye and direction; its own planes do
+/// not matter. A given plane stays, and the other is fitted on its proper side.
 ///
-/// They leave room of a hundredth of the depth, but not more than the scene's diagonal: from afar depth has its digits
-/// where the scene is. In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target where that is less; in
-/// orthographic projection it may lie behind the eye. Where there is nothing in front of the eye (or no bounds at
-/// all) the planes go about the target. The result is valid unless a given plane is not: one that is not positive in
-/// perspective, or two in the wrong order.
+/// The margin is a hundredth of the depth, but at most the scene's diagonal: from afar, depth has its precision where the
+/// scene is. In perspective near is at least 1e-5 of far, or 1/100 of the distance to the target if that is less; in
+/// orthographic projection it may lie behind the eye. Without bounds, or with nothing in front of the eye, the planes
+/// enclose the target. The result is valid unless a given plane is not: not positive in perspective, or two in the wrong
+/// order.
 #[must_use]
 pub fn fit_near_far(
     camera: &Camera,
@@ -38,7 +37,7 @@ pub fn fit_near_far(
         (least, depths.into_iter().fold(f64::NEG_INFINITY, f64::max))
     };
     let diagonal = (bounds_world.max - bounds_world.min).length();
-    // All there is of an empty box or a single point is its depth.
+    // An empty box or a single point has only its depth.
     let most = if diagonal > 0.0 {
         diagonal
     } else {

@@ -1,4 +1,4 @@
-//! Perspective and orthographic projection, the near and far planes and what becomes of depth.
+//! Perspective and orthographic projection, near and far planes, and the depth buffer's values.
 
 use super::CameraError;
 use glam::{DMat4, DVec2, DVec4};
@@ -17,7 +17,7 @@ pub struct Lens {
     pub depth: DepthMapping,
 }
 
-/// What narrows the view.
+/// Which projection, and how wide it sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// Straight lines through the eye.
@@ -36,10 +36,10 @@ pub enum Projection {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DepthMapping {
-    /// Near becomes 1 and far 0: with a floating-point buffer the precision follows the distance.
+    /// Near becomes 1 and far 0: the steps of a floating-point buffer are then in proportion to the distance.
     #[default]
     Reversed,
-    /// Near becomes 0 and far 1: as courses teach it.
+    /// Near becomes 0 and far 1, as taught in courses.
     Standard,
 }
 
@@ -53,7 +53,7 @@ impl std::fmt::Display for DepthMapping {
 }
 
 impl Lens {
-    /// Whether there is such a lens.
+    /// Whether the lens is valid.
     ///
     /// # Errors
     /// When the field of view lies outside (0, 180) degrees, the height is not positive, near is not positive in
@@ -95,7 +95,7 @@ impl Lens {
         DVec2::new(top * aspect, top)
     }
 
-    /// w of clip space at a view depth: what the picture is narrower by there than [`Lens::half_extent`] says.
+    /// w of clip space at a view depth: the picture there is [`Lens::half_extent`] times this.
     #[must_use]
     pub fn w(&self, depth: f64) -> f64 {
         match self.projection {
@@ -112,7 +112,7 @@ impl Lens {
             near: n, far: f, ..
         } = *self;
         let range = f - n;
-        // Divided first: the product of two large depths could overflow.
+        // Divided first: a product of two large depths could overflow.
         let far_share = f / range;
         match (self.projection, self.depth) {
             (Projection::Perspective { .. }, DepthMapping::Standard) => (far_share, -far_share * n),
@@ -126,7 +126,7 @@ impl Lens {
     #[must_use]
     pub fn ndc_depth(&self, depth: f64) -> f64 {
         let Self { near, far, .. } = *self;
-        // By halves: the distance between the planes may be more than `f64` holds.
+        // Halved: the distance between the planes may exceed `f64`.
         let range = 0.5 * far - 0.5 * near;
         let [to_near, to_far] =
             [(depth, near), (far, depth)].map(|(a, b)| (0.5 * a - 0.5 * b) / range);
@@ -136,14 +136,14 @@ impl Lens {
         };
         match self.depth {
             DepthMapping::Reversed => from_far,
-            // The complement, where that rounds less; above 1 it never is.
+            // The complement, where that rounds less; it never exceeds 1.
             DepthMapping::Standard if from_far < 0.5 => 1.0 - from_far,
             DepthMapping::Standard => from_near,
         }
     }
 
-    /// The least step in view depth that a 32-bit floating-point depth buffer shows at a view depth: from the number that
-    /// it stores there to the next one away from the eye. Infinite where there is none before the far plane.
+    /// The step in view depth from what a 32-bit floating-point depth buffer stores for `depth` to the next value away
+    /// from the eye. Infinite where none follows before the far plane.
     #[must_use]
     pub fn depth_step(&self, depth: f64) -> f64 {
         #[expect(clippy::cast_possible_truncation, reason = "what the buffer stores")]

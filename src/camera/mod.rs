@@ -1,5 +1,4 @@
-//! One camera for the picture and for the pick: the matrices that the GPU draws with and the rays that a click
-//! casts come from the same value, in `f64`.
+//! One camera for drawing and picking: the GPU's matrices and a click's rays come from the same value, in `f64`.
 //!
 //! View space is left-handed: x = R right, y = U up, z = F forward, so `det(View) = -1`. A pixel `(i, j)` has
 //! its centre at `(i + 0.5, j + 0.5)`, the origin is the top left corner and y runs down.
@@ -33,11 +32,11 @@ pub struct Camera {
     up: DVec3,
     forward: DVec3,
     lens: Lens,
-    /// The lens's half extent for aspect 1, taken once: a tangent costs as much as the rest of a ray.
+    /// The lens's half extent for aspect 1, computed once: a tangent costs as much as the rest of a ray.
     half_height: f64,
 }
 
-/// Why there is no such camera.
+/// Why a camera is refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CameraError {
@@ -49,7 +48,7 @@ pub enum CameraError {
         "the camera looks nowhere: its eye and target are the same point, or its direction is zero"
     )]
     NoDirection,
-    /// Right cannot be told.
+    /// Right is undefined.
     #[error("the camera's up vector is zero or points along the line of sight")]
     UpAlongForward,
     /// Outside (0, 180) degrees.
@@ -69,10 +68,10 @@ pub enum CameraError {
         /// Far plane's view depth.
         far: f64,
     },
-    /// So large or small that no view holds it.
+    /// Too large or too small for any view.
     #[error("the scene is {0:.0e} units across; views hold scenes of 1e-98 to 1e98")]
     SceneSize(f64),
-    /// A picture without a pixel.
+    /// A picture without pixels.
     #[error("the picture must be at least 1 pixel wide and high, not {0}x{1}")]
     EmptyViewport(u32, u32),
 }
@@ -122,11 +121,10 @@ impl Camera {
         let forward = unit(direction).ok_or(CameraError::NoDirection)?;
         let right = unit(up).and_then(|up| {
             let right = forward.cross(up);
-            // What is left of two parallel unit vectors is rounding: no direction at all.
+            // Two parallel unit vectors leave only rounding here: no direction.
             (right.length() > 4.0 * f64::EPSILON).then(|| right.normalize())
         });
-        // The nearer up is to the line of sight, the more of what is left is rounding, which need not be
-        // perpendicular to it.
+        // The nearer up is to the line of sight, the more of the rest is rounding, which need not be perpendicular to it.
         let right = right.map(|right| (right - right.dot(forward) * forward).normalize());
         let right = right.ok_or(CameraError::UpAlongForward)?;
         Ok(Self {
@@ -160,13 +158,13 @@ impl Camera {
         self.eye
     }
 
-    /// World point that the middle of the picture shows.
+    /// World point in the middle of the picture.
     #[must_use]
     pub fn target(&self) -> DVec3 {
         self.target
     }
 
-    /// What was given as up: with eye and target it makes this very camera again, to the bit.
+    /// Up as it was given: with eye and target it makes this camera again, to the bit.
     #[must_use]
     pub fn up_hint(&self) -> DVec3 {
         self.up_hint
@@ -232,7 +230,7 @@ impl Camera {
         )
     }
 
-    /// The numbers that make rays through the pixels of a picture.
+    /// The numbers from which a picture's pixel rays are made.
     #[must_use]
     pub fn pixel_grid(&self, viewport: Viewport) -> PixelGrid {
         PixelGrid {
@@ -246,8 +244,8 @@ impl Camera {
         }
     }
 
-    /// The ray through a pixel position, in world space; see [`PixelGrid::ray`]. Its `t` is view depth, and its interval
-    /// is that between the near and the far plane.
+    /// The world-space ray through a pixel position; see [`PixelGrid::ray`]. Its `t` is view depth; its interval lies
+    /// between the near and the far plane.
     #[must_use]
     pub fn ray(&self, viewport: Viewport, px: DVec2) -> WorldRay<'static> {
         let Lens { near, far, .. } = self.lens;
@@ -259,13 +257,12 @@ impl Camera {
         DVec2::new(self.half_height * viewport.aspect(), self.half_height)
     }
 
-    /// NDC x and y of what lies `aside` of the line of sight where w of clip space is `w`.
+    /// NDC x and y of a point `aside` of the line of sight, at clip-space w `w`.
     fn ndc_of(&self, viewport: Viewport, aside: DVec2, w: f64) -> DVec2 {
         aside / (self.half_extent(viewport) * w)
     }
 
-    /// Where the picture shows a world point, clipped by nothing; `None` at or behind the eye in perspective,
-    /// where no picture shows it.
+    /// Where the picture shows a world point, not clipped; `None` at or behind the eye in perspective.
     #[must_use]
     pub fn project(&self, viewport: Viewport, point_world: DVec3) -> Option<Projected> {
         let view = self.to_view(point_world);
@@ -282,7 +279,7 @@ impl Camera {
     }
 }
 
-/// The unit vector along `v`, also where the square of its length would vanish or overflow.
+/// The unit vector along `v`, even where the square of its length would vanish or overflow.
 fn unit(v: DVec3) -> Option<DVec3> {
     let size = v.abs().max_element();
     (size > 0.0).then(|| (v / size).normalize())

@@ -1,4 +1,4 @@
-//! Turning, shifting and zooming the view with the mouse.
+//! Turning, panning and zooming the view with the mouse.
 
 use super::{Camera, CameraError, Lens, Viewport};
 use crate::geometry::{Aabb, sin_cos_quarters};
@@ -6,7 +6,7 @@ use glam::{DMat3, DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Which world axis points up on the screen. Turns orbit, grid and framing, never the data.
+/// Which world axis points up on the screen. This turns orbit, grid and framing, never the data.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum UpAxis {
@@ -51,14 +51,14 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// From where new scenes are seen, in (right, up, towards the viewer).
+    /// The direction from which new scenes are seen, in (right, up, towards the viewer).
     const FRAMING: DVec3 = DVec3::new(1.0, 0.8, 1.6);
     /// Room about a framed scene.
     const MARGIN: f64 = 1.08;
-    /// The nearest and farthest that zooming goes, in world units: past these, products of three lengths overflow.
+    /// The least and greatest zoom distance, in world units: beyond them, products of three lengths overflow.
     pub(super) const DISTANCES: (f64, f64) = (1e-100, 1e100);
 
-    /// The view of a camera. Its own up becomes the orbit's axis unless the camera stands upright by `up_axis`.
+    /// The view of a camera. Its own up becomes the orbit's axis, unless the camera is upright for `up_axis`.
     #[must_use]
     pub fn of_camera(camera: &Camera, up_axis: UpAxis) -> Self {
         let upright = up_axis.up();
@@ -80,7 +80,7 @@ impl Orbit {
         }
     }
 
-    /// The whole of `bounds_world` from a little to the right and above; about the origin when there are none.
+    /// All of `bounds_world`, from a little to the right and above; a unit box about the origin for empty bounds.
     #[must_use]
     pub fn framing(bounds_world: &Aabb, up_axis: UpAxis, fov_y: f64, aspect: f64) -> Self {
         let Self { yaw, pitch, .. } = Self::from_direction(Self::FRAMING);
@@ -95,7 +95,7 @@ impl Orbit {
         orbit
     }
 
-    /// Angles for an eye in this direction of an upright frame.
+    /// Angles for an eye in this direction, given in an upright frame.
     fn from_direction(to_eye: DVec3) -> Self {
         Self {
             frame: DMat3::IDENTITY,
@@ -114,7 +114,7 @@ impl Orbit {
             bounds = Aabb::around([DVec3::NEG_ONE, DVec3::ONE]);
         }
         let center = bounds.center();
-        // A single point has no size; stay where its coordinates can still tell the eye from it.
+        // A single point has no size; stay as far away as lets its coordinates tell the eye from it.
         let least = if bounds.radius() > 0.0 {
             0.0
         } else {
@@ -122,7 +122,7 @@ impl Orbit {
         };
         let top = (0.5 * fov_y).tan();
         let to_view = self.axes().transpose();
-        // Each corner asks for a distance at which it lies within the picture, and in front of the eye.
+        // Each corner needs a distance that puts it within the picture and in front of the eye.
         let distance = bounds.corners().into_iter().map(|corner| {
             let seen = to_view * (corner - center);
             let aside = (seen.x.abs() / (top * aspect)).max(seen.y.abs() / top);
@@ -191,7 +191,7 @@ impl Orbit {
         self.target = pivot_world + self.axes() * seen;
     }
 
-    /// Shifts the view so that what lies `depth` in front of the eye follows the cursor by `by_px` (y down).
+    /// Shifts the view so that a point `depth` in front of the eye follows the cursor by `by_px` (y down).
     pub fn pan(&mut self, by_px: DVec2, depth: f64, lens: &Lens, viewport: Viewport) {
         let half = lens.half_extent(viewport.aspect());
         let by_ndc = viewport.px_to_ndc(by_px) - viewport.px_to_ndc(DVec2::ZERO);
@@ -200,8 +200,7 @@ impl Orbit {
             lens.w(depth) * (by_ndc.x * half.x * axes.x_axis + by_ndc.y * half.y * axes.y_axis);
     }
 
-    /// Brings the view nearer to a world point by a factor (above 1 zooms in); the point stays where it is in the
-    /// picture. `factor` must be positive.
+    /// Zooms by a positive factor (above 1 zooms in) towards a world point, which stays where it is in the picture.
     pub fn zoom(&mut self, point_world: DVec3, factor: f64) {
         let before = self.distance;
         self.set_distance(before / factor);

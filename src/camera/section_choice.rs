@@ -1,11 +1,11 @@
-//! A section in people's words: the same on the command line, in scene files and in the window.
+//! A section as users write it: the same on the command line, in scene files and in the window.
 
 use crate::geometry::{Section, SectionError};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
 
-/// What somebody said about the section. World space and units.
+/// The section that the user chose. World space and units.
 ///
 /// | word | keeps |
 /// |---|---|
@@ -13,11 +13,11 @@ use std::{fmt, str::FromStr};
 /// | `1,0,0,-0.5` | the points p with n . p + c >= 0: the three numbers of n, and c |
 /// | `x:0.5`, `-x:0.5` | what lies at 0.5 and beyond along an axis, or at 0.5 and before |
 /// | `points:0,0,0/1,0,0/0,1,0` | the side of three points from which they are counter-clockwise |
-/// | `face:3,7` | what lies behind a face: of the object with this id this triangle, or of a cube this one of its faces +x, -x, +y, -y, +z, -z, from 0; `face:3` is a square |
+/// | `face:3,7` | what lies behind a face: triangle 7 of object 3, or a cube's face, counted from 0 in the order +x, -x, +y, -y, +z, -z; `face:3` for a square |
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub enum SectionChoice {
-    /// None: nothing is cut away.
+    /// Nothing is cut away.
     #[default]
     Uncut,
     /// A plane.
@@ -26,12 +26,12 @@ pub enum SectionChoice {
     Face {
         /// The object's number, from 1.
         id: usize,
-        /// Its triangle, or a cube's face, from 0; `None` of a square.
+        /// Its triangle, or a cube's face, from 0; `None` for a square.
         face: Option<u32>,
     },
 }
 
-/// Why a text is no section. One line.
+/// Why a text is not a section. One line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionWordError {
@@ -40,7 +40,7 @@ pub enum SectionWordError {
         "a section is NX,NY,NZ,C, or x:0.5 (-x:0.5 keeps the other side), or points:X,Y,Z/X,Y,Z/X,Y,Z, or face:ID,TRIANGLE"
     )]
     Form,
-    /// The numbers make none.
+    /// The numbers do not make one.
     #[error(transparent)]
     Section(#[from] SectionError),
 }
@@ -78,7 +78,7 @@ impl FromStr for SectionChoice {
                 let axis = ["x", "y", "z"].iter().position(|other| *other == name);
                 let axis = DVec3::AXES[axis.ok_or(SectionWordError::Form)?];
                 let at: f64 = number(numbers)?;
-                // Added to 0, -0 is 0.
+                // Adding 0 turns -0 into 0.
                 let section = Section::new(sign * axis + DVec3::ZERO, 0.0 - sign * at)?;
                 Ok(Self::Plane(section))
             }

@@ -1,4 +1,4 @@
-//! The picture's size, and all else besides the scene that decides what a pixel shows.
+//! The picture's size, and everything besides the scene that decides what a pixel shows.
 
 use super::{Camera, CameraError, Lens, Projected};
 use crate::geometry::{Aabb, PixelRays, PlacedPoint, Section, Sides, ThroughPoint, WorldRay, clip};
@@ -12,7 +12,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// The size of pictures where none is asked for: 1280 x 720.
+    /// The default size: 1280 x 720.
     pub const DEFAULT: Self = Self {
         width: 1280,
         height: 720,
@@ -79,7 +79,7 @@ impl Viewport {
     }
 }
 
-/// All that decides which surface a pixel shows, besides the scene: what drawing and picking share.
+/// Everything besides the scene that decides which surface a pixel shows; drawing and picking share it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Where the eye stands and where it looks.
@@ -88,12 +88,12 @@ pub struct View {
     pub viewport: Viewport,
     /// Whether back faces show.
     pub sides: Sides,
-    /// What cuts the world, in world space; `None` where all of it shows.
+    /// The plane that cuts the world, in world space; `None` if nothing does.
     pub section: Option<Section>,
 }
 
 impl View {
-    /// What a camera sees of both sides of all surfaces, cut by nothing.
+    /// A camera's view of both sides of all surfaces, not cut.
     #[must_use]
     pub fn new(camera: Camera, viewport: Viewport) -> Self {
         Self {
@@ -104,8 +104,8 @@ impl View {
         }
     }
 
-    /// Both ends, in pixels, of what the picture shows of a world-space segment: the part at or behind the near plane,
-    /// clipped by nothing else. `None` where there is no such part.
+    /// Both ends, in pixels, of a world-space segment as the picture shows it: only the part before the near plane is cut
+    /// off, nothing else. `None` if nothing is left.
     #[must_use]
     pub fn project_segment(&self, a: DVec3, b: DVec3) -> Option<[DVec2; 2]> {
         let past_near = |p: &DVec3| self.camera.to_view(*p).z - self.camera.lens().near;
@@ -115,7 +115,7 @@ impl View {
         Some([self.project(a)?.px, self.project(b)?.px])
     }
 
-    /// The same with nothing cut away.
+    /// The same view with no section.
     #[must_use]
     pub fn uncut(&self) -> Self {
         Self {
@@ -130,7 +130,7 @@ impl View {
         self.rays().ray(px)
     }
 
-    /// A point of a shape, for the ray that passes through it.
+    /// A point of a shape in this picture, for the ray through it.
     #[must_use]
     pub fn through(&self, point: &PlacedPoint) -> ThroughPoint {
         let Lens { near, far, .. } = *self.camera.lens();
@@ -161,14 +161,14 @@ impl View {
         }
     }
 
-    /// Half of what the picture shows, to the right and upwards; see [`Lens::half_extent`](super::Lens::half_extent).
+    /// Half the picture's extent, to the right and upwards; see [`Lens::half_extent`](super::Lens::half_extent).
     #[must_use]
     pub fn half_extent(&self) -> DVec2 {
         self.camera.half_extent(self.viewport)
     }
 
-    /// The position in pixels of what lies `aside` of the line of sight, to the right and upwards, where w of clip space is
-    /// `w`; see [`Lens::w`](super::Lens::w).
+    /// The pixel position of a point `aside` of the line of sight, to the right and upwards, at clip-space w `w`; see
+    /// [`Lens::w`](super::Lens::w).
     #[must_use]
     pub(crate) fn px_of(&self, aside: DVec2, w: f64) -> DVec2 {
         let ndc = self.camera.ndc_of(self.viewport, aside, w);
@@ -195,8 +195,8 @@ impl View {
         })
     }
 
-    /// Whether some of a world-space box may be in the picture; false only when all of it lies beyond one of the six
-    /// planes of the frustum.
+    /// Whether part of a world-space box may be in the picture: false only if all of it lies beyond one of the frustum's
+    /// six planes.
     #[must_use]
     pub(crate) fn may_see(&self, bounds_world: &Aabb) -> bool {
         let lens = self.camera.lens();
@@ -219,7 +219,7 @@ impl View {
     }
 }
 
-/// The centre of the pixel that a position lies in: what a click there picks.
+/// The centre of the pixel that holds a position: what a click there picks.
 #[must_use]
 pub fn pixel_centre(px: DVec2) -> DVec2 {
     px.floor() + 0.5

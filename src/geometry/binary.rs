@@ -1,4 +1,4 @@
-//! `f64` by its digits: powers of two, and numbers as whole ones times a power of two.
+//! The digits of `f64`: powers of two, and a number as an integer times a power of two.
 
 const FRACTION_BITS: u32 = f64::MANTISSA_DIGITS - 1;
 const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
@@ -10,17 +10,17 @@ pub(crate) const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits((BIAS + exponent).cast_unsigned() << FRACTION_BITS)
 }
 
-/// The largest power of two that is not above a positive number; the least normal one for anything smaller, and for NaN.
+/// The largest power of two not above a positive number; `f64::MIN_POSITIVE` for anything smaller and for NaN.
 pub(crate) fn power_of_two_below(value: f64) -> f64 {
     f64::from_bits(value.max(f64::MIN_POSITIVE).to_bits() & !FRACTION)
 }
 
-/// A finite number as an odd integer (or 0) times a power of two, by its exponent.
+/// A finite value as `(m, e)` with `value = m * 2^e`, `m` odd or 0.
 pub(crate) fn split(value: f64) -> (i64, i64) {
     let bits = value.to_bits();
     let fraction = bits & FRACTION;
     let biased = (bits >> FRACTION_BITS & 0x7FF).cast_signed();
-    // Subnormal numbers have no leading one and the exponent of the least normal ones.
+    // Subnormal numbers have no leading one; their exponent is that of the least normal number.
     let (mantissa, biased) = if biased == 0 {
         (fraction, 1)
     } else {
@@ -35,7 +35,7 @@ pub(crate) fn split(value: f64) -> (i64, i64) {
     (if value < 0.0 { -odd } else { odd }, exponent)
 }
 
-/// `value * 2^exponent`, in steps that a power of two in `f64` can take.
+/// `value * 2^exponent`, in steps whose powers of two are normal numbers.
 pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
     while exponent != 0 && value != 0.0 && value.is_finite() {
         let step = exponent.clamp(-1000, 1000);
@@ -49,7 +49,7 @@ pub(crate) fn times_power_of_two(mut value: f64, mut exponent: i64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of normal numbers and such as are smaller.
+    /// Normal numbers and subnormal ones.
     #[test]
     fn numbers_are_made_of_their_parts() {
         let least = f64::from_bits(1);

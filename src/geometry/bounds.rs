@@ -54,7 +54,7 @@ impl Aabb {
         0.5 * self.min + 0.5 * self.max
     }
 
-    /// Half the diagonal: the radius of the sphere about it. Zero for a point.
+    /// Half the diagonal: the radius of the circumscribed sphere. Zero for a point.
     #[must_use]
     pub fn radius(&self) -> f64 {
         let half = 0.5 * self.max - 0.5 * self.min;
@@ -62,13 +62,13 @@ impl Aabb {
         if !largest.is_finite() {
             return half.length();
         }
-        // Squares of lengths neither vanish nor overflow.
+        // Scaled, so that squares neither vanish nor overflow.
         let unit = power_of_two_below(largest);
         unit * (half / unit).length()
     }
 
-    /// Decimal places with which to write coordinates in it: a millionth of its radius, which is about what vertices
-    /// carry. 6 for a box without size.
+    /// Decimal places to write coordinates with: down to a millionth of the radius, about the precision of vertices. 6
+    /// for a box without size.
     #[must_use]
     pub fn decimal_places(&self) -> usize {
         let radius = if self.is_empty() { 0.0 } else { self.radius() };
@@ -95,17 +95,17 @@ impl Aabb {
         })
     }
 
-    /// Whether `ray` may hit something in the box, whose corners are `f32`, no later than at `end`: never false for a box
-    /// that holds a point of the ray's line from the start of its interval to there, ends included. `inverse` is `1 / direction`.
+    /// Whether `ray` may hit something in the box, whose corners are `f32`, at a `t` up to `end`. Never false if the box
+    /// holds a point of the ray from `t_min` to `end`, both included. `inverse` is `1 / direction`.
     ///
-    /// With `U` half of `f64::EPSILON`: the way to a slab's plane has the right sign and errs by `2 U` of itself at
-    /// most, whatever the distance (`VertexRay::to`), `inverse` by `U` and their product by `U`; together `4 U`.
-    /// Widening by `12 U` covers that and the rounding of the widening (after Ize, "Robust BVH Ray Traversal", JCGT
-    /// 2(2), 2013, whose `2 ulp` leaves the subtraction to padded boxes). A ray along a slab is on the right side of
-    /// its planes, or upon them, where `0 * inf` is NaN and loses every comparison.
+    /// With `U` half of `f64::EPSILON`: the distance to a slab's plane has the right sign and a relative error of at most
+    /// `2 U` (`VertexRay::to`). `inverse` and the product add `U` each: `4 U` in all. Widening by `12 U` covers that and
+    /// its own rounding (after Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, whose `2 ulp` leaves the subtraction to
+    /// padded boxes). For a ray parallel to a slab the signs decide; on its plane `0 * inf` is NaN and loses every
+    /// comparison.
     ///
-    /// A ray that is itself inexact is near the given one by its origin's error and, as far as the box, by its direction's
-    /// times the way there; the box grows by twice that.
+    /// An inexact ray is off by its origin's error plus its direction's error times the distance to the box; the box
+    /// grows by twice that.
     pub(crate) fn may_hit_before(&self, ray: &VertexRay, inverse: DVec3, end: f64) -> bool {
         const WIDEN: f64 = 6.0 * f64::EPSILON;
         if !ray.is_bounded() {
@@ -117,7 +117,7 @@ impl Aabb {
             let way = ways[0].abs().max(ways[1].abs()).max_element() + of_origin;
             let per_direction = of_direction / ray.ray.direction.abs().max_element();
             let room = DVec3::splat(2.0 * (of_origin + way * per_direction));
-            // Written so that NaN is in doubt.
+            // NaN counts as a possible hit.
             if !(per_direction < 0.5 && room.x.is_finite()) {
                 return true;
             }
@@ -133,8 +133,8 @@ impl Aabb {
     }
 }
 
-/// Where a ray enters a box before its interval ends, both ends of each slab widened by `widen` of themselves; `None`
-/// where it passes it. `ways` lead from the ray's start to the box's least and greatest corner, `inverse` is
+/// The `t` at which a ray enters a box before its interval ends; `None` where it misses. Both ends of each slab are
+/// widened by `widen`, relatively. `ways` lead from the ray's origin to the least and greatest corner; `inverse` is
 /// `1 / direction`.
 pub(crate) fn entry(
     ways: [DVec3; 2],
@@ -152,7 +152,7 @@ pub(crate) fn entry(
         };
         let near = near * if near > 0.0 { 1.0 - widen } else { 1.0 + widen };
         let far = far * if far > 0.0 { 1.0 + widen } else { 1.0 - widen };
-        // Written so that NaN, from a ray along a plane of the box, changes nothing.
+        // NaN, from a ray in a plane of the box, loses both comparisons.
         if near > enter {
             enter = near;
         }
@@ -160,6 +160,6 @@ pub(crate) fn entry(
             leave = far;
         }
     }
-    // Beside a slab that it runs along, it enters at infinity.
+    // A ray that runs beside a slab enters it at infinity.
     (enter <= leave && enter < f64::INFINITY).then_some(enter)
 }

@@ -1,10 +1,10 @@
 //! Polygons cut by a plane.
 
-/// What lies on one side of a plane of a convex polygon, given by its corners in order (Sutherland & Hodgman, "Reentrant
-/// Polygon Clipping", 1974). Two corners are a segment: what is left of it are the first two of the result.
+/// The part of a convex polygon on one side of a plane, by corners in order (Sutherland & Hodgman, "Reentrant Polygon
+/// Clipping", 1974). Two corners are a segment; the first two of the result are what is left of it.
 ///
-/// `side` is 0 on the plane, changes linearly and is not negative for what stays. `cut` makes the corner at the share of
-/// the way from one corner to the next at which it is 0.
+/// `side` is linear, 0 on the plane and positive on the side that is kept. `cut` makes the corner where it is 0, at that
+/// share of the way from one corner to the next.
 pub(crate) fn clip<T: Copy>(
     corners: &[T],
     side: impl Fn(&T) -> f64,

@@ -34,8 +34,7 @@ impl Cuboid {
         }
     }
 
-    /// The corners of the face with this outward normal, one of the six along the axes; counter-clockwise seen from
-    /// outside.
+    /// The corners of the face with this outward normal (one of `NORMALS`), counter-clockwise seen from outside.
     #[must_use]
     pub fn face(normal: DVec3) -> [DVec3; 4] {
         let right = DVec3::new(normal.y.abs(), normal.z.abs(), normal.x.abs());
@@ -44,11 +43,11 @@ impl Cuboid {
             .map(|(x, y)| Self::HALF_SIDE * (normal + x * right + y * up))
     }
 
-    /// Where `ray` enters (front) and leaves it, nearest first, as far as the ray's interval reaches. The cube is closed: a
-    /// ray that touches an edge or corner enters there, and nowhere leaves. Of several faces at one place that across the
-    /// lowest axis is named.
+    /// Where `ray` enters (front) and leaves the cube within its interval, nearest first. The cube is closed: a ray that
+    /// touches an edge or corner enters there and leaves nowhere. Where faces meet, the one across the lowest axis is
+    /// hit.
     ///
-    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
+    /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
     #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
@@ -61,29 +60,29 @@ impl Cuboid {
     }
 }
 
-/// Of components between this and its reciprocal, no reciprocal is short of digits.
+/// Components from this to its reciprocal have reciprocals with all digits.
 const LEAST: f64 = power_of_two(-1000);
-/// The most that a component may be off, relatively.
+/// The largest relative error of a component.
 const SMALL: f64 = power_of_two(-20);
-/// Where a slab is entered that says nothing.
+/// Where a slab is entered that bounds nothing.
 const BEFORE_ALL: Approximate = Approximate {
     value: f64::NEG_INFINITY,
     error: 0.0,
 };
 
-/// The hits as `f64` sees them: by slabs (Kay & Kajiya 1986), with one reciprocal an axis and no branch before the decision.
+/// The hits in `f64`, by slabs (Kay & Kajiya 1986): one reciprocal an axis, no branch before the decision.
 ///
-/// A plane's parameter is the way to it times the reciprocal of the direction's component `d`. The way rounds once and is off
-/// by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the quotient by `f / |d|` of
-/// itself. The terms of second order, with `f` at most `2^-20` of `d`, need less than what 5 and 1.01 add to that; so do the
-/// roundings of the bound itself and of sums with it.
+/// A plane's parameter is the distance to it times the reciprocal of the direction's component `d`. The distance rounds
+/// once and is off by the origin's error `p`; reciprocal and product round once each; an error `f` of `d` changes the
+/// quotient by `f / |d|` of itself. The factors 5 and 1.01 leave room for terms of second order (`f` is at most `2^-20`
+/// of `d`), for the bound's own roundings and for sums with it.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let Ray {
         origin, direction, ..
     } = *ray.ray;
     let mut enter = [BEFORE_ALL; 3];
-    // With the other sign, so that here, too, the greatest counts.
+    // Negated, so that the greatest counts here too.
     let mut leave = [BEFORE_ALL; 3];
     let mut is_bounded = true;
     for axis in 0..3 {
@@ -110,7 +109,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     }
 }
 
-/// Whether the bounds on where a slab is entered and left hold. Written so that NaN is not.
+/// Whether the bounds on a slab's entry and exit hold; false for NaN.
 #[inline]
 fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> bool {
     (LEAST..=1.0 / LEAST).contains(&d.abs())
@@ -118,8 +117,8 @@ fn is_bounded_across(d: f64, d_error: f64, [enter, leave]: [Approximate; 2]) -> 
         && enter.error + leave.error < f64::INFINITY
 }
 
-/// The hits of a ray that runs along some of the slabs, or as good as that: those say nothing where the ray stays inside
-/// them for as long as it is inside the others.
+/// The hits of a ray that is parallel, or nearly so, to some slabs. Such a slab bounds nothing if the ray stays inside it
+/// for as long as it is inside the others.
 #[cold]
 fn along_slabs(
     ray: &LocalRay,
@@ -145,7 +144,7 @@ fn along_slabs(
         if o - off > Cuboid::HALF_SIDE {
             return Ok([None, None]);
         }
-        // On a face exactly, or inside. Written so that NaN is in doubt.
+        // Inside, or exactly on a face. NaN is in doubt.
         let is_still = d + error.direction[axis] + error.origin[axis] == 0.0;
         if !(o + off < Cuboid::HALF_SIDE || is_still && o <= Cuboid::HALF_SIDE) {
             return Err(InDoubt);
@@ -154,7 +153,7 @@ fn along_slabs(
     crossing(ray.ray, enter, leave)
 }
 
-/// The hits of a ray that enters and leaves slabs there.
+/// The hits of a ray that enters and leaves the slabs at these parameters.
 #[inline]
 fn crossing(
     ray: &Ray,
@@ -165,7 +164,7 @@ fn crossing(
     let (entry_axis, entry) = greatest(enter);
     let (exit_axis, exit) = greatest(leave);
     let exit = exit.negative();
-    // What it enters after it left another slab, it misses.
+    // It leaves one slab before it enters another: a miss.
     if entry.low() > exit.high() {
         return Ok([None, None]);
     }
@@ -185,7 +184,7 @@ fn crossing(
     ])
 }
 
-/// The greatest by value, with its axis.
+/// The greatest value and its axis.
 #[inline]
 fn greatest(of: [Approximate; 3]) -> (usize, Approximate) {
     let after = |a: usize, b: usize| if of[b].value > of[a].value { b } else { a };

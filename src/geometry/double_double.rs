@@ -1,5 +1,5 @@
-//! Arithmetic in `f64`, and in pairs of them where that is too coarse: far from the eye, through a long lens, under a
-//! model matrix that flattens. What is composed here is rounded to `f32` in the end.
+//! Arithmetic in `f64`, and in pairs of `f64` where one is too coarse: far from the eye, through a long lens, under a
+//! model matrix that flattens. Results are rounded to `f32` in the end.
 //!
 //! A double-double is an unevaluated sum of two `f64`, good for about 2^-104 (Dekker, "A floating-point technique for
 //! extending the available precision", 1971; Hida, Li & Bailey, "Library for double-double and quad-double
@@ -25,14 +25,14 @@ pub(crate) trait Number:
 impl Number for f64 {}
 impl Number for DoubleDouble {}
 
-/// The sum `hi + lo`, where `hi` is what the sum rounds to.
+/// The sum `hi + lo`; `hi` is that sum, rounded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
     pub(super) hi: f64,
     pub(super) lo: f64,
 }
 
-/// Two numbers' sum and what rounding took of it (Knuth, The Art of Computer Programming, vol. 2, 4.2.2).
+/// The sum of two numbers and its rounding error (Knuth, The Art of Computer Programming, vol. 2, 4.2.2).
 fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let of_b = hi - a;
@@ -42,7 +42,7 @@ fn two_sum(a: f64, b: f64) -> DoubleDouble {
     }
 }
 
-/// The same where `a` is not the smaller of the two, or `b` is 0.
+/// The same for `|a| >= |b|`.
 pub(super) fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     DoubleDouble {
@@ -193,7 +193,7 @@ impl<N: Number> Mul<N> for Vector<N> {
 pub(crate) struct Rows<N>(pub [Vector<N>; 3]);
 
 impl<N: Number> Rows<N> {
-    /// The inverse of a matrix that has one, of any size: its columns are brought to about 1 first, which is exact.
+    /// The inverse of an invertible matrix of any scale: its columns are scaled to about 1 first, which is exact.
     pub fn inverse_of(matrix: DMat3) -> Self {
         let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
         let scales = columns.map(|column| power_of_two_below(column.abs().max_element()).recip());
@@ -213,7 +213,7 @@ impl<N: Number> Rows<N> {
 mod tests {
     use super::*;
 
-    /// What `f64` loses wholly, pairs keep.
+    /// Pairs keep the digits that cancel in `f64`.
     #[test]
     fn keeps_what_f64_cancels() {
         let dd = DoubleDouble::from;
@@ -227,7 +227,7 @@ mod tests {
         assert_eq!(square.to_bits(), (f64::EPSILON * f64::EPSILON).to_bits());
     }
 
-    /// Two columns that differ by 1e-14 are no less invertible than others.
+    /// Two columns may differ by as little as 1e-14.
     #[test]
     fn inverts_what_is_nearly_singular() {
         let matrix = DMat3::from_cols(

@@ -3,7 +3,7 @@
 use super::{Hit, Ray, U, binary::power_of_two};
 use glam::DVec3;
 
-/// A parameter that is less certain than this, relatively, is worth exact arithmetic.
+/// A parameter with a larger relative error than this is worth exact arithmetic.
 pub(crate) const HALF_OF_THE_DIGITS: f64 = power_of_two(-26);
 
 /// A computed number and an upper bound on how far it is from the exact one.
@@ -13,7 +13,7 @@ pub(super) struct Approximate {
     pub error: f64,
 }
 
-/// `f64` cannot say.
+/// `f64` cannot decide.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InDoubt;
 
@@ -36,16 +36,15 @@ impl Approximate {
 
     /// `numerator / denominator`.
     ///
-    /// Quotients of numbers that err by `e_n` and `e_d` err by `(e_n + |q| e_d) / (|d| - e_d)`. The answer is in doubt where
-    /// `e_d` is more than `2^-20` of `d`, or the quotient or its bound is no finite number. Dividing by `|d|` instead changes
-    /// the bound by less than `2^-19` of it.
-    /// Four roundings of the quotient leave room for its own, and for those of `low` and `high`. The least normal number
-    /// is slack for underflow.
+    /// If numerator and denominator err by `e_n` and `e_d`, the quotient `q` errs by `(e_n + |q| e_d) / (|d| - e_d)`. It
+    /// is in doubt where `e_d` is more than `2^-20` of `d`, or where `q` or its bound is not finite. Dividing by `|d|`
+    /// instead changes the bound by less than `2^-19` of it. Four roundings of the quotient cover its own and those of
+    /// `low` and `high`. The least normal number is slack for underflow.
     #[inline]
     pub fn over(self, denominator: Self) -> Result<Self, InDoubt> {
         const SMALL: f64 = power_of_two(-20);
         let size = denominator.value.abs();
-        // A subnormal denominator has fewer digits than the bounds reckon with.
+        // The bounds do not hold for a subnormal denominator: it has fewer digits.
         if !(denominator.error <= SMALL * size && size >= f64::MIN_POSITIVE) {
             return Err(InDoubt);
         }
@@ -71,7 +70,7 @@ impl Approximate {
         }
     }
 
-    /// A hit there, if it counts.
+    /// A hit at this parameter, if it counts.
     #[inline]
     pub fn hit(self, ray: &Ray, normal: DVec3, front: bool) -> Result<Option<Hit>, InDoubt> {
         let counts = self.is_within(ray)?;
@@ -90,9 +89,9 @@ mod tests {
     };
     use glam::{DAffine3, DMat3};
 
-    /// What `f64` decides about spheres, cubes and squares is what exact arithmetic says, and a parameter is within its
-    /// bound: of rays that pass rims, edges and silhouettes ever more narrowly, from near and far, exact ones and such that
-    /// came through a model matrix.
+    /// Where `f64` decides about spheres, cubes and squares, exact arithmetic agrees, and each parameter is within its
+    /// bound. Rays pass rims, edges and silhouettes ever more closely, from near and far; some are exact, others came
+    /// through a model matrix.
     #[test]
     fn what_is_not_in_doubt_is_right() {
         let mut random = Random(3);

@@ -1,9 +1,9 @@
-//! A ray in object space, which carries what was rounded on its way there.
+//! Rays in object space, with bounds on what was rounded on their way there.
 
 use super::{Placement, Ray, RayError, WorldRay, ray::Line};
 use glam::DVec3;
 
-/// A world-space ray in the object space of a placement: its numbers there, rounded, and bounds on how far they are off.
+/// A world-space ray in the object space of a placement: rounded, with bounds on its error.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedRay<'a> {
     ray: Ray,
@@ -14,35 +14,35 @@ pub struct PlacedRay<'a> {
     placement: &'a Placement,
 }
 
-/// An object-space ray as shapes take it: a [`PlacedRay`], whose exact numbers it can ask for, or a [`Ray`], which is exact
-/// as it stands. Its `t` is the world ray's.
+/// An object-space ray as shapes take it: a [`PlacedRay`], whose exact numbers it can look up, or a [`Ray`], which is
+/// exact as it stands. Its `t` is the world ray's.
 ///
-/// It refers to their numbers: copies that are read at once would cost a walk through a tree a quarter.
+/// It borrows both: a copy, read as soon as it is written, would slow a walk through a tree by a quarter.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalRay<'a> {
     /// Rounded.
     pub ray: &'a Ray,
-    /// How far from the exact one.
+    /// Bounds on how far `ray` is from the exact ray.
     pub error: &'a RayError,
-    /// Surfaces that are met beyond this are of no interest, wherever the interval ends: something nearer was found.
+    /// Surfaces beyond this `t` do not matter, even within the interval: something nearer was found.
     pub limit: f64,
     /// The largest component of each error: of the origin, and of the direction.
     pub(super) errors: [f64; 2],
-    /// The world-space ray and the placement that it is made of; `None` of one that is exact as it stands.
+    /// The world-space ray and the placement that it comes from; `None` for a ray that is exact as it stands.
     source: Option<(&'a WorldRay<'a>, &'a Placement)>,
 }
 
-/// What an object-space ray is exactly.
+/// An object-space ray, exactly.
 #[derive(Clone, Copy)]
 pub(super) struct Exactly<'a> {
-    /// In the world of the placement.
+    /// In the placement's world space; in object space without a placement.
     pub line: Line<'a>,
-    /// From object space to where the line is; `None` for the same space.
+    /// From object space to the line's; `None` where they are the same.
     pub placement: Option<&'a Placement>,
 }
 
 impl<'a> PlacedRay<'a> {
-    /// `world` in the object space of `placement`, where it is `ray`, off by `error` at most.
+    /// `ray` is `world` in the object space of `placement`, off by `error` at most.
     #[inline]
     pub(super) fn new(
         ray: Ray,
@@ -60,7 +60,7 @@ impl<'a> PlacedRay<'a> {
         }
     }
 
-    /// It, when what lies beyond `limit` is of no interest.
+    /// This ray, beyond whose `limit` nothing matters.
     #[inline]
     #[must_use]
     pub fn until(&self, limit: f64) -> LocalRay<'_> {

@@ -1,15 +1,15 @@
-//! Rays against shapes: in object space by `f64`, and where that cannot decide by exact arithmetic, from the numbers that
-//! are stored. Knows no scene, no camera and no GPU.
+//! Rays against shapes, in object space: by `f64` where that is certain, else by exact arithmetic on the stored numbers.
+//! Knows no scene, no camera and no GPU.
 //!
 //! The definitions that everything else leans on:
 //!
 //! * **t** is the ray parameter of `origin + t * direction`. `direction` need not be a unit vector; a ray
 //!   taken into another space is *not* renormalised, so `t` is one number in every space.
-//! * A hit counts when `t_min <= t < t_max`, of a world-space ray also only where its [`Section`] keeps it; nothing else clips.
-//! * **The exact ray** of a decision is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`]
-//!   holds the numbers that a pixel's ray is made of ([`PixelGrid`]), a [`PlacedRay`] also the model matrix that it went
-//!   through; both carry bounds on how far their rounded numbers are off. Shapes decide as exact arithmetic would for the
-//!   exact ray: hit or miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the contract).
+//! * A hit counts when `t_min <= t < t_max` and, for a world-space ray, its [`Section`] keeps it; nothing else clips.
+//! * **The exact ray** is what the stored numbers make it. A [`Ray`] is exact as it stands. A [`WorldRay`] holds the
+//!   numbers that a pixel's ray is made of ([`PixelGrid`]), a [`PlacedRay`] also the model matrix that it went through;
+//!   both bound the error of their rounded numbers. Shapes decide as exact arithmetic would for the exact ray: hit or
+//!   miss, front or back, in the interval or not, which is nearest ([`crate::pick`] has the contract).
 //! * **Barycentrics** `[s1, s2, s3]` weight the corners in order: `point = s1 v1 + s2 v2 + s3 v3`, sum 1.
 //! * **Winding** is counter-clockwise seen from outside; normals point outwards and are never flipped
 //!   towards the ray. A hit is at the *front* when `direction . normal < 0`.
@@ -72,7 +72,7 @@ pub use vertex_ray::VertexRay;
 
 use glam::DVec3;
 
-/// The unit roundoff of `f64`: no operation errs by more than this, relative to its result.
+/// The unit roundoff of `f64`: the relative error of one operation is at most this.
 const U: f64 = 0.5 * f64::EPSILON;
 
 /// One meeting of a ray and a surface, in the shape's object space.
@@ -84,14 +84,14 @@ pub struct Hit {
     pub t_error: f64,
     /// Outward normal; any non-zero length.
     pub normal: DVec3,
-    /// Whether the ray meets the surface from outside, which for a grazing ray the normal may be too inexact to tell.
+    /// Whether the ray meets the surface from outside; the rounded normal cannot tell for a grazing ray.
     pub front: bool,
     /// Where on which triangle; `None` for analytic shapes.
     pub on_triangle: Option<OnTriangle>,
 }
 
 impl Hit {
-    /// On a shape that is no mesh.
+    /// On a shape other than a mesh.
     fn analytic(t: f64, t_error: f64, normal: DVec3, front: bool) -> Self {
         Self {
             t,

@@ -4,7 +4,7 @@ use super::shares::on_all_cores;
 use glam::{DVec3, Vec3};
 use std::{convert::Infallible, ops::Range};
 
-/// So many triangles, or vertices, are worked on at once: for a few milliseconds.
+/// Triangles, or vertices, in one piece of work: a few milliseconds.
 const PIECE: usize = 1 << 15;
 
 /// One normal for each corner of each triangle: what shading interpolates. Picking never reads it.
@@ -17,10 +17,10 @@ pub struct CornerNormals {
 }
 
 impl CornerNormals {
-    /// In place of a triangle's indices: it has none.
+    /// Stands for the indices of a triangle that has no normals.
     pub const NONE: [u32; 3] = [u32::MAX; 3];
 
-    /// These where there are any, and others for the rest.
+    /// These normals where there are any, others for the rest.
     pub(super) fn completed_by(&self, mut all: Self) -> Self {
         let offset = u32::try_from(all.normals.len()).unwrap_or(u32::MAX);
         for (corners, given) in all.corners.iter_mut().zip(&self.corners) {
@@ -38,7 +38,7 @@ impl CornerNormals {
 pub fn face_normal(corners: [[f32; 3]; 3]) -> Vec3 {
     let [a, b, c] = corners.map(|p| DVec3::from_array(p.map(f64::from)));
     let normal = (b - a).cross(c - a);
-    // Scaled first: the square of a very small area would vanish.
+    // Scaled first: the square of a very small area would underflow.
     (normal / normal.abs().max_element())
         .normalize_or_zero()
         .as_vec3()
@@ -61,8 +61,8 @@ pub fn crease_normals(
     normals
 }
 
-/// [`crease_normals`] for as long as `go_on` lets it. That is told, often, of a share of the work that is done by then;
-/// all shares together are 1.
+/// [`crease_normals`] for as long as `go_on` lets it. Each call is told the share done since the last; shares add up to
+/// 1.
 pub(super) fn crease_normals_while<E: Send>(
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],
@@ -73,7 +73,7 @@ pub(super) fn crease_normals_while<E: Send>(
         let pieces = (0..count).step_by(PIECE);
         pieces.map(move |first| first..(first + PIECE).min(count))
     };
-    // Four times through all of the triangles or vertices.
+    // There are four passes through all triangles or vertices.
     let go_on = |done: usize, of: usize| go_on(0.25 * share(done, of));
     let face = |corners: &[u32; 3]| face_normal(corners.map(|i| positions[i as usize]));
     let of_faces = on_all_cores(pieces(triangles.len()), |piece| {
@@ -124,7 +124,7 @@ fn share(done: usize, of: usize) -> f64 {
     done as f64 / of as f64
 }
 
-/// What the corners about vertices are made of.
+/// What normals about vertices are computed from.
 struct Fans<'a> {
     positions: &'a [[f32; 3]],
     triangles: &'a [[u32; 3]],

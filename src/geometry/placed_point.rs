@@ -1,4 +1,4 @@
-//! Points of shapes, with nothing rounded, and the rays of a picture through them.
+//! Exact points of shapes, and the rays of a picture through them.
 
 use super::{
     PixelGrid, Placement, Ray, RayError, U, WorldRay,
@@ -7,8 +7,8 @@ use super::{
 };
 use glam::{DAffine3, DVec3};
 
-/// A point of a shape with nothing rounded: some share of the way from one point of object space to another, both given
-/// about an origin there, where a placement puts it in the world. All numbers are finite.
+/// An exact point of a shape: a share of the way from one point of object space to another, both given about an origin
+/// there, and the model matrix that takes it to the world. All numbers are finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPoint {
     pub(super) model: DAffine3,
@@ -77,11 +77,11 @@ pub struct ThroughPoint {
 }
 
 impl ThroughPoint {
-    /// The ray of the picture that passes through the point: [`PixelGrid::ray`] at the position that shows it, which need be
-    /// no `f64`. Its exact line holds the exact point, at the exact depth of that. `None` where the point lies at or behind
-    /// the eye in perspective, or the axes span no space.
+    /// The ray of the picture through the point: [`PixelGrid::ray`] at the position that shows it, which need not be an
+    /// `f64`. Its exact line holds the exact point, at its exact depth. `None` where the point lies at or behind the eye
+    /// in perspective, or where the axes span no space.
     ///
-    /// Bounds: each number is an exact one that is rounded, within three roundings.
+    /// Each number is an exact one, rounded; its bound is three roundings.
     #[must_use]
     pub fn ray(&self) -> Option<WorldRay<'_>> {
         let line = Line::Through(self);

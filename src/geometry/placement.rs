@@ -14,10 +14,10 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Placement {
     model: DAffine3,
     inverse_linear: DMat3,
-    /// The sum of the sizes in each row of the inverse.
+    /// The sums of absolute values in each row of the inverse.
     row_sums: DVec3,
-    /// How far a component of inverse times vector may be off, over its row's sum and the vector's largest component:
-    /// for the inverse's own error and the product's roundings.
+    /// Bound on the error of a component of inverse times vector, over its row's sum and the vector's largest component:
+    /// the inverse's own error and the product's roundings.
     error: f64,
     mirrors: bool,
     is_identity: bool,
@@ -35,8 +35,8 @@ pub enum PlacementError {
     NotFinite,
 }
 
-/// What a matrix's inverse may err by, over its row sums, before it is made by exact arithmetic: no more than the rounding
-/// of products with it. Rotations with ordinary scales stay below it.
+/// An inverse whose error over its row sums is larger is made by exact arithmetic instead. About what products with it
+/// round; rotations with ordinary scales stay below it.
 const GOOD_INVERSE: f64 = 128.0 * U;
 
 impl Placement {
@@ -107,7 +107,7 @@ impl Placement {
         self.is_identity
     }
 
-    /// A world-space point in object space. The translation goes first, which keeps its digits.
+    /// A world-space point in object space. The translation is subtracted first, which keeps digits.
     #[inline]
     #[must_use]
     pub fn point_to_object(&self, point_world: DVec3) -> DVec3 {
@@ -120,12 +120,12 @@ impl Placement {
         self.model.transform_point3(point_object)
     }
 
-    /// The sizes of what a point of object space is made of in the world: `|L| sizes + |T|`.
+    /// World coordinates of a point by absolute values, from those of its object-space coordinates: `|L| sizes + |T|`.
     pub(crate) fn sizes_in_world(&self, sizes: DVec3) -> DVec3 {
         self.sizes_along(sizes) + self.model.translation.abs()
     }
 
-    /// How far along the world's axes reaches what has these sizes along the object's: `|L| sizes`.
+    /// Extents along the world's axes of what has these along the object's: `|L| sizes`.
     pub(crate) fn sizes_along(&self, sizes: DVec3) -> DVec3 {
         let DMat3 {
             x_axis,
@@ -137,8 +137,7 @@ impl Placement {
 
     /// A world-space ray in object space as picks take it, with the same `t`.
     ///
-    /// Bounds: a component of inverse times vector errs by the placement's own error (see its field) and by what the
-    /// vector itself may be off, times the row's sum.
+    /// Bounds: a component errs by the placement's own error (see its field) plus the vector's error times the row's sum.
     #[inline]
     #[must_use]
     pub fn local_ray<'a>(&'a self, world: &'a WorldRay<'a>) -> PlacedRay<'a> {
@@ -181,12 +180,12 @@ impl Placement {
     #[inline]
     #[must_use]
     pub fn normal_to_world(&self, normal_object: DVec3) -> DVec3 {
-        /// Squares of this and more, up to its reciprocal, are not short of digits.
+        /// Squares from this to its reciprocal have all their digits.
         const LEAST: u64 = power_of_two(-500).to_bits();
         const RANGE: u64 = power_of_two(500).to_bits() - LEAST;
         let normal = self.inverse_linear.transpose() * normal_object;
         let squared = normal.length_squared();
-        // By the bits, which grow with the number: one comparison, and NaN is no such square.
+        // By the bits, which grow with the number: one comparison, false for NaN.
         if squared.to_bits().wrapping_sub(LEAST) < RANGE {
             normal * squared.sqrt().recip()
         } else {
@@ -194,7 +193,7 @@ impl Placement {
         }
     }
 
-    /// Scaled on the way: an inverse of a very small model times a large normal overflows.
+    /// Scaled first: the inverse of a very small model times a large normal overflows.
     #[cold]
     fn scaled_normal_to_world(&self, normal_object: &DVec3) -> DVec3 {
         let unit = *normal_object / normal_object.abs().max_element();
@@ -203,16 +202,16 @@ impl Placement {
     }
 }
 
-/// The inverse in `f64` with a bound on how far its product with a vector is off, over the row's sum and the vector's
-/// largest component, and whether it mirrors; `None` where there is neither.
+/// The inverse in `f64`; a bound on the error of its products, over row sum and the vector's largest component; and
+/// whether it mirrors. `None` where `f64` finds no inverse or no bound.
 ///
 /// With `X` the inverse as computed and `E = A X - I`, the exact inverse is `X - A^-1 E`, so that `|X - A^-1|` is at most
 /// `|X| |E| / (1 - |E|)` (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, 14.1): each entry is off by its
 /// row's sum times the largest entry of `E`, and a product takes three of them. `E` is computed, and three products and
 /// three sums of it round.
 fn rounded_inverse(matrix: DMat3) -> Option<(DMat3, f64, bool)> {
-    // Columns, then rows, scaled to about 1 first, so that the determinant of a tiny or huge model neither vanishes nor
-    // overflows, and a flat one keeps its digits; by powers of two, which round nothing.
+    // Columns, then rows are scaled to about 1 by powers of two, which rounds nothing. The determinant of a tiny or huge
+    // model then neither vanishes nor overflows, and that of a flat one keeps its digits.
     let columns = scales(matrix);
     let unit = matrix * columns;
     let rows = scales(unit.transpose());
@@ -256,8 +255,8 @@ fn row_sums(matrix: DMat3) -> DVec3 {
     matrix.x_axis.abs() + matrix.y_axis.abs() + matrix.z_axis.abs()
 }
 
-/// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that what is turned by them
-/// stays along the axes.
+/// Sine and cosine of an angle in quarter turns (1 is 90 degrees); exact for whole ones, so that axes are turned into
+/// axes.
 #[must_use]
 pub(crate) fn sin_cos_quarters(quarter_turns: f64) -> (f64, f64) {
     let whole = quarter_turns.round();
@@ -276,7 +275,7 @@ mod tests {
     use crate::geometry::{PixelGrid, exact, random::Random};
     use glam::DVec2;
 
-    /// Any numbers that a file may hold as a model matrix: turned, stretched, sheared, small and large ones.
+    /// Model matrices as files may hold them: turned, stretched, sheared, small and large.
     fn matrix(random: &mut Random, i: u32) -> DAffine3 {
         let mut linear = DMat3::from_cols(random.point(), random.point(), random.point());
         let stretch = [1.0, 1e3, 1e-7, 1e14][i as usize % 4];
@@ -295,7 +294,7 @@ mod tests {
         }
     }
 
-    /// The bounds of [`PixelGrid::ray`] and [`Placement::local_ray`], held against exact arithmetic.
+    /// The bounds of [`PixelGrid::ray`] and [`Placement::local_ray`] hold against exact arithmetic.
     #[test]
     fn local_rays_are_within_their_bounds() {
         let mut random = Random(11);
@@ -320,7 +319,7 @@ mod tests {
                 is_orthographic: i % 2 == 0,
             };
             let px = DVec2::new(640.0, 360.0) + 640.0 * random.point().truncate();
-            // The middle, where nothing is added to F, too.
+            // Sometimes the middle, where nothing is added to F.
             let px = if i % 11 == 0 {
                 DVec2::new(640.0, 360.5)
             } else {

@@ -1,4 +1,4 @@
-//! What the rays through a rectangle of pixels sweep, to leave out what none of them meets.
+//! What the rays through a rectangle of pixels sweep, to skip what none of them meets.
 
 use super::{Aabb, LocalRay, U};
 use glam::DVec3;
@@ -7,16 +7,16 @@ use glam::DVec3;
 /// orthographic projection.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pyramid {
-    /// Of each plane the normal, inwards, and a point.
+    /// Each plane's inward normal and a point on it.
     planes: [(DVec3, DVec3); 4],
 }
 
 impl Pyramid {
-    /// About the rays through the corners of a rectangle, in order around it, which is so many pixels wide and high; it
-    /// holds all that a ray at least a pixel inside of the rectangle meets.
+    /// About the rays through the corners, in order around it, of a rectangle `side_px` pixels wide and high. It holds
+    /// everything that a ray at least a pixel inside the rectangle meets.
     ///
-    /// That pixel is the room for rounding: `None` where it is not 16 times what planes and points may be off. With `s` the
-    /// largest component of a side, which is off by `e`, and `d` of a direction, off by `f`, a normal is off by
+    /// That pixel is the margin for rounding: `None` where it is less than 16 times the error of planes and points. With
+    /// `s` the largest component of a side, off by `e`, and `d` that of a direction, off by `f`, a normal is off by
     /// `6 U d s + 2 (d e + s f)` in each component.
     pub fn new(corners: &[LocalRay; 4], side_px: f64) -> Option<Self> {
         const ROOM: f64 = 16.0;
@@ -52,7 +52,7 @@ impl Pyramid {
                 let point_error = 4.0 * U * way + reach * f + start;
                 pixel >= ROOM * (size * point_error + 3.0 * normal_error * way)
             };
-            // Written so that NaN is no pyramid.
+            // NaN gives no pyramid.
             if !(is_wide && pixel > 0.0) {
                 return None;
             }
@@ -73,15 +73,13 @@ impl Pyramid {
         }
     }
 
-    /// Whether some of the convex hull of points may be inside; false only when all of them are beyond one plane,
-    /// and never by NaN.
+    /// Whether part of the convex hull of points may be inside: false only if all lie beyond one plane, never for NaN.
     pub fn may_hold(&self, points: &[DVec3]) -> bool {
         (self.planes.iter())
             .all(|(normal, on)| points.iter().any(|point| !(normal.dot(*point - *on) < 0.0)))
     }
 
-    /// Whether some of a box may be inside; false only when all of it is beyond one plane,
-    /// and never by NaN.
+    /// Whether part of a box may be inside: false only if all of it lies beyond one plane, never for NaN.
     pub fn may_meet(&self, bounds: &Aabb) -> bool {
         (self.planes.iter()).all(|(normal, on)| {
             let [to_min, to_max] = [bounds.min, bounds.max].map(|corner| *normal * (corner - *on));

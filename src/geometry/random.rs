@@ -1,4 +1,4 @@
-//! Numbers that look random, for the tests beside what they test.
+//! Pseudo-random numbers for unit tests.
 
 use glam::DVec3;
 

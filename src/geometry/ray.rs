@@ -1,4 +1,4 @@
-//! Rays: the numbers of one, and what a pixel's ray is made of.
+//! Rays, and the numbers that a pixel's ray is made of.
 
 use super::{
     Across, Section, ThroughPoint, U,
@@ -8,9 +8,9 @@ use super::{
 use glam::{DVec2, DVec3};
 use std::ops::Deref;
 
-/// A half-line with the interval of its parameter that counts. Its numbers are taken as exact.
+/// A half-line with an interval of its parameter. Its numbers are taken as exact.
 ///
-/// In whichever space its user says; lengths in that space's units.
+/// In any space, with lengths in that space's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// Where `t = 0` lies.
@@ -30,7 +30,7 @@ impl Ray {
         self.origin + t * self.direction
     }
 
-    /// A parameter that counts before it is rounded, rounded: the nearest to it that counts.
+    /// The nearest `f64` within the interval to a parameter `t` that lay there before it was rounded.
     pub(crate) fn kept_within(&self, t: f64) -> f64 {
         t.max(self.t_min).min(self.t_max.next_down())
     }
@@ -42,7 +42,7 @@ impl Ray {
     }
 }
 
-/// Upper bounds on how far a ray's rounded numbers are from the exact ones, by component. Infinite where there is none.
+/// Upper bounds on how far a ray's rounded numbers are from the exact ones, by component; infinite where unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RayError {
     /// Of the origin.
@@ -51,7 +51,7 @@ pub struct RayError {
     pub direction: DVec3,
 }
 
-/// The camera's numbers that, with a position, make a ray. All are taken as exact.
+/// The camera's numbers that make a ray through a position. All are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelGrid {
     /// World position of the eye.
@@ -70,8 +70,8 @@ pub struct PixelGrid {
     pub is_orthographic: bool,
 }
 
-/// A pixel's ray, `origin + t direction`, and how it changes over the picture (Igehy, "Tracing Ray Differentials", SIGGRAPH
-/// 1999): by what the direction moves in perspective, the origin in orthographic projection.
+/// A pixel's ray, `origin + t direction`, and its change per pixel (Igehy, "Tracing Ray Differentials", SIGGRAPH 1999):
+/// of the direction in perspective, of the origin in orthographic projection.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayDifferential<N> {
     pub origin: Vector<N>,
@@ -83,7 +83,7 @@ pub(crate) struct RayDifferential<N> {
 }
 
 impl<N> RayDifferential<N> {
-    /// The same in another space with the same origin.
+    /// Its image under a linear map.
     pub fn map(self, linear: impl Fn(Vector<N>) -> Vector<N>) -> Self {
         let [origin, direction, right, down] =
             [self.origin, self.direction, self.right, self.down].map(linear);
@@ -96,7 +96,7 @@ impl<N> RayDifferential<N> {
     }
 }
 
-/// What a ray is exactly.
+/// An exact ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Line<'a> {
     /// `origin + t direction`.
@@ -107,10 +107,10 @@ pub(super) enum Line<'a> {
     Through(&'a ThroughPoint),
 }
 
-/// A world-space ray as picks take it: its numbers as `f64` rounds them, how far they may be off, and the numbers that it
-/// is made of. Decisions are about the exact ray; reading it as a [`Ray`] gives the rounded one.
+/// A world-space ray as picks take it: its rounded numbers, bounds on their errors, and the exact numbers behind them.
+/// Decisions are about the exact ray; reading it as a [`Ray`] gives the rounded one.
 ///
-/// A [`Ray`] that is turned into one is exact as it stands.
+/// A [`Ray`] that is converted into one is exact as it stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldRay<'a> {
     ray: Ray,
@@ -120,8 +120,8 @@ pub struct WorldRay<'a> {
 }
 
 impl<'a> WorldRay<'a> {
-    /// It, when hits only count where a section keeps them. Its interval ends where that cuts it, rounded outwards: what is
-    /// hit close to there is for whoever asks for hits to decide.
+    /// This ray, whose hits count only where a section keeps them. Its interval shrinks to the kept part, rounded
+    /// outwards; whoever asks for hits decides about those close to the cut.
     #[must_use]
     pub fn cut_by(mut self, section: &Section) -> Self {
         let across = Across::new(*section, &self.ray, &self.error);
@@ -145,7 +145,7 @@ impl<'a> WorldRay<'a> {
         &self.line
     }
 
-    /// A line whose numbers are rounded to those of a ray, with bounds on what that takes.
+    /// A line, rounded to `ray`, with bounds on the error.
     pub(super) fn of_line(ray: Ray, error: RayError, line: Line<'a>) -> Self {
         Self {
             ray,
@@ -190,10 +190,10 @@ impl From<&Self> for WorldRay<'_> {
     }
 }
 
-/// Factors between this and its reciprocal make no product that underflows or overflows.
+/// Factors between this and its reciprocal make products that neither underflow nor overflow.
 const MODERATE: f64 = power_of_two(300);
 
-/// Whether a factor is 0 or so moderate that bounds relative to products of three of them hold. False for NaN.
+/// Whether a factor is 0, or moderate enough for relative bounds on products of three. False for NaN.
 fn is_moderate(factor: f64) -> bool {
     factor == 0.0 || (1.0 / MODERATE..=MODERATE).contains(&factor.abs())
 }
@@ -224,7 +224,7 @@ impl PixelGrid {
         N::from(self.half_height) / N::from(self.size_px[1].into())
     }
 
-    /// Of R and of U.
+    /// The factors of R and U.
     #[inline]
     fn factors<N: Number>(&self, px: DVec2) -> [N; 2] {
         let [width, height] = self.size_px.map(|size| N::from(size.into()));
@@ -233,8 +233,8 @@ impl PixelGrid {
         [per_half_px * (x - width), per_half_px * (height - y)]
     }
 
-    /// [`PixelGrid::ray`], its origin seen from `origin`, without bounds, in `f64` or where that is too coarse in pairs of
-    /// them; with what changes from pixel to pixel.
+    /// [`PixelGrid::ray`] relative to `origin`, without bounds, and its change per pixel. In `f64`, or in pairs of them
+    /// where that is too coarse.
     pub(crate) fn differential<N: Number>(&self, px: DVec2, origin: DVec3) -> RayDifferential<N> {
         let [right, up] = [self.right, self.up].map(Vector::<N>::from);
         let [of_right, of_up] = self.factors::<N>(px);
@@ -273,7 +273,7 @@ impl PixelGrid {
         let per_half_px = self.per_half_px::<f64>();
         let are_moderate = |v: DVec3| is_moderate(v.x) && is_moderate(v.y) && is_moderate(v.z);
         let [right, up] = [self.right, self.up].map(|axis| per_half_px * axis);
-        // A step that underflowed would look like none.
+        // A step that underflowed would look like 0.
         let is_bounded = is_moderate(per_half_px)
             && per_half_px != 0.0
             && [self.right, self.up, right, up]
@@ -290,7 +290,7 @@ impl PixelGrid {
     }
 }
 
-/// The rays through a picture's pixels: what of each is the same for all was reckoned once.
+/// The rays through a picture's pixels; what all of them share is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelRays {
     grid: PixelGrid,
@@ -300,12 +300,12 @@ pub struct PixelRays {
     right: DVec3,
     /// For half a pixel upwards: `(h / H) U`.
     up: DVec3,
-    /// Whether the steps are so moderate that the bounds hold.
+    /// Whether the steps are moderate enough for the bounds to hold.
     is_bounded: bool,
 }
 
 impl PixelRays {
-    /// They, when hits only count where a section keeps them; by none, where nothing does.
+    /// These rays, whose hits count only where a section keeps them; `None` keeps all.
     #[must_use]
     pub fn cut_by(self, section: Option<Section>) -> Self {
         Self { section, ..self }
@@ -313,9 +313,9 @@ impl PixelRays {
 
     /// The ray through a position in pixels; see [`PixelGrid::ray`].
     ///
-    /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once, the sum
-    /// of both products once, and adding F or the eye once more. With `A` and `B` the two products, that is below
-    /// `6 U (|A| + |B|)` and `U` of the result; nothing where both are 0.
+    /// Bounds: a component of a step rounds twice (quotient, product), the factor `2 px - W` once, their product once,
+    /// the sum of both products once, and adding F or the eye once. With `A` and `B` the two products, that is below
+    /// `6 U (|A| + |B|)` plus `U` of the result, and 0 where both products are 0.
     #[inline]
     #[must_use]
     pub fn ray(&self, px: DVec2) -> WorldRay<'static> {
@@ -361,7 +361,7 @@ impl PixelRays {
         self.rounded_with_aside(px).0
     }
 
-    /// With the two products of which it is a sum.
+    /// The rounded ray, and the two products that are summed in it.
     #[inline]
     fn rounded_with_aside(&self, px: DVec2) -> (Ray, [DVec3; 2]) {
         let [right, up] = self.half_pixels(px);
@@ -382,7 +382,7 @@ impl PixelRays {
         (ray, [a, b])
     }
 
-    /// From the middle of the picture, to the right and upwards.
+    /// From the middle of the picture, to the right and upwards, in half pixels.
     #[inline]
     fn half_pixels(&self, px: DVec2) -> [f64; 2] {
         let [width, height] = self.grid.size_px.map(f64::from);

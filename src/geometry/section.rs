@@ -6,14 +6,14 @@ use super::{
 };
 use glam::DVec3;
 
-/// Keeps the points p of the world with `n . p + c >= 0`, the plane among them. The stored numbers are taken as exact.
+/// Keeps the world points p with `n . p + c >= 0`, the plane included. The stored numbers are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
     normal: DVec3,
     offset: f64,
 }
 
-/// Why there is no such section.
+/// Why a section is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SectionError {
@@ -23,7 +23,7 @@ pub enum SectionError {
     /// A normal of 0 has no direction.
     #[error("a section's normal must not be 0,0,0")]
     NoNormal,
-    /// Three points of one line, or less, span no plane.
+    /// The points lie on one line, or coincide, and span no plane.
     #[error("the three points of a section must not lie on one line")]
     OneLine,
 }
@@ -43,7 +43,7 @@ impl Section {
         }
     }
 
-    /// Through a point, across a normal: c is rounded.
+    /// Through a point, with this normal; c is rounded.
     ///
     /// # Errors
     /// As [`Section::new`].
@@ -51,8 +51,9 @@ impl Section {
         Self::new(normal, -normal.dot(point))
     }
 
-    /// Through three points; it keeps the side from which they are counter-clockwise. Whether they span a plane is decided
-    /// exactly. n is a unit vector, rounded; so is c, upwards, so that all three points are kept as far as `f64` tells.
+    /// Through three points, keeping the side from which they are counter-clockwise. Whether they span a plane is decided
+    /// exactly. n is a unit vector, rounded. c is rounded upwards, so that all three points are kept as far as `f64` can
+    /// tell.
     ///
     /// # Errors
     /// When a number is not finite, or the points lie on one line.
@@ -69,8 +70,8 @@ impl Section {
         )
     }
 
-    /// Whether three finite points span no plane but by what rounding makes of them, as it may of points that were picked: each
-    /// coordinate is off by a few units in the last place of the largest.
+    /// Whether three finite points may be on one line up to rounding, as picked points may: each coordinate is off by a
+    /// few units in the last place of the largest.
     #[must_use]
     pub fn may_be_on_one_line(points: [DVec3; 3]) -> bool {
         let [a, b, c] = points;
@@ -79,15 +80,15 @@ impl Section {
         let size = points.iter().map(|p| p.abs().max_element());
         let size = size.fold(0.0, f64::max);
         let lost = |v: DVec3| 4.0 * U * size / v.abs().max_element();
-        // NaN, of two points in one place, is on one line.
+        // NaN, from two coinciding points, counts as on one line.
         !(normal.length() > 8.0 * U + lost(b - a) + lost(c - a))
     }
 
-    /// The same with c raised until it keeps points of an object, each about an origin in object space. The first step is
-    /// what c may have been rounded by.
+    /// The same with c raised until it keeps these points of an object, given about an origin in object space. The first
+    /// step is the largest rounding error of c.
     ///
     /// # Errors
-    /// When no finite c does.
+    /// When no finite c keeps them.
     pub(crate) fn moved_to_keep(
         mut self,
         placement: &Placement,
@@ -111,7 +112,7 @@ impl Section {
         Ok(self)
     }
 
-    /// n: it points to what is kept.
+    /// n; it points to the kept side.
     #[must_use]
     pub fn normal(&self) -> DVec3 {
         self.normal
@@ -123,17 +124,17 @@ impl Section {
         self.offset
     }
 
-    /// What keeps the other side; the plane belongs to both.
+    /// The section that keeps the other side; the plane belongs to both.
     #[must_use]
     pub fn flipped(&self) -> Self {
-        // Added to 0, -0 is 0.
+        // Adding 0 turns -0 into 0.
         Self {
             normal: DVec3::ZERO - self.normal,
             offset: 0.0 - self.offset,
         }
     }
 
-    /// `n . p + c`, rounded: not below 0 for what is kept.
+    /// `n . p + c`, rounded: 0 or more for what is kept.
     #[must_use]
     pub fn side(&self, point: DVec3) -> f64 {
         self.normal.dot(point) + self.offset
@@ -149,8 +150,8 @@ pub(crate) struct Across {
 }
 
 impl Across {
-    /// Bounds: three products and the sums of them and c round by less than `5 U` of the sizes of what is added up. An error
-    /// of the ray counts as often as n says. The least normal number is slack for underflow.
+    /// Bounds: three products and their sum with c round by less than `5 U` of the terms' sizes. The ray's errors count
+    /// as often as n says. The least normal number is slack for underflow.
     pub(super) fn new(section: Section, ray: &Ray, error: &RayError) -> Self {
         let Section { normal, offset } = section;
         let along = |v: DVec3, error: DVec3, constant: f64| {
@@ -168,7 +169,7 @@ impl Across {
         }
     }
 
-    /// Whether the point at a parameter is kept, which may be off by `t_error`. Written so that NaN is in doubt.
+    /// Whether the point at a parameter, off by at most `t_error`, is kept. NaN is in doubt.
     ///
     /// The product and the sum round by less than `2 U` of both terms; 1.01 absorbs what the bound itself rounds.
     pub fn keeps(&self, t: f64, t_error: f64) -> Result<bool, InDoubt> {
@@ -190,7 +191,7 @@ impl Across {
         }
     }
 
-    /// What of an interval of parameters may be kept: rounded outwards, and of it all where the ray runs along the plane.
+    /// The part of a parameter interval that may be kept, rounded outwards; all of it for a ray along the plane.
     pub(super) fn of_interval(&self, [t_min, t_max]: [f64; 2]) -> [f64; 2] {
         match self.start.negative().over(self.ahead) {
             Ok(at) if self.ahead.value > 0.0 => [t_min.max(at.low()), t_max],

@@ -1,4 +1,4 @@
-//! Work that is shared out to all cores.
+//! Work that all cores share.
 
 use std::{
     iter,
@@ -9,7 +9,7 @@ use std::{
     thread,
 };
 
-/// The results of `work` on each item, in order; a core that is free takes the next.
+/// The results of `work` on each item, in order; each free core takes the next item.
 pub(crate) fn on_all_cores<T, R: Send>(
     items: impl Iterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
@@ -34,16 +34,17 @@ pub(crate) fn on_all_cores<T, R: Send>(
     done.into_iter().map(|(_, result)| result).collect()
 }
 
-/// Less is not worth a thread.
+/// The least share that is worth a thread.
 const LEAST: usize = 1 << 12;
 
-/// The results of `work` on equal shares of `0..count`, in order, at most one a core.
+/// The results of `work` on equal shares of `0..count`, in order; at most one share a core.
 pub(crate) fn in_shares<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     let share = count.div_ceil(cores()).max(LEAST);
     let shares = (0..count).step_by(share);
     on_all_cores(shares.map(|first| first..(first + share).min(count)), work)
 }
 
-fn cores() -> usize {
+/// Threads that run at once; 1 where the system does not tell.
+pub(crate) fn cores() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }

@@ -25,10 +25,10 @@ impl Sphere {
         }
     }
 
-    /// Where `ray` enters (front) and leaves it, nearest first, as far as the ray's interval reaches; a ray that just
-    /// touches it hits once, and not a front.
+    /// Where `ray` enters (front) and leaves the sphere within its interval, nearest first. A ray that only touches it
+    /// hits once, at the back.
     ///
-    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
+    /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
     #[must_use]
     pub fn hits<'a>(ray: impl Into<LocalRay<'a>>) -> [Option<Hit>; 2] {
         let ray = ray.into();
@@ -41,7 +41,7 @@ impl Sphere {
     }
 }
 
-/// The hits as `f64` sees them.
+/// The hits as far as `f64` decides them.
 ///
 /// The line meets the sphere where its moment `c = o x d` is no longer than `r |d|`, and then at
 /// `t = (-o.d -+ sqrt(r^2 d.d - c.c)) / d.d`: nothing is divided before it is decided, and nothing cancels far away as it
@@ -54,7 +54,7 @@ impl Sphere {
 /// `g / root`. Each sum is taken with a little more than that, for its own roundings.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
-    /// Squares of a direction above this are not short of digits.
+    /// Squares of larger directions have all their digits.
     const LEAST: f64 = power_of_two(-500);
     let Ray {
         origin: o,
@@ -74,7 +74,7 @@ fn filter(ray: &LocalRay) -> Result<[Option<Hit>; 2], InDoubt> {
     let discriminant_error = r2 * squared_error
         + 5.0 * U * (moment_squared + r2 * squared)
         + (2.1 * moment.abs().element_sum() + 3.1 * moment_error) * moment_error;
-    // Written so that NaN, and what is short of digits, is in doubt.
+    // NaN, and squares that lack digits, are in doubt.
     if !(squared > LEAST) {
         return Err(InDoubt);
     }

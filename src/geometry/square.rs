@@ -32,9 +32,9 @@ impl Square {
             .map(|(x, y)| Self::HALF_SIDE * DVec3::new(x, y, 0.0))
     }
 
-    /// Where `ray` meets it within the ray's interval; its rim belongs to it. A ray within its plane misses.
+    /// Where `ray` meets the square, rim included, within its interval. A ray in its plane misses.
     ///
-    /// By `f64` where its rounding cannot change the answer, by exact arithmetic where it could.
+    /// Decided in `f64` where rounding cannot change the answer, else by exact arithmetic.
     #[must_use]
     pub fn hit<'a>(ray: impl Into<LocalRay<'a>>) -> Option<Hit> {
         let ray = ray.into();
@@ -47,10 +47,10 @@ impl Square {
     }
 }
 
-/// The hit as `f64` sees it.
+/// The hit as far as `f64` decides it.
 ///
-/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared undivided. Two products and their
-/// difference round by `2 U` of their sizes; an error `p` of `o` and `f` of `d` adds what each product takes of it.
+/// The line meets the plane `z = 0` at `x = (o_x d_z - o_z d_x) / d_z`, which is compared without dividing. Two products
+/// and their difference round by `2 U` of their sizes. Errors `p` of `o` and `f` of `d` add their part of each product.
 #[inline]
 fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
     let Ray {
@@ -63,7 +63,7 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
         return Ok(None);
     }
     let rim = Square::HALF_SIDE * d.z.abs();
-    // How far the point is past the rim, and the bound on that; both axes before the decision, which costs a branch.
+    // How far the point is past the rim, and its bound; both axes before the decision, which costs a branch.
     let past = |axis: usize| {
         let (a, b) = (o[axis] * d.z, o.z * d[axis]);
         let through = (o[axis].abs() + p[axis]) * f.z + p[axis] * d.z.abs();
@@ -78,7 +78,7 @@ fn filter(ray: &LocalRay) -> Result<Option<Hit>, InDoubt> {
     if x[0] > 0.0 || y[0] > 0.0 {
         return Ok(None);
     }
-    // Written so that NaN is in doubt.
+    // NaN is in doubt.
     if !(x[1] < 0.0 && y[1] < 0.0) {
         return Err(InDoubt);
     }

@@ -17,8 +17,8 @@ use super::{
 use glam::DVec3;
 use std::cmp::Ordering;
 
-/// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of triangles that
-/// `f32` can hold, and a direction of `2^-200`, make more.
+/// `2^-600`: slack for underflow, which takes at most `2^-1075` times two lengths below `2^402`. Two edges of `f32`
+/// triangles and a direction of `2^-200` make a larger product.
 const LOST: f64 = power_of_two(-600);
 
 /// Where a ray meets a triangle.
@@ -51,35 +51,35 @@ impl TriangleHit {
     }
 }
 
-/// A way to meet a ray with a triangle given by its corners (of `f32` components). Picks take it as a parameter, so
-/// that methods can be compared. `None` outside the ray's interval.
+/// A ray-triangle test, for corners of `f32` components. Picks take it as a parameter, so that methods can be compared.
+/// `None` outside the ray's interval.
 pub type TriangleTest = fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>;
 
-/// Ray against triangle, never wrong: signed volumes in `f64` where their rounding cannot change the answer, exact
-/// arithmetic where it could.
+/// Ray against triangle, never wrong: signed volumes in `f64` where their rounding cannot change the answer, else exact
+/// arithmetic.
 ///
 /// Hit or miss, front or back, and whether the hit lies in the ray's interval are those of exact arithmetic for the
 /// given ray and corners. `t` is within `t_error` of the exact parameter and has at least half of its digits right,
 /// usually all. A ray or corner that is not finite misses.
 #[must_use]
 pub fn guarded_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    if is_passed_by(ray, corners) {
+    if is_missed(ray, corners) {
         None
     } else {
-        settled_volume(ray, corners)
+        filtered_volume(ray, corners)
     }
 }
 
-/// [`guarded_volume`], to the bit, for triangles that are likely to be hit: it costs the same for those that are not.
+/// [`guarded_volume`], to the bit, for triangles that a tree has filtered: it has no early way out for misses.
 #[inline(always)]
-pub(super) fn settled_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-    settle(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
+pub(super) fn filtered_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
+    filter(ray, corners).unwrap_or_else(|InDoubt| exact_volume(ray, corners))
 }
 
-/// Weights that are less certain than this are worth exact arithmetic.
+/// Weights less certain than this are worth exact arithmetic.
 const WORST_WEIGHT: f64 = power_of_two(-14);
 
-/// [`guarded_volume`], all of it by exact arithmetic.
+/// [`guarded_volume`] by exact arithmetic alone.
 #[cold]
 #[must_use]
 pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
@@ -88,11 +88,10 @@ pub fn exact_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit>
 
 /// Whether `f64` leaves [`guarded_volume`]'s answer to exact arithmetic.
 pub(super) fn is_in_doubt(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
-    !is_passed_by(ray, corners) && settle(ray, corners).is_err()
+    !is_missed(ray, corners) && filter(ray, corners).is_err()
 }
 
-/// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it; by exact
-/// arithmetic.
+/// Whether the ray reaches the triangle's plane within its interval and no later than `limit`, or runs along it; exactly.
 pub(super) fn reaches_plane(ray: &VertexRay, corners: [DVec3; 3], limit: f64) -> bool {
     let exactly = ray.exactly();
     let triangle = Corners {
@@ -120,12 +119,12 @@ fn volume_bound(ray: &VertexRay, m: f64, s: f64) -> f64 {
     s * (per_length * (m + o) + 2.0 * ray.taxicab * o) + LOST
 }
 
-/// Times the largest corner it is more than any edge.
+/// Times the largest corner, this exceeds any edge.
 const EDGE_OVER_CORNER: f64 = 2.01;
 
-/// Which side of a triangle its volumes say that the ray meets; `None` where it passes by.
+/// Which side of a triangle the ray meets, by the volumes; `None` for a miss.
 ///
-/// Mostly a bound suffices that takes no look at the edges.
+/// Mostly a bound that does not look at the edges suffices.
 #[inline(always)]
 fn side(
     ray: &VertexRay,
@@ -137,8 +136,7 @@ fn side(
         .or_else(|InDoubt| by_sign(volumes, volume_bound(ray, m, largest(edges))))
 }
 
-/// What volumes say that err by no more than `bound`. Weights that are none too certain are in doubt as well. Written so
-/// that NaN is.
+/// What volumes with an error of at most `bound` say. NaN is in doubt, and so are weights that are too uncertain.
 #[inline(always)]
 fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
     let (least, greatest) = (least(volumes), greatest(volumes));
@@ -154,11 +152,11 @@ fn by_sign(volumes: [f64; 3], bound: f64) -> Result<Option<bool>, InDoubt> {
     }
 }
 
-/// Whether the ray misses for certain, as it does most triangles, by far.
+/// Whether the ray certainly misses, as it does most triangles.
 ///
-/// The tail is reckoned as an error: with `m` larger by the length whose rounding it is, a corner is within `U m`.
+/// The tail counts as an error: with `m` enlarged by the length whose rounding it is, a corner is within `U m`.
 #[inline]
-fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
+fn is_missed(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let edges = edges(corners);
     let m = largest(seen) + ray.tail_as_length;
@@ -166,9 +164,9 @@ fn is_passed_by(ray: &VertexRay, corners: [DVec3; 3]) -> bool {
     matches!(side(ray, m, edges, volumes), Ok(None))
 }
 
-/// For triangles that may be hit: the tail is taken off the corners, which are then within `2 U`.
+/// For triangles that may be hit: the tail is subtracted from the corners, which are then within `2 U`.
 #[inline(always)]
-fn settle(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
+fn filter(ray: &VertexRay, corners: [DVec3; 3]) -> Result<Option<TriangleHit>, InDoubt> {
     let seen = corners.map(|corner| ray.to(corner));
     let edges = edges(corners);
     let volumes = volumes(ray.ray.direction, seen, edges);
@@ -216,7 +214,7 @@ fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     let [o, f] = ray.errors;
     let numerator_error = (20.0 * U * (a.abs().element_sum() + 3.0 * o) + 7.0 * o) * (s * s);
     let denominator_error = (16.0 * U * ray.taxicab + 7.0 * f) * (s * s);
-    // By a quotient that does not wait for `t`. Written so that NaN, from an overflow, is no bound.
+    // A quotient that does not wait for `t`. NaN, from an overflow, is no bound.
     let inverse = 1.0 / denominator.abs();
     let t_error = if denominator_error <= HALF_OF_THE_DIGITS * denominator.abs() {
         (numerator_error + t.abs() * denominator_error) * inverse + 12.0 * U * t.abs()
@@ -226,8 +224,8 @@ fn parameter(ray: &VertexRay, [_, ca, ab]: [DVec3; 3], a: DVec3) -> (f64, f64) {
     (t, t_error)
 }
 
-/// Which of two triangles of one mesh, both hit, the ray meets first: by exact arithmetic where their errors leave it open.
-/// Methods that give no bound are taken at their word.
+/// Which of two triangles of one mesh, both hit, the ray meets first; exact where their errors overlap. Methods without
+/// bounds are trusted.
 pub(super) fn compare_t(
     ray: &VertexRay,
     a: (f64, f64),
@@ -238,7 +236,7 @@ pub(super) fn compare_t(
         return a.0.total_cmp(&b.0);
     }
     let [a, b] = corners();
-    // In one plane they are met at once, from wherever: that is cheaper to tell.
+    // Triangles in one plane are met at once by any ray, and that is cheaper to find out.
     if exact::are_coplanar(a, b) {
         return Ordering::Equal;
     }
@@ -251,7 +249,7 @@ pub(super) fn compare_t(
     exact::compare(&exactly.line, &a, &b)
 }
 
-/// Whether two parameters, each with its bound, may be the same.
+/// Whether two parameters may be equal, given their bounds.
 pub(crate) fn overlap((a, a_error): (f64, f64), (b, b_error): (f64, f64)) -> bool {
     !(a + a_error < b - b_error || b + b_error < a - a_error)
 }
@@ -267,7 +265,7 @@ pub fn signed_volume(ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit
     let seen = corners.map(|corner| corner - ray.ray.origin);
     let edges = edges(corners);
     let volumes = volumes(ray.ray.direction, seen, edges);
-    // Written so that NaN misses.
+    // NaN misses.
     if !(volumes.iter().all(|v| *v >= 0.0) || volumes.iter().all(|v| *v <= 0.0)) {
         return None;
     }
@@ -296,7 +294,7 @@ fn edges([a, b, c]: [DVec3; 3]) -> [DVec3; 3] {
     [c - b, a - c, b - a]
 }
 
-/// The largest component, without signs.
+/// The largest absolute value of a component.
 #[inline]
 fn largest<const N: usize>(vectors: [DVec3; N]) -> f64 {
     let sizes = vectors.map(|v| {
@@ -321,13 +319,13 @@ fn greatest([a, b, c]: [f64; 3]) -> f64 {
     max(max(a, b), c)
 }
 
-/// Unlike `f64::min` one instruction; the second when either is NaN.
+/// One instruction, unlike `f64::min`; the second number when either is NaN.
 #[inline]
 fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// Unlike `f64::max` one instruction; the second when either is NaN.
+/// One instruction, unlike `f64::max`; the second number when either is NaN.
 #[inline]
 fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }

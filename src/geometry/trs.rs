@@ -1,4 +1,4 @@
-//! A model matrix in parts that people edit.
+//! A model matrix in parts that users edit.
 
 use super::sin_cos_quarters;
 use glam::{DAffine3, DMat3, DVec3};
@@ -24,9 +24,8 @@ impl Trs {
         }
     }
 
-    /// The parts of a matrix; `None` where it shears, or flattens an axis, and so is not made of them. A matrix that
-    /// mirrors has its x scale negative. Where the y rotation is a quarter turn, those about x and z do the same, and
-    /// all of it counts as x.
+    /// The parts of a matrix; `None` where it shears or flattens an axis. A mirroring matrix has a negative x scale.
+    /// Where the y rotation is a quarter turn, those about x and z do the same, and all of it counts as x.
     #[must_use]
     pub fn of(model: DAffine3) -> Option<Self> {
         let m = model.matrix3;
@@ -40,12 +39,12 @@ impl Trs {
             r.y_axis.dot(r.z_axis),
             r.z_axis.dot(r.x_axis),
         ];
-        // Of unit vectors, so their products are known to a few roundings.
+        // These are unit vectors, so their products are known to a few roundings.
         let is_rotation = leaning.iter().all(|dot| dot.abs() <= 64.0 * f64::EPSILON);
         if !is_rotation {
             return None;
         }
-        // Each angle after the one before is undone, so that all of them together make the matrix even where single
+        // Each angle is found after the one before is undone, so that together they make the matrix even where single
         // ones are undetermined.
         let z = r.x_axis.y.atan2(r.x_axis.x);
         let (sin, cos) = z.sin_cos();
@@ -53,7 +52,7 @@ impl Trs {
         let x = (sin * r.z_axis.x - cos * r.z_axis.y).atan2(cos * r.y_axis.y - sin * r.y_axis.x);
         Some(Self {
             translation: model.translation,
-            // Minus zero would be shown.
+            // Minus zero would be displayed.
             rotation_deg: DVec3::new(x, y, z).map(f64::to_degrees) + 0.0,
             scale,
         })

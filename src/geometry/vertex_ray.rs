@@ -3,27 +3,27 @@
 use super::{LocalRay, Ray, U, binary::power_of_two, local_ray::Exactly};
 use glam::DVec3;
 
-/// `2^200`. Origins and directions up to this, and vertices of `f32`, make no product that overflows.
+/// `2^200`. Origins and directions up to this and `f32` vertices make no product that overflows.
 const LARGE: f64 = power_of_two(200);
 
-/// A ray in the space of a mesh's vertices that lost no digit on the way from object space.
+/// A ray in the space of a mesh's vertices, with no digit lost on the way from object space.
 ///
-/// `ray.origin - vertex_origin` rounds. What that takes is kept, so that decisions are about the ray in object space:
+/// `ray.origin - vertex_origin` rounds. The rounding error is kept, so that decisions are about the ray in object space:
 /// here it starts at `ray.origin + tail`.
 #[derive(Clone, Copy, Debug)]
 pub struct VertexRay<'a> {
     /// The ray, its origin rounded.
     pub ray: Ray,
-    /// What rounding took from the origin: in each component at most half a unit in the last place.
+    /// The rounding error of the origin: in each component at most half a unit in the last place.
     pub tail: DVec3,
     /// The length whose rounding would be as large as `tail`.
     pub(super) tail_as_length: f64,
-    /// The sum of the direction's components without their signs; infinite where products could overflow, and the bounds
-    /// on rounding therefore do not hold.
+    /// The sum of the direction's absolute components; infinite where products could overflow, so that rounding bounds do
+    /// not hold.
     pub(super) taxicab: f64,
     /// How far a component of origin and tail, and of the direction, may be from the exact ray's.
     pub(super) errors: [f64; 2],
-    /// In object space, and the vertices' (0, 0, 0) there; `None` where that is object space's own, and the ray is exact.
+    /// The object-space ray, and the vertices' (0, 0, 0) there; `None` if both spaces are one and the ray is exact.
     object: Option<(&'a LocalRay<'a>, &'a DVec3)>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> VertexRay<'a> {
         }
     }
 
-    /// A ray that is exact as it stands, as vertices about (0, 0, 0) see it.
+    /// An exact ray, as vertices about (0, 0, 0) see it.
     #[must_use]
     pub fn exact(ray: Ray) -> Self {
         Self::of(ray, DVec3::ZERO)
@@ -52,7 +52,7 @@ impl<'a> VertexRay<'a> {
     #[inline]
     fn of(ray: Ray, tail: DVec3) -> Self {
         let taxicab = ray.direction.abs().element_sum();
-        // Written so that NaN is false.
+        // False for NaN.
         let is_moderate = ray.origin.abs().element_sum() <= LARGE && taxicab <= LARGE;
         Self {
             ray,
@@ -69,7 +69,7 @@ impl<'a> VertexRay<'a> {
         self.object.map_or(DVec3::ZERO, |(_, origin)| *origin)
     }
 
-    /// What the ray is exactly, in object space or beyond.
+    /// The exact ray, in object space or beyond.
     pub(super) fn exactly(&self) -> Exactly<'a> {
         match self.object {
             Some((ray, _)) => ray.exactly(),
@@ -77,16 +77,15 @@ impl<'a> VertexRay<'a> {
         }
     }
 
-    /// Whether relative bounds on rounding hold for it: each number is 0 or between `2^-200` and `2^200` in size. Then
-    /// a difference to an `f32` is 0 or above `2^-306`, and neither products nor quotients of it leave the range of
-    /// `f64`.
+    /// Whether relative rounding bounds hold: each number is 0 or between `2^-200` and `2^200` in size. A difference to
+    /// an `f32` is then 0 or above `2^-306`, and its products and quotients stay within `f64`.
     pub(crate) fn is_bounded(&self) -> bool {
         let numbers = [self.ray.origin, self.tail, self.ray.direction].map(|v| v.abs().to_array());
         let is_bounded = |&size: &f64| size == 0.0 || (1.0 / LARGE..=LARGE).contains(&size);
         numbers.as_flattened().iter().all(is_bounded)
     }
 
-    /// From the ray's start to a vertex (of `f32` components), each component to within `2 U` of itself.
+    /// From the ray's origin to a vertex (of `f32` components), each component to within `2 U` of itself.
     ///
     /// Where the first difference cancels by half or more it is exact (Sterbenz) and only the second rounds.
     /// Otherwise it is at least half of `ray.origin`, hence `|tail| <= U |ray.origin| <= 2 U |difference|`: taking

@@ -1,4 +1,4 @@
-//! Positions at what a view shows.
+//! Positions aimed at what a view shows.
 
 use super::blocks::{Layout, Sample, chance};
 use crate::common::Random;
@@ -59,7 +59,8 @@ pub fn point_of(random: &mut Random, shape: &Shape, on_border: bool) -> DVec3 {
     }
 }
 
-/// Where the picture shows about this point of a visible object; anywhere when it does not, and where none is visible.
+/// A position about where the picture shows this point of a visible object; anywhere if it is not shown, or no object is
+/// visible.
 pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -> DVec2 {
     let visible: Vec<_> = scene
         .objects()
@@ -78,7 +79,7 @@ pub fn aimed(random: &mut Random, scene: &Scene, view: &View, on_border: bool) -
     }
 }
 
-/// A sample with so many positions, most of them at what is visible.
+/// A sample with this many positions, most of them at what is visible.
 pub fn sample(random: &mut Random, scene: Scene, view: View, count: usize) -> Sample {
     let position = |_| match random.below(4) {
         0 => anywhere(random, &view),

@@ -1,4 +1,4 @@
-//! Sections along faces against exact arithmetic: they keep all of the face, and next to nothing before it.
+//! Sections along faces, against exact arithmetic: they keep the whole face, and next to nothing before it.
 
 use super::{
     exact::number::{Dyadic, dot, vector},
@@ -44,7 +44,7 @@ fn parallelogram(random: &mut Random) -> MeshData {
 #[test]
 fn a_section_along_a_face_keeps_all_of_it_and_next_to_nothing_before_it() {
     let mut random = Random::new(97);
-    // Of corners that the plane through three others would cut away, were it not for what is held here.
+    // Corners that the plane through the three others would cut away by rounding.
     let mut raised = [0; 3];
     for i in 0..3_000 {
         let placement = placement(&mut random, i);

@@ -1,4 +1,4 @@
-//! Picks that were wrong, slow or told their certainty wrongly when the core was attacked: each stays mended.
+//! Picks that were wrong or slow, or misjudged their certainty, when the core was attacked.
 
 use super::common::{self, mesh, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -28,7 +28,7 @@ fn at(shape: Shape, size: f64, center: DVec3) -> Object {
     Object::new("it", shape, Placement::new(model).expect("invertible"))
 }
 
-/// So many that a scene with them has a tree; nowhere near.
+/// So many that their scene has a tree; none is near.
 fn crowd() -> impl Iterator<Item = Object> {
     (0..9).map(|i| {
         at(
@@ -39,7 +39,8 @@ fn crowd() -> impl Iterator<Item = Object> {
     })
 }
 
-/// The roots cancel in the difference, which lies in the middle between two `f64`: no enclosure of it ever rounds to one.
+/// The roots cancel in the difference, which lies in the middle between two `f64`: no enclosure of it rounds to one
+/// number.
 #[test]
 fn the_gap_between_two_balls_is_a_quotient() {
     let balls = [0.25, 0.05].map(|z| at(Shape::Sphere, 1.0, DVec3::new(0.0, 0.0, z)));
@@ -54,7 +55,7 @@ fn the_gap_between_two_balls_is_a_quotient() {
     assert_eq!(gap.to_bits(), f64::to_bits(0.25 - 0.05));
 }
 
-/// The ray is outside by less than the rounding of half a side and its bound.
+/// The ray misses by less than the rounding of half a side and its bound.
 #[test]
 fn a_ray_just_beside_a_cube_misses_it() {
     let scene = Scene::new(vec![at(Shape::Cube, 1.0, DVec3::ZERO)]);
@@ -69,7 +70,7 @@ fn a_ray_just_beside_a_cube_misses_it() {
     }
 }
 
-/// Where a ray starts is off by what its two far parts are rounded to, though it starts near the origin.
+/// The ray starts near the origin, but its start is off by the rounding of its two large terms.
 #[test]
 fn a_tree_over_the_scene_knows_how_far_rays_are_off() {
     let small = at(Shape::Cube, 2e-7, DVec3::ZERO);
@@ -108,7 +109,7 @@ fn a_tree_over_the_scene_knows_how_far_rays_are_off() {
     assert!(hits > 50, "{hits}");
 }
 
-/// A ball that the ray just touches, behind what is seen and behind the eye, decides nothing.
+/// A ball behind what is seen, and one behind the eye, that the ray just touches: neither makes the pick exact.
 #[test]
 fn what_lies_behind_makes_no_pick_exact() {
     for (square, eye) in [(2.0, 5.0), (-4.0, -2.0)] {

@@ -1,4 +1,4 @@
-//! What families of scenes are made of: placements, shapes, views and positions, all from one seed.
+//! The parts of families of scenes: placements, shapes, views and positions, all from one seed.
 
 use crate::common::{Random, box_triangles, icosphere, mesh, orthographic, perspective};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -9,7 +9,7 @@ use sightline::{
 };
 use std::{ops::Range, sync::Arc};
 
-/// A scene, a view of it and positions to ask.
+/// A scene, a view of it and positions to pick at.
 pub struct Sample {
     pub scene: Scene,
     pub view: View,
@@ -21,7 +21,7 @@ pub struct Sample {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
     Anywhere,
-    /// One step of `f64` apart, two and two.
+    /// Pairs that are one step of `f64` apart.
     Pairs,
     /// Every pixel's centre, row by row.
     Picture,
@@ -60,7 +60,7 @@ pub fn lattice_turn(random: &mut Random) -> DMat3 {
     DMat3::from_cols(signed(first), signed(second), signed(third))
 }
 
-/// Rotated, scaled up to 8 times more one way than another, sheared or mirrored at times.
+/// Rotated, scaled up to 8 times more along one axis than another; sometimes sheared or mirrored.
 pub fn placement(random: &mut Random, size: f64, centre: DVec3) -> Placement {
     loop {
         let scale = DVec3::from_array(std::array::from_fn(|_| size * power(random, -0.45..0.45)));
@@ -127,8 +127,8 @@ pub fn some_shape(random: &mut Random) -> Shape {
     }
 }
 
-/// Shows and hides, and adds a hidden mesh that has no tree yet: as long as one is missing, records leave out
-/// `differs_px`, which would ask up to 196 rays each.
+/// Shows and hides objects, and adds a hidden mesh without a tree: until all trees are built, records omit `differs_px`,
+/// which would ask up to 196 rays each.
 pub fn scene(random: &mut Random, mut objects: Vec<Object>) -> Scene {
     if objects.len() > 2 {
         for object in &mut objects {
@@ -187,7 +187,7 @@ pub fn parts(random: &mut Random, placement: Placement) -> Vec<Object> {
     (0..3).map(object).collect()
 }
 
-/// A camera at `eye` that sees about `size` at `target`, through either kind of lens.
+/// A camera at `eye` that sees about `size` at `target`, through either projection.
 pub fn framed(random: &mut Random, eye: DVec3, target: DVec3, size: f64) -> View {
     let distance = eye.distance(target);
     let lens = if chance(random, 2) {

@@ -1,4 +1,4 @@
-//! Positions where the answer changes: found by halving between two positions until they are one step of `f64` apart.
+//! Positions where the answer changes, found by bisection between two positions until they are one step of `f64` apart.
 
 use super::{
     aim::aimed,
@@ -11,7 +11,7 @@ use crate::exact::truth::World;
 use glam::{DVec2, dvec2};
 use sightline::camera::{Camera, Lens};
 
-/// Pairs of positions at edges, corners and silhouettes of scenes that are nowhere special.
+/// Pairs of positions at edges, corners and silhouettes of general scenes.
 pub fn borders(random: &mut Random) -> Sample {
     let make = [families::ordinary, families::far_eyes, families::condition][random.below(3)];
     let Sample { scene, view, .. } = make(random);
@@ -48,7 +48,7 @@ impl Case<'_> {
             .collect()
     }
 
-    /// Two neighbouring positions with two answers, on the way from one position to another column.
+    /// Two neighbouring positions with different answers, between one position and another column.
     fn change(&self, start: DVec2, column: f64) -> Option<[DVec2; 2]> {
         let at = |x: f64| dvec2(x, start.y);
         let (mut left, mut right) = (start.x, column);
@@ -70,7 +70,7 @@ impl Case<'_> {
     }
 }
 
-/// Near or far at the very `f64` that a hit's `t` rounds to, or one step beside it.
+/// Near or far is exactly the `f64` that a hit's `t` rounds to, or one step beside it.
 pub fn planes_nearly(random: &mut Random) -> Sample {
     loop {
         let make = [families::ordinary, families::far_eyes, families::condition][random.below(3)];

@@ -1,4 +1,4 @@
-//! The oracle itself, on cases whose answers are known without it.
+//! Tests of the oracle itself, on cases whose answers are known without it.
 
 use crate::common::{Random, mesh, orthographic, perspective, view};
 use crate::exact::{
@@ -276,7 +276,7 @@ fn coincident_faces_come_in_the_order_of_objects_and_triangles() {
     assert_eq!(order(&down), all[1..5]);
     down.near = Dyadic::of(2.0_f64.next_up());
     assert_eq!(order(&down), []);
-    // Within the plane nothing flat is met; the cube's rim is.
+    // In its plane no flat shape is hit; the cube's rim is.
     let within = line(dvec3(-2.0, 0.25, 0.0), DVec3::X);
     assert_eq!(order(&within), [(3, None), (3, None)]);
 }

@@ -1,4 +1,4 @@
-//! One position: what the program says beside what is true.
+//! One position: the program's answer beside the true one.
 
 use super::{
     program::{self, Answer},
@@ -18,15 +18,15 @@ use sightline::{
 };
 use std::fmt::Write;
 
-/// How far `t` may be from the exact parameter, relatively: half of the digits, as `geometry` has it; and besides as far as
-/// the coordinates round by which it was found.
+/// The relative error allowed for `t`: half of the digits, as in `geometry`. The rounding of the coordinates that it was
+/// found with is added.
 const T_RELATIVE: f64 = 1.0 / 67_108_864.0;
-/// How much more a number may be off that is made of `t` and of stored numbers in a few steps, relatively.
+/// Additional relative error allowed for a number computed from `t` and stored numbers in a few steps.
 pub const FEW_ROUNDINGS: f64 = 16.0 * f64::EPSILON;
-/// How far a corner's weight may be off: a quarter of the least step of a colour between corners.
+/// The error allowed for a corner's weight: a quarter of the least step of a colour between corners.
 const WEIGHT: f64 = 1.0 / 1024.0;
 
-/// A scene through a view, with the truth about it.
+/// A scene through a view, with the oracle's truth about it.
 pub struct Case<'a> {
     pub scene: &'a Scene,
     pub view: &'a View,
@@ -38,7 +38,7 @@ impl Case<'_> {
         self.world.hits(&Line::of(self.view, px), self.view.sides)
     }
 
-    /// Compares `closest` and `all`, and where asked the records.
+    /// Compares `closest` and `all`, and records if asked to.
     pub fn check(&self, px: DVec2, with_records: bool, tally: &mut Tally) -> Vec<Pick> {
         let line = Line::of(self.view, px);
         let truth = self.world.hits(&line, self.view.sides);
@@ -108,7 +108,7 @@ impl Case<'_> {
         format!("at {px:?} of {:?}", self.view)
     }
 
-    /// Once more with trees, and records against those `before`: all but `differs_px` must be as they were.
+    /// Compares again with trees, and records against those from `before`: all but `differs_px` must be equal.
     pub fn recheck(&self, px: DVec2, before: Option<Vec<Pick>>, tally: &mut Tally) {
         let mut again = Tally::default();
         let records = self.check(px, before.is_some(), &mut again);
@@ -134,7 +134,7 @@ impl Case<'_> {
         tally.with_trees(again);
     }
 
-    /// How many pairs of neighbouring positions have two answers.
+    /// How many pairs of neighbouring positions have different answers.
     pub fn steps(&self, positions: &[DVec2]) -> usize {
         let pairs = positions.as_chunks::<2>().0.iter();
         pairs
@@ -156,7 +156,7 @@ impl Case<'_> {
         }
     }
 
-    /// All that somebody needs to look into an answer.
+    /// Everything needed to look into an answer.
     fn described(&self, place: &str, truth: &[Hit]) -> String {
         let mut text = format!("  {place}\n");
         for hit in truth {
@@ -261,7 +261,7 @@ impl Mistakes {
         if record.gap.map(f64::to_bits) != gap.map(f64::to_bits) {
             self.add("gap", format!("{:?} for {gap:?}", record.gap));
         }
-        // What is exactly on a border, no filter can decide.
+        // No filter can decide what is exactly on a border.
         let tied = |other: Option<&Hit>| other.is_some_and(|other| other.t.compare(&hit.t).is_eq());
         let on_near = hit.t.compare_to(&line.near).is_eq();
         let undecided =

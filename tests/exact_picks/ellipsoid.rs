@@ -1,4 +1,4 @@
-//! The area of a sphere under a matrix, against a wider truth.
+//! The area of a sphere under a matrix, against a more precise truth.
 
 use glam::{DAffine3, DMat3};
 use sightline::{
@@ -42,7 +42,7 @@ fn areas_lie_within_their_bounds() {
         let Measured { value, error } = area(columns);
         let off = ((value - exact) - rest).abs();
         assert!(off <= error, "{columns:?}: {value} +- {error}, not {exact}");
-        // Half of the last place, and what the eigenvectors' rounding makes of the bounds.
+        // Half of the last place, and the eigenvectors' rounding in the bounds.
         assert!(error <= 2e-14 * exact, "{columns:?}: {error} of {exact}");
     }
 }

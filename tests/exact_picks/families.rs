@@ -1,4 +1,4 @@
-//! Families of scenes that are nowhere special: shapes, placements, distances and sizes.
+//! Families of general scenes: shapes, placements, distances and sizes.
 
 use super::{
     aim::sample,
@@ -15,7 +15,7 @@ use sightline::{
 
 const POSITIONS: usize = 20;
 
-/// Up to a dozen objects about 1 wide within 4 of each other, of all shapes.
+/// Up to a dozen objects of all shapes, about 1 wide and within 4 of each other.
 fn some_objects(random: &mut Random) -> Vec<Object> {
     let most = if chance(random, 2) { 4 } else { 14 };
     let count = 1 + random.below(most);
@@ -62,7 +62,7 @@ pub fn culled(random: &mut Random) -> Sample {
     sample(random, scene, view, POSITIONS)
 }
 
-/// Placements of condition 1 to 1e14: flattened, stretched, sheared, in one way or in two.
+/// Placements of condition 1 to 1e14: flattened, stretched or sheared, along one axis or two.
 pub fn condition(random: &mut Random) -> Sample {
     let count = 1 + random.below(10);
     let mut objects = Vec::new();
@@ -73,7 +73,7 @@ pub fn condition(random: &mut Random) -> Sample {
         let mut linear = match random.below(3) {
             0 => any_turn(random) * DMat3::from_diagonal(scale),
             1 => any_turn(random) * DMat3::from_diagonal(scale) * any_turn(random),
-            // A shear whose two axes come to lie all but on each other.
+            // A shear whose two axes nearly coincide.
             _ => {
                 let x = random.direction();
                 let y = x + random.direction() / condition;

@@ -1,4 +1,4 @@
-//! Scenes that were once picked wrongly, each at pixels of a small picture.
+//! Scenes that were once picked wrongly, each at the pixels of a small picture.
 
 use super::{
     Sample, ask,
@@ -43,7 +43,7 @@ fn turned(degrees: f64) -> DAffine3 {
     DAffine3::from_rotation_z(degrees.to_radians())
 }
 
-/// By rows, as scene files have it.
+/// By rows, as in scene files.
 fn rows(rows: [[f64; 3]; 3]) -> DAffine3 {
     DAffine3::from_mat3(DMat3::from_cols_array_2d(&rows).transpose())
 }
@@ -261,7 +261,7 @@ fn plain_shapes_from_far_away() {
     assert!(pixels.hits > 500, "{pixels:?}");
 }
 
-/// A dot that is smaller than a pixel, on a pixel's centre: beside it `differs_px` names that centre.
+/// A dot smaller than a pixel, on a pixel's centre: next to it, `differs_px` leads to that centre.
 #[test]
 fn the_nearest_pixel_with_another_answer() {
     let dot = DAffine3::from_scale_rotation_translation(

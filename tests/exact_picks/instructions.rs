@@ -1,4 +1,4 @@
-//! The answers that the oracle has judged, once more by each other kind of instructions that this processor has.
+//! The answers that the oracle has judged, asked again by every other set of instructions of this processor.
 
 use super::{
     blocks::Sample,
@@ -16,10 +16,10 @@ use std::{
     sync::{Arc, atomic::AtomicBool},
 };
 
-/// Of so many positions one is asked for its record too.
+/// One in so many positions is also asked for its record.
 const RECORD_EVERY: usize = 8;
 
-/// What is said of a position.
+/// The answers at a position.
 type Said = (Option<Answer>, Vec<Answer>, Option<Pick>);
 
 fn said(sample: &Sample, scene: &Scene) -> Vec<Said> {
@@ -53,7 +53,7 @@ fn walked_by(simd: Simd, scene: &Scene) -> Scene {
     Scene::new(objects)
 }
 
-/// Whether an answer is a triangle that was found by a tree.
+/// Whether an answer is a triangle found by a tree.
 fn is_walked(scene: &Scene, answer: &Answer) -> bool {
     match &scene.objects()[answer.object].shape {
         Shape::Mesh { mesh, .. } => !mesh.tree_boxes(0, 1).is_empty(),
@@ -61,7 +61,7 @@ fn is_walked(scene: &Scene, answer: &Answer) -> bool {
     }
 }
 
-/// Asks a sample whose trees are built, and whose answers are judged, at all positions by the other instructions.
+/// Asks again at all positions of a sample whose trees are built and whose answers are judged, by the other instructions.
 pub fn check(sample: &Sample, tally: &mut Tally) {
     let judged = said(sample, &sample.scene);
     let is_walked = |(_, all, _): &&Said| all.iter().any(|hit| is_walked(&sample.scene, hit));

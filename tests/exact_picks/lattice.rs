@@ -1,5 +1,5 @@
-//! Scenes of short numbers, in which rays pass exactly through edges, corners and tangents, and faces lie exactly on each
-//! other and on the near and the far plane.
+//! Scenes of short numbers: rays pass exactly through edges, corners and tangents, and faces lie exactly on each other
+//! and on the near and far planes.
 
 use super::blocks::{Layout, Sample, chance, lattice_point, lattice_turn, one_mesh, scene, whole};
 use crate::common::{Random, box_triangles, orthographic, perspective};
@@ -10,7 +10,7 @@ use sightline::{
     scene::{Object, Scene, Shape},
 };
 
-/// A perspective lens the tangent of half of whose field of view is this, to the bit.
+/// A perspective lens; the tangent of half its field of view is this, to the bit.
 fn short_lens(half_height: f64, near: f64, far: f64) -> Lens {
     let guess = 2.0 * half_height.atan();
     let mut around = (0..64_u64).flat_map(|i| [guess.to_bits() + i, guess.to_bits() - i]);
@@ -65,7 +65,7 @@ pub fn shown(view: &View, point: DVec3) -> DVec2 {
     0.5 * size + aside * size.y / (2.0 * camera.half_height() * w)
 }
 
-/// A shape with whole corners, or half ones, in a placement of whole numbers.
+/// A shape with whole or half coordinates, in a placement of whole numbers.
 pub fn lattice_object(random: &mut Random, centre: DVec3) -> Object {
     let linear = loop {
         let linear = if chance(random, 3) {

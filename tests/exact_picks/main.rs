@@ -1,8 +1,8 @@
-//! Whole picks against exact arithmetic: scenes, views and positions of many kinds, each hit and each record held to an
-//! oracle that makes them from the stored numbers by brute force and shares nothing with the program.
+//! Whole picks against exact arithmetic: scenes, views and positions of many kinds. Each hit and each record is compared
+//! with an oracle, which computes it from the stored numbers by brute force and shares no code with the program.
 //!
-//! Each position is asked before there are trees and with them, and the trees by every set of instructions that this
-//! processor has. Some are asked once more from the scene narrowed to the position, and of each view a whole picture is cast.
+//! Each position is asked without trees and with them, and with each set of instructions of this processor. Some are
+//! asked again from the scene narrowed to the position, and each view is cast as a whole picture.
 //!
 //! `SIGHTLINE_POSITIONS=100000 cargo test --locked --release --test exact_picks -- --nocapture families` asks that many
 //! positions of each family and prints a line for each.
@@ -46,7 +46,7 @@ use tally::Tally;
 /// Positions of each family in an ordinary run.
 const POSITIONS: usize = 1000;
 
-/// What at least must have been seen of a family, in a thousand positions. Two families have no mesh that is worth a tree.
+/// The least that a family must show in a thousand positions. Two families have no mesh worth a tree.
 #[derive(Default)]
 struct AtLeast {
     hits: usize,

@@ -1,5 +1,5 @@
-//! Lengths and areas against exact arithmetic: what is said lies within its bound of the truth, and the bound is that of one
-//! rounding where nothing else is known to be off.
+//! Lengths and areas against exact arithmetic: each is within its bound of the truth, and the bound is one rounding where
+//! nothing else is known to be off.
 
 use super::exact::number::{Dyadic, Vector, cross, dot, minus};
 use super::sight::exactly;
@@ -13,7 +13,7 @@ use sightline::{
 /// One rounding, relative.
 const ONCE: f64 = 1.12e-16;
 
-/// Whether a root lies within the bound of a number: its square between those of the ends.
+/// Whether a root lies within the bound of a number: its square lies between the squares of the ends.
 fn is_root(measured: Measured, squared: &Dyadic, factor: i64) -> bool {
     let Measured { value, error } = measured;
     let end = |by: f64| &Dyadic::whole(factor) * &(&Dyadic::of(value) + &Dyadic::of(by));
@@ -66,7 +66,7 @@ fn lengths_and_areas_of_stored_points_are_rounded_once() {
     }
 }
 
-/// Decimals of up to twelve digits are whole numbers of their last place.
+/// Decimals of up to twelve digits are integers of their last place.
 #[test]
 fn lengths_between_written_points_are_those_of_the_decimals() {
     let mut random = Random::new(72);
@@ -148,11 +148,11 @@ fn areas_of_meshes_hold_for_what_was_written() {
             widest = widest.max(measured.error / measured.value);
         }
     }
-    // Not so wide that it says nothing: single precision of coordinates 10 wide.
+    // Not so wide that it is useless: single precision of coordinates 10 wide.
     assert!(widest < 1e-5, "{widest}");
 }
 
-/// Pairs of `f64` do not hold the squares of such lengths: integers do.
+/// Pairs of `f64` cannot hold the squares of such lengths; integers can.
 #[test]
 fn the_area_of_the_smallest_mesh_is_as_sure() {
     let corners = vec![[0.0; 3], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]];

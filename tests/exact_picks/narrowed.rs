@@ -1,8 +1,8 @@
-//! The records that the oracle has judged, once more from a scene that is narrowed to the position.
+//! The records that the oracle has judged, asked again from a scene narrowed to the position.
 
 use super::{blocks::Sample, program, tally::Tally};
 
-/// Of so many positions one is asked.
+/// One in so many positions is asked.
 const EVERY: usize = 4;
 
 /// Asks once trees are built.

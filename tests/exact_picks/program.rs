@@ -1,4 +1,4 @@
-//! What the program says: every call that asks it for an answer is in this file.
+//! The program's answers: every call that asks it for one is in this file.
 
 use glam::{DVec2, DVec3};
 use sightline::{
@@ -45,7 +45,7 @@ pub fn records(scene: &Scene, view: &View, px: DVec2) -> Vec<Pick> {
     pick::pick_all(scene, view, px)
 }
 
-/// The scene for one position, without trees; `None` where there is no such thing.
+/// The scene narrowed to one position, without trees; `None` where it cannot be narrowed.
 pub fn narrowed(scene: &Scene, view: &View, px: DVec2) -> Option<Scene> {
     pick::narrowed(scene, view, px)
 }

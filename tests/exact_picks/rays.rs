@@ -1,4 +1,4 @@
-//! Rays that are given by their numbers, which are taken as exact.
+//! Rays given by their numbers, which are taken as exact.
 
 use super::{
     aim::point_of,

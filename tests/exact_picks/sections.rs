@@ -3,7 +3,7 @@
 use super::{blocks::Sample, borders, cuts::some_section, families, lattice, ties};
 use crate::common::Random;
 
-/// A sample of some family that nothing ties to short numbers, cut.
+/// A sample of a general family, cut.
 pub fn anywhere(random: &mut Random) -> Sample {
     let make = [
         families::ordinary,

@@ -27,7 +27,7 @@ type Make = fn(&mut Random) -> Sample;
 /// Points of each family.
 const POINTS: usize = 400;
 
-/// What there is to tell of one point: seen, hidden or not shown, and by which surface.
+/// What can happen to a point: seen, hidden or not shown, and by which surface.
 type Told = (Ordering, Option<(usize, Option<u32>, bool)>);
 
 const NOT_SHOWN: Told = (Ordering::Greater, None);
@@ -178,6 +178,6 @@ fn what_is_seen_and_what_hides_it_is_what_exact_arithmetic_says() {
         println!("{name:14} seen, hidden, not shown: {counts:?}");
         all = std::array::from_fn(|i| all[i] + counts[i]);
     }
-    // As many as there must be for the test to say something of each.
+    // The fewest of each with which the test means something.
     assert!(all.iter().all(|&count| count > 300), "{all:?}");
 }

@@ -1,4 +1,4 @@
-//! Where positions are led to, against every corner and side of every shape, each seen or not as the oracle says.
+//! Snapping of positions, against every corner and side of every shape; the oracle says which of them are seen.
 
 use super::{
     blocks::Sample,
@@ -20,9 +20,9 @@ use std::cmp::Ordering;
 const RADIUS_PX: f64 = 8.0;
 /// Positions of each family.
 const POSITIONS: usize = 150;
-/// Rounding of `f64` in the picture, pixels; nearer to the radius nothing is said.
+/// Rounding of `f64` in the picture, in pixels; closer to the radius than this, nothing is checked.
 const SLACK_PX: f64 = 1e-6;
-/// An end that a plane makes of a side is looked for so far within what it leaves, in shares: `f64` cannot say where it is.
+/// How far inside a cut-off side its end is looked for, as a share: `f64` cannot say exactly where the end is.
 const INWARDS: f64 = 1e-11;
 /// Places along a side where the oracle looks whether it is seen.
 const SAMPLES: u16 = 4;
@@ -110,8 +110,8 @@ impl Side {
         (is_left && first <= last).then_some([first, last])
     }
 
-    /// The share that is shown nearest to a position, of what near, far and the section leave, and whether it is an end that
-    /// one of them has made.
+    /// Of what near, far and the section leave: the share shown nearest to a position, and whether it is an end that one of
+    /// them made.
     fn nearest(&self, view: &View, px: DVec2) -> Option<(f64, bool)> {
         let [first, last] = self.left(view)?;
         let lens = view.camera.lens();
@@ -144,7 +144,7 @@ impl Side {
         (0..=SAMPLES).map(at).collect()
     }
 
-    /// Whether the oracle, too, sees a point of it that was found, or one a hair along: in the world it is rounded.
+    /// Whether the oracle also sees the point that was found, or one a hair beside it: in the world it is rounded.
     fn shows(&self, world: &World, view: &View, point: DVec3) -> bool {
         let [a, b] = [0.0, 1.0].map(|share| self.world(share));
         let share = (point - a).dot(b - a) / (b - a).length_squared();
@@ -169,8 +169,8 @@ enum Kind {
     Beside,
 }
 
-/// How many positions are led to a vertex, an edge, a face; of edges to an end that a plane has made, and to where they come
-/// out from behind a surface.
+/// How many positions snap to a vertex, an edge, a face; and of those on edges, to an end made by a plane, and to where the
+/// edge comes out from behind a surface.
 fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
     let mut random = Random::new(seed);
     let mut counts = [0; 5];
@@ -223,7 +223,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
                 let samples = samples.map(|share| (share, Kind::Beside));
                 foot.into_iter().chain(samples).collect()
             });
-            // What lies at the very radius may be on either side of it.
+            // What lies exactly at the radius may be on either side of it.
             if [vertex, edge]
                 .iter()
                 .flatten()
@@ -239,7 +239,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
                 (None, Some((away, _))) => (SnapTo::Edge, away),
                 (None, None) => (SnapTo::Face, 0.0),
             };
-            // Of an edge that is hidden at its foot more may be seen than the oracle's samples are.
+            // More of an edge that is hidden at its foot may be seen than the oracle samples.
             let between = found.as_ref().filter(|snap| {
                 to == SnapTo::Edge
                     && vertex.is_none()
@@ -265,7 +265,7 @@ fn run(seed: u64, make: fn(&mut Random) -> Sample, cuts: bool) -> [usize; 5] {
     counts
 }
 
-/// Through what there is: by a section, by near or by far.
+/// What makes an end: a section, near or far.
 fn cut(random: &mut Random, scene: &Scene, view: &mut View) {
     let bounds = scene.visible_bounds();
     let middle = bounds.center() + 0.4 * bounds.radius() * random.direction();
@@ -280,7 +280,7 @@ fn cut(random: &mut Random, scene: &Scene, view: &mut View) {
     view.camera = view.camera.with_lens(lens).expect("a lens");
 }
 
-/// Also where a plane leaves a part of an edge: of that the end counts.
+/// Also where a plane leaves part of an edge: then its end counts.
 #[test]
 fn positions_are_led_to_what_planes_leave_of_edges() {
     let mut ends = 0;

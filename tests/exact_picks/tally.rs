@@ -1,4 +1,4 @@
-//! What many positions showed: counts that keep agreement from being vacuous, and what was wrong.
+//! What many positions showed: mistakes, and counts that keep agreement from being vacuous.
 
 use super::{
     compare::{FEW_ROUNDINGS, same_place},
@@ -7,7 +7,7 @@ use super::{
 use crate::exact::{line::Line, number::Dyadic, root::Parameter, truth::Hit};
 use std::collections::BTreeMap;
 
-/// Two parameters closer than this, relatively, and yet apart are told apart by exact arithmetic only.
+/// Only exact arithmetic tells apart two different parameters closer than this, relatively.
 const HAIR: f64 = 1e-15;
 
 /// What a number of positions showed.
@@ -26,7 +26,7 @@ pub struct Tally {
     pub cut: usize,
     /// Positions where something lies exactly on the section's plane.
     pub on_section: usize,
-    /// Positions where two hits, or a hit and near or far, are apart but less than [`HAIR`].
+    /// Positions where two hits, or a hit and near or far, differ by less than [`HAIR`].
     pub hairs: usize,
     /// Pairs of positions, one step of `f64` apart, with two answers.
     pub steps: usize,

@@ -1,4 +1,4 @@
-//! Many faces in one place, of all shapes.
+//! Ties: many faces of all shapes in one place.
 
 use super::{
     aim,

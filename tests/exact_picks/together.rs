@@ -1,13 +1,13 @@
-//! Whole pictures, whose rays go through the scene together, against each ray by itself.
+//! Whole pictures, whose rays go through the scene together, against each ray alone.
 
 use super::{blocks::Sample, program, tally::Tally};
 use glam::DVec2;
 use sightline::camera::{View, Viewport};
 
-/// Not of whole tiles, and small.
+/// Small, and not a whole number of tiles.
 const SIZE: [u32; 2] = [45, 37];
 
-/// So many positions for each picture.
+/// One picture for so many positions.
 const POSITIONS: usize = 50;
 
 /// Casts a picture once trees are built.

@@ -51,7 +51,7 @@ fn a_given_plane_stays_and_the_other_keeps_to_its_side() {
             assert_eq!(far.to_bits(), given.to_bits());
             assert!(near < far, "near {near}, far {far}");
         }
-        // What cannot be is for the lens to refuse: no plane makes the fit fail.
+        // The lens refuses impossible planes; they never make the fit fail.
         for given in [-1.0, 0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for (near, far) in [
                 (Some(given), None),
@@ -282,7 +282,7 @@ fn looking_along_the_up_axis_needs_no_up() {
             // As orbiting there would end: what is to the right stays there.
             assert_near(camera.right(), frame.x_axis, 1e-15);
             assert_near(camera.up(), -side * frame.z_axis, 1e-15);
-            // An up that was asked for is not replaced.
+            // An up that was chosen is not replaced.
             let asked = CameraChoice {
                 up: Some(up_axis.up()),
                 ..choice

@@ -26,7 +26,7 @@ fn unit_box() -> Aabb {
     }
 }
 
-/// An orbit as the window has it after some turning about.
+/// An orbit as in the window after some turning.
 fn orbits() -> Vec<Orbit> {
     let mut random = Random::new(7);
     let mut orbits = Vec::new();
@@ -234,7 +234,7 @@ fn framing_shows_everything_within_the_planes() {
                         assert!(ndc.z >= 0.0, "{ndc} is beyond the far plane");
                         largest = largest.max(ndc.x.abs()).max(ndc.y.abs());
                     }
-                    // And as large as may be, unless the lens is so wide that the sphere about it is all that counts.
+                    // And it is as large as possible, unless the lens is so wide that only the scene's sphere counts.
                     let wide = fov > 90.0;
                     assert!(
                         extent == 0.0 || wide || largest > 0.1,

@@ -1,7 +1,7 @@
 //! How a tree is built: top down, on several threads.
 //!
-//! Ranges of triangles are jobs until they are small, and each makes a node and up to eight jobs more; a thread builds
-//! a small one alone. In the end the small trees are put behind each other.
+//! A range of triangles is a job until it is small. A job makes a node and up to eight more jobs; one thread builds a
+//! small range alone. In the end the small trees are put behind each other.
 
 use super::{
     Bvh,
@@ -10,10 +10,9 @@ use super::{
     simd::{Instructions, with_large_pages},
     split::{Leaf, Range, Whole},
 };
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, shares::cores};
 use glam::Vec3A;
 use std::{
-    num::NonZero,
     sync::{
         Condvar, Mutex, MutexGuard, PoisonError,
         atomic::{AtomicBool, Ordering},
@@ -21,9 +20,9 @@ use std::{
     thread,
 };
 
-/// Triangles from which on a tree is built by several threads.
+/// From this many triangles on, several threads build.
 const WORTH_THREADS: usize = 20_000;
-/// Jobs for each thread, about: enough that none is idle for long at the end.
+/// About how many jobs a thread gets: enough that none is idle for long at the end.
 const JOBS_PER_THREAD: usize = 16;
 
 /// See [`Bvh::build`].
@@ -44,7 +43,7 @@ pub(super) fn build(
     let threads = if triangles.len() < WORTH_THREADS {
         1
     } else {
-        thread::available_parallelism().map_or(1, NonZero::get)
+        cores()
     };
     let mut leaves = with_large_pages(triangles.len());
     leaves.extend((0..count).map(|i| vertices.leaf(i)));
@@ -85,8 +84,8 @@ pub(super) fn build(
     })
 }
 
-/// The power of two that brings coordinates to where products of them neither vanish nor overflow; `None` where it would
-/// change one of them.
+/// The power of two that scales coordinates so that products of them neither underflow nor overflow; `None` where it
+/// would change a coordinate.
 fn scale(positions: &[[f32; 3]]) -> Option<f32> {
     const SAFE: f32 = 1_073_741_824.0; // 2^30
     let coordinates = positions.as_flattened();
@@ -109,7 +108,7 @@ struct Job<'a> {
     parent: Option<(usize, usize)>,
 }
 
-/// A small tree on its own, and the child of a top node that it is.
+/// A small tree, and the child of a top node that it becomes.
 struct Grown {
     parent: (usize, usize),
     root: Place,
@@ -166,7 +165,7 @@ fn assemble(mut top: Vec<Node>, grown: Vec<Grown>) -> Vec<Line> {
 struct Site<'a> {
     vertices: Vertices<'a>,
     instructions: Instructions,
-    /// Triangles up to which a range is one thread's.
+    /// Ranges up to this many triangles are built by one thread.
     small: usize,
     stop: &'a AtomicBool,
     progress: Mutex<Progress<'a>>,
@@ -180,7 +179,7 @@ impl<'a> Site<'a> {
             match job.parent {
                 _ if self.stop.load(Ordering::Relaxed) => {}
                 Some(parent) if job.range.len() <= self.small.max(WIDTH) => {
-                    // Enough for almost all.
+                    // Enough for almost all trees.
                     let mut lines = Vec::with_capacity(job.range.len());
                     let root = self.grow(&mut lines, job.range, job.depth);
                     let grown = Grown {
@@ -235,7 +234,7 @@ impl<'a> Site<'a> {
         progress.waiting.extend(jobs);
     }
 
-    /// Adds what becomes of `range` to `lines`, and says where.
+    /// Adds the tree over `range` to `lines`, and returns its place.
     fn grow(&self, lines: &mut Vec<Line>, range: Range, depth: usize) -> Place {
         if range.len() <= WIDTH {
             let place = Place::new(lines.len(), true);
@@ -256,7 +255,7 @@ impl<'a> Site<'a> {
     }
 }
 
-/// A node with the boxes of `parts`, of which nothing is known yet but that.
+/// A node with the boxes of `parts`, and no children yet.
 fn node_of(parts: &[Range]) -> Node {
     let bounds = parts.iter().map(Range::bounds);
     Node::about(bounds.map(|corners| corners.map(|corner| corner.to_array())))

@@ -1,9 +1,9 @@
-//! A bounding volume hierarchy over a mesh's triangles, which only ever rejects.
+//! A bounding volume hierarchy over a mesh's triangles, which only rejects.
 //!
 //! Nodes of eight boxes and leaves of eight triangles, so that one instruction handles eight numbers (Wald, Benthin
-//! & Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are judged in `f32`, each with
-//! a derived bound ([`ray`]) on what rounding may have done: what is rejected is missed for certain. What remains
-//! goes to the caller, who decides in `f64`; so whichever instructions there are, the answer is the same to the bit.
+//! & Boulos, "Getting rid of packets", RT 2008; Embree's layout). Boxes and triangles are tested in `f32` with a derived
+//! bound ([`ray`]) on rounding: what they reject is missed for certain. The caller decides about the rest in `f64`, so
+//! the answer is the same to the bit, whichever instructions there are.
 
 #![allow(
     clippy::inline_always,
@@ -28,8 +28,8 @@ use simd::Instructions;
 use std::{ops::ControlFlow, sync::atomic::AtomicBool};
 use walk::Walk;
 
-/// Who is handed the triangles that a ray may hit. A closure will do; what is to be compiled for a walk's instructions
-/// must be `#[inline(always)]`, which closures cannot be.
+/// Receives the triangles that a ray may hit. A closure will do; what must be compiled for a walk's instructions needs
+/// `#[inline(always)]`, which closures cannot have.
 pub trait Visit {
     /// Takes a triangle of the mesh and its corners, to the bit; returns the new end of the ray's interval.
     fn visit(&mut self, triangle: u32, corners: [DVec3; 3]) -> f64;
@@ -42,8 +42,8 @@ impl<F: FnMut(u32, [DVec3; 3]) -> f64> Visit for F {
     }
 }
 
-/// Where rays that stay together enter a tree: a node in place of the root, of what all of them may meet. (Entry points, after
-/// Reshetov, Soupikov & Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.)
+/// Where coherent rays enter a tree: a node in place of the root, with all that any of them may meet. (Entry points,
+/// after Reshetov, Soupikov & Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.)
 #[derive(Debug)]
 pub(crate) struct Entry(Node);
 
@@ -60,9 +60,9 @@ impl Bvh {
     /// Builds the tree over `triangles`, index triples into `positions`, on all processors. All coordinates must be
     /// finite. `simd` names the instructions that build it and that rays walk it by: one of [`Simd::available`].
     ///
-    /// `None` when `stop` was set meanwhile, for instructions that this processor has not got, and for meshes that a tree
-    /// cannot hold: without triangles, with more than `2^27` of them, or with coordinates that differ by so many orders of
-    /// magnitude that scaling would change them.
+    /// `None` when `stop` was set meanwhile, when this processor lacks the instructions, and for meshes that a tree
+    /// cannot hold: without triangles, with more than `2^27`, or with coordinates of such different magnitude that
+    /// scaling would change them.
     #[must_use]
     pub fn build(
         positions: &[[f32; 3]],
@@ -73,26 +73,27 @@ impl Bvh {
         build::build(positions, triangles, Instructions::of(simd)?, stop)
     }
 
-    /// Calls `visit` with every triangle that `ray`, of a space in which the vertices are about `center`, may hit, nearer
-    /// boxes first. `visit` returns the new end of the ray's interval; what begins beyond it is
-    /// passed over, what begins *at* it is not, so that equal hits are all seen.
+    /// Calls `visit` with every triangle that `ray` may hit, nearer boxes first. In the ray's space, vertices are about
+    /// `center`. `visit` returns the new end of the ray's interval: boxes that begin beyond it are skipped, boxes that
+    /// begin *at* it are not, so that all ties are seen.
     ///
-    /// Which triangles are visited beyond those that are hit may differ between processors.
+    /// Which other triangles are visited may differ between processors.
     #[inline]
     pub fn visit(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
-        self.visit_from(None, ray, center, visit);
+        self.visit_from::<true>(None, ray, center, visit);
     }
 
-    /// [`Bvh::visit`] for a ray of which it is known where it may begin.
+    /// [`Bvh::visit`] for a ray whose entry point may be known. Without `FILTER` it rejects by boxes alone, for triangle
+    /// tests under study: these may hit a triangle that the ray misses.
     #[inline]
-    pub(crate) fn visit_from(
+    pub(crate) fn visit_from<const FILTER: bool>(
         &self,
         entry: Option<&Entry>,
         ray: &LocalRay,
         center: &DVec3,
         visit: &mut impl Visit,
     ) {
-        self.instructions.run(Walk::<_, true> {
+        self.instructions.run(Walk::<_, FILTER> {
             tree: self,
             from: entry.map_or_else(|| self.root(), |Entry(node)| node),
             ray,
@@ -101,20 +102,7 @@ impl Bvh {
         });
     }
 
-    /// [`Bvh::visit`] that rejects by boxes alone. For triangle tests that are under study: theirs may hit a triangle
-    /// that the ray misses.
-    #[inline]
-    pub(crate) fn visit_boxes(&self, ray: &LocalRay, center: &DVec3, visit: &mut impl Visit) {
-        self.instructions.run(Walk::<_, false> {
-            tree: self,
-            from: self.root(),
-            ray,
-            center,
-            visit,
-        });
-    }
-
-    /// The boxes so many steps below the root, and packets' that are nearer to it: at most `most` of them.
+    /// The boxes `level` steps below the root, and those of packets above that level: at most `most` of them.
     #[must_use]
     pub fn boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let Frame {
@@ -143,7 +131,7 @@ impl Bvh {
         unscaled.collect()
     }
 
-    /// Where rays within a pyramid, which is about the vertices' origin, may begin; `None` where they meet nothing.
+    /// Where rays within a pyramid, given about the vertices' origin, may enter; `None` where they meet nothing.
     pub(crate) fn entry(&self, pyramid: &Pyramid) -> Option<Entry> {
         let unscale = self.frame.unscale;
         let children_met = |place: Place| {
@@ -183,8 +171,8 @@ impl Bvh {
         Node::at(&self.lines, Place::ROOT)
     }
 
-    /// Calls `visit` with every triangle that may be inside a pyramid, which is about the vertices' origin, and its corners,
-    /// until it answers that it has enough.
+    /// Calls `visit` with every triangle that may be inside a pyramid, and its corners, until it answers that it has
+    /// enough. The pyramid is given about the vertices' origin.
     pub(crate) fn visit_pyramid(
         &self,
         pyramid: &Pyramid,

@@ -1,4 +1,4 @@
-//! What a tree is made of: nodes of eight boxes and packets of eight triangles, each number beside its seven likes.
+//! Nodes of eight boxes and packets of eight triangles; each number is stored beside its seven counterparts.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -14,8 +14,8 @@ pub(super) struct Line([u32; 16]);
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// The least and the greatest corner of each box, by axis. A child that is not there has them the wrong way round,
-    /// and infinite, so that no ray enters it.
+    /// The least and the greatest corner of each box, by axis. An absent child has them infinite and the wrong way round,
+    /// so that no ray enters it.
     pub corners: [[[f32; WIDTH]; 3]; 2],
     /// What is in each box.
     pub children: [Child; WIDTH],
@@ -33,7 +33,7 @@ impl Place {
 
     /// In this line, which must be below `2^31`.
     pub fn new(line: usize, is_packet: bool) -> Self {
-        Self(narrow(line << 1 | usize::from(is_packet)))
+        Self(to_u32(line << 1 | usize::from(is_packet)))
     }
 
     #[inline(always)]
@@ -64,8 +64,8 @@ impl Place {
     }
 }
 
-/// A node or a packet by how far it is behind the node that leads to it, so that a small tree may be put anywhere in a
-/// large one.
+/// The distance of a node or packet behind the node that leads to it, so that a small tree may be put anywhere in a large
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(transparent)]
 pub(super) struct Child(u32);
@@ -74,7 +74,7 @@ impl Child {
     /// Nothing; behind a box that no ray enters.
     pub const NONE: Self = Self(0);
 
-    /// What is in `place` for the node in place `node`, which is before it.
+    /// From the node in place `node` to what is in `place`, behind it.
     pub fn between(node: Place, place: Place) -> Self {
         Self(place.0 - node.0)
     }
@@ -82,9 +82,9 @@ impl Child {
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "build refuses meshes that large"
+    reason = "trees are smaller, and bins few"
 )]
-fn narrow(index: usize) -> u32 {
+pub(super) fn to_u32(index: usize) -> u32 {
     index as u32
 }
 
@@ -98,7 +98,7 @@ impl Node {
     /// Lines that it takes.
     pub const LINES: usize = size_of::<Self>() / size_of::<Line>();
 
-    /// With these boxes, the least and the greatest corner of each, and nothing in them yet.
+    /// A node with these boxes, by least and greatest corner, and no children yet.
     pub fn about(boxes: impl Iterator<Item = [[f32; 3]; 2]>) -> Self {
         let mut node = Self::EMPTY;
         for (lane, bounds) in boxes.enumerate() {
@@ -180,7 +180,7 @@ impl Packet {
         [corner(a), corner(b), corner(c)]
     }
 
-    /// Those that hold a triangle.
+    /// The lanes that hold a triangle.
     pub fn lanes(&self) -> impl Iterator<Item = usize> {
         (0..WIDTH).filter(|&lane| !self.corners[0][0][lane].is_nan())
     }

@@ -1,4 +1,4 @@
-//! A ray made ready for a tree: in `f32`, with what all rounding may come to.
+//! A ray prepared for a tree: in `f32`, with bounds on all rounding.
 //!
 //! # How far the filters may err
 //!
@@ -6,16 +6,17 @@
 //! two, which rounds nothing. `M` is the largest coordinate of the mesh, `|o|` that of the ray's origin. An error in `t` or
 //! in the direction is given as the error in position that it makes.
 //!
-//! **In `f64`.** An eye that is many `M` away is moved to where the ray enters the tree's box, `|o| + M` away at most. The
-//! origin may have been rounded once before (`U |o|`), and the moved one is a product and a sum; the ends of the interval
-//! are moved likewise. All of this is below `far = 8 U (|o| + M)`. Components of the direction below `2^-60` of the
-//! largest are taken as that; it moves a point by less than any of these and makes each reciprocal finite, so that neither
-//! 0 / 0 nor a sign of zero ever arises.
+//! **In `f64`.** An eye that is many `M` away is moved to where the ray enters the tree's box, `|o| + M` away at most.
+//! The origin may have been rounded once before (`U |o|`), and the moved one is a product and a sum; the ends of the
+//! interval are moved likewise. All of this is below `far = 8 U (|o| + M)`. Components of the direction below `2^-60` of
+//! the largest are raised to that. This moves a point by less than any of these and keeps reciprocals finite, so that
+//! neither 0 / 0 nor the sign of a zero ever arises.
 //!
-//! A ray that is inexact itself ([`LocalRay`]) adds to `far` its origin's error and, times the way, its direction's.
+//! An inexact ray ([`LocalRay`]) adds its origin's error to `far`, and its direction's times the distance.
 //!
-//! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved; then
-//! `far / u` is added, so that `u D` has room for it (a near eye's is below `2^-26 u D`, and with errors of the ray itself below `2^-3 u D`).
+//! From here on nothing that matters is farther from the origin than `D`: `|o| + M`, or `2 M` where the eye was moved.
+//! Then `far / u` is added, so that `u D` has room for `far`, but not for a near eye, whose `far` is below `2^-26 u D`,
+//! or below `2^-3 u D` with the ray's own errors.
 //!
 //! **Boxes.** Origin and direction are rounded to `f32`: `u |o|` and, through the direction, `u D`. Then
 //! `t = plane * inverse + offset` rounds `inverse` (`u D`), `offset` (`u |o|`, and again as the padding is added), the
@@ -29,9 +30,9 @@
 //! with `z`; together below [`REACH`] `u D = reach`, and by `u |x|` of its own. With `m` the largest of the six `|x|` and
 //! `|y|` of a triangle, an edge function `x1 y2 - y1 x2` errs by `4 m (reach + u m)` through its factors,
 //! `2 (reach + u m)^2` through both, and `4 u m^2` by itself; terms in `u^2` aside that is less than
-//! `E = (m + reach) (5 reach + 10 u m)`. Where one edge function is below `-E` and another above `E` the exact ones have both
-//! signs, and the ray misses. So it does where all three `z` are beyond its interval by more than `reach`. All else is for
-//! [`visit`](super::Bvh::visit)'s caller to decide.
+//! `E = (m + reach) (5 reach + 10 u m)`. Where one edge function is below `-E` and another above `E`, the exact ones have
+//! both signs, and the ray misses. It also misses where all three `z` are beyond its interval by more than `reach`. The
+//! caller of [`visit`](super::Bvh::visit) decides about all else.
 //!
 //! Sizes between `2^-30` and `2^30` keep all of this within `f32`; other meshes are scaled when the tree is built, other
 //! directions here.
@@ -46,9 +47,9 @@ const PAD: f32 = 8.0;
 /// How far a corner may be from where `f32` sees it, in `u D`.
 const REACH: f32 = 10.0;
 /// Directions are scaled to be no smaller than this, and no larger than its reciprocal.
-const LEAST_SIZE: f32 = narrow(binary::power_of_two(-30));
-/// Smaller components of a direction are taken for this.
-const LEAST_COMPONENT: f32 = narrow(binary::power_of_two(-90));
+const LEAST_SIZE: f32 = to_f32(binary::power_of_two(-30));
+/// Smaller components of a direction are raised to this.
+const LEAST_COMPONENT: f32 = to_f32(binary::power_of_two(-90));
 /// An eye that is farther away than this many times the mesh's largest coordinate is moved.
 const NEAR: f32 = 7.0;
 
@@ -59,9 +60,9 @@ pub(super) struct Frame {
     pub bounds: Aabb,
     /// `M`.
     pub most: f32,
-    /// A power of two: the tree's lengths are the caller's times this.
+    /// A power of two: the caller's lengths times this are the tree's.
     pub scale: f64,
-    /// The other way.
+    /// Its reciprocal.
     pub unscale: f64,
 }
 
@@ -88,32 +89,32 @@ struct Placed {
     direction: Vec3A,
     /// `D`.
     distance: f32,
-    /// What the caller's `t` is to be multiplied with, and then reduced by.
+    /// The tree's `t` is the caller's times this, less `t_start`.
     t_scale: f64,
     t_start: f64,
 }
 
-/// Why a ray is not walked through a tree.
+/// Why a ray does not walk through a tree.
 #[derive(Debug)]
 pub(super) enum Unplaced {
-    /// It passes the tree's box.
+    /// It misses the tree's box.
     Misses,
     /// `f32` cannot hold it: it may hit every triangle.
     BeyondF32,
 }
 
 impl TreeRay {
-    /// `ray`, of the caller's lengths, as the tree sees it about `center`.
+    /// `local`, in the caller's lengths, as the tree sees it about `center`.
     #[inline(always)]
     pub fn prepare(local: &LocalRay, center: &DVec3, frame: &Frame) -> Result<Self, Unplaced> {
-        /// Errors up to this, over the way, disappear in what the bounds have to spare.
+        /// Errors up to this, over the distance, fit into what the bounds have to spare.
         const NOTHING: f64 = binary::power_of_two(-30);
         let ray = local.ray;
         let origin = ((ray.origin - *center) * frame.scale).as_vec3a();
         let direction = ray.direction.as_vec3a();
         let away = origin.abs().max_element();
         let size = direction.abs().max_element();
-        // Written so that NaN is false.
+        // False for NaN.
         let is_near = away <= NEAR * frame.most;
         let [of_origin, of_direction] = local.errors;
         let is_exact = local.is_exact()
@@ -128,7 +129,7 @@ impl TreeRay {
                 t_start: 0.0,
             }
         } else {
-            // One by one: as a whole it would come through memory, for near rays as well, and cost them a quarter.
+            // Field by field: a whole one would go through memory, for near rays as well, and cost them a quarter.
             let far = Placed::far(local, center, frame)?;
             Placed {
                 origin: far.origin,
@@ -161,8 +162,8 @@ impl TreeRay {
             inverse,
             entry_offset: offset - padding,
             exit_offset: offset + padding,
-            // As `end`, but never too late.
-            start: narrow(start - 4.0 * f64::from(U32) * start.abs()),
+            // Like `end`, but never too late.
+            start: to_f32(start - 4.0 * f64::from(U32) * start.abs()),
             placed,
         }
     }
@@ -173,7 +174,7 @@ impl TreeRay {
         // Four roundings, relative to what they round; `far` has room for those that the difference cancels.
         let end = t_max * self.placed.t_scale - self.placed.t_start;
         let end = end * (1.0 + 4.0 * f64::from(U32));
-        narrow(greater(end, 0.0))
+        to_f32(greater(end, 0.0))
     }
 
     /// As triangles see it.
@@ -230,7 +231,7 @@ impl Placed {
         let away = origin.abs().max_element();
         let of_way = of_direction / ray.direction.abs().max_element() * (away + most);
         let far = 8.0 * U * (away + most) + 2.0 * (of_origin * frame.scale + of_way);
-        // Written so that NaN is false.
+        // False for NaN.
         let is_scaled = (least..=1.0 / least).contains(&size) && t_scale.is_normal();
         if !(far < most && is_scaled) {
             return Err(Unplaced::BeyondF32);
@@ -250,7 +251,7 @@ impl Placed {
         Ok(Self {
             origin: origin.as_vec3a(),
             direction: direction.as_vec3a(),
-            distance: narrow(distance + far / f64::from(U32)),
+            distance: to_f32(distance + far / f64::from(U32)),
             t_scale,
             t_start,
         })
@@ -280,7 +281,7 @@ fn greater(a: f64, b: f64) -> f64 {
 
 #[expect(clippy::cast_possible_truncation, reason = "a filter's number")]
 #[inline(always)]
-const fn narrow(x: f64) -> f32 {
+const fn to_f32(x: f64) -> f32 {
     x as f32
 }
 
@@ -289,8 +290,8 @@ mod tests {
     use super::*;
     use crate::geometry::random::Random;
 
-    /// The derivation of the padding, held against planes met in `f64`, fused and not: no box is entered late or left early,
-    /// and it takes most of the padding to say so. Nor does an interval that ends at a plane end before it.
+    /// The padding's derivation holds against planes met in `f64`, fused and not: no box is entered late or left early,
+    /// and most of the padding is needed. Nor does an interval that ends at a plane end before it.
     #[test]
     fn boxes_are_entered_in_time() {
         let mut random = Random(7);
@@ -304,13 +305,13 @@ mod tests {
             };
             let frame = Frame {
                 bounds,
-                most: narrow(most),
+                most: to_f32(most),
                 scale: 1.0,
                 unscale: 1.0,
             };
             // Near the box, as far as an eye may stay, and beyond.
             let away = [0.3, 1.0, 6.99, 1e3, 1e9][i as usize % 5];
-            let plane = narrow(most * random.next());
+            let plane = to_f32(most * random.next());
             let target = most * random.point();
             let origin = away * most * random.point();
             let ray = Ray {
@@ -324,7 +325,7 @@ mod tests {
             };
             for axis in 0..3 {
                 let exact = (f64::from(plane) - origin[axis]) / ray.direction[axis];
-                // Where the plane is met far outside of the box it is no box's.
+                // No box reaches so far outside.
                 if !(ray.at(exact).abs().max_element() <= most) {
                     continue;
                 }

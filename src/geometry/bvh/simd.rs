@@ -1,15 +1,14 @@
-//! The one room with `unsafe` in it: eight `f32` at once, a stack that is not cleared first, and large pages.
+//! The only module with `unsafe`: eight `f32` at once, a stack that is not cleared first, and large pages.
 //!
-//! Why at all: through these eight lanes the tree is about three times as fast as without them, clearing the stack
-//! would cost a ray as much as two nodes, and in pages of 4 kB a tree over a million triangles is a tenth slower. What
-//! keeps it sound is in three rules:
+//! These eight lanes make the tree about three times as fast. Clearing the stack would cost a ray as much as two nodes.
+//! In pages of 4 kB, a tree over a million triangles is a tenth slower. Three rules keep the code sound:
 //!
-//! * A value of [`Avx2`] is proof that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one. Each of its
-//!   methods is safe because there is no other way to call it. So with [`Avx512`]. SSE2 is part of x86-64.
+//! * A value of [`Avx2`] proves that the processor has AVX2 and FMA: only [`Avx2::detect`] makes one, so its methods are
+//!   safe to call. The same holds for [`Avx512`]. SSE2 is part of x86-64.
 //! * [`Stack`] reads only below `len`, where it has written.
 //! * The advice of [`with_large_pages`] changes no content.
 //!
-//! No function here decides anything about a pick; which one runs changes the speed and never the answer.
+//! No function here decides about a pick: which one runs changes the speed, never the answer.
 #![allow(
     unsafe_code,
     reason = "vector instructions, an uncleared stack and large pages; see above"
@@ -46,7 +45,7 @@ impl Simd {
     }
 }
 
-/// Instructions that this processor was seen to have: who keeps this need not look again.
+/// Instructions that this processor was seen to have; whoever holds this need not look again.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Instructions {
     #[cfg(target_arch = "x86_64")]
@@ -59,7 +58,7 @@ pub(super) enum Instructions {
 }
 
 impl Instructions {
-    /// Those of this name; `None` where this processor has not got them.
+    /// Those of this name; `None` where this processor lacks them.
     pub fn of(simd: Simd) -> Option<Self> {
         match simd {
             #[cfg(target_arch = "x86_64")]
@@ -91,8 +90,8 @@ impl Instructions {
 
 /// Something to do by whichever instructions there are.
 ///
-/// `run` must be `#[inline(always)]`, and so must all that it calls with its lanes, which rules out closures: only then is
-/// it compiled for the instructions that they stand for.
+/// `run`, and all that it calls with its lanes, must be `#[inline(always)]`, which rules out closures: only then is it
+/// compiled for these instructions.
 pub(super) trait Work {
     /// What comes out.
     type Output;
@@ -114,22 +113,22 @@ pub(super) trait Lanes: Copy {
     fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     /// `c - a * b`, rounded once or twice.
     fn sub_mul(self, c: Self::F, a: Self::F, b: Self::F) -> Self::F;
-    /// The lesser of each pair; NaN only where both are, and maybe where one is.
+    /// The lesser of each pair; NaN where both are, and possibly where one is.
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
-    /// The greater of each pair; NaN only where both are, and maybe where one is.
+    /// The greater of each pair; NaN where both are, and possibly where one is.
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
     fn abs(self, a: Self::F) -> Self::F;
     /// Where `a <= b`.
     fn le(self, a: Self::F, b: Self::F) -> u32;
-    /// The last four first.
+    /// The last four lanes first.
     fn halves_swapped(self, a: Self::F) -> Self::F;
-    /// Asks for the cache line of an item that is going to be read; any index will do.
+    /// Prefetches the cache line of an item; any index will do.
     fn prefetch<T>(self, items: &[T], index: usize);
-    /// Does `work` by the same instructions, but out of line: for what is done rarely and would crowd a loop.
+    /// Does `work` by the same instructions, but out of line: for rare work that would crowd a loop.
     fn apart<W: Work>(self, work: W) -> W::Output;
 }
 
-/// Eight numbers in memory, never across the border of two pages: a walk whose stack happens to lie so takes a third longer.
+/// Eight numbers in memory, never across two pages: a walk whose stack lies so takes a third longer.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Eight(pub [f32; 8]);
@@ -196,8 +195,8 @@ mod x86 {
         }
     }
 
-    /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`]; the compiler
-    /// has 32 registers for them in place of 16, and spares a walk that stores and reloads half of what it knows.
+    /// Proof that the processor has what AVX-512 adds for eight lanes. The instructions are those of [`Avx2`], with 32
+    /// registers in place of 16: a walk need not store and reload half of its values.
     #[derive(Clone, Copy, Debug)]
     pub(in crate::geometry::bvh) struct Avx512(Avx2);
 
@@ -288,7 +287,7 @@ impl StackRoom {
     }
 }
 
-/// What a walk has yet to look at. Its length is apart from its room so that it stays in a register.
+/// The places that a walk has yet to visit. Its length is apart from its room so that it stays in a register.
 pub(super) struct Stack<'a> {
     room: &'a mut StackRoom,
     len: usize,
@@ -329,8 +328,8 @@ impl<'a> Stack<'a> {
     }
 }
 
-/// A list with room for `capacity` items, in large pages where the system has them, so that a walk through it waits less
-/// often for an address.
+/// A list with room for `capacity` items, in large pages where the system has them: a walk then waits less often for
+/// address translation.
 pub(super) fn with_large_pages<T>(capacity: usize) -> Vec<T> {
     let list: Vec<T> = Vec::with_capacity(capacity);
     #[cfg(target_os = "linux")]

@@ -1,31 +1,31 @@
 //! Where ranges of triangles are cut: by the surface area heuristic (Mac Donald & Booth 1990), estimated in bins (Wald,
 //! "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007).
 //!
-//! A range is cut until there are eight, the one with the largest surface always first: that makes a node.
+//! The range with the largest surface is cut first, until there are eight: they make a node.
 //!
-//! A library's builder was tried in its place: under the same nodes, the trees of obvhs 0.4 (PLOC, medium quality) took a
-//! ray 2 to 35 % longer on the benchmark's meshes and 1.2 to 2.5 times as long to build, with twice the memory; its
-//! faster presets were worse on rays. That is what these lines buy.
+//! A library's builder was tried instead: under the same nodes, the trees of obvhs 0.4 (PLOC, medium quality) took a ray
+//! 2 to 35 % longer on the benchmark's meshes and 1.2 to 2.5 times as long to build, with twice the memory; its faster
+//! presets were worse on rays.
 
 use super::{
-    node::WIDTH,
+    node::{WIDTH, to_u32},
     simd::{Eight, Instructions, Lanes, StackRoom, Work},
 };
 use glam::Vec3A;
 
-/// Triangles from which on a range is sorted into 16 bins along each axis; fewer are into 8: more bins would cost more
-/// than they tell.
+/// From this many triangles on, a range is sorted into 16 bins along each axis, else into 8: more would cost more than
+/// they tell.
 const WORTH_16_BINS: usize = 64;
-/// Below this depth, which real meshes do not reach (theirs is 5 to 8), ranges are halved by count, whatever that does to
-/// their boxes, so that no input makes the tree deeper than [`DEEPEST`].
+/// From this depth on, ranges are halved by count, whatever that does to their boxes, so that no input makes the tree
+/// deeper than [`DEEPEST`]. Real meshes are 5 to 8 deep.
 const HALVED_BELOW: usize = 13;
-/// Nodes above a packet, at most: each node below `HALVED_BELOW` has an eighth of its triangles in each child, and there
-/// are no more than 2^27.
+/// The most nodes above a packet: from `HALVED_BELOW` on, each child gets an eighth of its node's triangles, of which
+/// there are at most 2^27.
 pub(super) const DEEPEST: usize = HALVED_BELOW + 8;
-// Of each node on the way down, all children but one may wait.
+// At each node on the way down, all children but one may wait.
 const _: () = assert!(DEEPEST * (WIDTH - 1) < StackRoom::CAPACITY);
 
-/// A triangle's box, as [`Extent`] has it; number 3 carries the triangle's index as bits.
+/// A triangle's box, as in [`Extent`]; number 3 holds the triangle's index as bits.
 #[derive(Clone, Copy)]
 pub(super) struct Leaf(Eight);
 
@@ -48,8 +48,8 @@ impl Leaf {
     }
 }
 
-/// A box: least x, y, z, something, then greatest x, y, z with their signs turned, and something. So one minimum of eight
-/// numbers widens it.
+/// A box: least x, y, z and any number, then greatest x, y, z, negated, and any number. One minimum of eight numbers then
+/// joins two boxes.
 #[derive(Clone, Copy)]
 struct Extent(Eight);
 
@@ -93,7 +93,7 @@ fn center_of<L: Lanes>(lanes: L, leaf: L::F) -> L::F {
     lanes.sub(leaf, lanes.halves_swapped(leaf))
 }
 
-/// Triangles that become one child, with the box about them and that about their centres (doubled).
+/// Triangles that become one child, with the box about them and the box about their doubled centres.
 pub(super) struct Range<'a> {
     leaves: &'a mut [Leaf],
     bounds: Extent,
@@ -130,7 +130,7 @@ impl<'a> Range<'a> {
         [self.bounds.min(), self.bounds.max()]
     }
 
-    /// Into up to eight, none empty, for a node at this depth.
+    /// Cuts it into up to eight, none empty, for a node at this depth.
     pub fn split_wide(self, depth: usize, instructions: Instructions) -> Vec<Self> {
         let by_area = depth < HALVED_BELOW;
         let mut parts = Vec::with_capacity(WIDTH);
@@ -154,10 +154,10 @@ impl<'a> Range<'a> {
         parts
     }
 
-    /// Without a branch, of which a processor would foresee every other one only.
+    /// Without branches: a processor would mispredict every other one.
     #[inline(always)]
     fn split_at<L: Lanes>(self, lanes: L, cut: &Cut) -> (Self, Self) {
-        // No number is above it, or every one: by whether a centre counts.
+        // The greater of a number and the first is infinite and widens no box; with the second it is the number.
         const GATE: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
         let Self { leaves, .. } = self;
         let mut below = lanes.splat(f32::INFINITY);
@@ -186,7 +186,7 @@ impl<'a> Range<'a> {
     }
 }
 
-/// In two, neither empty: by area, or by count.
+/// A range to cut in two, neither empty: by area, or by count.
 struct Split<'a> {
     range: Range<'a>,
     by_area: bool,
@@ -248,8 +248,8 @@ impl Bins {
         }
     }
 
-    /// The bin of a centre along each axis. Of a float between 2^23 and 2^24 the last bits are an integer; taking no more
-    /// than them gives some bin, always the same, even for what overflows.
+    /// The bin of a centre along each axis. The last bits of a float between 2^23 and 2^24 are an integer. The mask gives
+    /// some bin, always the same, even for what overflows.
     #[inline(always)]
     fn of(&self, center: Vec3A) -> [u32; 3] {
         let at = (center - self.origin) * self.scale + Vec3A::splat(Self::INTEGER);
@@ -290,7 +290,7 @@ struct Binning<const BINS: usize> {
 impl<const BINS: usize> Binning<BINS> {
     #[inline(always)]
     fn new<L: Lanes>(lanes: L, range: &Range) -> Self {
-        let bins = Bins::new(&range.centers, narrow(BINS - 1));
+        let bins = Bins::new(&range.centers, to_u32(BINS - 1));
         let mut extents = [[Extent::EMPTY; BINS]; 3];
         let mut counts = [[0; BINS]; 3];
         for leaf in &*range.leaves {
@@ -342,13 +342,13 @@ impl<const BINS: usize> Binning<BINS> {
         Some(Cut {
             bins: self.bins,
             axis,
-            first_above: narrow(first_above),
+            first_above: to_u32(first_above),
             bounds,
         })
     }
 }
 
-/// Surface times packets: what a ray is expected to pay; infinite for nothing at all.
+/// Surface times packets, the expected cost of a ray; infinite for no triangles.
 #[expect(clippy::cast_precision_loss, reason = "an estimate")]
 #[inline(always)]
 fn cost(extent: &Extent, count: usize) -> f32 {
@@ -356,9 +356,4 @@ fn cost(extent: &Extent, count: usize) -> f32 {
         return f32::INFINITY;
     }
     extent.area() * count.div_ceil(WIDTH) as f32
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "a number of bins")]
-fn narrow(bin: usize) -> u32 {
-    bin as u32
 }

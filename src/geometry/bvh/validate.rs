@@ -1,4 +1,4 @@
-//! Whether a tree is what it says that it is.
+//! Checks that a tree is well formed.
 
 use super::{
     Bvh,
@@ -18,7 +18,7 @@ impl Bvh {
         let mut lines = 0;
         let Frame { bounds, scale, .. } = self.frame;
         let everywhere = [bounds.min, bounds.max].map(|v| v.as_vec3().to_array());
-        // Each with the box that it must lie in, and the nodes above it.
+        // Each with the box that it must lie in, and its depth.
         let mut open = vec![(Place::ROOT, everywhere, 0)];
         while let Some((place, bounds, depth)) = open.pop() {
             if depth > DEEPEST {
@@ -30,7 +30,8 @@ impl Bvh {
                 for lane in packet.lanes() {
                     let (triangle, corners) = (packet.triangles[lane], packet.corners_of(lane));
                     let found = seen.get_mut(triangle as usize);
-                    let found = found.ok_or_else(|| format!("{triangle} does not exist"))?;
+                    let found =
+                        found.ok_or_else(|| format!("triangle {triangle} does not exist"))?;
                     if std::mem::replace(found, true) {
                         return Err(format!("triangle {triangle} is there twice"));
                     }
@@ -53,7 +54,7 @@ impl Bvh {
                 let child = node.children[lane];
                 let is_empty = inner[0] > inner[1];
                 if (child == Child::NONE) != is_empty {
-                    return Err("a box leads nowhere, or nowhere leads to a node".into());
+                    return Err("a child has no box, or a box has no child".into());
                 }
                 if is_empty {
                     continue;
@@ -65,7 +66,7 @@ impl Bvh {
             }
         }
         if lines != self.lines.len() {
-            return Err("some nodes or packets are not reached once".into());
+            return Err("some nodes or packets are not reached exactly once".into());
         }
         let lost = seen.iter().position(|seen| !seen);
         lost.map_or(Ok(()), |lost| Err(format!("triangle {lost} is lost")))

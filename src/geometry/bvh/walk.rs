@@ -1,4 +1,4 @@
-//! A ray's way through a tree.
+//! Walks a ray through a tree.
 
 use super::{
     Bvh, Visit,
@@ -9,21 +9,21 @@ use super::{
 use crate::geometry::LocalRay;
 use glam::DVec3;
 
-/// Hands the triangles that a ray may hit to `visit`, nearer boxes first; `visit` returns the new end of the ray's
+/// Calls `visit` with the triangles that a ray may hit, nearer boxes first; `visit` returns the new end of the ray's
 /// interval.
 ///
-/// Where `SIFT` is false, triangles are judged by their boxes alone.
-pub(super) struct Walk<'a, V, const SIFT: bool> {
+/// Without `FILTER`, triangles are judged by their boxes alone.
+pub(super) struct Walk<'a, V, const FILTER: bool> {
     pub tree: &'a Bvh,
-    /// Where it begins: the root, or a node that stands for it.
+    /// The root, or a node in its place.
     pub from: &'a Node,
     pub ray: &'a LocalRay<'a>,
-    /// Where the vertices' (0, 0, 0) lies for the ray.
+    /// Where the vertices' (0, 0, 0) lies in the ray's space.
     pub center: &'a DVec3,
     pub visit: &'a mut V,
 }
 
-impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
+impl<V: Visit, const FILTER: bool> Work for Walk<'_, V, FILTER> {
     type Output = ();
 
     #[inline(always)]
@@ -45,19 +45,19 @@ impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
         let lines = &*tree.lines;
         let ray = &ray;
         let boxes = Boxes::new(lanes, ray);
-        let mut sieve = None;
+        let mut filter = None;
         let mut room = StackRoom::new();
         let mut stack = Stack::new(&mut room);
         let mut place = Place::ROOT;
         loop {
             if place.is_packet() {
                 let packet = Packet::at(lines, place);
-                let mut hit = if SIFT {
-                    let sieve = match &sieve {
-                        Some(sieve) => sieve,
-                        None => sieve.insert(Sieve::new(ray)),
+                let mut hit = if FILTER {
+                    let filter = match &filter {
+                        Some(filter) => filter,
+                        None => filter.insert(TriangleFilter::new(ray)),
                     };
-                    sieve.may_hit(lanes, packet, end)
+                    filter.may_hit(lanes, packet, end)
                 } else {
                     present(lanes, packet)
                 };
@@ -101,7 +101,7 @@ impl<V: Visit, const SIFT: bool> Work for Walk<'_, V, SIFT> {
     }
 }
 
-/// A triangle that the ray may hit, on its way to who asks for such.
+/// A triangle that the ray may hit, to be handed to `visit`.
 struct Found<'a, V> {
     tree: &'a Bvh,
     packet: &'a Packet,
@@ -122,7 +122,7 @@ impl<V: Visit> Work for Found<'_, V> {
     }
 }
 
-/// Hands over every triangle.
+/// Visits every triangle.
 #[cold]
 fn visit_all(lanes: impl Lanes, tree: &Bvh, visit: &mut impl Visit) {
     for packet in tree.packets() {
@@ -143,7 +143,7 @@ struct Open<'a> {
     place: Place,
     /// Where the ray enters each.
     enter: Eight,
-    /// Those that are not yet taken.
+    /// Those not yet taken.
     hit: u32,
 }
 
@@ -172,7 +172,7 @@ impl Open<'_> {
                 (near, other) = (other, near);
             }
             stack.push(other);
-            // Into its place among those above `start`.
+            // Insert it in order among those above `start`.
             let items = stack.above(start);
             let mut at = items.len() - 1;
             while at > 0 && items[at - 1] < other {
@@ -184,7 +184,7 @@ impl Open<'_> {
         place_of(near)
     }
 
-    /// The first that is left.
+    /// The first one left.
     #[inline(always)]
     fn next(&mut self) -> u64 {
         let lane = self.hit.trailing_zeros() as usize % WIDTH;
@@ -193,7 +193,7 @@ impl Open<'_> {
     }
 }
 
-/// All of a packet, which is one line more than a node has.
+/// Prefetches a whole packet, one line longer than a node.
 #[inline(always)]
 fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
     let line = place_of(item).line();
@@ -202,8 +202,8 @@ fn prefetch<L: Lanes>(lanes: L, lines: &[Line], item: u64) {
     }
 }
 
-/// A place and where the box about it begins, so that the nearer is the smaller number: floats that are not negative are
-/// ordered as their bits are. (Others, of rays that begin behind their origin, are merely visited in another order.)
+/// A place and where the box about it begins, so that the nearer is the smaller number: floats from 0 on are ordered as
+/// their bits are. (Boxes that begin before 0 are merely visited in another order.)
 #[inline(always)]
 fn item(begins: f32, place: Place) -> u64 {
     u64::from(begins.to_bits()) << 32 | u64::from(place.bits())
@@ -215,7 +215,7 @@ fn place_of(item: u64) -> Place {
     Place::from_bits(item as u32)
 }
 
-/// The last item whose box begins no later than `end`, which is not negative: of items as signed numbers, so that those
+/// The last item whose box begins no later than `end`, which is 0 or more. Items compare as signed numbers, so that boxes
 /// that begin before 0 are less.
 #[inline(always)]
 fn last(end: f32) -> i64 {
@@ -282,14 +282,14 @@ fn splat3<L: Lanes>(lanes: L, [x, y, z]: [f32; 3]) -> [L::F; 3] {
     [lanes.splat(x), lanes.splat(y), lanes.splat(z)]
 }
 
-/// A ray against the eight triangles of a packet.
-struct Sieve {
+/// Tests a ray against the eight triangles of a packet, in `f32`.
+struct TriangleFilter {
     ray: ShearedRay,
-    /// The start of the interval, as a length, and earlier by what a corner may be off.
+    /// The start of the interval as a length, less how far a corner may be off.
     start: f32,
 }
 
-/// Eight corners as the ray sees them: how far along it, and how far beside.
+/// Eight corners as the ray sees them: distance along it, and offsets beside it.
 #[derive(Clone, Copy)]
 struct Seen<L: Lanes> {
     t: L::F,
@@ -297,7 +297,7 @@ struct Seen<L: Lanes> {
     y: L::F,
 }
 
-impl Sieve {
+impl TriangleFilter {
     #[inline(always)]
     fn new(ray: &TreeRay) -> Self {
         let start = ray.start;

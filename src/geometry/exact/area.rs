@@ -10,9 +10,9 @@ use crate::geometry::{Placement, U};
 use glam::DVec3;
 use num_bigint::BigInt;
 
-/// The area, in the world of a placement, of triangles by their corners about an origin of object space, and how far the number
-/// may be off. Half the length of each cross product, in pairs of `f64` with bounds; where those do not tell it, as of a
-/// sliver's, in integers.
+/// The summed world area of triangles under a placement, and how far it may be off. Corners are given about an origin of
+/// object space. Half the length of each cross product, in pairs of `f64` with bounds; in integers where those do not
+/// decide, as for a sliver.
 pub(crate) fn area(placement: &Placement, triangles: impl Iterator<Item = [DVec3; 3]>) -> [f64; 2] {
     let twice =
         |corners| of_pairs(placement, corners).unwrap_or_else(|| of_integers(placement, corners));

@@ -66,7 +66,7 @@ impl Formula for OnePlane<'_> {
     }
 }
 
-/// Six points as integers of 40 bits in one unit; `None` where they are longer.
+/// Six points as integers of up to 40 bits in one unit; `None` where they are longer.
 fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
     const MOST: f64 = power_of_two(40);
     let largest = (points.clone()).fold(0.0, |most: f64, p| most.max(p.abs().max_element()));
@@ -74,7 +74,7 @@ fn short(points: impl Iterator<Item = DVec3> + Clone) -> Option<[[i64; 3]; 6]> {
     let mut integers = [[0; 3]; 6];
     for (integers, point) in integers.iter_mut().zip(points) {
         for (integer, c) in integers.iter_mut().zip((point * scale).to_array()) {
-            // Written so that NaN is refused.
+            // NaN is refused.
             if !(c.abs() <= MOST && c.fract() == 0.0) {
                 return None;
             }

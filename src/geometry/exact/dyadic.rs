@@ -1,4 +1,4 @@
-//! The numbers of exact decisions in any length, with what distances in pixels take besides: quotients, roots and rounding.
+//! The numbers of exact decisions in any length, and what distances in pixels need besides: quotients, roots, rounding.
 
 pub(crate) use super::{
     super::interval::InDoubt,
@@ -34,7 +34,7 @@ pub(crate) fn vertex_world<I: Ring>(
     world::point(Some(placement), [origin, vertex])
 }
 
-/// Where a placement puts a point of object space that is given times `weight`; so is the answer.
+/// Where a placement puts a point of object space. Both points are given times `weight`.
 pub(crate) fn placed(placement: &Placement, point: &DyadicVector, weight: &Dyadic) -> DyadicVector {
     world::moved_by(placement, point, weight)
 }
@@ -44,8 +44,8 @@ pub(crate) fn point_world(point: &PlacedPoint) -> DyadicVector {
     world::placed(point)
 }
 
-/// A world-space point and a direction in the object space of a placement, both times the third: the determinant of its
-/// linear part.
+/// A world-space point and a direction in the object space of a placement, both times the third result: the determinant
+/// of its linear part.
 pub(crate) fn to_object(
     placement: &Placement,
     point: DVec3,
@@ -61,7 +61,7 @@ pub(crate) fn to_object(
     (line.origin, line.direction, line.one)
 }
 
-/// What R and U are multiplied with in a position's ray, times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
+/// The factors of R and U in a position's ray, times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
 pub(crate) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     world::factors(grid, px)
 }
@@ -93,17 +93,17 @@ impl Dyadic {
         self.times(self)
     }
 
-    /// The exponent of the least power of two above its size; `None` for 0.
+    /// The exponent of the least power of two above its absolute value; `None` for 0.
     pub fn magnitude(&self) -> Option<i64> {
         (!self.is_zero()).then(|| bit_length(&self.integer) + self.exponent)
     }
 
-    /// How often two to the power of `unit` goes into it, rounded down.
+    /// How many times `2^unit` goes into it, rounded down.
     pub fn in_units(&self, unit: i64) -> BigInt {
         shifted(&self.integer, self.exponent - unit)
     }
 
-    /// Rounded down to a multiple of two to the power of `unit`.
+    /// Rounded down to a multiple of `2^unit`.
     pub fn cut_off(&self, unit: i64) -> Self {
         Self {
             integer: self.in_units(unit),
@@ -111,13 +111,13 @@ impl Dyadic {
         }
     }
 
-    /// The square root, rounded down to so many bits or one more; 0 for what is negative.
+    /// The square root, rounded down to `bits` bits or one more; 0 for a negative number.
     pub fn sqrt(&self, bits: i64) -> Self {
         if !self.sign().is_gt() {
             return Self::new(0.0);
         }
         let surplus = bit_length(&self.integer) - 2 * bits;
-        // Roots are taken of even powers only.
+        // The exponent must be even.
         let down = surplus + ((surplus + self.exponent) & 1);
         Self {
             integer: shifted(&self.integer, -down).sqrt(),
@@ -125,7 +125,7 @@ impl Dyadic {
         }
     }
 
-    /// The quotient by a number that is not 0, cut off after so many bits or one more.
+    /// The quotient by a number other than 0, cut off after `bits` bits or one more.
     pub fn quotient(&self, by: &Self, bits: i64) -> Self {
         let up = bits + 1 + bit_length(&by.integer) - bit_length(&self.integer);
         Self {

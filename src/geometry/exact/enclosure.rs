@@ -1,6 +1,6 @@
-//! Pairs of `f64` with a bound on their error: what a formula is tried in before it is worked out in integers.
+//! Pairs of `f64` with a bound on their error, in which a formula is tried before it is computed in integers.
 //!
-//! They say a sign, or what a number rounds to, where the bound leaves no doubt: then integers would say the same.
+//! They tell a sign, or a rounded number, only where the bound leaves no doubt: then integers would give the same.
 
 use super::{
     super::{
@@ -13,7 +13,7 @@ use super::{
 };
 use std::cmp::Ordering;
 
-/// A number and an upper bound on how far it is from the one that it stands for. NaN and infinite where nothing is known.
+/// A number and an upper bound on its error. NaN and infinite where nothing is known.
 ///
 /// With `u = 2^-53`, a sum of two pairs rounds by `3 u^2 / (1 - 4 u)` of itself, a product by `7 u^2` (Joldes, Muller &
 /// Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017), and
@@ -26,24 +26,24 @@ pub(crate) struct Enclosure {
 
 /// `8 u^2`.
 const ROUNDING: f64 = power_of_two(-103);
-/// For the rounding of bounds.
+/// Makes up for the rounding of bounds.
 const MORE: f64 = 1.0 + power_of_two(-40);
-/// Products below this may be short of digits.
+/// Smaller products may lack digits.
 const LEAST: f64 = power_of_two(-900);
 
 impl Enclosure {
-    /// A number that is off by no more than `error`.
+    /// A number with an error of at most `error`.
     pub fn about(value: f64, error: f64) -> Self {
         let value = value.into();
         Self { value, error }
     }
 
-    /// As one `f64`, and how far that may be off.
+    /// As one `f64`, and the bound on its error.
     pub fn rounded(&self) -> [f64; 2] {
         [self.value.hi, MORE * (self.value.lo.abs() + self.error)]
     }
 
-    /// Exact in one `f64`.
+    /// Whether one `f64` holds it exactly.
     fn is_short(&self) -> bool {
         self.value.lo == 0.0
     }
@@ -52,7 +52,7 @@ impl Enclosure {
         self.value.hi == 0.0 && self.error == 0.0
     }
 
-    /// `value` as it was computed of two pairs, and what their errors add to it.
+    /// `value`, computed from two pairs, with its own rounding and what their errors add.
     #[inline]
     fn of(value: DoubleDouble, made_of: [&Self; 2], error: f64) -> Self {
         let rounding = if made_of[0].is_short() && made_of[1].is_short() {
@@ -66,7 +66,7 @@ impl Enclosure {
         }
     }
 
-    /// The square root of what is certainly above 0.
+    /// The square root of a number that is certainly above 0.
     ///
     /// With `s` the root of `x` as `f64` rounds it and `r = x - s^2`, the root is `s + r / 2 s` less `(r / 2 s)^2 / 2 s` and
     /// higher terms, which is below `u^2 s`; the quotient rounds by `2 u^2 s`, and `r` by `2 ROUNDING x`, half of which over `s`
@@ -112,7 +112,7 @@ impl Ring for Enclosure {
     fn times(&self, other: &Self) -> Self {
         let value = self.value * other.value;
         let (a, b) = (self.value.hi.abs(), other.value.hi.abs());
-        // Of the pairs' own sizes, which their first numbers may be a little below.
+        // `MORE` also covers that a pair may be a little above its first number.
         let error = MORE * (a * other.error + b * self.error) + self.error * other.error;
         let is_known = value.hi.abs() >= LEAST || self.is_zero() || other.is_zero();
         Self::of(
@@ -135,7 +135,7 @@ impl Ring for Enclosure {
 }
 
 impl Decided for Enclosure {
-    /// Written so that NaN is in doubt.
+    /// NaN is in doubt.
     #[inline]
     fn decided_sign(&self) -> Result<Ordering, InDoubt> {
         let hi = self.value.hi;
@@ -152,8 +152,7 @@ impl Decided for Enclosure {
         }
     }
 
-    /// What all numbers in it round to, also after their digits beyond the 64th were cut off, as those of long integers are
-    /// (Ziv's test).
+    /// What every number in it rounds to, even with the digits beyond the 64th cut off, as in long integers (Ziv's test).
     #[inline]
     fn decided_value(&self) -> Result<(f64, i64), InDoubt> {
         let DoubleDouble { hi, lo } = self.value;
@@ -167,16 +166,15 @@ impl Decided for Enclosure {
     }
 }
 
-/// `numerator / denominator`, which is not 0, rounded once.
-///
-/// It is between the middles from the quotient to the `f64` on either side of it.
+/// `numerator / denominator`, rounded once; the denominator is not 0. The exact quotient must lie between the middles
+/// from the result to its neighbours.
 pub(super) fn rounded_quotient(
     numerator: &Number<Enclosure>,
     denominator: &Number<Enclosure>,
 ) -> Result<f64, InDoubt> {
     let quotient = numerator.integer.value / denominator.integer.value;
     let nearest = quotient.hi;
-    // Closer to 0 the middles are no pairs, and products fall short.
+    // Closer to 0 the middles are not pairs, and products lack digits.
     if !(power_of_two(-400)..power_of_two(400)).contains(&nearest.abs()) {
         return Err(InDoubt);
     }
@@ -206,7 +204,7 @@ mod tests {
     use crate::geometry::random::Random;
     use num_bigint::BigInt;
 
-    /// Sums of products that cancel more or less, of long and short numbers, and a root; in pairs and in integers.
+    /// Sums of products that cancel more or less, of long and short numbers, and a root.
     fn formula<I: Ring>(n: &[f64; 6]) -> [Number<I>; 2] {
         let [a, b, c, d, e, f] = n.map(Number::<I>::new);
         let determinant = a.times(&b).minus(&c.times(&d));
@@ -214,7 +212,7 @@ mod tests {
         [sum, determinant]
     }
 
-    /// Nothing is farther off than it says, and what is read off is what integers say.
+    /// Errors are within their bounds, and what is read off agrees with integers.
     #[test]
     fn enclosures_hold_what_they_stand_for() {
         let mut random = Random(23);
@@ -280,7 +278,7 @@ mod tests {
             rounded_quotient(&Number { integer, exponent }, &Number::new(1.0))
         };
         assert_eq!(quotient(0.2).ok(), Some(1.5));
-        // The last place of 1.5 is an epsilon, and half of it decides; signs are sure by twice the error.
+        // Half an epsilon, the last place of 1.5, decides; signs need twice the error, so the limit is 0.25.
         assert!(quotient(0.3).is_err());
     }
 }

@@ -1,16 +1,16 @@
-//! Integers of a width that fits: the same formulas in 128, 256, 512 or 1024 bits, or any number of them.
+//! Integers of a width that suffices: the same formulas in 128, 256, 512, 1024 or any number of bits.
 //!
-//! Fixed widths need no memory of their own and are ten times as fast. Which one suffices is found by running a formula on
-//! [`Bits`], which only counts how long each number may become.
+//! Fixed widths need no heap and are ten times as fast. A formula is first run on [`Bits`], which only counts how long
+//! each number may become; that tells the width.
 
 use super::super::{binary::split, interval::InDoubt};
 use bnum::BInt;
 use num_bigint::{BigInt, Sign};
 use std::cmp::Ordering;
 
-/// What formulas are made of: integers, or what stands for them.
+/// The numbers of formulas: integers, or what stands for them.
 pub(crate) trait Ring: Clone {
-    /// Of up to 53 bits.
+    /// From an integer of up to 53 bits.
     fn new(value: i64) -> Self;
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;
@@ -18,7 +18,7 @@ pub(crate) trait Ring: Clone {
     /// Times `2^by`.
     fn shifted(&self, by: u32) -> Self;
 
-    /// A finite number, by the exponent of the power of two that it is multiplied with.
+    /// A finite number as `(n, e)` with `value = n * 2^e`.
     #[inline]
     fn parts(value: f64) -> (Self, i64) {
         let (mantissa, exponent) = split(value);
@@ -26,7 +26,7 @@ pub(crate) trait Ring: Clone {
     }
 }
 
-/// A number that says what can be read off it, or that it cannot.
+/// A number of which sign and value can be read, unless they are in doubt.
 pub(crate) trait Decided: Ring {
     /// Against 0.
     fn decided_sign(&self) -> Result<Ordering, InDoubt>;
@@ -44,12 +44,12 @@ impl<I: Integer> Decided for I {
     }
 }
 
-/// Exact numbers. Results that do not fit are wrong without a word: [`Bits`] says beforehand whether they do.
+/// Exact numbers. Results that do not fit are silently wrong: [`Bits`] tells beforehand whether they fit.
 pub(crate) trait Integer: Ring {
     /// Against 0.
     fn sign(&self) -> Ordering;
     fn to_big(&self) -> BigInt;
-    /// A number times a power of two, by its exponent: the value, to within one rounding.
+    /// The value as a number times a power of two, by its exponent; rounded once.
     fn rounded(&self) -> (f64, i64);
 }
 
@@ -188,7 +188,7 @@ fn scaled(leading: u64, exponent: i64, is_negative: bool) -> (f64, i64) {
     (if is_negative { -value } else { value }, exponent)
 }
 
-/// How many bits a number may have, and how many any number had on the way to it; signs apart.
+/// How many bits a number may have, and how many any number on the way to it; without signs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bits {
     here: u32,
@@ -238,7 +238,7 @@ impl Ring for Bits {
     }
 }
 
-/// A formula, whose numbers can be had in any integers, and what is read off them.
+/// A formula that can be computed in any integers, and what is read off its numbers.
 pub(super) trait Formula {
     /// The formula's numbers.
     type Numbers<I: Ring>;

@@ -1,10 +1,10 @@
-//! Inverses of matrices that `f64` cannot tell from singular ones.
+//! Inverses of matrices too close to singular for `f64`.
 
 use super::{root::Root, world::Adjugate};
 use glam::{DMat3, DVec3};
 use num_bigint::BigInt;
 
-/// The inverse, each entry rounded once; `None` of a singular matrix.
+/// The inverse, each entry rounded once; `None` for a singular matrix.
 pub(in super::super) fn inverse(matrix: DMat3) -> Option<DMat3> {
     let Adjugate { rows, determinant } = Adjugate::<BigInt>::new(matrix);
     let mut inverse = [DVec3::ZERO; 3];

@@ -1,15 +1,16 @@
-//! Rays against shapes in exact arithmetic, from the numbers that are stored, for the few that `f64` cannot decide.
+//! Rays against shapes in exact arithmetic, from the stored numbers, for the few that `f64` cannot decide.
 //!
-//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such: integers neither round
-//! nor overflow. Triangles are decided in the world, by what their corners weigh where the ray meets their plane; spheres,
-//! cubes and squares in their object space, times the determinant of the model matrix, which spares the division. A ray
-//! parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as such ([`mod@root`]).
+//! Every finite `f64` is an integer times a power of two, and so is every sum and product of such numbers: integers
+//! neither round nor overflow. Triangles are decided in the world, by their corners' weights where the ray meets their
+//! plane. Spheres, cubes and squares are decided in object space, times the determinant of the model matrix, which avoids
+//! a division. A ray parameter is a quotient, or a root of a quadratic with rational coefficients, and is compared as
+//! such ([`mod@root`]).
 //!
-//! What a record says of a hit, parameters, points and distances in the picture, is tried in pairs of `f64` with bounds first
-//! ([`enclosure`]). They are believed where they round to what integers would.
+//! What a pick's record says (parameters, points, distances in the picture) is tried first in pairs of `f64` with bounds
+//! ([`enclosure`]). These count where they round to what integers would.
 //!
-//! Integers have 128, 256, 512 or 1024 bits where that is enough, and any number of them where it is not. (Floating-point
-//! expansions, Shewchuk 1997, fail as soon as a product underflows.)
+//! Integers have 128, 256, 512 or 1024 bits where that is enough, else any number. (Floating-point expansions, Shewchuk
+//! 1997, fail as soon as a product underflows.)
 
 mod area;
 mod coplanar;
@@ -37,13 +38,11 @@ pub(crate) use triangle::Corners;
 #[cfg(test)]
 pub(super) use triangle::volume_errors;
 pub(super) use triangle::{compare, hit, reaches_plane};
-pub(super) use world::Rounded;
 #[cfg(test)]
 pub(super) use world::errors;
+pub(super) use world::{Rounded, point_world, rounded_line};
 
-use super::{
-    PixelGrid, PlacedPoint, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line,
-};
+use super::{PixelGrid, Placement, Ray, ThroughPoint, WorldRay, local_ray::Exactly, ray::Line};
 use glam::DVec3;
 use std::cmp::Ordering;
 
@@ -51,7 +50,7 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy)]
 pub(crate) enum Surface<'a> {
     Triangle(Corners<'a>),
-    /// With whether the line leaves it there.
+    /// And whether the line leaves it there.
     Sphere(&'a Placement, bool),
     Cube {
         placement: &'a Placement,
@@ -62,7 +61,7 @@ pub(crate) enum Surface<'a> {
     Square(&'a Placement),
 }
 
-/// Where a ray's line meets a surface, which it must meet.
+/// Where a ray's line meets a surface. It must meet it.
 fn root(ray: &WorldRay, surface: &Surface) -> Option<Root> {
     let on = |placement| Exactly::placed(ray, placement);
     match *surface {
@@ -86,7 +85,7 @@ pub(crate) fn compare_surfaces(ray: &WorldRay, a: &Surface, b: &Surface) -> Orde
     }
 }
 
-/// Whether a surface that a ray through a point meets lies before that point, at it or behind it; `None` of another ray.
+/// Whether a ray through a point meets a surface before that point, at it or behind it; `None` for other rays.
 pub(crate) fn compare_to_point(ray: &WorldRay, surface: &Surface) -> Option<Ordering> {
     let point = world::point_parameter(ray.line())?;
     Some(root(ray, surface)?.compare(&point))
@@ -97,17 +96,7 @@ pub(crate) fn is_point_within(ray: &WorldRay) -> bool {
     world::point_parameter(ray.line()).is_some_and(|point| point.is_within(ray))
 }
 
-/// Where a point is in the world, each coordinate rounded once.
-pub(super) fn point_world(point: &PlacedPoint) -> DVec3 {
-    world::rounded_point(point)
-}
-
-/// The numbers of a line through a point, each within three roundings; `None` where it does not lead there.
-pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
-    is_finite(line).then(|| world::rounded_line(line))?
-}
-
-/// How far a parameter may be off that was rounded a few times; also one that is 0 because it underflowed.
+/// How far a parameter may be off after a few roundings, also if it underflowed to 0.
 fn rounding_of(t: f64) -> f64 {
     4.0 * f64::EPSILON * t.abs() + f64::from_bits(2)
 }

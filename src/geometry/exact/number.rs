@@ -1,4 +1,4 @@
-//! Numbers and vectors that are integers times a power of two: every finite `f64`, and every sum and product of such.
+//! Numbers and vectors as integers times a power of two, like every finite `f64` and every sum and product of them.
 
 use super::{
     super::{
@@ -77,7 +77,8 @@ impl<I: Decided> Number<I> {
         self.decided_sign().map(Ordering::is_eq)
     }
 
-    /// A number from 0.5 to 1 (or 0) and the exponent of the power of two that makes it the size of this one, rounded once.
+    /// Its absolute value as a number from 0.5 to 1 (or 0), rounded once, and the exponent of the power of two to
+    /// multiply by.
     pub fn size(&self) -> Result<(f64, i64), InDoubt> {
         let (value, exponent) = self.integer.decided_value()?;
         if value == 0.0 {
@@ -155,7 +156,7 @@ impl<I: Ring> Vector<I> {
         Self { integers, exponent }
     }
 
-    /// The same in a unit that is no larger than its own.
+    /// The same in a unit no larger than its own.
     pub fn in_unit(&self, exponent: i64) -> Self {
         let by = difference(self.exponent, exponent);
         Self {

@@ -1,4 +1,4 @@
-//! Where a ray meets what it hits, as records give it: by pairs of `f64` where those say enough, else exactly.
+//! Where a ray meets what it hits, for a pick's record: in pairs of `f64` where they suffice, else exactly.
 
 use super::{
     super::{WorldRay, interval::InDoubt, local_ray::Exactly},
@@ -13,7 +13,7 @@ use crate::geometry::{Cuboid, Placement, Sphere};
 use glam::DVec3;
 use std::{cell::OnceCell, ptr};
 
-/// The ray parameter of a hit, which the ray must have.
+/// The ray parameter of a hit. The ray must meet the surface.
 pub(crate) struct Parameter<'a> {
     ray: &'a WorldRay<'a>,
     surface: Surface<'a>,
@@ -37,7 +37,7 @@ impl<'a> Parameter<'a> {
         }
     }
 
-    /// As it is; `None` where a number is not finite.
+    /// The exact parameter; `None` where a number is not finite.
     fn root(&self) -> Option<&Root> {
         let root = || super::root(self.ray, &self.surface);
         self.root.get_or_init(root).as_ref()
@@ -68,7 +68,7 @@ impl<'a> Parameter<'a> {
         rounded().or_else(|| Some(self.root()?.behind(before.root()?)))
     }
 
-    /// The axis across which the surface lies in the object space of a placement, and where; of a flat one placed by it.
+    /// For a flat surface placed by `placement`: the axis that it is across in object space, and where.
     fn plane(&self, placement: &Placement) -> Option<(usize, f64)> {
         match &self.surface {
             Surface::Cube {

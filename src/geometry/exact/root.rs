@@ -1,4 +1,4 @@
-//! Ray parameters as they are: quotients and roots of quadratics, compared and rounded without error.
+//! Exact ray parameters: quotients and roots of quadratics, compared and rounded without error.
 
 use super::{
     super::{
@@ -47,8 +47,8 @@ impl Root {
         }
     }
 
-    /// The roots of `a t^2 + 2 b t + c`, the lesser first; the same one twice where they meet, `None` where there are none.
-    /// `a` must be above 0.
+    /// The roots of `a t^2 + 2 b t + c` with `a` above 0, the lesser first; a double root twice, `None` where there are
+    /// none.
     pub(super) fn quadratic(
         a: &Number<BigInt>,
         b: &Number<BigInt>,
@@ -58,7 +58,7 @@ impl Root {
         if discriminant.integer.sign() == Sign::Minus {
             return None;
         }
-        // In units of which the square is that of the discriminant.
+        // In the unit whose square is the discriminant's.
         let unit = b.exponent.min(discriminant.exponent.div_euclid(2));
         let mut p = -(&b.integer << (b.exponent - unit));
         let mut q = discriminant.integer << (discriminant.exponent - 2 * unit);
@@ -111,7 +111,7 @@ impl Root {
         )
     }
 
-    /// The nearest `f64` (of two equally near ones the even one); infinite beyond the range of `f64`.
+    /// The nearest `f64`, ties to even; infinite beyond the range of `f64`.
     pub fn to_f64(&self) -> f64 {
         rounded(|bits| self.enclosed(bits))
     }
@@ -131,7 +131,7 @@ impl Root {
         })
     }
 
-    /// `self - other` where both have the same root, which cancels: a quotient.
+    /// `self - other` where both have the same square root, which cancels: a quotient.
     fn rational_difference(&self, other: &Self) -> Option<Quotient> {
         let same_root = &self.q * &other.r * &other.r == &other.q * &self.r * &self.r;
         let cancels = same_root && (self.minus == other.minus || self.q.sign() == Sign::NoSign);
@@ -141,16 +141,16 @@ impl Root {
         })
     }
 
-    /// What a function that grows or falls makes of it, given numerators and denominators: what both ends of an enclosure
-    /// give, as [`rounded`] does it.
-    pub(super) fn settled<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
-        settled(|bits| {
+    /// `of` applied to the root, where `of` is monotonic and takes a numerator and a denominator. Like [`rounded`], it
+    /// narrows an enclosure until both ends give the same.
+    pub(super) fn agreed<T: PartialEq>(&self, of: impl Fn([BigInt; 2]) -> T) -> T {
+        agreed(|bits| {
             self.enclosed(bits)
                 .map(|end| of([end.numerator, end.denominator]))
         })
     }
 
-    /// Two quotients about it, which are one where the root is a whole number; else the root has so many bits behind the
+    /// An enclosure by two quotients: equal where the square root is an integer, else with this many bits behind the
     /// point.
     fn enclosed(&self, bits: u64) -> [Quotient; 2] {
         let scaled = &self.q << (2 * bits);
@@ -223,7 +223,7 @@ impl Quotient {
         }
     }
 
-    /// The nearest `f64`, of two equally near ones the even one.
+    /// The nearest `f64`, ties to even.
     fn to_f64(&self) -> f64 {
         let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
         if self.numerator.sign() == Sign::NoSign {
@@ -231,7 +231,7 @@ impl Quotient {
         }
         let magnitude = self.numerator.magnitude();
         let denominator = self.denominator.magnitude();
-        // So scaled that the quotient has 65 or 66 bits; fewer where that would pass below the least f64, so that it is
+        // Scaled so that the quotient has 65 or 66 bits, or fewer where those would lie below the least `f64`: then it is
         // rounded only once.
         let shift = (65 + bits(&self.denominator) - bits(&self.numerator)).min(1074 + 2);
         let (dividend, divisor) = match shift {
@@ -239,7 +239,7 @@ impl Quotient {
             _ => (magnitude.clone(), denominator << -shift),
         };
         let (quotient, rest) = (&dividend / &divisor, &dividend % &divisor);
-        // What is left makes it lie above the middle, should it seem to be there.
+        // The rest puts it above the middle between two `f64` where the quotient alone lies on it.
         let sticky = quotient << 1 | num_bigint::BigUint::from(u8::from(rest.bits() > 0));
         let value = match u128::try_from(sticky) {
             Ok(value) => round_scaled(value, -shift - 1),
@@ -278,15 +278,15 @@ fn round_scaled(value: u128, exponent: i64) -> f64 {
     times_power_of_two(result, unit)
 }
 
-/// What both ends of an enclosure round to, which is made narrower until they agree (Ziv, "Fast evaluation of elementary
-/// mathematical functions with correctly rounded last bit", 1991). It ends: only rational numbers lie in the middle between
-/// two `f64`, and the enclosure of those is a point.
+/// Narrows an enclosure until both ends round to the same `f64` (Ziv, "Fast evaluation of elementary mathematical
+/// functions with correctly rounded last bit", 1991). This ends: a number in the middle between two `f64` is rational,
+/// and its enclosure is a point.
 fn rounded(enclosure: impl Fn(u64) -> [Quotient; 2]) -> f64 {
-    settled(|bits| enclosure(bits).map(|end| end.to_f64()))
+    agreed(|bits| enclosure(bits).map(|end| end.to_f64()))
 }
 
-/// What both ends give, of so many bits that they give the same.
-fn settled<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
+/// What both ends give, with enough bits to agree.
+fn agreed<T: PartialEq>(ends: impl Fn(u64) -> [T; 2]) -> T {
     let mut bits = 128;
     loop {
         let [low, high] = ends(bits);

@@ -13,7 +13,7 @@ use glam::DVec3;
 use num_bigint::BigInt;
 use std::cmp::Ordering;
 
-/// Whether a section keeps the point in which a ray meets a surface; the ray must meet it.
+/// Whether a section keeps the point where a ray meets a surface. The ray must meet it.
 pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> bool {
     let line = ray.line();
     if !super::is_finite(line) {
@@ -36,7 +36,7 @@ pub(crate) fn keeps(ray: &WorldRay, section: &Section, surface: &Surface) -> boo
     }
 }
 
-/// Whether a section keeps a point of an object, given as the sum of two in its space; all must be finite.
+/// Whether a section keeps a point of an object, given as the sum of two finite vectors in its space.
 pub(in super::super) fn keeps_point(
     section: &Section,
     placement: &Placement,
@@ -48,8 +48,8 @@ pub(in super::super) fn keeps_point(
     normal.dot(&at).plus(&offset).sign().is_ge()
 }
 
-/// The normal of the plane through three finite points, of a size near 1 and with each component rounded once; `None` where they
-/// lie on one line.
+/// The normal of the plane through three finite points, of a size near 1 and each component rounded once; `None` where
+/// they lie on one line.
 pub(in super::super) fn normal_of(points: [DVec3; 3]) -> Option<DVec3> {
     let [a, b, c] = points.map(Vector::<BigInt>::new);
     let normal = b.minus(&a).cross(&c.minus(&a));
@@ -59,7 +59,7 @@ pub(in super::super) fn normal_of(points: [DVec3; 3]) -> Option<DVec3> {
     Some(rounded.into())
 }
 
-/// `n . p + c` where a ray starts, and by how much it grows for one unit of t; times the ray's weight, which is above 0.
+/// `n . p + c` at a ray's start, and its growth per unit of t; both times the ray's weight, which is above 0.
 fn along<I: Ring>(line: &ExactLine<I>, section: &Section) -> [Number<I>; 2] {
     let normal = Vector::new(section.normal());
     let offset = Number::new(section.offset()).times(&line.weight);

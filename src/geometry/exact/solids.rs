@@ -13,8 +13,8 @@ use std::cmp::Ordering;
 
 type Integers = LocalLine<BigInt>;
 
-/// Where a ray's line enters a shape and leaves it, the same place where it touches it; with the normal of the face that it
-/// meets there, of a cube.
+/// Where a ray's line enters and leaves a shape; both are one place where it only touches. For a cube, also the normals
+/// of the faces met there.
 struct Crossing {
     enter: (Root, DVec3),
     leave: (Root, DVec3),
@@ -27,7 +27,7 @@ impl Crossing {
     }
 }
 
-/// A ray in object space, turned about where the placement mirrors; `None` where a number is not finite.
+/// A ray in object space, its sign turned where the placement mirrors; `None` where a number is not finite.
 fn local(exactly: &Exactly) -> Option<Integers> {
     if !super::is_finite(&exactly.line) {
         return None;
@@ -75,7 +75,7 @@ fn cube_crossing(line: &Integers) -> Option<Crossing> {
         let (near, far) = if backwards { (to, from) } else { (from, to) };
         let outward = DVec3::AXES[axis] * if backwards { -1.0 } else { 1.0 };
         let (near, far) = (Root::quotient(near, d.clone())?, Root::quotient(far, d)?);
-        // Of several planes at one t the lowest axis names the face.
+        // Of several planes at one t, the lowest axis decides the face.
         if enter
             .as_ref()
             .is_none_or(|(at, _)| near.compare(at).is_gt())
@@ -184,7 +184,8 @@ pub(in super::super) fn square(exactly: &Exactly, ray: &Ray) -> Option<Hit> {
     Some(Hit::analytic(t, super::rounding_of(t), DVec3::Z, front))
 }
 
-/// The point at a parameter in object space, each coordinate to within three roundings; that along one axis may be known.
+/// The point at a parameter in object space, each coordinate within three roundings. The coordinate along one axis may be
+/// given.
 pub(super) fn at<I: Decided>(
     line: &LocalLine<I>,
     [numerator, denominator]: [&Number<I>; 2],
@@ -202,9 +203,9 @@ pub(super) fn at<I: Decided>(
     Ok(DVec3::new(coordinate(0)?, coordinate(1)?, coordinate(2)?))
 }
 
-/// [`at`] a parameter as it is.
+/// [`at`] an exact parameter.
 fn at_root(line: &Integers, root: &Root) -> Option<DVec3> {
-    root.settled(|quotient| {
+    root.agreed(|quotient| {
         let quotient = quotient.map(|integer| Number {
             integer,
             exponent: 0,
@@ -219,7 +220,7 @@ pub(super) fn point_at(exactly: &Exactly, root: &Root) -> Option<DVec3> {
     at_root(&local(exactly)?, root)
 }
 
-/// A parameter that counts, rounded, and within the interval still.
+/// The parameter of a hit that counts, rounded but kept within the interval.
 fn within(root: &Root, ray: &Ray) -> Option<f64> {
     (root.is_within(ray)).then(|| ray.kept_within(root.to_f64()))
 }

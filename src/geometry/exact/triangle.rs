@@ -33,14 +33,15 @@ impl Corners<'_> {
     }
 }
 
-/// Where a ray meets a triangle's plane: at `t = numerator / denominator`. It runs along it where the denominator is 0.
+/// Where a ray meets a triangle's plane: `t = numerator / denominator`. The ray runs along the plane if the denominator
+/// is 0.
 pub(super) struct Plane<I> {
     pub numerator: Number<I>,
     pub denominator: Number<I>,
 }
 
-/// What the corners weigh there, times a sum that has the sign of `direction . normal` (Moeller & Trumbore, "Fast, Minimum
-/// Storage Ray/Triangle Intersection", JGT 2(1), 1997).
+/// The corners' weights there, not normalised: their sum has the sign of `direction . normal` (Moeller & Trumbore, "Fast,
+/// Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997).
 struct Weights<I> {
     corners: [Number<I>; 3],
     sum: Number<I>,
@@ -141,7 +142,7 @@ impl Formula for Hit<'_> {
     fn answer<I: Integer>(&self, (plane, weights): Self::Numbers<I>) -> Self::Answer {
         let any = |sign| weights.corners.iter().any(|weight| weight.sign() == sign);
         let is_negative = any(Ordering::Less);
-        // Both signs: it passes by. Neither: it lies in the plane, or the triangle has no area.
+        // Both signs: a miss. Neither: the ray lies in the plane, or the triangle has no area.
         if is_negative == any(Ordering::Greater) {
             return None;
         }
@@ -190,7 +191,7 @@ pub(in super::super) fn hit(
     is_finite.then(|| solve(&formula)).flatten()
 }
 
-/// Where a ray's line meets a triangle's plane; `None` when it runs along it, or where a number is not finite.
+/// Where a ray's line meets a triangle's plane; `None` if it runs along it, or a number is not finite.
 pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
     struct Parameter<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Parameter<'_> {
@@ -212,7 +213,7 @@ pub(super) fn plane_parameter(line: &Line, triangle: &Corners) -> Option<Root> {
         .flatten()
 }
 
-/// [`plane_parameter`], numerator and denominator.
+/// [`plane_parameter`] as numerator and denominator.
 pub(super) fn enclosed_parameter(
     line: &Line,
     triangle: &Corners,
@@ -221,7 +222,7 @@ pub(super) fn enclosed_parameter(
     (plane.numerator, plane.denominator)
 }
 
-/// [`weights`], where pairs of `f64` tell them.
+/// [`weights`], where pairs of `f64` suffice.
 pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 3], InDoubt> {
     let Weights {
         corners: [a, b, c],
@@ -234,8 +235,8 @@ pub(super) fn enclosed_weights(line: &Line, triangle: &Corners) -> Result<[f64; 
     ])
 }
 
-/// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` when it runs
-/// along it.
+/// The weights of a triangle's corners where a ray's line meets its plane, each within three roundings; `None` if it runs
+/// along the plane.
 pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
     struct Rounded<'a>(&'a Line<'a>, &'a Corners<'a>);
     impl Formula for Rounded<'_> {
@@ -255,7 +256,7 @@ pub(super) fn weights(line: &Line, triangle: &Corners) -> Option<[f64; 3]> {
     is_finite.then(|| solve(&Rounded(line, triangle))).flatten()
 }
 
-/// Which of two triangles' planes a ray's line meets first; equal when it runs along one.
+/// Which of two triangles' planes a ray's line meets first; equal if it runs along one.
 pub(in super::super) fn compare(line: &Line, a: &Corners, b: &Corners) -> Ordering {
     struct Both<'a>(&'a Line<'a>, [&'a Corners<'a>; 2]);
     impl Formula for Both<'_> {
@@ -300,7 +301,7 @@ pub(in super::super) fn reaches_plane(
         .is_none_or(|t| t.is_within(interval) && t.compare_to(limit).is_le())
 }
 
-/// How far volumes that were computed, of a ray that is exact as it stands, are from the exact ones.
+/// How far computed volumes are from the exact ones, for a ray that is exact as it stands.
 #[cfg(test)]
 pub(in super::super) fn volume_errors(
     ray: &Ray,

@@ -11,7 +11,7 @@ use super::{
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 use num_bigint::BigInt;
 
-/// A ray: `(origin + t direction) / weight`, which spares the division by the picture's height.
+/// A ray: `(origin + t direction) / weight`, which avoids dividing by the picture's height.
 pub(super) struct ExactLine<I> {
     pub origin: Vector<I>,
     pub direction: Vector<I>,
@@ -76,7 +76,7 @@ impl<I: Ring> ExactLine<I> {
     }
 }
 
-/// Of R and of U in [`PixelGrid::ray`], times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
+/// The factors of R and U in [`PixelGrid::ray`], times the picture's height: `h (2 x - W)` and `h (H - 2 y)`.
 pub(super) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     let [width, height] = grid.size_px.map(|size| Number::new(size.into()));
     let two = Number::new(2.0);
@@ -85,7 +85,7 @@ pub(super) fn factors<I: Ring>(grid: &PixelGrid, px: DVec2) -> [Number<I>; 2] {
     [x.minus(&width), height.minus(&y)].map(|factor| factor.times(&half_height))
 }
 
-/// The sum of two vectors of object space, where the placement puts it.
+/// Where a placement puts the sum of two vectors of object space.
 pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) -> Vector<I> {
     let object = match sum_of {
         [DVec3::ZERO, point] => Vector::new(point),
@@ -99,7 +99,7 @@ pub(super) fn point<I: Ring>(placement: Option<&Placement>, sum_of: [DVec3; 2]) 
     }
 }
 
-/// The way from one point of object space to another, in the world of the placement.
+/// The vector from one point of object space to another, in the world of the placement.
 pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3) -> Vector<I> {
     let object = Vector::new(to).minus(&Vector::new(from));
     match moved(placement) {
@@ -108,7 +108,7 @@ pub(super) fn way<I: Ring>(placement: Option<&Placement>, from: DVec3, to: DVec3
     }
 }
 
-/// A placement that moves something.
+/// The placement, unless it is the identity.
 fn moved(placement: Option<&Placement>) -> Option<&Placement> {
     placement.filter(|placement| !placement.is_identity())
 }
@@ -116,7 +116,7 @@ fn moved(placement: Option<&Placement>) -> Option<&Placement> {
 /// A point of a shape in the world.
 pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
     let from = Vector::new(point.from);
-    // 0 has no unit that fits the others.
+    // A zero's exponent would not suit the others.
     let here = if point.share == 0.0 {
         from
     } else {
@@ -133,7 +133,7 @@ pub(super) fn placed<I: Ring>(point: &PlacedPoint) -> Vector<I> {
     turned_by(point.model.matrix3, &object).plus(&Vector::new(point.model.translation))
 }
 
-/// A point of object space times a weight in the world of a placement, times that.
+/// Where a placement puts a point of object space. Both points are given times `weight`.
 pub(super) fn moved_by(
     placement: &Placement,
     point: &Vector<BigInt>,
@@ -153,7 +153,7 @@ fn depth_of<I: Ring>(grid: &PixelGrid, point: &Vector<I>) -> [Number<I>; 2] {
     ]
 }
 
-/// Where a ray through a point reaches that; `None` of another ray.
+/// The parameter of the point that a ray was made through; `None` for other rays.
 pub(super) fn point_parameter(line: &Line) -> Option<Root> {
     let Line::Through(ThroughPoint { grid, point, .. }) = line else {
         return None;
@@ -168,8 +168,12 @@ pub(in super::super) struct Rounded {
     pub direction: DVec3,
 }
 
-/// The numbers of a line, each within three roundings; `None` where its weight is not above 0.
-pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
+/// The numbers of a line, each within three roundings; `None` where a number is not finite, or the line's weight is not
+/// above 0.
+pub(in super::super) fn rounded_line(line: &Line) -> Option<Rounded> {
+    if !super::is_finite(line) {
+        return None;
+    }
     let exact = ExactLine::<BigInt>::new(line);
     exact.weight.sign().is_gt().then(|| Rounded {
         origin: rounded(&exact.origin, &exact.weight),
@@ -178,11 +182,11 @@ pub(super) fn rounded_line(line: &Line) -> Option<Rounded> {
 }
 
 /// Where a point is in the world, each coordinate rounded once.
-pub(super) fn rounded_point(point: &PlacedPoint) -> DVec3 {
+pub(in super::super) fn point_world(point: &PlacedPoint) -> DVec3 {
     divided(&placed(point), &Number::new(1.0))
 }
 
-/// A point over a number that is not 0, each coordinate rounded once.
+/// A point divided by a number other than 0, each coordinate rounded once.
 pub(crate) fn divided(point: &Vector<BigInt>, by: &Number<BigInt>) -> DVec3 {
     let nearest = |axis| Root::quotient(point.component(axis), by.clone());
     DVec3::from_array([0, 1, 2].map(|axis| nearest(axis).map_or(f64::NAN, |root| root.to_f64())))
@@ -192,7 +196,7 @@ fn rounded(v: &Vector<BigInt>, weight: &Number<BigInt>) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|axis| v.component(axis).ratio(weight)))
 }
 
-/// A vector of object space by the placement's linear part.
+/// A vector of object space times the placement's linear part.
 fn turned<I: Ring>(placement: &Placement, object: &Vector<I>) -> Vector<I> {
     turned_by(placement.model().matrix3, object)
 }
@@ -207,12 +211,12 @@ fn columns<I: Ring>(matrix: DMat3) -> [Vector<I>; 3] {
     [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(Vector::new)
 }
 
-/// A ray in object space, times a positive number; `|volume|` stands for 1 there.
+/// A ray in object space, times [`LocalLine::one`].
 pub(super) struct LocalLine<I> {
     pub origin: Vector<I>,
     pub direction: Vector<I>,
-    /// What 1 has become: the ray's weight times the determinant; its sign is that of the determinant, by which origin and
-    /// direction have to be turned about.
+    /// What stands for 1: the ray's weight times the determinant. Where it is negative, origin and direction have to be
+    /// negated.
     pub one: Number<I>,
 }
 
@@ -258,7 +262,7 @@ fn product<I: Ring>(rows: &[Vector<I>; 3], v: &Vector<I>) -> Vector<I> {
     Vector::of(&rows.each_ref().map(|row| row.dot(v)))
 }
 
-/// How far a local ray's numbers are from the exact ones, by component: of its origin and its direction.
+/// How far a local ray's origin and direction are from the exact ones, by component.
 #[cfg(test)]
 pub(in super::super) fn errors(ray: &LocalRay) -> [DVec3; 2] {
     let LocalLine {

@@ -13,11 +13,11 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-/// Triangles that have a box together, to tell where an object reaches.
+/// Triangles in a block. Each block has a box, to tell where an object reaches.
 pub(crate) const BLOCK: usize = 256;
 
-/// What a mesh is made of. Vertices are `f32` about one `f64` origin, so that parts which share a wall keep
-/// sharing it to the bit wherever in the world they stand; object space is `origin + position`.
+/// What a mesh is made of. Vertices are `f32` about one `f64` origin: parts that share a wall share it to the bit,
+/// wherever in the world they stand. Object space is `origin + position`.
 #[derive(Clone, Debug, Default)]
 pub struct MeshData {
     /// Where the positions' (0, 0, 0) lies in object space.
@@ -34,8 +34,8 @@ pub struct MeshData {
     pub vertex_colours: Vec<Srgb>,
     /// Normals for shading, or none at all; see [`Mesh::normals`].
     pub normals: CornerNormals,
-    /// The crease angle, in radians, for normals that are computed where `normals` has none, or [`CornerNormals::NONE`];
-    /// `None` where it has all that there are.
+    /// The crease angle, in radians, for computing normals where `normals` is empty or has [`CornerNormals::NONE`];
+    /// `None` if none are to be computed.
     pub crease: Option<f32>,
 }
 
@@ -48,7 +48,7 @@ impl MeshData {
         positions: Vec<[f32; 3]>,
         triangles: Vec<[u32; 3]>,
     ) -> Self {
-        // More than 32 bits count are refused, since the part does not cover them.
+        // [`Mesh::new`] refuses a count above 32 bits: the part does not cover it.
         let all = 0..u32::try_from(triangles.len()).unwrap_or(u32::MAX);
         Self {
             positions,
@@ -102,10 +102,10 @@ pub enum MeshError {
 /// A valid mesh: finite vertices, indices in range, each triangle in one part and of one colour.
 ///
 /// # Memory
-/// A vertex takes 12 bytes, and 3 where the file has colours; a triangle 12: what picks and a saved scene are made of, which
-/// is all that lists and single picks need. Once it is drawn, there are 12 bytes a normal, mostly one a vertex, and 12 a
-/// triangle to say which: kept, since saving and shading by rays ask again. A tree comes where many rays do, and 48 bytes
-/// for 256 triangles where one of its objects may be moved. Of the file's text, and of what was read of it in `f64`, nothing stays.
+/// A vertex takes 12 bytes, and 3 more where the file has colours; a triangle takes 12. Lists and single picks need no
+/// more. Drawing adds 12 bytes a normal, mostly one a vertex, and 12 a triangle to index them; these stay, since saving
+/// and shading by rays ask again. A tree is added for many rays, and 48 bytes for 256 triangles where an object may be
+/// moved. Neither the file's text nor its numbers in `f64` are kept.
 pub struct Mesh {
     data: Arc<MeshData>,
     bounds: Arc<[Aabb]>,
@@ -113,7 +113,7 @@ pub struct Mesh {
     normals: OnceLock<CornerNormals>,
     /// Boxes about [`BLOCK`] triangles each.
     blocks: OnceLock<Vec<Aabb>>,
-    /// The only triangles that rays are held against, in order; `None` for all.
+    /// The only triangles that rays are tested against, in order; `None` for all.
     few: Option<Vec<u32>>,
 }
 
@@ -156,7 +156,7 @@ impl Mesh {
             .partition_point(|part| part.triangles.end <= triangle)
     }
 
-    /// Boxes about the triangles from each multiple of [`BLOCK`] on, in object space; they are made when first asked for.
+    /// The boxes of the blocks, in object space; made when first asked for.
     pub(crate) fn blocks(&self) -> &[Aabb] {
         self.blocks.get_or_init(|| {
             let count = self.data.triangles.len().div_ceil(BLOCK);
@@ -169,13 +169,13 @@ impl Mesh {
         })
     }
 
-    /// Whether they are there.
+    /// Whether the boxes are made.
     #[cfg(test)]
     pub(crate) fn has_blocks(&self) -> bool {
         self.blocks.get().is_some()
     }
 
-    /// The box about triangles, in object space. To add the origin keeps the order: of the least it is the least.
+    /// The box about triangles, in object space. Adding the origin keeps coordinates in order.
     fn around(&self, triangles: &[[u32; 3]]) -> Aabb {
         let (mut min, mut max) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for vertex in triangles.as_flattened() {
@@ -198,16 +198,16 @@ impl Mesh {
             .map(|corner| self.data.origin + corner)
     }
 
-    /// The normals for shading. Those that the data has not are computed on all cores when they are first asked for, which
-    /// lists and picks never do.
+    /// The normals for shading. Those that the data lacks are computed on all cores when first asked for; lists and picks
+    /// never ask.
     #[must_use]
     pub fn normals(&self) -> &CornerNormals {
         let Ok(normals) = self.normals_while(|_| Ok::<(), Infallible>(()));
         normals
     }
 
-    /// [`Mesh::normals`], computed for as long as `go_on` lets it. That is told of each share of the work; all of them
-    /// are 1, or none where there is nothing to compute.
+    /// [`Mesh::normals`], computed for as long as `go_on` lets it. Each call is told the share done since the last.
+    /// Shares add up to 1; there are none if nothing has to be computed.
     pub(crate) fn normals_while<E: Send>(
         &self,
         go_on: impl Fn(f64) -> Result<(), E> + Sync,
@@ -252,8 +252,8 @@ impl Mesh {
         runs[runs.partition_point(|run| run.triangles.end <= triangle)].colour
     }
 
-    /// The linear colour at a point of a triangle: its own (neutral where the file gives none, white where
-    /// vertices bring theirs) times its vertices'.
+    /// The linear colour at a point of a triangle: the triangle's own times its vertices'. Where the file gives the
+    /// triangle none, it is white if vertices have colours, else neutral.
     ///
     /// # Panics
     /// When there is no such triangle.
@@ -320,7 +320,7 @@ fn bounds_of_parts(data: &MeshData) -> Vec<Aabb> {
     all
 }
 
-/// The first of so many that is not as it should be.
+/// The first of `count` items that is not right.
 fn first_without(count: usize, is_right: impl Fn(usize) -> bool + Sync) -> Option<usize> {
     let found = in_shares(count, |mut share| share.find(|&i| !is_right(i)));
     found.into_iter().flatten().next()

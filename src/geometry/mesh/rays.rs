@@ -1,4 +1,4 @@
-//! A mesh against rays: through its tree, or every triangle in turn.
+//! Rays against a mesh: through its tree, or against every triangle in turn.
 #![allow(
     clippy::inline_always,
     reason = "what is not inlined into a walk is not compiled for its instructions"
@@ -9,7 +9,7 @@ use crate::geometry::{
     Aabb, Bvh, Entry, Hit, LocalRay, Pyramid, Sides, Simd, TriangleHit, TriangleTest, VertexRay,
     Visit, guarded_volume,
     shares::in_shares,
-    triangle::{compare_t, is_in_doubt, reaches_plane, settled_volume},
+    triangle::{compare_t, filtered_volume, is_in_doubt, reaches_plane},
 };
 use glam::{DVec3, Vec3};
 use std::{
@@ -18,14 +18,13 @@ use std::{
     sync::{Arc, OnceLock, atomic::AtomicBool},
 };
 
-/// Below this many triangles trying them all takes less than a microsecond. From here on a tree has paid for itself after
-/// a dozen rays, whatever the size of the mesh, and a click asks up to 200 (measured: 0.13 us a triangle to build, 14 ns a
-/// triangle to try).
+/// Below this many triangles, trying all takes less than a microsecond. From here on a tree pays for itself after a dozen
+/// rays, whatever the mesh's size, and a click asks up to 200 (measured: 0.13 us a triangle to build, 14 ns to try).
 const WORTH_A_TREE: usize = 32;
 
 impl Mesh {
-    /// Builds the tree, if the mesh is large enough to be worth one and has none yet. Until then picks try
-    /// every triangle: the answer is the same.
+    /// Builds the tree, if there is none yet and the mesh is large enough to be worth one. Without a tree, picks try
+    /// every triangle, with the same answer.
     pub fn build_tree(&self) {
         self.build_tree_unless(&AtomicBool::new(false));
     }
@@ -35,7 +34,7 @@ impl Mesh {
         self.build_tree_by(Simd::fastest(), stop);
     }
 
-    /// `build_tree_unless`, to be walked by chosen instructions; there is no tree where the processor lacks them.
+    /// `build_tree_unless` for the given instructions; no tree is built where the processor lacks them.
     pub fn build_tree_by(&self, simd: Simd, stop: &AtomicBool) {
         let MeshData {
             positions,
@@ -47,7 +46,7 @@ impl Mesh {
         }
         if let Some(tree) = Bvh::build(positions, triangles, simd, stop) {
             debug_assert_eq!(tree.validate(positions, triangles), Ok(()));
-            // Whoever else may have built one meanwhile has built the same.
+            // A tree that another thread built meanwhile is the same.
             let _ = self.tree.set(tree);
         }
     }
@@ -57,8 +56,8 @@ impl Mesh {
         self.tree.get()
     }
 
-    /// The object-space boxes of its tree at a level, 0 being the box about everything: at most `most` of them. None
-    /// where there is no tree.
+    /// The object-space boxes of the tree at a level (0 is the box about everything): at most `most`, none without a
+    /// tree.
     #[must_use]
     pub fn tree_boxes(&self, level: u32, most: usize) -> Vec<Aabb> {
         let boxes = self.tree.get().map(|tree| tree.boxes(level, most));
@@ -69,14 +68,14 @@ impl Mesh {
         placed.collect()
     }
 
-    /// Whether rays are as fast as they will be: there is a tree, or no need of one.
+    /// Whether rays are as fast as they will be: the tree is built, or not worth building.
     #[must_use]
     pub(crate) fn is_ready(&self) -> bool {
         self.data.triangles.len() < WORTH_A_TREE || self.tree.get().is_some() || self.few.is_some()
     }
 
-    /// The same mesh for rays within one of some pyramids of object space only: they are held against the few triangles that
-    /// they may meet, which takes a look at each. Other rays may miss what they hit.
+    /// The same mesh for rays within one of these pyramids of object space. They are tested against only the few
+    /// triangles that they may meet, found by a look at each. Other rays may wrongly miss.
     #[must_use]
     pub(crate) fn narrowed(&self, pyramids: &[Pyramid]) -> Self {
         let pyramids: Vec<_> = (pyramids.iter())
@@ -84,7 +83,7 @@ impl Mesh {
             .collect();
         let few = in_shares(self.data.triangles.len(), |share| {
             let is_near = |corners: &[u32; 3]| {
-                // Still f32: neither rounds.
+                // In `f32`, where least and greatest are exact.
                 let [a, b, c] = corners.map(|i| Vec3::from_array(self.data.positions[i as usize]));
                 let [min, max] = [a.min(b).min(c), a.max(b).max(c)].map(Vec3::as_dvec3);
                 let bounds = Aabb { min, max };
@@ -105,8 +104,8 @@ impl Mesh {
         }
     }
 
-    /// The nearest hit of an object-space ray on the parts that `accept` names, of equally near ones that with
-    /// the lowest triangle. By [`guarded_volume`]: the choice is that of exact arithmetic.
+    /// The nearest hit of an object-space ray on the parts that `accept` names; of ties, the lowest triangle. By
+    /// [`guarded_volume`]: the choice is that of exact arithmetic.
     #[must_use]
     pub fn closest<'a>(
         &self,
@@ -117,7 +116,7 @@ impl Mesh {
         self.closest_of(&ray.into(), None, sides, |part, _: &Hit| accept(part))
     }
 
-    /// [`Mesh::closest`] of the hits that `accept` takes, each with its part.
+    /// [`Mesh::closest`] among the hits that `accept` takes, each given with its part.
     #[must_use]
     pub(crate) fn closest_of(
         &self,
@@ -128,9 +127,9 @@ impl Mesh {
     ) -> Option<Hit> {
         let center = &self.data.origin;
         match self.tree.get() {
-            // What the tree has filtered need not be filtered again.
-            Some(tree) => Nearest::of(self, ray, sides, Settled, accept, |nearest| {
-                tree.visit_from(entry, ray, center, nearest);
+            // The tree has filtered already.
+            Some(tree) => Nearest::of(self, ray, sides, Filtered, accept, |nearest| {
+                tree.visit_from::<true>(entry, ray, center, nearest);
             }),
             None => Nearest::of(self, ray, sides, guarded_volume, accept, |nearest| {
                 self.every_triangle(nearest);
@@ -219,8 +218,8 @@ impl Mesh {
         }
     }
 
-    /// Whether `f64` alone leaves open if an object-space ray hits one of the triangles that lie in its interval and before
-    /// its limit, and whose parts `accept` names. The same with and without a tree.
+    /// Whether `f64` alone cannot decide if an object-space ray hits a triangle that lies in its interval and before its
+    /// limit, and whose part `accept` names. The same with and without a tree.
     pub fn is_in_doubt<'a>(
         &self,
         ray: impl Into<LocalRay<'a>>,
@@ -236,7 +235,7 @@ impl Mesh {
                     && Aabb::around(corners).may_hit_before(&local, inverse, ray.limit)
                     && reaches_plane(&local, corners, ray.limit)
                     && accept(self.part_of(triangle));
-            // Once is enough: nothing lies before this.
+            // One is enough: nothing lies before this.
             if found { f64::NEG_INFINITY } else { ray.limit }
         };
         if local.is_bounded() {
@@ -247,7 +246,7 @@ impl Mesh {
         found
     }
 
-    /// The order along a ray of two of its hits.
+    /// The order of two hits along a ray.
     fn order(&self, a: &Hit, b: &Hit, local: &VertexRay) -> Ordering {
         let (Some(on_a), Some(on_b)) = (a.on_triangle, b.on_triangle) else {
             return a.t.total_cmp(&b.t);
@@ -258,10 +257,10 @@ impl Mesh {
             .then(triangles[0].cmp(&triangles[1]))
     }
 
-    /// Every triangle that the ray may hit, with its corners: through the tree, or all of them in order. Where `SIFT` is
-    /// false, a tree leaves out none whose box the ray may meet.
+    /// Visits every triangle that the ray may hit, with its corners: through the tree, or all in order. Without `FILTER`
+    /// the tree rejects by boxes alone.
     #[inline]
-    fn visit<const SIFT: bool>(
+    fn visit<const FILTER: bool>(
         &self,
         ray: &LocalRay,
         entry: Option<&Entry>,
@@ -269,8 +268,7 @@ impl Mesh {
     ) {
         let center = &self.data.origin;
         match self.tree.get() {
-            Some(tree) if SIFT => tree.visit_from(entry, ray, center, visit),
-            Some(tree) => tree.visit_boxes(ray, center, visit),
+            Some(tree) => tree.visit_from::<FILTER>(entry, ray, center, visit),
             None => self.every_triangle(visit),
         }
     }
@@ -281,7 +279,7 @@ impl Mesh {
         }
     }
 
-    /// The triangles that a ray without a tree is held against.
+    /// The triangles that a ray is tested against without a tree.
     fn asked(&self) -> impl Iterator<Item = u32> {
         let few = self.few.as_deref();
         let count = few.map_or(self.data.triangles.len(), <[u32]>::len);
@@ -291,7 +289,7 @@ impl Mesh {
     }
 }
 
-/// [`TriangleTest`]s and closures like them, and what can be inlined for certain.
+/// [`TriangleTest`]s, closures like them, and tests that are sure to be inlined.
 trait Test {
     fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit>;
 }
@@ -303,13 +301,13 @@ impl<F: Fn(&VertexRay, [DVec3; 3]) -> Option<TriangleHit>> Test for F {
     }
 }
 
-/// [`settled_volume`].
-struct Settled;
+/// [`filtered_volume`].
+struct Filtered;
 
-impl Test for Settled {
+impl Test for Filtered {
     #[inline(always)]
     fn test(&self, ray: &VertexRay, corners: [DVec3; 3]) -> Option<TriangleHit> {
-        settled_volume(ray, corners)
+        filtered_volume(ray, corners)
     }
 }
 
@@ -320,7 +318,7 @@ struct Nearest<'a, T, A> {
     sides: Sides,
     test: T,
     accept: A,
-    /// Most rays meet nothing and need none.
+    /// Made when needed: most rays meet no triangle.
     local: Option<VertexRay<'a>>,
     end: f64,
     best: Option<Hit>,
@@ -367,7 +365,7 @@ impl<T: Test, A: Fn(usize, &Hit) -> bool> Visit for Nearest<'_, T, A> {
             if self.best.as_ref().is_none_or(is_first)
                 && (self.accept)(self.mesh.part_of(triangle), &hit)
             {
-                // The exact parameter may be this much further, and nearer or equal ones may lie before it.
+                // The exact parameter may be this much larger, so nearer or equal hits may lie before it.
                 self.end = self.end.min(hit.t + hit.t_error);
                 self.best = Some(hit);
             }

@@ -1,9 +1,9 @@
-//! The bounds of triangle tests, held against exact arithmetic.
+//! The bounds of triangle tests hold against exact arithmetic.
 
 use super::*;
 use crate::geometry::{LocalRay, Ray, random::Random};
 
-/// At the ends of what `f64` holds bounds are absolute, or there is none: decisions stay those of exact arithmetic.
+/// At the ends of `f64`'s range bounds are absolute, or there are none: decisions are still exact.
 #[test]
 fn products_that_vanish_or_overflow_decide_nothing() {
     let mut random = Random(3);
@@ -11,7 +11,7 @@ fn products_that_vanish_or_overflow_decide_nothing() {
         let half = exponent / 2;
         v * 2_f64.powi(half) * 2_f64.powi(exponent - half)
     };
-    // Small integers, so that points coincide.
+    // Small integers, so that points sometimes coincide.
     let mut point = |exponent| {
         let small = DVec3::new(random.small(), random.small(), random.small());
         times_power(small, exponent)
@@ -29,7 +29,7 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                     (corners[0], near) = (DVec3::ZERO, DVec3::ZERO);
                 }
                 let origin = near + point(away);
-                // Anywhere, or past a point of an edge as nearly as can be.
+                // Anywhere, or past a point of an edge as closely as possible.
                 let way = if i % 5 == 0 {
                     point(0)
                 } else {
@@ -44,7 +44,10 @@ fn products_that_vanish_or_overflow_decide_nothing() {
                 };
                 let ray = VertexRay::exact(ray);
                 let exact = exact_volume(&ray, corners);
-                for hit in [guarded_volume(&ray, corners), settled_volume(&ray, corners)] {
+                for hit in [
+                    guarded_volume(&ray, corners),
+                    filtered_volume(&ray, corners),
+                ] {
                     let case = format!("{ray:?} {corners:?} {exact:?} {hit:?}");
                     assert_eq!(exact.is_some(), hit.is_some(), "{case}");
                     if let (Some(exact), Some(hit)) = (exact, hit) {
@@ -61,8 +64,8 @@ fn products_that_vanish_or_overflow_decide_nothing() {
     assert!(hits[0] > 5000 && hits[1] > 1000, "{hits:?}");
 }
 
-/// The derivation of [`volume_bound`], held against exact volumes; of exact rays and of those that are off by as much as
-/// they say.
+/// The derivation of [`volume_bound`] holds against exact volumes, for exact rays and for those off by as much as they
+/// say.
 #[test]
 fn volumes_round_by_less_than_their_bound() {
     let mut random = Random(7);
@@ -126,7 +129,7 @@ fn volumes_round_by_less_than_their_bound() {
     );
 }
 
-/// Of triangles of many sizes and rays that start ever nearer to their planes and run ever more along them.
+/// Triangles of many sizes; rays start ever nearer to their planes and run ever more along them.
 #[test]
 fn parameters_lie_within_their_bounds() {
     let mut random = Random(7);
@@ -144,7 +147,7 @@ fn parameters_lie_within_their_bounds() {
             t_min: f64::MIN,
             t_max: f64::MAX,
         });
-        let Ok(Some(hit)) = settle(&ray, corners) else {
+        let Ok(Some(hit)) = filter(&ray, corners) else {
             continue;
         };
         hits += 1;
