@@ -2,6 +2,7 @@
 
 use super::{CliError, terminal::start_log};
 use crate::{
+    geometry::shares,
     render::{self, AdapterCan, AdapterFound, GpuError, Numbers},
     viewer,
 };
@@ -44,7 +45,7 @@ pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {
         env!("CARGO_PKG_VERSION"),
         env::consts::OS,
         env::consts::ARCH,
-        std::thread::available_parallelism().map_or(1, usize::from)
+        shares::cores()
     );
     for name in VARIABLES {
         if let Some(value) = env::var_os(name) {
