@@ -21,10 +21,10 @@ pub enum CliError {
     /// The arguments make no sense.
     #[error("{0}")]
     Usage(String),
-    /// Flags that make no camera.
+    /// The flags give no valid camera.
     #[error("{0}; see --help")]
     View(CameraError),
-    /// The scene file's own camera is none.
+    /// The scene file's camera is not valid.
     #[error("{}: {source}", file.display())]
     SceneCamera {
         /// The scene file.
@@ -32,7 +32,7 @@ pub enum CliError {
         /// What is wrong with its camera.
         source: CameraError,
     },
-    /// The scene file's section is none.
+    /// The scene file's section is not valid.
     #[error("{}: section: {source}", file.display())]
     SceneSection {
         /// The scene file.
@@ -43,14 +43,14 @@ pub enum CliError {
     /// The scene could not be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A word that is no file, and no command either.
-    #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
+    /// A word that is neither a file nor a command.
+    #[error("{0}; the commands are {commands}; they come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
     /// A file could not be read again.
     #[error(transparent)]
     Again(#[from] AgainError),
     /// There is no memory for the picture.
-    #[error("a picture of {size} takes {} MB of memory, which there is not: draw a smaller one", bytes / 1_000_000)]
+    #[error("a picture of {size} needs {} MB, more memory than is available: draw a smaller one", bytes / 1_000_000)]
     TooLarge {
         /// Width and height in pixels.
         size: String,
@@ -183,7 +183,7 @@ impl From<clap::Error> for CliError {
         // No flag is a number, and what takes several, as --at and --face, takes none below 0.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
-            line += ": a position or a number is not negative";
+            line += ": positions and numbers cannot be negative";
         }
         Self::Usage(format!("{line}; see --help"))
     }
