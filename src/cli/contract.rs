@@ -1,7 +1,7 @@
-//! What picks promise and what their lines hold, for the help of `pick`, which is to fit into 80 columns. [`crate::pick`]
-//! says the same at length.
+//! The help texts of `pick`: what picks guarantee and what their lines hold, in 80 columns. [`crate::pick`] has the
+//! details.
 
-/// What a position shows.
+/// What a pick is.
 pub(super) const CONTRACT: &str = "\
 What a pick is:
   A pick is what exact arithmetic says for the numbers that are stored. The

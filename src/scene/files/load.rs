@@ -133,8 +133,8 @@ pub fn load_with(
     })
 }
 
-/// What a scene file says of the camera, where its own objects are some of more than it knows: the face that it cuts
-/// along is of its own. A number that none of those has is none of them all.
+/// The camera of a scene file whose objects are `own` of the `count` in the scene: the id of a section along a face is
+/// moved from the file's ids to the scene's. An id that the file lacks becomes one that the scene lacks.
 fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoice {
     let Some(SectionChoice::Face { id, face }) = camera.section else {
         return camera;
