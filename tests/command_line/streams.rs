@@ -46,7 +46,7 @@ fn standard_input_gives_positions() {
     }
 }
 
-/// A program that asks, and waits for the answer before it asks again.
+/// A caller that waits for each answer before the next request.
 #[test]
 fn each_position_is_answered_before_the_next_is_there() {
     let folder = Folder::new();
