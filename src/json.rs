@@ -1,4 +1,4 @@
-//! JSON as it goes to terminals, clipboards and pipes: a line a value, in which no name does anything.
+//! JSON for terminals, clipboards and pipes: one line per value, with control characters escaped.
 
 use serde::Serialize;
 use serde_json::{
@@ -7,33 +7,33 @@ use serde_json::{
 };
 use std::io::{self, Write};
 
-/// Whether a character is not shown but does something: moves the cursor, ends the line, turns the direction of what
-/// follows (Unicode's `Bidi_Control`).
+/// Whether a character controls the terminal or the text direction: it moves the cursor, ends the line, or is
+/// in Unicode's `Bidi_Control`.
 pub(crate) fn is_mark(character: char) -> bool {
     let turns = matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     character.is_control() || turns || matches!(character, '\u{2028}' | '\u{2029}')
 }
 
-/// Writes a value as JSON without a line's end. In strings what [`is_mark`] is escaped.
+/// Writes a value as JSON without a newline. In strings the characters of [`is_mark`] are escaped.
 ///
 /// # Errors
-/// When `out` takes no more.
+/// When `out` fails.
 pub(crate) fn write(out: impl Write, value: &impl Serialize) -> io::Result<()> {
     value.serialize(&mut Serializer::with_formatter(out, Escaping))?;
     Ok(())
 }
 
-/// The same as a text.
+/// The JSON of a value, as a string.
 ///
 /// # Errors
-/// When the value is none that JSON has.
+/// When JSON cannot represent the value.
 pub(crate) fn text(value: &impl Serialize) -> io::Result<String> {
     let mut bytes = Vec::new();
     write(&mut bytes, value)?;
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// As short as can be, with marks as `\uXXXX`.
+/// Compact, with control characters as `\uXXXX`.
 struct Escaping;
 
 impl Formatter for Escaping {
@@ -42,7 +42,7 @@ impl Formatter for Escaping {
         out: &mut W,
         mut fragment: &str,
     ) -> io::Result<()> {
-        // Most names are plain.
+        // Most names are plain ASCII.
         let is_plain = |byte| (b' '..=b'~').contains(&byte);
         if fragment.bytes().all(is_plain) {
             return CompactFormatter.write_string_fragment(out, fragment);

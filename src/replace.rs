@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Writes files whole or not at all.
 
 use std::{
     fs::{self, File},
@@ -6,19 +6,19 @@ use std::{
     path::Path,
 };
 
-/// Writes a file beside `path` and renames it to that once it is whole and on the disk. On any failure, that of `write`
-/// too, what `path` held before is untouched and nothing is left beside it. A link keeps its place: what it points to is
-/// written. A file that may not be written stays as it is. What is no file, such as a pipe, is written as it goes.
+/// Writes a temporary file beside `path` and renames it to `path` once it is complete and on the disk. On any failure,
+/// also of `write`, `path` keeps its contents and the temporary file is removed. A link stays: its target is replaced.
+/// A read-only file stays as it is. A path that is no regular file, such as a pipe, is written directly.
 ///
 /// # Errors
-/// What the system says, or `write`.
+/// The system's error, or that of `write`.
 pub(crate) fn replace(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let before = fs::metadata(&target).ok();
-    // A rename asks only whether the folder may be written.
+    // A rename checks only the permissions of the folder.
     if before
         .as_ref()
         .is_some_and(|old| old.permissions().readonly())
@@ -46,7 +46,7 @@ pub(crate) fn replace(
     Ok(())
 }
 
-/// A file of a name of its own, gone when dropped, with the permissions that any new file has.
+/// A file of a unique name, removed when dropped, with the permissions of any new file.
 fn new_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut new = tempfile::Builder::new();
     new.prefix(".sightline-").suffix(".part");

@@ -1,4 +1,4 @@
-//! A city in map coordinates: drawn as steadily, and picked as well, as if it stood at the origin.
+//! A city in map coordinates: drawn as steadily, and picked as accurately, as at the origin.
 #![cfg(feature = "window")]
 
 mod common;
@@ -102,7 +102,7 @@ fn a_far_city_is_drawn_as_a_near_one() {
             .filter(|(far, near)| far != near)
             .count();
     }
-    // Vertices are rounded about another point, at a ten-thousandth of a millimetre.
+    // Vertices are rounded relative to another point, to a ten-thousandth of a millimetre.
     assert!(100_000 * differing <= all, "{differing} of {all} pixels");
 }
 

@@ -20,7 +20,7 @@ use std::{sync::Arc, thread};
 const RAYS: u32 = 30_000;
 const SEED: u64 = 2026;
 
-/// What was counted over the cases of a family.
+/// Counts over the cases of a family.
 #[derive(Debug, Default)]
 struct Count {
     hits: u32,
@@ -91,7 +91,7 @@ fn judge(case: &Case, count: &mut Count) {
     count.in_doubt += u32::from(mesh.is_in_doubt(ray, |_| true));
 }
 
-/// Whether the parameter is as near to the truth as it claims, and the claim is worth something.
+/// Whether the parameter is within its error bound, and the bound is tight enough to be useful.
 fn is_near(found: &TriangleHit, truth: &oracle::Meeting) -> bool {
     let TriangleHit {
         t,
@@ -127,7 +127,7 @@ fn closest(mesh: &Mesh, ray: &Ray, sides: Sides) -> Option<u32> {
     hit.on_triangle.map(|at| at.triangle)
 }
 
-/// All cases of a family, on two threads.
+/// Runs all cases of a family, on two threads.
 fn run(family: &Family) -> Count {
     let share = |seed| {
         let mut random = Random::new(seed);
@@ -159,7 +159,7 @@ fn no_decision_is_wrong() {
             "{}: {count:?}",
             family.name
         );
-        // The cases are hard enough to tell: exact ties need exact arithmetic, and without it are decided wrongly.
+        // The cases are hard enough: exact ties need exact arithmetic, and are decided wrongly without it.
         if family.is_exact {
             assert!(
                 count.on_edge > RAYS / 20 && count.in_doubt > RAYS / 20,

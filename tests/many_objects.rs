@@ -1,4 +1,4 @@
-//! A scene of many objects answers as each of them alone would, and asks few of them.
+//! A scene of many objects gives the same hits as each object alone, and tests few of them.
 #![cfg(feature = "window")]
 
 mod common;
@@ -55,7 +55,7 @@ fn alone(scene: &Scene) -> Vec<Scene> {
         .collect()
 }
 
-/// All hits, each object asked by itself.
+/// All hits, with each object intersected by itself.
 fn one_by_one(alone: &[Scene], ray: &Ray) -> Vec<SceneHit> {
     let each = alone.iter().enumerate().flat_map(|(object, scene)| {
         let hits = pick::all(scene, ray, Sides::Both).into_iter();
@@ -98,7 +98,7 @@ fn rays(scene: &Scene, count: usize, distance: f64) -> Vec<Ray> {
                 1 => DVec3::AXES[i % 7 % 3] * if i % 2 == 0 { 1.0 } else { -1.0 },
                 _ => random.direction(),
             };
-            // From a surface, or so far away that the way there rounds.
+            // From a surface, or so far away that the distance rounds.
             let back = if i % 5 == 0 {
                 0.0
             } else {
@@ -273,7 +273,7 @@ fn what_was_moved_is_found_where_it_is() {
     assert_eq!((hit.object, hit.hit.t), (0, 0.5));
 }
 
-/// Boxes and counts are those of each object asked anew.
+/// Boxes and counts equal those computed anew from each object.
 fn holds_its_sums(scene: &Scene) {
     let (mut all, mut visible, mut hidden) = (Aabb::EMPTY, Aabb::EMPTY, 0);
     for object in scene.objects() {
@@ -290,7 +290,7 @@ fn holds_its_sums(scene: &Scene) {
     assert_eq!(scene.hidden_count(), hidden);
 }
 
-/// What is kept of a scene follows its objects: boxes, counts, the tree that rays go by, the log of what was changed.
+/// The derived data of a scene follows its objects: boxes, counts, the tree, the log of changes.
 #[test]
 fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
     let mut random = Random::new(3);
@@ -341,7 +341,7 @@ fn a_scene_whose_objects_were_changed_is_as_one_made_of_them() {
         hits += usize::from(found.is_some());
     }
     assert!(hits > 1000, "{hits}");
-    // Who has not heard of the last few hundred has to look at everything.
+    // A reader that is a few hundred changes behind has to update everything.
     for i in 0..2700 {
         scene.set_visible(i % 1300, true);
     }

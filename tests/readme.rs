@@ -1,4 +1,4 @@
-//! What README says is what the program does.
+//! README is true of the program.
 #![cfg(feature = "window")]
 
 #[path = "common/images.rs"]
@@ -32,7 +32,7 @@ fn blocks(language: &str) -> Vec<String> {
         .collect()
 }
 
-/// Runs a line of README, `sightline` being this build's.
+/// Runs a line of README with this build's `sightline`.
 fn run(line: &str) -> Output {
     let program = env!("CARGO_BIN_EXE_sightline");
     let line = line.replacen("sightline", program, 1);
@@ -181,7 +181,7 @@ fn the_pictures_of_verify_are_of_what_it_finds() {
             let [seen, shown] = [picture, here("assets").join(asset)].map(|path| read(&path));
             assert_eq!(seen.size(), shown.size(), "assets/{asset}");
             let pairs = seen.pixels().iter().zip(shown.pixels());
-            // What is grey is as bright as it was drawn; marks are painted, in colours that are no grey.
+            // Grey pixels have the drawn brightness; marks are coloured.
             let is_grey = |[r, g, b]: Rgb| r == g && g == b;
             let differ = |&(&seen, &shown): &(&Rgb, &Rgb)| {
                 let most = u8::from(is_grey(seen) && is_grey(shown));

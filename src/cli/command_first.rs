@@ -1,18 +1,18 @@
-//! Flags may stand before the command that they are for.
+//! Lets flags stand before their command.
 
 use super::Cli;
 use clap::{Command, CommandFactory};
 use std::ffi::OsString;
 
-/// The arguments, the program's own name first, with flags that stand before a command moved behind what follows it.
-/// Anything but flags before the command leaves them as they are.
+/// Moves flags that stand before a command behind the command's own arguments. `args` starts with the program's name.
+/// Where anything but flags stands before the command, nothing moves.
 pub(super) fn command_first(mut args: Vec<OsString>) -> Vec<OsString> {
     let cli = Cli::command();
     let mut at = 1;
     while let Some(word) = args.get(at).and_then(|word| word.to_str()) {
         if cli.find_subcommand(word).is_some() {
             let flags: Vec<_> = args.drain(1..at).collect();
-            // What follows a lone -- is no flag.
+            // Nothing after a lone -- is a flag.
             let end = args.iter().position(|word| word == "--");
             let end = end.unwrap_or(args.len());
             args.splice(end..end, flags);
@@ -26,7 +26,7 @@ pub(super) fn command_first(mut args: Vec<OsString>) -> Vec<OsString> {
     args
 }
 
-/// Whether a flag, of the window or of any command, has the next word for its value.
+/// Whether a flag of the window or of any command takes the next word as its value.
 fn takes_next(cli: &Command, flag: &str) -> bool {
     let commands = std::iter::once(cli).chain(cli.get_subcommands());
     let mut args = commands.flat_map(Command::get_arguments);

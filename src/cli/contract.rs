@@ -1,7 +1,7 @@
-//! What picks promise and what their lines hold, for the help of `pick`, which is to fit into 80 columns. [`crate::pick`]
-//! says the same at length.
+//! The help texts of `pick`: what picks guarantee and what their lines hold, in 80 columns. [`crate::pick`] has the
+//! details.
 
-/// What a position shows.
+/// What a pick is.
 pub(super) const CONTRACT: &str = "\
 What a pick is:
   A pick is what exact arithmetic says for the numbers that are stored. The
@@ -55,8 +55,8 @@ of each of \"hits\":
                    where nothing does
   gap              exact difference in t to the next hit, rounded once: 0 on an
                    edge that two triangles share; null where there is no next
-  exact            whether f64 left open what is hit up to here, or which of two
-                   hits is nearer, and exact arithmetic decided
+  exact            whether exact arithmetic decided what is hit up to here, or
+                   which of two hits is nearer, because f64 could not
   differs_px       pixels from the position to the nearest centre of a pixel,
                    its own too, that shows another object, another triangle or
                    the background; null where there is none within 8, and in a
@@ -69,17 +69,17 @@ of each of \"hits\":
                    rounded to, where that is not the nearest f64); and which of
                    these the triangle's corners are, by place from 0, in the
                    order of barycentric. null where there is no file
-  file_error       why the file does not say: it has changed, or is gone
+  file_error       why the file cannot tell: it has changed, or is gone
 
 Beside \"hit\" or \"hits\":
-  in_one_place     what drawing cannot tell from the nearest surface: it and all
-                   that lie behind it by less than drawing may be off in depth;
+  in_one_place     the surfaces that drawing cannot tell apart here: the nearest
+                   and those behind it by less than drawing's error in depth;
                    count, and named: the first 8, each with object, id, triangle
                    and front. null where the nearest lies by itself. Two faces
-                   of a mesh that meet right there, in an edge or a corner of
-                   both and as near as drawing may move it (1/256 pixel or
-                   so), are no two unless they lie over each other; nor are the
-                   near and the far side of one cube or sphere";
+                   of a mesh that meet here, in an edge or a corner of both and
+                   within drawing's error (about 1/256 pixel), count as one
+                   unless they overlap; so do the near and the far side of one
+                   cube or sphere";
 
 /// What the lines of `--snap` hold.
 pub(super) const SNAPS: &str = "\
@@ -114,8 +114,8 @@ The lines of --face and --vertex, after those of --at:
                    the vertex or of a point inside of the face; in_picture;
                    seen; hidden_by, what lies nearest to the eye before it, or
                    null
-  A point is seen where the ray of the picture through that very point picks a
-  surface at it: exactly, though its position need be no f64.";
+  A point is seen if the picture's ray through exactly this point picks a
+  surface there. The test is exact, even where no f64 holds the position.";
 
 /// What the line of `--stored` holds.
 pub(super) const NUMBERS: &str = "\

@@ -1,4 +1,4 @@
-//! `sightline install-desktop`: what a desktop and a shell want to know of a program, written where they look for it.
+//! `sightline install-desktop`: writes the files by which desktops and shells know the program.
 
 use super::{Cli, CliError, terminal::start_log};
 use crate::{
@@ -27,7 +27,7 @@ pub struct InstallDesktopArgs {
 }
 
 const ICON_SVG: &[u8] = include_bytes!("../../assets/icon.svg");
-/// The type of OBJ files. Some systems take `*.obj` for another program's: the weight, 50 by default, decides.
+/// The MIME type of OBJ files. Some systems give `*.obj` to another type; the higher weight wins, 50 by default.
 const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <mime-info xmlns="http://www.freedesktop.org/standards/shared-mime-info">
   <mime-type type="model/obj">
@@ -37,7 +37,7 @@ const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 </mime-info>
 "#;
 
-/// What tells desktops of new files, in which folder of theirs, where those files are and how they end, and what it writes.
+/// The commands that tell desktops of new files: their folder, the files' place and ending, and what they write.
 const TELLERS: [Teller; 2] = [
     Teller {
         command: "update-desktop-database",
@@ -76,10 +76,10 @@ struct Teller {
     caches: &'static [&'static str],
 }
 
-/// In a comment at the end of each text whose contents change from place to place or from version to version: whose it is.
+/// Marks a file as written here, in a last comment, where its text depends on the version or the program's place.
 const MARK: &str = "Written by sightline install-desktop, which --remove takes away.";
 
-/// Writes the files, or takes them away, and prints which.
+/// Writes or removes the files, and prints which.
 pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
     start_log(false);
     let share = match &args.to {
@@ -109,7 +109,7 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
         for place in places.chain([Path::new("mime/model/obj.xml")]) {
             let folders = place.ancestors().skip(1);
             for folder in folders.filter(|folder| *folder != Path::new("")) {
-                // It stays where something is in it.
+                // Fails where the folder is not empty: then it stays.
                 let _ = fs::remove_dir(share.join(folder));
             }
         }
@@ -117,7 +117,7 @@ pub(super) fn run(args: &InstallDesktopArgs) -> Result<(), CliError> {
     Ok(())
 }
 
-/// The user's own.
+/// The user's own share folder.
 fn own_share_folder() -> Result<PathBuf, CliError> {
     let unknown = "desktops of this system read no such files; --to DIR writes them for others";
     if cfg!(any(windows, target_os = "macos")) {
@@ -129,7 +129,7 @@ fn own_share_folder() -> Result<PathBuf, CliError> {
     Ok(places.data_dir())
 }
 
-/// Whether a file was written. What a link points to is somebody's own: the link gives way.
+/// Whether a file was written. A link is replaced, so that the user's file behind it is not.
 fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
@@ -141,7 +141,7 @@ fn write(path: &Path, contents: &[u8]) -> io::Result<bool> {
     Ok(true)
 }
 
-/// Whether there was a file to take away: one that was written here, by this version or another.
+/// Removes a file if this program wrote it, in any version. Whether it did.
 fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
     let about = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
@@ -160,8 +160,8 @@ fn remove(path: &Path, contents: &[u8]) -> io::Result<bool> {
 }
 
 impl Teller {
-    /// Asks the system to look at a folder again. Where it has no such command, it looks by itself, or at the next login.
-    /// What it wrote goes where nothing is left to be told of, if that is wanted.
+    /// Has the system read a folder again. Without the command, the system does so by itself or at the next login.
+    /// Removes what the command wrote, if that is requested and the folder has no such files left.
     fn tell(&self, share: &Path, take_away: bool) {
         let folder = share.join(self.folder);
         if !folder.is_dir() {
@@ -230,7 +230,7 @@ fn files(program: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     files
 }
 
-/// The entry in menus, and what opens a file that somebody clicks.
+/// The menu entry, which also opens files on a click.
 fn entry(program: &Path) -> String {
     let exec = quoted(program);
     format!(
@@ -257,7 +257,7 @@ fn entry(program: &Path) -> String {
     )
 }
 
-/// What draws a file's small picture, by rays: it needs no driver, and none is let into where thumbnails are made.
+/// The thumbnailer. It draws by rays, because the sandbox in which thumbnails are made has no graphics driver.
 fn thumbnailer(program: &Path) -> String {
     let exec = quoted(program);
     format!(

@@ -1,4 +1,4 @@
-//! `sightline doctor`: what this machine draws with, as text for a bug report.
+//! `sightline doctor`: the graphics of this machine, as text for a bug report.
 
 use super::{CliError, terminal::start_log};
 use crate::{
@@ -16,11 +16,11 @@ pub struct DoctorArgs {
     pub verbose: bool,
 }
 
-/// What is said of the exit code.
+/// The help on the exit code.
 pub(super) const CODES: &str = "\
 Exit codes: 0 pictures and windows can be drawn, 4 no adapter draws, 5 one does, but there is no display.";
 
-/// Variables that decide which adapter and which display there is.
+/// Environment variables that select the adapter and the display.
 const VARIABLES: [&str; 7] = [
     "DISPLAY",
     "WAYLAND_DISPLAY",
@@ -31,11 +31,11 @@ const VARIABLES: [&str; 7] = [
     "LIBGL_ALWAYS_SOFTWARE",
 ];
 
-/// What works whatever draws, or does not.
+/// What works without an adapter.
 const WITHOUT: &str =
     "list, pick, install-desktop, study (but for the step that draws) and render --by raycast";
 
-/// Looks, and says what there is.
+/// Prints the report.
 pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {
     start_log(args.verbose);
     let display = viewer::display();
@@ -71,7 +71,7 @@ pub(super) fn run(args: &DoctorArgs) -> Result<(), CliError> {
     Ok(display?)
 }
 
-/// Whether the adapter that is used draws.
+/// Whether the chosen adapter draws.
 fn drawing(adapters: &[AdapterFound]) -> Result<(), GpuError> {
     let used = adapters.iter().find(|adapter| adapter.is_used);
     let used = used.ok_or(GpuError::NoAdapter)?;
@@ -131,7 +131,7 @@ fn abilities(text: &mut String, can: &AdapterCan) {
     );
 }
 
-/// A line, with marks that drive terminals escaped.
+/// Adds a line, with terminal control characters escaped.
 fn line(text: &mut String, content: &str) {
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{}", super::terminal::plain(content));

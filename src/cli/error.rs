@@ -1,4 +1,4 @@
-//! What can go wrong in a command, and the exit code that says so.
+//! The errors of commands, and their exit codes.
 
 use super::{Cli, terminal::say};
 use crate::{
@@ -15,16 +15,16 @@ use std::{
     process::ExitCode,
 };
 
-/// Why a command did not do what it was asked. One line, with what to do about it.
+/// Why a command failed. The message is one line and says what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// The arguments make no sense.
+    /// The arguments are invalid.
     #[error("{0}")]
     Usage(String),
-    /// Flags that make no camera.
+    /// The flags give no valid camera.
     #[error("{0}; see --help")]
     View(CameraError),
-    /// The scene file's own camera is none.
+    /// The scene file's camera is not valid.
     #[error("{}: {source}", file.display())]
     SceneCamera {
         /// The scene file.
@@ -32,7 +32,7 @@ pub enum CliError {
         /// What is wrong with its camera.
         source: CameraError,
     },
-    /// The scene file's section is none.
+    /// The scene file's section is not valid.
     #[error("{}: section: {source}", file.display())]
     SceneSection {
         /// The scene file.
@@ -43,18 +43,18 @@ pub enum CliError {
     /// The scene could not be loaded.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// A word that is no file, and no command either.
-    #[error("{0}; commands are {commands}, and come before scenes", commands = commands())]
+    /// A word that names neither a file nor a command.
+    #[error("{0}; the commands are {commands}; they come before scenes", commands = commands())]
     NoSuchCommand(LoadError),
     /// A file could not be read again.
     #[error(transparent)]
     Again(#[from] AgainError),
     /// There is no memory for the picture.
-    #[error("a picture of {size} takes {} MB of memory, which there is not: draw a smaller one", bytes / 1_000_000)]
+    #[error("a picture of {size} needs {} MB, more memory than is available: draw a smaller one", bytes / 1_000_000)]
     TooLarge {
         /// Width and height in pixels.
         size: String,
-        /// How much.
+        /// The memory that the picture needs, in bytes.
         bytes: usize,
     },
     /// The picture could not be written.
@@ -79,13 +79,13 @@ pub enum CliError {
     /// A chart could not be written.
     #[error(transparent)]
     Chart(#[from] SaveError),
-    /// Nothing to draw with.
+    /// No usable graphics adapter.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// Nothing to compare picks with.
+    /// No drawn picture to compare picks with.
     #[error("{0}; picking itself needs no driver")]
     NothingDrawn(GpuError),
-    /// Drawn and picked differ without a reason.
+    /// Drawn and picked differ, and geometry does not explain it.
     #[error(
         "{0} pixels are drawn as one thing and picked as another, and geometry does not say why"
     )]
@@ -95,12 +95,12 @@ pub enum CliError {
         "drawing in f32 cannot hold this view, {0} pixels differ from their picks; picks are right, and so is render --by raycast"
     )]
     BeyondF32(usize),
-    /// One picture is empty and the other is not: the pixels shown, who shows them, who does not.
+    /// Of the drawn and the picked picture one is empty: the pixel count, the side that shows them, the empty side.
     #[error(
         "{0} pixels are {1}, and nothing at all is {2}; render --by raycast shows what is picked"
     )]
     OneSided(usize, &'static str, &'static str),
-    /// There is no window.
+    /// The window could not be opened or has failed.
     #[error(transparent)]
     Window(#[from] ViewerError),
 }
@@ -129,7 +129,7 @@ impl CliError {
         }
     }
 
-    /// Prints it to stderr. A reader that closed the pipe has what it wanted: that is no error.
+    /// Prints the error to stderr. A pipe closed by its reader is no error.
     pub(super) fn report(&self) -> ExitCode {
         if let Self::Stream { source, .. } = self
             && source.kind() == std::io::ErrorKind::BrokenPipe
@@ -157,14 +157,14 @@ impl CliError {
     }
 }
 
-/// The commands' names, for people.
+/// The names of the commands, for messages.
 fn commands() -> String {
     let cli = Cli::command();
     let names: Vec<_> = cli.get_subcommands().map(clap::Command::get_name).collect();
     names.join(", ")
 }
 
-/// Clap's message as one line, with what it takes for a slip of the keyboard and without the usage text.
+/// Clap's message as one line: with its guess at a misspelt word, without the usage text.
 impl From<clap::Error> for CliError {
     fn from(error: clap::Error) -> Self {
         let text = error.to_string();
@@ -180,10 +180,10 @@ impl From<clap::Error> for CliError {
         for tip in parts.filter(|part| part.contains("similar")) {
             line = format!("{line}; {}", tip.trim_start_matches("tip: "));
         }
-        // No flag is a number, and what takes several, as --at and --face, takes none below 0.
+        // No flag is a number, and the flags with several values, such as --at and --face, take no negative ones.
         let flag = line.strip_prefix("unexpected argument '-");
         if flag.is_some_and(|flag| flag.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
-            line += ": a position or a number is not negative";
+            line += ": positions and numbers cannot be negative";
         }
         Self::Usage(format!("{line}; see --help"))
     }

@@ -1,4 +1,4 @@
-//! What the files of meshes say, for `sightline pick`: of what was hit, and of a face or a vertex by its number.
+//! `sightline pick --face` and `--vertex`: finds a face or vertex of an OBJ file in the picture.
 
 use super::{CliError, PickArgs};
 use crate::{
@@ -31,7 +31,7 @@ struct VertexLine {
     places: Vec<Whereabouts>,
 }
 
-/// Prints where the faces and vertices are that are asked for.
+/// Prints where the requested faces and vertices are.
 pub(super) fn write(
     mut out: impl Write,
     args: &PickArgs,
@@ -77,7 +77,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// The file whose faces and vertices are meant.
+/// The file that `--face` and `--vertex` refer to.
 fn file<'a>(args: &PickArgs, loaded: &'a Loaded) -> Result<&'a MeshFile, CliError> {
     let Some(id) = args.object else {
         let mut files = loaded.meshes.iter().filter(|file| file.contents.is_some());
@@ -85,7 +85,7 @@ fn file<'a>(args: &PickArgs, loaded: &'a Loaded) -> Result<&'a MeshFile, CliErro
             (Some(only), None) => Ok(only),
             (None, _) => Err(no_file()),
             _ => Err(CliError::Usage(
-                "there are several OBJ files: --object ID says whose face or vertex".to_owned(),
+                "the scene has several OBJ files: choose one with --object ID".to_owned(),
             )),
         };
     };
@@ -105,5 +105,5 @@ fn file<'a>(args: &PickArgs, loaded: &'a Loaded) -> Result<&'a MeshFile, CliErro
 }
 
 fn no_file() -> CliError {
-    CliError::Usage("faces and vertices have numbers where an OBJ file is shown".to_owned())
+    CliError::Usage("--face and --vertex need an object from an OBJ file".to_owned())
 }

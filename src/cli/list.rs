@@ -70,8 +70,8 @@ fn lines(scene: &Scene) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// Columns as wide as their widest cell; numbers to the right, coordinates with the digits that vertices carry. Cells
-/// are made twice: those of a large scene would not all fit into memory.
+/// Prints columns as wide as their widest cell: numbers right-aligned, coordinates with the digits of vertices. Cells
+/// are made twice, because those of a large scene would not all fit into memory.
 fn write_table(out: &mut impl Write, scene: &Scene) -> io::Result<()> {
     let places = scene.bounds().decimal_places();
     let head = ["id", "name", "shape", "triangles", "min", "max"].map(str::to_owned);
@@ -109,7 +109,7 @@ fn cells(line: &Line, places: usize) -> [String; 6] {
     ]
 }
 
-/// A point with so many decimal places, less trailing zeros.
+/// A point with this many decimal places, without trailing zeros.
 fn short(point: DVec3, places: usize) -> String {
     let digits = |value: f64| {
         let rounded: f64 = format!("{value:.places$}").parse().unwrap_or(value);

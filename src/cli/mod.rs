@@ -1,6 +1,6 @@
 //! The command line: one struct a command, one module for what it does.
 //!
-//! Results go to stdout and nothing else does; errors and warnings go to stderr, a line each.
+//! Only results go to stdout; errors and warnings go to stderr, a line each.
 
 mod command_first;
 mod contract;
@@ -98,14 +98,14 @@ pub struct SceneArgs {
     pub verbose: bool,
 }
 
-/// Parses the arguments (the program's own name first), does what they say and reports an error as one line.
+/// Parses the arguments (the program's own name first), runs the command and reports an error as one line.
 #[must_use]
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args = command_first(args.into_iter().collect());
     let cli = match Cli::try_parse_from(args) {
         Ok(cli) => cli,
         Err(error) if !error.use_stderr() => {
-            // Help and version. Nobody is left to tell when they cannot be printed.
+            // Help and version. A failure to print them cannot be reported.
             let _ = error.print();
             return ExitCode::SUCCESS;
         }
@@ -127,7 +127,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// Loads the scene that a command names and prints what the load warns of.
+/// Loads the scene that a command names, and prints the load's warnings.
 fn load(args: &SceneArgs) -> Result<Loaded, CliError> {
     load_with(args, Detail::All)
 }
@@ -153,7 +153,7 @@ fn load_with(args: &SceneArgs, detail: Detail) -> Result<Loaded, CliError> {
     Ok(loaded)
 }
 
-/// Builds the trees of the scene's meshes, for more than a few rays.
+/// Builds the trees of the scene's meshes; worth it for more than a few rays.
 fn build_trees(scene: &scene::Scene) {
     let start = Instant::now();
     scene.build_trees();

@@ -18,10 +18,10 @@ use std::{
     io::{BufRead, BufReader, BufWriter, Read, StdoutLock, Write},
 };
 
-/// Looks at each triangle that take as long as building the trees does (measured with a million triangles: 13 ns each for a
-/// look, 270 ns for a tree). Until they are spent, each position takes one.
+/// Building the trees takes as long as testing each triangle this often (measured with a million triangles: 13 ns a test,
+/// 270 ns a triangle to build). A position without trees tests each triangle once.
 const BREAK_EVEN: usize = 20;
-/// Looks at triangles that take as long as the copy of an object for a position does (measured with 600,000 objects: 0.2 us).
+/// Copying an object for a position takes as long as this many triangle tests (measured with 600,000 objects: 0.2 us).
 const LOOKS_PER_OBJECT: usize = 16;
 
 /// Arguments of `sightline pick`.
@@ -104,7 +104,7 @@ pub(super) fn inside(viewport: Viewport, px: DVec2) -> Result<DVec2, CliError> {
     )))
 }
 
-/// Bytes of a line that gives a position.
+/// The most bytes that a line with a position may have.
 const LONGEST_LINE: u64 = 1024;
 
 /// Prints the picks.
@@ -184,7 +184,7 @@ struct Picker<'a> {
     snap: Option<f64>,
     measured: Measures,
     out: BufWriter<StdoutLock<'static>>,
-    /// At triangles, so far, for want of trees.
+    /// Triangle tests spent so far without trees.
     looks: usize,
 }
 
@@ -253,7 +253,7 @@ impl Picker<'_> {
             .map_err(CliError::stdout)
     }
 
-    /// Picks at each line's position as it comes. Nothing is held back while the next one is waited for.
+    /// Picks at each line's position. Answers are flushed before it waits for more input.
     fn pick_lines(&mut self, mut lines: BufReader<impl Read>) -> Result<(), CliError> {
         let mut bytes = Vec::new();
         for number in 1.. {

@@ -43,7 +43,7 @@ pub struct RenderArgs {
 pub enum By {
     /// The graphics adapter.
     Raster,
-    /// A ray a pixel, on the CPU.
+    /// One ray per pixel, on the CPU.
     Raycast,
 }
 
@@ -108,7 +108,7 @@ pub(super) fn run(args: &RenderArgs) -> Result<(), CliError> {
     Ok(())
 }
 
-/// Refuses a picture that memory has no room for, before work goes into it.
+/// Refuses a picture that does not fit into memory, before any work.
 fn check_memory(size: Viewport) -> Result<(), CliError> {
     let pixels = size.width() as usize * size.height() as usize;
     let bytes = pixels.saturating_mul(pick::RAYCAST_BYTES);

@@ -1,4 +1,4 @@
-//! `sightline pick --stored`: the numbers that picks are about, for whoever checks them with arithmetic of their own.
+//! `sightline pick --stored`: the stored numbers that picks are computed from, to check them independently.
 
 use super::CliError;
 use crate::{
@@ -41,12 +41,12 @@ struct StoredCamera {
     far: f64,
     /// Width and height in pixels.
     size: [u32; 2],
-    /// Whether back faces are no hits.
+    /// Whether back faces are ignored.
     cull: bool,
     section: Option<StoredSection>,
 }
 
-/// World space: kept is `normal . p + offset >= 0`.
+/// World space. Points with `normal . p + offset >= 0` are kept.
 #[derive(Serialize)]
 struct StoredSection {
     normal: DVec3,
@@ -74,7 +74,7 @@ struct StoredObject<'a> {
     triangles: Option<[u32; 2]>,
 }
 
-/// A list whose items are made as they are written: those of a large scene would not all fit into memory.
+/// A list that makes each item as it is written. All items of a large scene would not fit into memory.
 struct Each<F>(F);
 
 impl<F: Fn() -> I, I: Iterator<Item: Serialize>> Serialize for Each<F> {

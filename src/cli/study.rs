@@ -8,7 +8,7 @@ use crate::{
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{io::Write, path::PathBuf, time::Duration};
 
-/// What SCENE is to a study, for its help.
+/// The help on SCENE.
 pub(super) const SCENES: &str = "What to study besides the study's own workloads: .obj or scene .toml files, or \
                                  gallery:NAME [default: none; with --budget the demo]";
 
@@ -64,7 +64,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
             Effort::FULL
         }
     };
-    // Made before the work, so that a folder that cannot be is known at once.
+    // Made before the work, so that an invalid folder is reported at once.
     if let Some(folder) = &args.out {
         std::fs::create_dir_all(folder).map_err(|source| CliError::file(folder, source))?;
     }
@@ -120,7 +120,7 @@ fn budget(args: &StudyArgs, px: f64) -> Result<(), CliError> {
         .map_err(CliError::stdout)
 }
 
-/// A bar on stderr where that is a terminal, nothing where it is not.
+/// A progress bar on stderr, if that is a terminal.
 fn progress_bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr());
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left") {
@@ -130,7 +130,7 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
-/// A view without its scene file's section, which no method knows.
+/// A view without the scene file's section, which no method supports.
 fn uncut(view: View) -> View {
     if view.section.is_some() {
         log::warn!("the scene file's section is left out: the methods that are studied know none");

@@ -1,11 +1,11 @@
-//! What people read on stderr: one line a matter, errors, warnings and phases alike.
+//! Errors, warnings and progress on stderr, one line each.
 
 use crate::json::is_mark;
 use log::{Level, LevelFilter};
 use std::io::Write;
 
-/// Log lines go to stderr: warnings always, phases with `verbose`, of other crates only errors. `RUST_LOG` says more. A log
-/// that the process has already stays.
+/// Logs to stderr: warnings always, progress with `verbose`, only errors from other crates. `RUST_LOG` adds to this. A
+/// logger that the process already has stays.
 pub(super) fn start_log(verbose: bool) {
     let ours = if verbose {
         LevelFilter::Info

@@ -1,4 +1,4 @@
-//! Values as people type them.
+//! Parsers of the flags' values.
 
 use crate::{
     camera::Viewport,
@@ -8,7 +8,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use glam::{DVec2, DVec3};
 use std::path::PathBuf;
 
-/// More pixels a side than any picture needs; what lies beyond is a slip of the keyboard.
+/// The most pixels a side. More is a typing error.
 const LARGEST_SIDE: u32 = 16_384;
 
 /// A finite number.
@@ -56,7 +56,7 @@ pub(super) fn views() -> impl TypedValueParser<Value = Views> {
     })
 }
 
-/// Where random numbers start.
+/// The seed of the random numbers.
 pub(super) fn seed(text: &str) -> Result<u64, String> {
     let seed = text.trim().parse();
     seed.map_err(|_| "expected a whole number from 0".to_owned())

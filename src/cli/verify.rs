@@ -36,16 +36,16 @@ pub struct VerifyArgs {
     pub view: ViewArgs,
 }
 
-/// What answers for a pixel.
+/// The method that picks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Picker {
-    /// The program's own: what a click picks.
+    /// The program's own picks, as on a click.
     Exact,
     /// f32: unprojected through the inverse of Projection * View, Moeller-Trumbore.
     Usual,
 }
 
-/// Draws, picks, compares and prints what came of it.
+/// Draws, picks, compares and prints the report.
 pub(super) fn run(args: &VerifyArgs) -> Result<(), CliError> {
     let mut loaded = load(&args.scene)?;
     let view = args.view.apply(&mut loaded)?;
@@ -97,7 +97,7 @@ fn picked(picker: Picker, scene: &Scene, view: &View) -> Image<Id> {
     }
 }
 
-/// What there is to print.
+/// The report.
 struct Outcome<'a> {
     scene: &'a Scene,
     report: &'a Report,
@@ -106,7 +106,7 @@ struct Outcome<'a> {
     size: [u32; 2],
     adapter: &'a str,
     rasteriser: Rasteriser,
-    /// Spent drawing and picking.
+    /// The time for drawing and picking.
     seconds: [f64; 2],
 }
 
@@ -143,15 +143,15 @@ struct Worst<'a> {
     class: Class,
     drawn: Option<Answer<'a>>,
     picked: Option<Answer<'a>>,
-    /// From the centre to the outline that made the difference, or would have to; `None` where none could.
+    /// From the pixel's centre to the outline that explains the difference, or would; `None` without one.
     outline_px: Option<f64>,
     /// How far drawing may move that outline.
     outline_error_px: Option<f64>,
-    /// What the explanation takes over what it may take: up to 1 it holds.
+    /// The distance that the explanation needs, over the distance allowed: it holds up to 1.
     strain: Option<f64>,
 }
 
-/// What one side says that a pixel shows; ids from 1, triangles from 0, as picks have them.
+/// What one side shows at a pixel; ids from 1, triangles from 0, as in picks.
 #[derive(Serialize)]
 struct Answer<'a> {
     object: &'a str,

@@ -114,10 +114,10 @@ impl ViewArgs {
         if self.cull { Sides::Front } else { Sides::Both }
     }
 
-    /// Hides what is to be hidden and gives the view of what is left.
+    /// Hides the objects of `--hide` and returns the view of the others.
     ///
     /// # Errors
-    /// When there is no object of an id, or flags and scene make no camera.
+    /// When an id names no object, or flags and scene give no valid camera.
     pub fn apply(&self, loaded: &mut Loaded) -> Result<View, CliError> {
         let hidden = loaded.scene.hide(&self.hide);
         hidden.map_err(|error| CliError::Usage(format!("--hide: {error}")))?;

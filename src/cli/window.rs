@@ -26,10 +26,10 @@ pub struct WindowArgs {
     pub view: ViewArgs,
 }
 
-/// Opens the window and stays until it is closed.
+/// Opens the window and returns when it is closed.
 pub(super) fn run(args: &WindowArgs) -> Result<(), CliError> {
     start_log(args.scene.verbose);
-    // A file that is not there is worth no window.
+    // No window for a missing file.
     for path in &args.scene.scenes {
         if Exhibit::at(path)?.is_some() {
             continue;

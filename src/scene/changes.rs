@@ -1,28 +1,28 @@
-//! Which objects were changed, for those who keep something made of a scene: they take over these and no others.
+//! A log of changed objects, so that data derived from a scene is updated for these objects only.
 
-/// That an object was shown, hidden or moved.
+/// An object was shown, hidden or moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
     /// Its index.
     pub object: usize,
-    /// Whether it has another placement.
+    /// Whether its placement changed.
     pub moved: bool,
-    /// Whether it is shown since.
+    /// Whether it is visible after the change.
     pub visible: bool,
 }
 
 /// A log of changed objects.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Changes {
-    /// Entries that are no longer there.
+    /// How many entries were dropped.
     forgotten: u64,
-    /// In their order.
+    /// The latest changes, oldest first.
     log: Vec<Change>,
 }
 
 impl Changes {
-    /// An object was changed in a scene of `count` objects. What is so long ago that all of them may have changed since is
-    /// forgotten.
+    /// Logs a change in a scene of `count` objects. Once the log has more than twice as many entries, only the latest
+    /// `count` are kept.
     pub fn push(&mut self, change: Change, count: usize) {
         if self.log.len() > 2 * count {
             let old = self.log.len() - count;
@@ -32,9 +32,9 @@ impl Changes {
         self.log.push(change);
     }
 
-    /// More was changed than single objects.
+    /// Logs a change that is more than one of single objects.
     pub fn everything(&mut self) {
-        // One more, so that who knew all of it knows too little now.
+        // Plus 1, so that even a reader who was up to date gets `None`.
         self.forgotten = self.now() + 1;
         self.log.clear();
     }
@@ -44,7 +44,7 @@ impl Changes {
         self.forgotten + self.log.len() as u64
     }
 
-    /// What was changed since there were `then` changes; `None` where that is not known.
+    /// The changes after the first `then`; `None` where the log no longer has them all.
     pub fn since(&self, then: u64) -> Option<&[Change]> {
         let then = then.checked_sub(self.forgotten)?;
         self.log.get(usize::try_from(then).ok()?..)

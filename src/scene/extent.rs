@@ -1,11 +1,11 @@
-//! The box about a mesh that is moved again and again: of most of its triangles, a box about them says enough.
+//! The box about a mesh that is moved often. For most of its triangles the box about their block is enough.
 
 use super::{Object, Shape};
 use crate::geometry::{Aabb, BLOCK, Mesh, Placement};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Objects of fewer triangles are asked for all of them.
+/// For objects of fewer triangles, every triangle is visited.
 const FEW: usize = 8 * BLOCK;
 
 /// Half a unit in the last place of 1.
@@ -21,7 +21,7 @@ pub(super) fn bounds_world(object: &Object) -> Aabb {
     }
 }
 
-/// The box about some of a mesh's triangles, and how many blocks had to be asked for theirs.
+/// The box about some of a mesh's triangles, and the number of blocks whose triangles were visited.
 fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -> (Aabb, usize) {
     let first = triangles.start as usize / BLOCK;
     let blocks = &mesh.blocks()[first..(triangles.end as usize).div_ceil(BLOCK)];
@@ -34,7 +34,7 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
         if std::mem::replace(&mut is_asked[index], true) {
             return found;
         }
-        // At both ends a block may hold other objects' triangles too.
+        // The first and the last block may hold triangles of other objects too.
         let block = (first + index) * BLOCK..(first + index + 1) * BLOCK;
         let own = |&triangle: &u32| block.contains(&(triangle as usize));
         let start = triangles
@@ -46,7 +46,7 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
         let corners = corners.map(|corner| placement.point_to_world(corner));
         found.union(Aabb::around(corners))
     };
-    // Those that reach furthest: after them most others lie within what was found.
+    // The outermost blocks first: most others then lie within the box found so far.
     for axis in 0..3 {
         let least = (0..around.len()).min_by(|&a, &b| {
             let [a, b] = [a, b].map(|index| around[index].min[axis]);
@@ -70,9 +70,10 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
     (found, work)
 }
 
-/// A world-space box about an object-space one: about every point in it as [`Placement::point_to_world`] rounds it, which
-/// takes 3 products and 3 sums, each off by `U` of what it adds up, at most `s = |M| m + |T|` with m the largest
-/// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room enough.
+/// A world-space box about an object-space one: about every point in it as [`Placement::point_to_world`] rounds it,
+/// which takes 3 products and 3 sums, each off by `U` of what it adds up, at most `s = |M| m + |T|` with m the largest
+/// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room
+/// enough.
 fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
     let largest = bounds.min.abs().max(bounds.max.abs());
     let room: DVec3 = 32.0 * U * placement.sizes_in_world(largest);

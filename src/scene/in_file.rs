@@ -1,61 +1,61 @@
-//! What a file writes of a face or a vertex, as it stands there: for a record, whoever reads it.
+//! The source text of a face or a vertex in its file, for a pick's record.
 
 use glam::DVec3;
 use serde::Serialize;
 use std::ops::Range;
 
-/// A vertex as its file has it.
+/// A vertex as written in its file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct VertexInFile {
     /// Its number, from 1.
     pub vertex: usize,
-    /// The line that it stands in, from 1.
+    /// Its line in the file, from 1.
     pub line: usize,
-    /// Its coordinates as they are written there, with a space between.
+    /// Its coordinates as written, separated by a space.
     pub written: String,
-    /// Where it is stored, in object space, where that is not the `f64` nearest to what is written: as `f32` about the mesh's
-    /// origin.
+    /// The stored position in object space, `f32` relative to the mesh's origin; `None` where it equals the `f64`
+    /// nearest to the written one.
     pub stored: Option<DVec3>,
-    /// What is written, as `f64`; `None` where that is not three finite numbers.
+    /// The written coordinates as `f64`; `None` unless they are three finite numbers.
     #[serde(skip)]
     pub value: Option<DVec3>,
-    /// As it is stored, about the mesh's origin.
+    /// The stored position, relative to the mesh's origin.
     #[serde(skip)]
     pub position: DVec3,
 }
 
-/// A face as its file has it.
+/// A face as written in its file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceInFile {
     /// Its number among the `f` lines, from 1.
     pub face: usize,
-    /// The line that it stands in, from 1; of continued lines the first.
+    /// Its line in the file, from 1; the first of continued lines.
     pub line: usize,
-    /// Its corners as they are written there, with a space between.
+    /// Its corners as written, separated by a space.
     pub written: String,
-    /// Why nothing of it is in the mesh, where nothing is.
+    /// Why the mesh has no triangle of this face; `None` where it has.
     pub left_out: Option<String>,
-    /// Its corners in order; of one that is left out those that are there.
+    /// Its corners in order; for a face that is left out, those that exist.
     pub vertices: Vec<VertexInFile>,
-    /// What is left of it in the mesh.
+    /// The mesh's triangles of this face.
     pub triangles: Range<u32>,
-    /// The corners of each of those triangles, by their places in `vertices`.
+    /// The corners of each of those triangles, as indices into `vertices`.
     pub corners: Vec<[u32; 3]>,
 }
 
-/// What a file says of a triangle, for a pick's record; the field names are the JSON's. All is `None` of what is in no file.
+/// What a file says of a triangle, for a pick's record, with the field names of the JSON. All `None` without a file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct InFile {
-    /// The file of its mesh.
+    /// The file of the mesh.
     pub file: Option<String>,
-    /// The line of its face, from 1.
+    /// The line of the face, from 1.
     pub line: Option<usize>,
-    /// The number of its face among the `f` lines of the file, from 1.
+    /// The number of the face among the `f` lines of the file, from 1.
     pub face: Option<usize>,
     /// The corners of the face.
     pub vertices: Option<Vec<VertexInFile>>,
-    /// Of the triangle's corners, in order, the places in `vertices`.
+    /// The triangle's corners in order, as indices into `vertices`.
     pub corners: Option<[u32; 3]>,
-    /// Why the file does not say, where it does not.
+    /// Why the other fields could not be read from the file, if so.
     pub file_error: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! What there is to see: objects in the world, each a shape with a model matrix.
+//! The scene: objects in the world, each a shape with a model matrix.
 
 mod changes;
 mod extent;
@@ -34,7 +34,7 @@ use std::{
 use sums::Sums;
 use tree::SceneTree;
 
-/// Somebody named an object that is not there.
+/// An id names no object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no object {id}: ids run from 1 to {objects}; see 'sightline list'")]
 pub struct NoSuchObject {
@@ -44,25 +44,25 @@ pub struct NoSuchObject {
     pub objects: usize,
 }
 
-/// What a scene and its clones are known by, until they are changed. It keeps nothing of them.
+/// Identifies a scene and its clones until they are changed. Holds only a weak reference.
 #[derive(Clone, Debug)]
 pub struct SceneKey(Weak<Vec<Object>>);
 
 impl SceneKey {
-    /// Whether it is of this scene, as it is now.
+    /// Whether this key identifies `scene` in its present state.
     #[must_use]
     pub fn is_of(&self, scene: &Scene) -> bool {
         Weak::ptr_eq(&self.0, &Arc::downgrade(&scene.objects))
     }
 
-    /// Whether somebody still has such a scene.
+    /// Whether a scene with this key still exists.
     #[must_use]
     pub fn is_in_use(&self) -> bool {
         self.0.strong_count() > 0
     }
 }
 
-/// Objects in order. Ids for people are index + 1. A clone costs next to nothing, until one of the two is changed.
+/// Objects in order. Ids for people are index + 1. A clone shares its data until one of the two is changed.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     objects: Arc<Vec<Object>>,
@@ -75,7 +75,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The objects in this order.
+    /// A scene of these objects, in this order.
     #[must_use]
     pub fn new(objects: Vec<Object>) -> Self {
         let bounds: Vec<Aabb> = objects.iter().map(Object::bounds_world).collect();
@@ -95,7 +95,7 @@ impl Scene {
         scene
     }
 
-    /// What this very scene is known by, until it is changed.
+    /// The key that identifies this scene until it is changed.
     #[must_use]
     pub fn key(&self) -> SceneKey {
         SceneKey(Arc::downgrade(&self.objects))
@@ -107,7 +107,7 @@ impl Scene {
         &self.objects
     }
 
-    /// Each mesh of the objects once, in the order in which they first use it.
+    /// Each mesh of the objects once, in order of first use.
     #[must_use]
     pub fn meshes(&self) -> &[Arc<Mesh>] {
         &self.meshes
@@ -134,7 +134,7 @@ impl Scene {
         self.sums.all().bounds
     }
 
-    /// The world-space box about all that is visible; empty when nothing is.
+    /// The world-space box about all visible objects; empty when there are none.
     #[must_use]
     pub fn visible_bounds(&self) -> Aabb {
         self.sums.all().visible_bounds
@@ -152,7 +152,7 @@ impl Scene {
         self.sums.all().triangles
     }
 
-    /// Its objects and triangles together: by this those who would be slow with a large scene tell one.
+    /// Objects plus triangles: the measure by which callers recognise a large scene.
     #[must_use]
     pub fn size(&self) -> usize {
         self.objects.len() + self.triangle_count()
@@ -167,10 +167,10 @@ impl Scene {
         self.changed(object, false);
     }
 
-    /// Shows those of these objects that are hidden, and hides the others.
+    /// Toggles the visibility of these objects.
     ///
     /// # Panics
-    /// When there is no object of an index.
+    /// When an index names no object.
     pub fn toggle(&mut self, objects: &[usize]) {
         let all = Arc::make_mut(&mut self.objects);
         let count = all.len();
@@ -185,7 +185,7 @@ impl Scene {
         Arc::make_mut(&mut self.sums).toggle(objects, all, &self.bounds, tell);
     }
 
-    /// Puts an object somewhere else.
+    /// Gives an object a new placement.
     ///
     /// # Panics
     /// When there is no object of this index.
@@ -206,7 +206,7 @@ impl Scene {
         }
     }
 
-    /// Whether an object is in one batch with the one before, and with the one behind.
+    /// Whether an object shares a batch with the object before it, and with the object after it.
     fn joins(&self, object: usize) -> [bool; 2] {
         let is_joined = |first: usize| {
             let pair = self.objects.get(first..first + 2);
@@ -228,14 +228,14 @@ impl Scene {
         self.changes.push(change, self.objects.len());
     }
 
-    /// How many changes there were, to ask [`Scene::changed_since`] later.
+    /// The number of changes so far, for [`Scene::changed_since`].
     #[must_use]
     pub fn changes(&self) -> u64 {
         self.changes.now()
     }
 
-    /// The objects that were shown, hidden or moved since there were `then` changes, some of them more than once; `None`
-    /// where more was changed than that, as the batches.
+    /// The objects shown, hidden or moved since [`Scene::changes`] was `then`; an object may occur more than once.
+    /// `None` when the log does not reach back that far, or the batches have changed since.
     #[must_use]
     pub fn changed_since(&self, then: u64) -> Option<&[Change]> {
         self.changes.since(then)
@@ -244,7 +244,7 @@ impl Scene {
     /// Hides the objects with these ids (from 1).
     ///
     /// # Errors
-    /// When there is no object of an id.
+    /// When an id names no object.
     pub fn hide(&mut self, ids: &[usize]) -> Result<(), NoSuchObject> {
         let objects = self.objects.len();
         for &id in ids {
@@ -255,17 +255,17 @@ impl Scene {
         Ok(())
     }
 
-    /// Runs of objects that are drawn, and asked for hits, as one: either a single object, or consecutive parts of
-    /// one mesh under one model matrix.
+    /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh
+    /// under one model matrix.
     #[must_use]
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
     }
 
-    /// Calls `visit` with every batch that a world-space ray may meet, nearer ones first where there are many; `visit`
-    /// returns the new end of the ray's interval. What is passed over has no hit in it.
+    /// Calls `visit` with every batch that a world-space ray may hit, nearer boxes first where there is a tree. `visit`
+    /// returns the new end of the ray's interval. The skipped batches have no hit in that interval.
     pub fn visit_batches(&self, ray: &WorldRay, mut visit: impl FnMut(&Range<usize>) -> f64) {
-        // A ray without bounds may be anywhere; a direction whose reciprocal overflows looks like none.
+        // The box test needs finite error bounds, and a finite reciprocal of each nonzero direction component.
         let error = ray.error();
         let has_reciprocal = |d: f64| d == 0.0 || (1.0 / d).is_finite();
         let is_known = (error.origin + error.direction).is_finite()
@@ -279,7 +279,7 @@ impl Scene {
         }
     }
 
-    /// Calls `visit` with every batch that may be inside a world-space pyramid, until it answers that it has enough.
+    /// Calls `visit` with every batch that may be inside a world-space pyramid, until `visit` breaks.
     pub(crate) fn visit_batches_within<'a>(
         &'a self,
         pyramid: &Pyramid,
@@ -293,8 +293,8 @@ impl Scene {
         }
     }
 
-    /// Whether `is_it` says so of a batch, by its index, whose box meets this one in the world; also where that would take
-    /// long to tell.
+    /// Whether `is_it` holds for the index of a batch whose world-space box meets `bounds`. May also be true when the
+    /// search would take too long.
     pub(crate) fn meets_batch(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
         if self.tree.is_empty() {
             (0..self.batches.len()).any(is_it)
@@ -303,26 +303,26 @@ impl Scene {
         }
     }
 
-    /// Whether each mesh that is worth a tree has one.
+    /// Whether each mesh that needs a tree has one.
     #[must_use]
     pub fn trees_are_built(&self) -> bool {
         self.meshes.iter().all(|mesh| mesh.is_ready())
     }
 
-    /// Builds the tree of each mesh that has none. Takes about 0.15 s for a million triangles; picks are right before
-    /// it is done, only slower.
+    /// Builds the tree of each mesh that has none. Takes about 0.15 s for a million triangles. Until then picks are
+    /// right, only slower.
     pub fn build_trees(&self) {
         self.build_trees_unless(&AtomicBool::new(false));
     }
 
-    /// [`Scene::build_trees`], given up soon after `stop` is set.
+    /// [`Scene::build_trees`], but stops soon after `stop` is set.
     pub fn build_trees_unless(&self, stop: &AtomicBool) {
         for mesh in self.meshes.iter() {
             mesh.build_tree_unless(stop);
         }
     }
 
-    /// Does beforehand what the first move of an object of each mesh needs.
+    /// Builds the blocks of each mesh, which the first move of one of its objects needs.
     pub fn prepare_moves(&self) {
         for mesh in self.meshes.iter() {
             mesh.blocks();

@@ -1,4 +1,4 @@
-//! What of a scene rays about one position may meet.
+//! A scene reduced to the triangles that rays about one position may hit.
 
 use super::{Object, Scene, Shape};
 use crate::geometry::{LocalRay, Mesh, Placement, Pyramid, VertexRay, WorldRay};
@@ -6,9 +6,9 @@ use glam::DVec3;
 use std::{collections::HashMap, ops::ControlFlow, sync::Arc};
 
 impl Scene {
-    /// The same scene for a ray and others within a pyramid about it only, which is given in the object space of each
-    /// placement: meshes are held against the few triangles that such rays may meet, after a look at each. `None` where there
-    /// is no pyramid, or no bound on the ray. Other rays may miss what they hit.
+    /// This scene with its meshes narrowed to the few triangles that rays within a pyramid about `ray` may hit.
+    /// `pyramid_in` gives the pyramid in the object space of a placement. `None` where there is no pyramid, or no error
+    /// bound on the ray. Rays outside the pyramid may miss triangles that they would hit in the whole scene.
     #[must_use]
     pub(crate) fn narrowed(
         &self,

@@ -1,4 +1,4 @@
-//! One thing in a scene: its shape, where it stands, what it looks like.
+//! An object of a scene: its shape, placement and colour.
 
 use crate::{
     colour::Srgb,
@@ -20,13 +20,13 @@ pub enum Shape {
     Mesh {
         /// The whole file.
         mesh: Arc<Mesh>,
-        /// Which of its parts, from 0. One that is not there has no triangles.
+        /// The index of the part, from 0. A part that does not exist has no triangles.
         part: usize,
     },
 }
 
 impl Shape {
-    /// The word for it in lists and scene files.
+    /// The name of the shape in lists and scene files.
     #[must_use]
     pub fn kind(&self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ impl Shape {
     }
 }
 
-/// One thing in the scene: what lists name and picks return.
+/// An object of the scene, as lists name it and picks return it.
 #[derive(Clone, Debug)]
 pub struct Object {
     /// For people; need not be unique.
@@ -84,7 +84,7 @@ impl Object {
         }
     }
 
-    /// Its linear colour where it was hit.
+    /// Its linear colour at a hit.
     #[must_use]
     pub fn albedo(&self, hit: &Hit) -> [f32; 3] {
         let (Shape::Mesh { mesh, .. }, Some(at), None) =
@@ -95,8 +95,7 @@ impl Object {
         mesh.albedo(at)
     }
 
-    /// The normal that shading takes where it was hit, in object space: interpolated over the triangle, or the
-    /// surface's own.
+    /// The shading normal at a hit, in object space: interpolated over the triangle, or the surface's own.
     #[must_use]
     pub fn shading_normal(&self, hit: &Hit) -> DVec3 {
         match (&self.shape, &hit.on_triangle) {

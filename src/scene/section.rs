@@ -20,12 +20,12 @@ pub enum NoSection {
     Face {
         /// The object's number, from 1.
         id: usize,
-        /// What was asked for.
+        /// The requested face.
         face: u32,
         /// What there is.
         has: &'static str,
     },
-    /// It has several, or none that is flat.
+    /// No face was named, and the object has several faces or no flat one.
     #[error("object {id}: {has}")]
     Unnamed {
         /// The object's number, from 1.
@@ -72,7 +72,7 @@ struct Face {
     origin: DVec3,
     /// Counter-clockwise from outside.
     corners: [DVec3; 3],
-    /// What else lies in its plane.
+    /// The face's other corners.
     others: Vec<DVec3>,
 }
 
@@ -102,8 +102,9 @@ fn face_of(object: &Object, face: Option<u32>) -> Option<Face> {
     }
 }
 
-/// What lies behind a face, and all of the face: n and c are rounded, c so that what is exactly there is kept. Of a mesh that
-/// is each vertex in the face's plane, as far as `f32` tells: a flat face of many triangles is kept as a whole.
+/// The section that keeps a face and everything behind it: n and c are rounded, c so that points exactly on the face
+/// are kept. For a mesh these are all vertices in the face's plane to `f32` precision: a flat face of many triangles is
+/// kept whole.
 fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
     let placement = &object.placement;
     let to_world = |corner: DVec3| placement.point_to_world(face.origin + corner);
@@ -123,8 +124,8 @@ fn along(object: &Object, face: &Face) -> Result<Section, SectionError> {
     section.moved_to_keep(placement, face.origin, points.copied())
 }
 
-/// The vertices of a mesh that lie in a plane but for what rounding to `f32` may have moved a parallelogram's fourth corner
-/// from that of the other three: four times what it moves one.
+/// The vertices of a mesh that lie in a plane up to `f32` rounding. The slack is four times the rounding of one vertex:
+/// so far may a parallelogram's fourth corner lie from the plane of the other three.
 fn vertices_near(mesh: &Mesh, placement: &Placement, section: &Section) -> Vec<DVec3> {
     let MeshData {
         origin,

@@ -1,10 +1,10 @@
-//! What all objects of a scene come to together. Sums over runs of objects are kept, so that a change takes one run's time.
+//! Boxes and counts over all objects of a scene. They are kept per run of objects: a change recomputes one run.
 
 use super::Object;
 use crate::geometry::Aabb;
 use std::ops::Range;
 
-/// Objects of a run.
+/// The number of objects in a run.
 const RUN: usize = 512;
 
 /// Boxes and counts over objects.
@@ -62,7 +62,7 @@ impl Default for Sums {
 }
 
 impl Sums {
-    /// Of objects and the boxes about them.
+    /// The sums of objects and the boxes about them.
     pub fn of(objects: &[Object], bounds: &[Aabb]) -> Self {
         let mut sums = Self {
             runs: vec![Sum::NOTHING; objects.len().div_ceil(RUN)],
@@ -80,13 +80,13 @@ impl Sums {
         &self.all
     }
 
-    /// An object was moved, shown or hidden.
+    /// Recomputes the sums after an object was moved, shown or hidden.
     pub fn renew(&mut self, object: usize, objects: &[Object], bounds: &[Aabb]) {
         self.sum(object / RUN, objects, bounds);
         self.add_up();
     }
 
-    /// Shows those of these objects that are hidden, and hides the others. Tells of each whether it is shown now.
+    /// Toggles the visibility of the `changed` objects, and tells `tell` of each whether it is now visible.
     pub fn toggle(
         &mut self,
         changed: &[usize],
@@ -109,7 +109,7 @@ impl Sums {
         }
         for run in (0..self.runs.len()).filter(|run| is_changed[*run]) {
             let sum = &mut self.runs[run];
-            // Of most runs all objects are shown or all are hidden, and none need be asked.
+            // In most runs all objects are visible or all are hidden: no need to visit them.
             if sum.hidden == 0 {
                 sum.visible_bounds = sum.bounds;
             } else if sum.hidden == members(run, objects.len()).len() {
@@ -133,7 +133,7 @@ impl Sums {
     }
 }
 
-/// The objects of a run, of `count` in all.
+/// The indices of a run's objects, in a scene of `count` objects.
 fn members(run: usize, count: usize) -> Range<usize> {
     run * RUN..((run + 1) * RUN).min(count)
 }

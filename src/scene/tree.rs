@@ -1,50 +1,51 @@
-//! A tree over what stands in a scene, so that a ray among thousands of objects asks the few that it may meet.
+//! A bounding volume hierarchy (BVH) over the batches of a scene: a ray tests only the few that it may hit.
 //!
-//! Its boxes only reject, and with room to spare: whoever asks the batches that it hands out gets the hits that asking
-//! every batch would give, to the bit.
+//! Its boxes only reject, and they carry slack: intersecting the batches that it returns gives the same hits, to the
+//! bit, as intersecting every batch.
 //!
-//! # The room
+//! # The slack
 //!
-//! An object is hit in its own space. With `U = 2^-53`, `k` the product of the Frobenius norms of its model matrix and of the
-//! inverse (at least 3), and `D` the sum of the largest coordinates of eye, box and model translation: the inverse is within
-//! about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of the given one
-//! wherever it may hit; a hit on a curved or flat shape lies on that line and within some `U` of the shape, also where the
-//! ray grazes it and `t` is vague; the box's own corners round by `4 k U D`. Boxes are grown by `2^-40 k^2 D`, which is 300
-//! times that, and where it matters still nothing. A ray that is inexact itself is near the given one by its origin's error
-//! and, as far as the box, by its direction's; boxes grow by twice that as they are asked.
+//! Hits are found in object space. With `U = 2^-53`, `k` the product of the Frobenius norms of its model matrix and of
+//! the inverse (at least 3), and `D` the sum of the largest coordinates of eye, box and model translation: the inverse
+//! is within about `8 k U` of itself, so the ray's line in object space, seen from the world, is within `16 k^2 U D` of
+//! the given one wherever it may hit. A hit on a curved or flat shape lies on that line and within some `U` of the
+//! shape, even where the ray grazes the shape and `t` is inaccurate. The box's own corners round by `4 k U D`. Boxes
+//! are grown by `2^-40 k^2 D`, 300 times the sum, which is still negligible in practice. The true ray differs from an
+//! inexact one by the error of its origin, plus the error of its direction over the way to the box. Boxes grow by twice
+//! that when they are tested.
 
 use super::{Object, Scene};
 use crate::geometry::{Aabb, Pyramid, RayError, WorldRay, binary::power_of_two, entry};
 use glam::{DMat3, DVec3};
 use std::ops::ControlFlow;
 
-/// Fewer batches are asked one after the other.
+/// Scenes of fewer batches have no tree: each batch is tested.
 const WORTH_A_TREE: usize = 8;
-/// Of what meets a box, more nodes than these are not asked.
+/// The most nodes that a box query visits before it gives up.
 const MOST_ASKED: usize = 512;
-/// Nodes that may wait: one for each level, and halving by count makes no more than 64.
+/// The size of the traversal stack: one node per level, and halving by count makes at most 64 levels.
 const DEEPEST: usize = 64;
 
-/// How much boxes grow, before `k^2 D`.
+/// The slack of the boxes, as a factor of `k^2 D`.
 const ROOM: f64 = power_of_two(-40);
 
 /// A binary tree over the boxes of batches.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SceneTree {
-    /// Each before its children, of which the first follows at once; the root first.
+    /// In depth-first order: the root first, and each node's first child directly after the node.
     nodes: Vec<Node>,
-    /// Of each node the one above it; of the root itself.
+    /// The parent of each node; the root is its own parent.
     above: Vec<usize>,
-    /// Where each batch is.
+    /// The node of each batch.
     places: Vec<Option<usize>>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Aabb,
-    /// `ROOM * k^2`, the largest of what is in it. The box is already grown by it times all of `D` but the eye's part.
+    /// The largest `ROOM * k^2` below this node. `bounds` already has this slack for all of `D` but the eye's part.
     room: f64,
-    /// The batch that is in it, or the second child.
+    /// The batch of a leaf, or the second child of an inner node.
     content: Content,
 }
 
@@ -55,7 +56,7 @@ enum Content {
 }
 
 impl SceneTree {
-    /// Over the batches of a scene; of no use, and empty, for a few.
+    /// A tree over the batches of a scene; empty when there are few.
     pub fn new(scene: &Scene) -> Self {
         let batches = scene.batches().iter().enumerate();
         let mut leaves: Vec<Node> = batches
@@ -79,7 +80,7 @@ impl SceneTree {
         self.nodes.is_empty()
     }
 
-    /// A batch, of which this is the first object, has another box: so have the nodes above it.
+    /// Updates the leaf of a batch with a new box, and all nodes above the leaf. `object` is the batch's first.
     pub fn renew(&mut self, batch: usize, object: &Object, bounds: Aabb) {
         let place = self.places.get(batch).copied().flatten();
         let (Some(mut place), Some(leaf)) = (place, leaf(batch, object, bounds)) else {
@@ -129,12 +130,12 @@ impl SceneTree {
         self.grow(place, second);
     }
 
-    /// Calls `visit` with every batch that may be inside a world-space pyramid, until it answers that it has enough.
+    /// Calls `visit` with every batch that may be inside a world-space pyramid, until `visit` breaks.
     pub fn visit_within(&self, pyramid: &Pyramid, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let mut open = vec![0];
         while let Some(place) = open.pop() {
             let node: &Node = &self.nodes[place];
-            // Boxes without end have corners at infinity, of which nothing can be told.
+            // An infinite box has corners at infinity, which the pyramid cannot test.
             let corners = node.bounds.corners();
             let is_endless = !node.bounds.min.is_finite();
             if !is_endless && !pyramid.may_hold(&corners) {
@@ -151,14 +152,13 @@ impl SceneTree {
         }
     }
 
-    /// Whether `is_it` says so of a batch whose box meets this one; also where more than [`MOST_ASKED`] nodes would have to
-    /// be asked.
+    /// Whether `is_it` holds for a batch whose box meets `bounds`. Also true after more than [`MOST_ASKED`] nodes.
     pub fn meets(&self, bounds: &Aabb, mut is_it: impl FnMut(usize) -> bool) -> bool {
         let mut open = vec![0];
         let mut asked = 0;
         while let Some(place) = open.pop() {
             let node: &Node = &self.nodes[place];
-            // Written so that NaN meets.
+            // NaN compares false, so it counts as meeting.
             let beside = node.bounds.max.cmplt(bounds.min) | bounds.max.cmplt(node.bounds.min);
             if beside.any() {
                 continue;
@@ -174,8 +174,8 @@ impl SceneTree {
         false
     }
 
-    /// Calls `visit` with every batch that a world-space ray may meet, nearer boxes first; `visit` returns the new end of
-    /// the ray's interval.
+    /// Calls `visit` with every batch that a world-space ray may hit, nearer boxes first. `visit` returns the new end
+    /// of the ray's interval.
     pub fn visit(&self, ray: &WorldRay, mut visit: impl FnMut(usize) -> f64) {
         let seen = Seen::new(ray);
         let mut end = ray.t_max;
@@ -214,14 +214,14 @@ impl SceneTree {
     }
 }
 
-/// A ray with what all boxes ask of it.
+/// A ray with the values that every box test needs.
 struct Seen<'a> {
     ray: &'a WorldRay<'a>,
     /// `1 / direction`.
     inverse: DVec3,
-    /// The largest coordinate of its origin.
+    /// The largest absolute coordinate of the ray's origin.
     away: f64,
-    /// Twice the error of its origin, and of its direction for each unit of way.
+    /// Twice the error bound of the origin, and twice that of the direction per unit of distance.
     errors: [f64; 2],
 }
 
@@ -239,7 +239,7 @@ impl<'a> Seen<'a> {
 }
 
 impl Node {
-    /// Where a ray enters the box before `end`, no later than in truth; `None` where it passes it.
+    /// A lower bound on the `t` at which the ray enters the box; `None` where it misses the box before `end`.
     fn enter(&self, seen: &Seen, end: f64) -> Option<f64> {
         let Seen { ray, away, .. } = *seen;
         let Aabb { min, max } = self.bounds;
@@ -251,7 +251,7 @@ impl Node {
     }
 }
 
-/// The box about a batch, with what it takes of the room; `None` where there is nothing to hit.
+/// The leaf of a batch, its box grown by the slack; `None` for an empty box.
 fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
     if bounds.is_empty() {
         return None;
@@ -262,7 +262,7 @@ fn leaf(batch: usize, object: &Object, bounds: Aabb) -> Option<Node> {
     let room = ROOM * k * k;
     let largest = [bounds.min, bounds.max, model.translation].map(|v| v.abs().max_element());
     let grown = room * (largest[0].max(largest[1]) + largest[2]);
-    // What overflows is asked always.
+    // Where the slack overflows, the box is all of space and rejects no ray.
     let everything = !grown.is_finite();
     let bounds = if everything {
         Aabb {

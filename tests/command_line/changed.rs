@@ -1,4 +1,4 @@
-//! Files that change while somebody asks about them, a position after the other.
+//! Files that change while positions are picked one by one.
 
 use super::Folder;
 use serde_json::Value;
@@ -112,7 +112,7 @@ fn a_pipe_in_a_files_place_is_not_waited_for() {
     }
 }
 
-/// Which edges are the polygon's nobody can tell any more: none is led to, and that is said.
+/// The polygon's own edges are no longer known: no position snaps to an edge, and the line says why.
 #[test]
 fn a_changed_file_leads_to_no_edge() {
     let folder = Folder::new();
@@ -129,7 +129,7 @@ fn a_changed_file_leads_to_no_edge() {
         assert_eq!(to(&line).as_deref(), Some(expected), "{line}");
         says(&line["snap"], "has changed");
     }
-    // Nothing is led to, where an edge might be.
+    // No snap, where an edge might be.
     let line = asking.at(beside);
     assert_eq!(line["snap"], Value::Null);
     says(&line, "has changed");

@@ -1,4 +1,4 @@
-//! `install-desktop`: what it writes is what desktops, `man` and shells take, and `--remove` leaves nothing.
+//! `install-desktop`: desktops, `man` and shells accept what it writes, and `--remove` leaves nothing.
 
 use super::*;
 use std::path::Path;

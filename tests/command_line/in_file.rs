@@ -50,7 +50,7 @@ fn a_pick_names_file_line_face_and_corners() {
         {"vertex": 4, "line": 6, "written": "-1 1 2", "stored": null},
     ]);
     assert_eq!(front["vertices"], vertices);
-    // Of the quad's triangles that which was hit, in the order of its weights.
+    // The triangle of the quad that was hit, in the order of its weights.
     assert_eq!(front["corners"].as_array().unwrap().len(), 3);
     assert_eq!(
         (&back["line"], &back["face"], &back["corners"]),
@@ -58,7 +58,7 @@ fn a_pick_names_file_line_face_and_corners() {
     );
     assert_eq!(back["vertices"][0]["vertex"], 5);
     assert_eq!(back["file_error"], Value::Null);
-    // What is no mesh is in no file.
+    // Objects that are no mesh are in no file.
     let ball = folder.json("pick scene.toml --size 200x100 --at 100,50");
     assert_eq!(
         (&ball[0]["hit"]["file"], &ball[0]["hit"]["vertices"]),

@@ -1,4 +1,4 @@
-//! What cannot be: one line that says why, and an exit code.
+//! Refusals: one line that says why, and an exit code.
 
 use crate::Folder;
 
@@ -118,7 +118,7 @@ fn a_bad_file_is_exit_code_3_and_named() {
     }
 }
 
-/// Of what there is to have: `ulimit` leaves three gigabytes.
+/// Memory is limited: `ulimit` leaves three gigabytes.
 #[test]
 fn a_picture_too_large_for_memory_is_refused() {
     let folder = Folder::new();

@@ -207,7 +207,7 @@ fn the_edges_of_a_polygon_with_a_hole_are_its_own() {
     assert_eq!(lines[0]["snap"]["to"], "edge", "{}", lines[0]);
 }
 
-/// An outline that goes somewhere and straight back holds nothing there.
+/// An outline that goes out and straight back encloses no area there.
 #[test]
 fn a_spike_adds_nothing_to_the_area() {
     let folder = Folder::new();
@@ -220,7 +220,7 @@ fn a_spike_adds_nothing_to_the_area() {
         ("4 3 4 1 2 3", 4.0),
     ] {
         std::fs::write(folder.path("spike.obj"), format!("{vertices}f {face}\n")).unwrap();
-        // It is warned that triangles without area are left out.
+        // A warning says that triangles without area are left out.
         let output = folder.run(&format!("pick spike.obj {look}"));
         let line: Value = serde_json::from_slice(&output.stdout).expect("a line of JSON");
         is(&line["snap"]["area"], expected, 1e-15);

@@ -1,4 +1,4 @@
-//! `pick --stored`: the printed numbers are those of scene and view, and whoever has only them finds the same picks.
+//! `pick --stored`: the printed numbers are those of scene and view, and they alone give the same picks.
 
 use super::{Folder, json};
 use crate::exact::{
@@ -85,7 +85,7 @@ fn stored(line: &Value) -> Stored {
     Stored::deserialize(&line["stored"]).expect("its numbers")
 }
 
-/// What the program itself makes of the same arguments.
+/// The scene and view that the program makes of the same arguments.
 fn loaded(folder: &Folder, flags: &str) -> (Scene, View) {
     let scene = folder.path("scene.toml");
     let words = ["sightline", "pick", scene.to_str().unwrap(), "--at", "1,1"];
@@ -210,7 +210,7 @@ fn the_stored_numbers_are_printed_to_the_bit_and_each_mesh_once() {
     }
 }
 
-/// The scene that printed numbers describe. It only holds them: what is hit is for the oracle to say.
+/// The scene that printed numbers describe. It only holds them; the oracle computes the hits.
 fn scene_of(printed: &Stored) -> Scene {
     let meshes: Vec<_> = (0..printed.meshes.len())
         .map(|place| Arc::new(mesh_of(printed, place)))

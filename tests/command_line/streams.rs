@@ -58,7 +58,7 @@ fn a_process_may_run_several_commands() {
     }
 }
 
-/// A program that asks, and waits for the answer before it asks again.
+/// A caller that waits for each answer before the next request.
 #[test]
 fn each_position_is_answered_before_the_next_is_there() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! Imports point one way, and only those who must know graphics and windows know them.
+//! Imports have no circles, and only the modules that need graphics and windows import them.
 
 mod reached;
 mod viewer;
@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Each module and what it may name, as the map in `lib.rs` has it: only what stands in rows above it.
+/// Each module and what it may name, as in the map of `lib.rs`: only modules in the rows above it.
 const MAY_NAME: [(&str, &str); 15] = [
     ("json", ""),
     ("replace", ""),
@@ -37,7 +37,7 @@ const MAY_NAME: [(&str, &str); 15] = [
     ("main", "cli"),
 ];
 
-/// What the crate is without features: it names none of the other modules, and none of the crates that only those have.
+/// The core, without features: it names no other module, and no crate that only those need.
 const CORE: [&str; 7] = [
     "colour", "geometry", "look", "camera", "image", "scene", "pick",
 ];

@@ -1,4 +1,4 @@
-//! Files of the window: which names which. Rooms name only those above them, and no file names itself by a detour.
+//! Imports among the window's files. Rooms name only rooms above them, and no file imports itself indirectly.
 
 use super::{code, files_under};
 use std::{

@@ -1,4 +1,4 @@
-//! Scenes saved with their meshes: a folder can be moved, and what has no file gets one.
+//! Scenes saved with their meshes: the folder can be moved, and a mesh without a file gets one.
 
 use crate::{load, write};
 use glam::DVec3;
@@ -100,7 +100,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
     );
     std::fs::remove_file(obj).unwrap();
     std::fs::remove_file(mtl).unwrap();
-    // A name that somebody has is left to him.
+    // A name in use is not taken.
     write(&folder, "scene-gone.obj", "his");
     let path = folder.path().join("scene.toml");
     for _ in 0..2 {
@@ -130,7 +130,7 @@ fn a_mesh_whose_file_is_gone_is_written_beside() {
 #[test]
 fn a_mesh_that_obj_cannot_hold_exactly_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    // A triangle without area, which readers of files leave out.
+    // A triangle without area, which loading leaves out.
     let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let triangles = vec![[0, 1, 2], [0, 1, 1]];
     let mesh = Mesh::new(MeshData {

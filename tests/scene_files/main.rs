@@ -1,4 +1,4 @@
-//! Scene files: what people write is what they get, what is saved reads back, and errors say where.
+//! Scene files: they load as written, saved ones read back the same, and errors name the place.
 #![cfg(feature = "window")]
 
 mod beside;
@@ -36,7 +36,7 @@ fn refused(text: &str) -> String {
     error
 }
 
-/// Writes a file into a folder, and says where it is.
+/// Writes a file into a folder, and returns its path.
 fn write(folder: &TempDir, name: &str, text: &str) -> PathBuf {
     let path = folder.path().join(name);
     std::fs::write(&path, text).unwrap();
@@ -139,7 +139,7 @@ fn scale_comes_first_then_x_y_z_turns_about_the_worlds_axes_then_position() {
         dvec3(0.75_f64.sqrt(), 0.5, 0.0),
         1e-15,
     );
-    // Quarter turns are exact, whichever way and however often.
+    // Quarter turns are exact, in either direction and any number.
     for (degrees, x) in [
         (90, DVec3::Y),
         (-270, DVec3::Y),
@@ -344,7 +344,7 @@ fn the_demo_shows_every_shape_and_kind_of_transform() {
     names.sort();
     names.dedup();
     assert_eq!(names.len(), objects.len(), "each name once");
-    // All of it is in the picture.
+    // The whole scene is in the picture.
     let viewport = sightline::camera::Viewport::new(1280, 720).unwrap();
     let camera = demo
         .camera
@@ -371,7 +371,7 @@ fn reading_tells_how_far_it_has_come_and_can_be_cancelled() {
     let progress = Progress::default();
     let stopped = std::thread::scope(|scope| {
         let loading = scope.spawn(|| scene::load(&[path], &progress));
-        // Past the first half, which is one step, it is among the objects.
+        // The first half is one step; after it come the objects.
         while progress.fraction() < 0.55 && !loading.is_finished() {
             std::thread::yield_now();
         }

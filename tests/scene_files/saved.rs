@@ -1,4 +1,4 @@
-//! What is saved is what is read back.
+//! A saved scene reads back the same.
 
 use crate::{
     common::{Random, mesh, placements},
@@ -201,7 +201,7 @@ fn mesh_files_bring_their_objects_once_and_are_saved_by_part() {
     );
     let zero = write("zero.toml", &entry("file = \"two.obj\"\npart = 0"));
     assert!(load(&[zero]).unwrap_err().contains("count from 1"));
-    // After a scene file, an OBJ file's objects go on counting.
+    // The ids of an OBJ file's objects continue those of the scene file before it.
     let both = load(&[
         folder.path().join("scene.toml"),
         folder.path().join("one.obj"),

@@ -1,4 +1,4 @@
-//! Rays at the border of what is hit: the ends of their interval, tangents, faces and planes that they run along.
+//! Borderline rays: hits at the ends of their interval, tangents, and rays within faces and planes.
 
 use crate::common::{orthographic, ray_to, scene_of};
 use glam::{DAffine3, DQuat, DVec2, DVec3, dvec3};
@@ -67,7 +67,7 @@ fn from_inside_the_way_out_is_hit() {
         assert_eq!(hits.len(), 1);
         assert!(!hits[0].hit.front, "seen from inside");
     }
-    // On the surface: in as well as out.
+    // From the surface: both the entry and the exit.
     let ray = ray_to(dvec3(-0.5, 0.0, 0.0), DVec3::ZERO);
     for hits in [Sphere::hits(&ray), Cuboid::hits(&ray)] {
         assert_eq!(hits.map(|hit| hit.map(|hit| hit.t)), [Some(0.0), Some(1.0)]);
@@ -86,7 +86,7 @@ fn a_sphere_is_touched_once() {
         Sphere::hits(&tangent).map(|hit| hit.map(|hit| hit.t)),
         [Some(3.0), None]
     );
-    // From where it touches, t is 0 and not 0 / 0.
+    // At the point of contact, t is 0 and not 0 / 0.
     let there = Ray {
         origin: dvec3(0.0, 0.5, 0.0),
         ..tangent
@@ -137,7 +137,7 @@ fn axis_parallel_rays_within_a_face_hit_the_cube() {
                             leave = leave.min((0.5 * d.signum() - o) / d);
                         }
                     }
-                    // Where it only touches, it enters and nowhere leaves.
+                    // A ray that only touches has an entry and no exit.
                     let expected = if enter <= leave {
                         [Some(enter), Some(leave).filter(|leave| enter < *leave)]
                     } else {
@@ -177,8 +177,8 @@ fn rays_in_a_squares_plane_miss_and_its_rim_is_hit() {
     }
 }
 
-/// A view along an axis, as engineers like them: rays run along four faces of each cube, and `f64` tells that they stay
-/// inside.
+/// A view along an axis, common in engineering: rays are parallel to four faces of each cube, and `f64` decides that
+/// they stay inside.
 #[test]
 fn cubes_seen_along_an_axis_are_decided_by_f64() {
     let models = [

@@ -1,4 +1,4 @@
-//! Rays against each shape under every kind of transform, held against closed forms in world space.
+//! Rays against each shape under every kind of transform, compared with closed forms in world space.
 #![cfg(feature = "window")]
 
 mod borders;
@@ -16,7 +16,7 @@ use sightline::{
     scene::{Scene, Shape},
 };
 
-/// A meeting of ray and surface as the closed forms below give it, in world space.
+/// A hit by the closed forms below, in world space.
 struct Truth {
     t: f64,
     /// Outward, of any length.
@@ -32,7 +32,7 @@ fn rays(model: DAffine3, seed: u64) -> impl Iterator<Item = Ray> {
     })
 }
 
-/// Fails unless what was found is the truth: as many, at the same t, facing the same way. True when there was a hit.
+/// Fails unless the hits are the expected ones: as many, at the same t, facing the same way. True if there is a hit.
 #[track_caller]
 fn same_hits(kind: &str, scene: &Scene, ray: &Ray, found: &[SceneHit], truth: &[Truth]) -> bool {
     assert_eq!(found.len(), truth.len(), "{kind}: {ray:?}");
@@ -74,7 +74,7 @@ fn spheres_and_ellipsoids() {
             );
             let discriminant = b * b - a * c;
             if discriminant.abs() <= 1e-2 * b * b {
-                // Near the outline the textbook's formula is the worse of the two.
+                // Near the outline the textbook's formula is the less accurate of the two.
                 rims::as_exact(&scene, &ray);
                 continue;
             }
@@ -198,7 +198,7 @@ fn a_cube_is_its_twelve_triangles() {
 
 #[test]
 fn squares_and_triangles() {
-    // Of the square's half below its diagonal.
+    // In the square's half below its diagonal.
     let corners = [[-0.5, -0.5, 0.0], [0.5, -0.5, 0.0], [-0.5, 0.5, 0.0_f32]];
     let mesh = mesh(corners.to_vec(), vec![[0, 1, 2]], DVec3::ZERO);
     for (kind, model) in placements() {

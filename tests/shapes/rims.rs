@@ -1,4 +1,4 @@
-//! Rays at rims, edges and silhouettes, exactly and by a hair, against exact arithmetic.
+//! Rays at rims, edges and silhouettes, exactly and almost, against exact arithmetic.
 
 use crate::{
     common::{Random, placements, scene_of},
@@ -11,7 +11,7 @@ use sightline::{
     scene::{Scene, Shape},
 };
 
-/// Fails unless the hits of a given ray are those of exact arithmetic. How many there are, and how many on a border.
+/// Fails unless a ray's hits are those of exact arithmetic. Returns their count, and the count of those on a border.
 #[track_caller]
 pub fn as_exact(scene: &Scene, ray: &Ray) -> [usize; 2] {
     let ray = &Ray {

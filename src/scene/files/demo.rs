@@ -7,7 +7,7 @@ use std::{f64::consts::TAU, path::Path, sync::Arc};
 
 /// The demo's scene file.
 const DEMO: &str = include_str!("../../../assets/demo.toml");
-/// The mesh file that it names, which is made here.
+/// The mesh file that the demo names; its mesh is generated here.
 const RING: &str = "ring.obj";
 
 /// The demo.

@@ -1,4 +1,4 @@
-//! Scene files: objects, where they stand, and a camera, as TOML that people write by hand.
+//! Scene files: objects with their placements, and a camera, in hand-written TOML.
 //!
 //! ```toml
 //! [camera]                   # every field is optional
@@ -31,7 +31,7 @@
 //! part = 2                   # only the file's second object
 //! ```
 //!
-//! A `name` replaces that of a mesh file's only object, or goes in front of the names when there are several.
+//! For a mesh, `name` replaces the name of the file's only object, or prefixes the names of several.
 
 use super::{
     DescriptionError, MeshFile, MeshFiles, ObjError, Object, Problem, Progress, SaveError, Scene,
@@ -86,7 +86,7 @@ pub fn parse(
         fail(at, Problem::Syntax(message.to_owned()))
     };
     let cancelled = |cancelled| fail(None, Problem::Mesh(ObjError::Cancelled(cancelled)));
-    // Once to see what is written where, and once for what it means.
+    // Parsed twice: once for the positions in the text, once for the values.
     progress.expect(2 * text.len() as u64);
     let mut table = DeTable::parse(text).map_err(syntax)?;
     progress.advance(text.len() as u64).map_err(cancelled)?;
@@ -121,7 +121,7 @@ pub fn parse(
     })
 }
 
-/// What stands in an array.
+/// The elements of an array.
 fn entries(array: Option<Spanned<DeValue<'_>>>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
     let array = match array.map(Spanned::into_inner) {
         Some(DeValue::Array(array)) => Some(array),

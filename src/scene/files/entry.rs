@@ -1,4 +1,4 @@
-//! One `[[object]]` of a scene file, and its colour and model matrix in people's words.
+//! One `[[object]]` of a scene file, with its colour and model matrix as people write them.
 
 use super::{MeshFile, ObjError, Object, Problem, SaveError, Shape};
 use crate::{
@@ -101,7 +101,7 @@ impl From<Colour> for ColourText {
 }
 
 impl Entry {
-    /// The objects that the entry stands for: one, or those of its mesh file.
+    /// The objects that the entry describes: one, or those of its mesh file.
     pub(super) fn objects(
         &self,
         folder: &Path,
@@ -193,7 +193,7 @@ impl Entry {
         })
     }
 
-    /// The entry that says what an object is.
+    /// The entry that describes an object.
     pub(super) fn of(object: &Object, meshes: &[MeshFile]) -> Result<Self, SaveError> {
         let mut entry = Self {
             name: Some(object.name.clone()),
@@ -220,7 +220,7 @@ impl Entry {
             entry.file = Some(text.to_owned());
             entry.part = Some(part + 1);
         }
-        // In words where they give the same bits, for people who read the file; as a matrix otherwise.
+        // As scale, rotation and position where they give the same bits, for readability; as a matrix otherwise.
         let model = object.placement.model();
         let DMat3 {
             x_axis,

@@ -1,4 +1,4 @@
-//! Files that somebody names: opened only where they are files, and no larger than what they hold may be.
+//! Opens files named by the user. Refuses all that are not regular files or are too large.
 
 use std::{
     fs::{self, File, Metadata},
@@ -16,34 +16,34 @@ pub enum FileError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// A directory, a device, a pipe.
+    /// Not a regular file: a directory, a device or a pipe.
     #[error("{}: is not a file", file.display())]
     NotAFile {
         /// The file.
         file: PathBuf,
     },
-    /// Not what it says it is, or more than anybody's memory holds.
+    /// Too large: of another kind, or more than memory can hold.
     #[error("{}: is too large: more than {} GiB", file.display(), most >> 30)]
     TooLarge {
         /// The file.
         file: PathBuf,
-        /// How many bytes there may be.
+        /// The most bytes that are allowed.
         most: u64,
     },
 }
 
-/// What the system says of a file.
+/// The system's error for a file.
 pub(super) fn about(path: &Path) -> Result<Metadata, FileError> {
     let file = path.to_owned();
     match fs::metadata(path) {
         Err(source) => Err(FileError::Unreadable { file, source }),
-        // Not even opened: a pipe would wait for somebody to write into it.
+        // Not opened: opening a pipe would wait for a writer.
         Ok(about) if !about.is_file() => Err(FileError::NotAFile { file }),
         Ok(about) => Ok(about),
     }
 }
 
-/// The file and its size, which is at most `most` bytes.
+/// Opens a file of at most `most` bytes. Returns it with its size.
 pub(super) fn open(path: &Path, most: u64) -> Result<(File, u64), FileError> {
     let file = || path.to_owned();
     let bytes = about(path)?.len();

@@ -1,4 +1,4 @@
-//! The files of a scene's meshes, read again for what they write.
+//! The files of a scene's meshes, read again for their source text.
 
 use super::{
     MeshFile, Progress, Scene, Shape,
@@ -7,7 +7,7 @@ use super::{
 use crate::geometry::Mesh;
 use std::sync::Arc;
 
-/// The files of a scene's meshes, to be read again.
+/// The files of a scene's meshes, for reading again.
 pub struct FilesAgain<'a> {
     scene: &'a Scene,
     files: Vec<(&'a Arc<Mesh>, Again<'a>)>,
@@ -28,14 +28,14 @@ impl<'a> FilesAgain<'a> {
         }
     }
 
-    /// That of a mesh; `None` where it is from no file.
+    /// The file of a mesh; `None` where the mesh is from no file.
     pub fn of(&mut self, mesh: &Arc<Mesh>) -> Option<&mut Again<'a>> {
         let mut files = self.files.iter_mut();
         let found = files.find(|(known, _)| Arc::ptr_eq(known, mesh));
         found.map(|(_, again)| again)
     }
 
-    /// What the file says of a triangle, counted from an object's first; nothing of what is in no file.
+    /// What the file says of a triangle, counted from the object's first; empty where the mesh is from no file.
     pub fn in_file(&mut self, object: usize, triangle: Option<u32>) -> InFile {
         let shape = &self.scene.objects()[object].shape;
         if let (Shape::Mesh { mesh, .. }, Some(triangle)) = (shape, triangle)
@@ -46,10 +46,10 @@ impl<'a> FilesAgain<'a> {
         InFile::default()
     }
 
-    /// The face that a triangle of an object's mesh came from; `None` where that is from no file.
+    /// The face of a triangle of an object's mesh; `None` where the mesh is from no file.
     ///
     /// # Errors
-    /// Why the file does not say, where it does not.
+    /// When the file cannot be read, or has changed.
     pub fn face_of(&mut self, object: usize, triangle: u32) -> Result<Option<FaceInFile>, String> {
         let Shape::Mesh { mesh, .. } = &self.scene.objects()[object].shape else {
             return Ok(None);

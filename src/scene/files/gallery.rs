@@ -1,10 +1,10 @@
-//! The failure gallery: scenes on each of which a known method breaks. They are part of the program and open by the
+//! The failure gallery: scenes, on each of which a known method fails. They are built into the program and open by the
 //! path `gallery:NAME`.
 
 use super::{LoadError, MeshFiles, Progress, Warning, obj};
 use std::path::{Path, PathBuf};
 
-/// What paths of the gallery begin with.
+/// The prefix of gallery paths.
 const PREFIX: &str = "gallery:";
 
 /// A scene of the gallery.
@@ -14,7 +14,7 @@ pub struct Exhibit {
     pub name: &'static str,
     /// The scene file.
     pub(super) text: &'static str,
-    /// The mesh files that it names, with what they hold.
+    /// The mesh files that it names, with their contents.
     meshes: &'static [(&'static str, &'static [u8])],
 }
 
@@ -29,7 +29,7 @@ macro_rules! exhibit {
     };
 }
 
-/// Every scene of the gallery: the one list of them.
+/// Every scene of the gallery.
 pub static GALLERY: [Exhibit; 10] = [
     exhibit!("far_facets", "far_facets.obj"),
     exhibit!("far_from_the_origin"),
@@ -58,7 +58,7 @@ impl Exhibit {
         })
     }
 
-    /// The path that it opens by.
+    /// The path that opens it.
     #[must_use]
     pub fn path(&self) -> PathBuf {
         format!("{PREFIX}{}", self.name).into()
@@ -73,7 +73,7 @@ impl Exhibit {
         first.into_iter().chain(letters).collect()
     }
 
-    /// What breaks on it and why: the comment at the head of its file.
+    /// What fails on it and why: the comment at the head of its file.
     #[must_use]
     pub fn about(&self) -> String {
         let comment = self.text.lines().map_while(|line| line.strip_prefix("# "));
@@ -85,7 +85,7 @@ impl Exhibit {
         Path::new(PREFIX).join(self.name).with_extension("toml")
     }
 
-    /// The meshes that it names, which are no files.
+    /// The meshes that it names; they are built in, not files.
     pub(super) fn meshes(
         &self,
         progress: &Progress,

@@ -1,4 +1,4 @@
-//! From the files that somebody names to one scene.
+//! Loads the files that the user names as one scene.
 
 use super::{
     Cancelled, DescriptionError, FileError, ObjError, Object, Problem, Progress, Scene, Shape,
@@ -17,10 +17,10 @@ use std::{
     sync::Arc,
 };
 
-/// A larger scene file is refused: a saved scene of a million objects is a quarter of this.
+/// The most bytes of a scene file. A saved scene of a million objects takes a quarter of this.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// A scene and what came with it; by default nothing.
+/// A scene and what was loaded with it; empty by default.
 #[derive(Debug, Default)]
 pub struct Loaded {
     /// The objects of all files, in the order of the files.
@@ -33,18 +33,18 @@ pub struct Loaded {
     pub warnings: Vec<Warning>,
     /// The meshes' files, by their absolute paths: what saving the scene needs.
     pub meshes: Vec<MeshFile>,
-    /// The MTL files that those name, by their absolute paths, also those that are not there.
+    /// The MTL files that the meshes' files name, by their absolute paths, including missing ones.
     pub materials: Vec<PathBuf>,
-    /// A name for all of it, for the window's title.
+    /// A name for the scene, for the window's title.
     pub title: String,
-    /// The scene of the gallery that all of it is.
+    /// The gallery scene, if it is the only thing loaded.
     pub exhibit: Option<&'static Exhibit>,
 }
 
 /// Why there is no scene. One line that names the file.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
-    /// Somebody asked to stop.
+    /// The load was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// A scene file could not be read.
@@ -77,7 +77,7 @@ pub fn load(paths: &[PathBuf], progress: &Progress) -> Result<Loaded, LoadError>
     load_with(paths, progress, Detail::All)
 }
 
-/// [`load`] of what somebody wants.
+/// [`load`] with a choice of detail.
 ///
 /// # Errors
 /// As [`load`].
@@ -133,8 +133,8 @@ pub fn load_with(
     })
 }
 
-/// What a scene file says of the camera, where its own objects are some of more than it knows: the face that it cuts along is
-/// of its own. A number that none of those has is none of them all.
+/// The camera of a scene file whose objects are `own` of the `count` in the scene: the id of a section along a face is
+/// moved from the file's ids to the scene's. An id that the file lacks becomes one that the scene lacks.
 fn of_all(camera: CameraChoice, own: &Range<usize>, count: usize) -> CameraChoice {
     let Some(SectionChoice::Face { id, face }) = camera.section else {
         return camera;
@@ -168,26 +168,26 @@ fn text(path: &Path) -> Result<String, FileError> {
     Ok(text)
 }
 
-/// A mesh and the file that it is from.
+/// A mesh and its file.
 #[derive(Clone, Debug)]
 pub struct MeshFile {
     /// Absolute.
     pub path: PathBuf,
     /// The mesh.
     pub mesh: Arc<Mesh>,
-    /// Where in the file its faces and vertices stand; `None` where there is no such file.
+    /// The positions of its faces and vertices in the file; `None` where there is no such file.
     pub contents: Option<Arc<obj::Contents>>,
 }
 
 impl MeshFile {
-    /// Of some files that of a mesh.
+    /// The file of a mesh, among `files`.
     #[must_use]
     pub fn of<'a>(files: &'a [Self], mesh: &Arc<Mesh>) -> Option<&'a Self> {
         files.iter().find(|file| Arc::ptr_eq(&file.mesh, mesh))
     }
 }
 
-/// Mesh files by their absolute paths, each loaded once however often it is named.
+/// Mesh files by their absolute paths; each is loaded once.
 #[derive(Debug, Default)]
 pub struct MeshFiles {
     loaded: Vec<MeshFile>,
@@ -196,20 +196,20 @@ pub struct MeshFiles {
     detail: Detail,
 }
 
-/// What is wanted of mesh files.
+/// How much of a mesh file is loaded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// All that they hold.
+    /// All that the file holds.
     #[default]
     All,
-    /// And the normals that they do not, so that who draws them need not wait.
+    /// Also the normals that the file lacks, computed now so that drawing need not wait for them.
     Drawn,
-    /// No colours of materials: MTL files are not read, and nothing is said of them.
+    /// No material colours: MTL files are not read, and there are no warnings about them.
     Shapes,
 }
 
 impl MeshFiles {
-    /// Takes a mesh as that of a file, which is then not read.
+    /// Uses `mesh` as the mesh of a file, which is then not read.
     pub(super) fn insert(&mut self, path: &Path, mesh: Arc<Mesh>) {
         self.loaded.push(MeshFile {
             path: absolute(path),
@@ -218,7 +218,7 @@ impl MeshFiles {
         });
     }
 
-    /// Those that were loaded.
+    /// The files that were loaded.
     pub(super) fn files(&self) -> &[MeshFile] {
         &self.loaded
     }
@@ -249,12 +249,12 @@ impl MeshFiles {
     }
 }
 
-/// A path that means the same from every folder.
+/// The path as an absolute one.
 pub(super) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// All parts of a mesh as objects where the file has them.
+/// All parts of a mesh as objects, placed as in the file.
 fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     (0..).zip(&mesh.data().parts).map(|(part, in_file)| {
         let mesh = Arc::clone(mesh);
@@ -266,7 +266,7 @@ fn mesh_objects(mesh: &Arc<Mesh>) -> impl Iterator<Item = Object> {
     })
 }
 
-/// What the scene of these files is called.
+/// The title of a scene of these files.
 pub(crate) fn title(paths: &[PathBuf]) -> String {
     let name = |path: &PathBuf| {
         let name = path.file_name().unwrap_or(path.as_os_str());

@@ -1,4 +1,4 @@
-//! How far a load has come, and the way to stop it: shared between the thread that loads and the one that shows.
+//! The progress of a load and its cancellation, shared by the loading thread and the window's.
 
 use crate::geometry::shares::on_all_cores;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -46,7 +46,7 @@ impl Progress {
         }
     }
 
-    /// The results of `work` on each item, in order, by all cores. Each counts for so many bytes.
+    /// Runs `work` on each item, on all cores; the results are in order. Each item counts as `bytes`.
     ///
     /// # Errors
     /// When the load was cancelled.
@@ -65,7 +65,7 @@ impl Progress {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// What is done of all that is known of, in [0, 1].
+    /// The done part of the expected work, in [0, 1].
     #[must_use]
     #[expect(
         clippy::cast_precision_loss,

@@ -1,4 +1,4 @@
-//! A scene as files: a scene file, and beside it OBJ files of the meshes that have none.
+//! Saves a scene: a scene file, and beside it an OBJ file of each mesh that has no file.
 
 use super::{
     MeshFile, MeshFiles, Progress, SaveError, Scene, Shape, description::to_toml, load::absolute,
@@ -14,11 +14,12 @@ use std::{
 
 /// Writes a scene file that reads back as the same scene to the bit. `meshes` are the files of its meshes, as
 /// [`Loaded::meshes`](super::Loaded) has them. Those beside `path` or below are named relative to it, so that a folder
-/// can be moved; the others by their absolute paths. A mesh without a file, or whose file is gone, is written as an OBJ file
-/// beside `path`, under a name that is free. Returns the files of all meshes as they are from then on.
+/// can be moved; the others by their absolute paths. A mesh without a file, or whose file is gone, is written as an OBJ
+/// file beside `path`, under a name that is free. Returns the files of all meshes as they are from then on.
 ///
 /// # Errors
-/// When a file cannot be written, or a mesh that is not a file's cannot be written exactly. Then `path` holds what it held.
+/// When a file cannot be written, or a mesh that is not a file's cannot be written exactly. Then `path` holds what it
+/// held.
 pub fn save(
     path: &Path,
     scene: &Scene,
@@ -54,19 +55,19 @@ pub fn save(
     Ok(files)
 }
 
-/// Files that were written for a scene file that is not there yet; taken away again unless it comes to be.
+/// Mesh files written for a scene file that is not written yet. Dropping removes them, if the scene file fails.
 struct Made(Vec<PathBuf>);
 
 impl Drop for Made {
     fn drop(&mut self) {
         for file in &self.0 {
-            // What cannot be taken away harms nobody.
+            // A file that cannot be removed does no harm.
             let _ = fs::remove_file(file);
         }
     }
 }
 
-/// A file as a scene file in `folder` names it: with slashes, where it lies in it or below.
+/// The path by which a scene file in `folder` names a file: relative, with slashes, for one in `folder` or below.
 fn from(folder: &Path, file: &Path) -> PathBuf {
     match file.strip_prefix(folder) {
         Ok(inside) => {
@@ -77,7 +78,7 @@ fn from(folder: &Path, file: &Path) -> PathBuf {
     }
 }
 
-/// Writes a mesh beside the scene file, and makes sure that it reads back.
+/// Writes a mesh beside the scene file, and checks that it reads back the same.
 fn write_mesh(
     scene_file: &Path,
     was: Option<&Path>,
