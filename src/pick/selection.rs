@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// Tints the pixels that show `object` (an index) and draws its outline, also where something stands in front of it.
-/// `ids` and `colours` are [`raycast`](super::raycast)'s for this scene and view.
+/// `ids` and `colours` are [`raycast`](super::raycast())'s for this scene and view.
 pub fn draw_selection(
     scene: &Scene,
     view: &View,
