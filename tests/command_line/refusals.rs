@@ -13,7 +13,7 @@ fn a_wrong_use_is_exit_code_2() {
         ("pick scene.toml --at 1280,5", "outside"),
         ("pick scene.toml --at 5,720", "outside"),
         ("pick scene.toml --at=-0.5,5", "outside"),
-        ("pick scene.toml --at -1,5", "not negative"),
+        ("pick scene.toml --at -1,5", "cannot be negative"),
         ("pick scene.toml --at 5,5 --size 5", "WxH"),
         ("pick scene.toml --at 5,5 --size 0x5", "WxH"),
         ("pick scene.toml --at 5,5 --size -5x5", "WxH"),
@@ -133,6 +133,6 @@ fn a_picture_too_large_for_memory_is_refused() {
         .output()
         .unwrap();
     let said = crate::error(&output, 2, &line);
-    assert!(said.contains("16384x16384 takes 6174 MB"), "{said}");
+    assert!(said.contains("16384x16384 needs 6174 MB"), "{said}");
     assert!(!folder.path("out.png").exists());
 }
