@@ -27,7 +27,7 @@ pub use section::NoSection;
 use crate::geometry::{Aabb, Mesh, Placement, Pyramid, WorldRay};
 use changes::Changes;
 use std::{
-    collections::HashSet,
+    collections::{BTreeSet, HashSet},
     ops::{ControlFlow, Range},
     sync::{Arc, Weak, atomic::AtomicBool},
 };
@@ -247,12 +247,14 @@ impl Scene {
     /// When an id names no object.
     pub fn hide(&mut self, ids: &[usize]) -> Result<(), NoSuchObject> {
         let objects = self.objects.len();
-        for &id in ids {
+        let index = |&id: &usize| {
             let index = id.checked_sub(1).filter(|index| *index < objects);
-            let index = index.ok_or(NoSuchObject { id, objects })?;
-            self.set_visible(index, false);
-        }
-        Ok(())
+            index.ok_or(NoSuchObject { id, objects })
+        };
+        let known = ids.iter().map_while(|id| index(id).ok());
+        let shown: BTreeSet<usize> = known.filter(|index| self.objects[*index].visible).collect();
+        self.toggle(&Vec::from_iter(shown));
+        ids.iter().try_for_each(|id| index(id).map(|_| ()))
     }
 
     /// Runs of objects that are drawn and intersected as one: either a single object, or consecutive parts of one mesh

@@ -36,14 +36,12 @@ impl Made {
             same_place.map(|_| index).or_else(elsewhere)
         };
         let was: Vec<_> = now.objects().iter().enumerate().map(before).collect();
-        for (index, was) in was.iter().enumerate() {
-            let visible = was.map(|was| old[was].visible);
-            if let Some(visible) =
-                visible.filter(|visible| *visible != now.objects()[index].visible)
-            {
-                now.set_visible(index, visible);
-            }
-        }
+        let differs = |(index, was): &(usize, &Option<usize>)| {
+            was.is_some_and(|was| old[was].visible != now.objects()[*index].visible)
+        };
+        let changed = was.iter().enumerate().filter(differs);
+        let changed: Vec<usize> = changed.map(|(index, _)| index).collect();
+        now.toggle(&changed);
         Self {
             of: scene.key(),
             scene: now,

@@ -37,8 +37,8 @@ fn where_to(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     }
     // A section is looked for when its button is clicked: along a mesh's face that takes all its triangles.
     let mut button =
-        |word: &str, name: &str, hint: &str, is_on: bool, to: &dyn Fn() -> Option<Action>| {
-            let button = ui.add_enabled(is_on, egui::Button::new(word).small());
+        |word: &str, name: &str, hint: &str, can: bool, to: &dyn Fn() -> Option<Action>| {
+            let button = ui.add_enabled(can, egui::Button::new(word).small());
             named(&button, name);
             if button.hint(hint).clicked()
                 && let Some(action) = to()
