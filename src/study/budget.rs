@@ -111,14 +111,14 @@ fn savings(report: &Report, steps: &[Estimate]) -> String {
     const WORTH: f64 = 0.05;
     let ns = |step: &Estimate, precision: Precision| {
         let mut rows = report.of_scene(step.step);
-        let row = rows.find(|row| row.key() == (step.method, precision))?;
+        let row = rows.find(|row| row.info.key() == (step.method, precision))?;
         Some(row.time?.ns)
     };
     let saved = steps
         .iter()
         .filter_map(|step| Some(ns(step, F64)? - ns(step, F32)?));
     let saved: f64 = saved.sum();
-    let pick = report.of_scene("pick").find(|row| row.ours);
+    let pick = report.of_scene("pick").find(|row| row.info.ours);
     let Some(pick) = pick.and_then(|row| row.time) else {
         return "Nothing is picked here, so nothing was timed.".to_owned();
     };
@@ -156,7 +156,7 @@ fn sample<'a>(report: &Report, estimates: impl Iterator<Item = &'a Estimate>) ->
 #[must_use]
 pub fn measured(report: &Report, step: &Estimate) -> Option<f64> {
     let mut rows = report.of_scene(step.step);
-    let row = rows.find(|row| row.key() == (step.method, step.precision))?;
+    let row = rows.find(|row| row.info.key() == (step.method, step.precision))?;
     Some(if step.is_of_shape() {
         row.worst_wrong
     } else {

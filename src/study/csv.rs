@@ -46,10 +46,10 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
     let row = summary.method;
     let ns = |ns: Option<f64>| ns.map_or(String::new(), nanoseconds);
     vec![
-        row.step.key.to_owned(),
-        row.name.to_owned(),
-        row.precision.to_string(),
-        row.ours.to_string(),
+        row.info.step.key.to_owned(),
+        row.info.name.to_owned(),
+        row.info.precision.to_string(),
+        row.info.ours.to_string(),
         ns(summary.ns()),
         ns(summary.slowest().map(|(_, time)| time.ns)),
         format!("{:.2e}", summary.wrong_rate()),
@@ -58,7 +58,7 @@ fn of_method(summary: &Summary<'_>, all: &[Summary<'_>]) -> Vec<String> {
         format!("{:.2e}", summary.p999_error()),
         format!("{:.2e}", summary.worst(|row| row.worst_error).worst_error),
         summary.is_on_front(all).to_string(),
-        row.reason.unwrap_or_default().to_owned(),
+        row.info.reason.unwrap_or_default().to_owned(),
     ]
 }
 
@@ -79,10 +79,10 @@ fn lines(header: &str, rows: impl Iterator<Item = Vec<String>>) -> String {
 /// The columns that do not depend on the machine.
 fn verdict(row: &Row) -> [String; 20] {
     [
-        row.step.key.to_owned(),
-        row.name.to_owned(),
-        row.precision.to_string(),
-        row.ours.to_string(),
+        row.info.step.key.to_owned(),
+        row.info.name.to_owned(),
+        row.info.precision.to_string(),
+        row.info.ours.to_string(),
         row.family.to_owned(),
         row.parameter.to_owned(),
         row.value.to_string(),
@@ -92,11 +92,11 @@ fn verdict(row: &Row) -> [String; 20] {
         row.others.to_string(),
         format!("{:.3}", row.wrong_percent()),
         format!("{:.1e}", row.worst_wrong),
-        row.step.wrong_unit.to_owned(),
+        row.info.step.wrong_unit.to_owned(),
         format!("{:.1e}", row.median_error),
         format!("{:.1e}", row.p999_error),
         format!("{:.1e}", row.worst_error),
-        row.step.error_unit.to_owned(),
+        row.info.step.error_unit.to_owned(),
         row.ties.to_string(),
         format!("{:.1e}", row.wrong_percent_within()[1]),
     ]

@@ -92,10 +92,10 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
     let own = SceneRays::new(scene, view, RAYS, Effort::QUICK.seed);
     let mut rows = of.step.rows(of.family, Effort::QUICK, Some(&own));
     for row in rows.iter_mut().filter(|row| row.family != SCENE) {
-        if row.step.wrong_unit == "px" {
+        if row.info.step.wrong_unit == "px" {
             row.worst_wrong *= PX / px;
         }
-        if row.step.error_unit == "px" {
+        if row.info.step.error_unit == "px" {
             row.worst_error *= PX / px;
         }
     }
@@ -105,12 +105,14 @@ pub fn rows(of: &Break, scene: &Scene, view: View) -> Vec<Row> {
 /// The methods besides Sightline's whose mistakes cannot be seen on the scene: every decision is right, and every error is
 /// below half a pixel, a degree or a ten-thousandth.
 pub fn as_good(rows: &[Row]) -> impl Iterator<Item = &Row> {
-    let least = |row: &Row| match row.step.error_unit {
+    let least = |row: &Row| match row.info.step.error_unit {
         "px" => 0.5,
         "degrees" => 1.0,
         _ => 1e-4,
     };
-    let own = rows.iter().filter(|row| row.family == SCENE && !row.ours);
+    let own = rows
+        .iter()
+        .filter(|row| row.family == SCENE && !row.info.ours);
     own.filter(move |row| row.wrong() == 0 && row.worst_error < least(row))
 }
 

@@ -9,7 +9,7 @@ use super::{
     timing::{self, Time},
 };
 use crate::geometry::shares::on_all_cores;
-use std::{iter, ops::Deref};
+use std::iter;
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +46,7 @@ impl Effort {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// The method.
-    pub method: MethodInfo,
+    pub info: MethodInfo,
     /// The family.
     pub family: &'static str,
     /// Its parameter.
@@ -81,10 +81,10 @@ pub struct Row {
 
 impl Row {
     /// A method before its first case.
-    fn new<C>(method: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
-        let bound = method.ours.then_some(0.0);
+    fn new<C>(info: MethodInfo, work: &Workload<'_, C>, cases: usize) -> Self {
+        let bound = info.ours.then_some(0.0);
         Self {
-            method,
+            info,
             family: work.family,
             parameter: work.parameter,
             value: work.value,
@@ -122,13 +122,6 @@ impl Row {
     }
 }
 
-impl Deref for Row {
-    type Target = MethodInfo;
-    fn deref(&self) -> &MethodInfo {
-        &self.method
-    }
-}
-
 /// Everything that was found.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
@@ -140,7 +133,7 @@ impl Report {
     /// The rows of a scene's own rays, by a step's key.
     pub(super) fn of_scene(&self, step: &str) -> impl Iterator<Item = &Row> {
         let own = self.rows.iter().filter(|row| row.family == SCENE);
-        own.filter(move |row| row.step.key == step)
+        own.filter(move |row| row.info.step.key == step)
     }
 
     /// Two reports: the general workloads', and that of a scene's own rays; `None` where there are no such rows.
@@ -227,7 +220,7 @@ impl Run<'_> {
         let times = timing::time(cases, rounds, &mut random);
         for (method, time) in C::methods().zip(times) {
             let mut own = rows.iter_mut();
-            if let Some(row) = own.find(|row| row.method == method.info) {
+            if let Some(row) = own.find(|row| row.info == method.info) {
                 row.time = time;
             }
         }
@@ -299,7 +292,7 @@ fn judge<C: Case>(work: &Workload<'_, C>) -> Vec<Row> {
                     let is_missed = matches!(verdict, Verdict::Missed(_));
                     row.missed += usize::from(is_missed);
                     row.phantoms += usize::from(!is_missed);
-                    let is_tie = wrong == 0.0 && !row.step.wrong_unit.is_empty();
+                    let is_tie = wrong == 0.0 && !row.info.step.wrong_unit.is_empty();
                     row.ties += usize::from(is_tie);
                     row.worst_wrong = row.worst_wrong.max(wrong);
                     share(wrong, 0.0)

@@ -40,13 +40,6 @@ pub struct MethodInfo {
     pub reason: Option<&'static str>,
 }
 
-/// Its name.
-impl std::fmt::Display for MethodInfo {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(self.name)
-    }
-}
-
 impl MethodInfo {
     /// Name and precision: unique within a step.
     #[must_use]

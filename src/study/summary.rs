@@ -128,20 +128,20 @@ impl Report {
     /// The steps that have rows, in order.
     #[must_use]
     pub fn steps(&self) -> Vec<About> {
-        distinct(self.rows.iter().map(|row| row.step))
+        distinct(self.rows.iter().map(|row| row.info.step))
     }
 
     /// The rows of a step.
     pub(super) fn of_step(&self, step: About) -> impl Iterator<Item = &Row> {
-        self.rows.iter().filter(move |row| row.step == step)
+        self.rows.iter().filter(move |row| row.info.step == step)
     }
 
     /// The rows of each method of a step.
     pub(super) fn summaries(&self, step: About) -> Vec<Summary<'_>> {
         let mut methods: Vec<Summary<'_>> = Vec::new();
         for row in self.of_step(step) {
-            let key = row.key();
-            let known = methods.iter_mut().find(|of| of.method.key() == key);
+            let key = row.info.key();
+            let known = methods.iter_mut().find(|of| of.method.info.key() == key);
             if let Some(known) = known {
                 known.rows.push(row);
             } else {

@@ -64,8 +64,8 @@ fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
     let ratio = |ns: f64| first.map_or(String::new(), |first| format!("{:.2}", ns / first));
     let on_front = |of: &Summary<'_>| if of.is_on_front(summaries) { "yes" } else { "" };
     let mut columns: Vec<Vec<String>> = vec![
-        column("method", &|of| of.method.name.to_owned()),
-        column("", &|of| of.method.precision.to_string()),
+        column("method", &|of| of.method.info.name.to_owned()),
+        column("", &|of| of.method.info.precision.to_string()),
         column("front", &|of| on_front(of).to_owned()),
         timed("ns", &|own, _| time(own.ns)),
         timed("quartiles", &|own, _| own.quartiles.map(time).join("..")),
@@ -103,7 +103,7 @@ fn columns(step: About, summaries: &[Summary<'_>]) -> Vec<Vec<String>> {
     }));
     // Methods that cannot run on this machine.
     let ran = |method: &MethodInfo| {
-        let mut known = summaries.iter().map(|summary| summary.method.key());
+        let mut known = summaries.iter().map(|summary| summary.method.info.key());
         known.any(|known| known == method.key())
     };
     let mut absent = registry();
@@ -141,15 +141,15 @@ fn notes(text: &mut String, step: About, summaries: &[Summary<'_>]) {
     if step == FileCase::ABOUT {
         for summary in summaries {
             let Some(ns) = summary.ns() else { continue };
-            let (name, precision) = summary.method.key();
+            let (name, precision) = summary.method.info.key();
             #[expect(clippy::cast_precision_loss, reason = "a few bytes")]
             let speed = 1e3 * files::BYTES as f64 / ns;
             let _ = writeln!(text, "  {name}, {precision}: {speed:.0} MB/s");
         }
     }
     for summary in summaries {
-        if let Some(reason) = summary.method.reason {
-            let _ = writeln!(text, "  {} offers: {reason}", summary.method.name);
+        if let Some(reason) = summary.method.info.reason {
+            let _ = writeln!(text, "  {} offers: {reason}", summary.method.info.name);
         }
     }
 }
@@ -169,7 +169,7 @@ fn need(step: About, summaries: &[Summary<'_>]) -> Option<String> {
     let timed = summaries.iter().filter(does);
     let timed = timed.filter_map(|summary| Some((summary.method, summary.ns()?)));
     let (fastest, _) = timed.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (name, precision) = fastest.key();
+    let (name, precision) = fastest.info.key();
     Some(format!(
         "The fastest that is right here: {name}, {precision}."
     ))

@@ -132,7 +132,7 @@ fn padded_boxes_lose_nothing() {
         let found = report()
             .rows
             .iter()
-            .filter(|row| row.key() == (method, precision));
+            .filter(|row| row.info.key() == (method, precision));
         assert_eq!(found.map(|row| row.missed).sum::<usize>(), 0, "{method}");
     }
 }

@@ -23,7 +23,8 @@ fn long_arithmetic_decides_right() {
         ("exact everywhere", Exact),
     ] {
         let own = report().rows.iter().filter(|row| {
-            (row.step.key, row.name, row.precision) == ("triangle", method, precision)
+            (row.info.step.key, row.info.name, row.info.precision)
+                == ("triangle", method, precision)
         });
         let wrong: Vec<_> = own.clone().filter(|row| row.wrong() > 0).collect();
         assert!(wrong.is_empty(), "{wrong:?}");
@@ -35,12 +36,17 @@ fn long_arithmetic_decides_right() {
 #[test]
 fn every_triangle_test_does_what_is_ordinary() {
     let ordinary = report().rows.iter().filter(|row| {
-        (row.step.key, row.family) == ("triangle", "ordinary") && !row.name.starts_with("areas")
+        (row.info.step.key, row.family) == ("triangle", "ordinary")
+            && !row.info.name.starts_with("areas")
     });
     let mut methods = 0;
     for row in ordinary {
         assert!(row.wrong_percent() < 1.0, "{row:?}");
-        let most = if row.precision == F32 { 1e-4 } else { 1e-12 };
+        let most = if row.info.precision == F32 {
+            1e-4
+        } else {
+            1e-12
+        };
         assert!(row.worst_error < most, "{row:?}");
         assert!(row.median_error < row.p999_error, "{row:?}");
         methods += 1;

@@ -55,11 +55,11 @@ fn each_scene_breaks_its_method_and_not_ours() {
             let mut rows = report
                 .rows
                 .iter()
-                .filter(|row| row.step == broken.step.about && row.family == SCENE);
+                .filter(|row| row.info.step == broken.step.about && row.family == SCENE);
             *rows.find(|row| wanted(row)).expect("a row")
         };
         let scene = broken.exhibit;
-        let bad = row(&|row| row.key() == (broken.method, broken.precision));
+        let bad = row(&|row| row.info.key() == (broken.method, broken.precision));
         let wrong = if bad.wrong() > 0 {
             bad.wrong_percent()
         } else {
@@ -68,7 +68,7 @@ fn each_scene_breaks_its_method_and_not_ours() {
         if wrong < broken.least {
             failed.push(format!("{scene}: {bad:?}"));
         }
-        let ours = row(&|row| row.ours);
+        let ours = row(&|row| row.info.ours);
         if ours.wrong_percent() > 0.0 {
             failed.push(format!("{scene}: {ours:?}"));
         }
@@ -151,7 +151,7 @@ fn the_chart_matches_the_picture() {
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
         let own = rows
             .iter()
-            .filter(|row| row.key() == (broken.method, broken.precision));
+            .filter(|row| row.info.key() == (broken.method, broken.precision));
         let (here, family): (Vec<&Row>, Vec<&Row>) = own.partition(|row| row.family == SCENE);
         // Between the family's figures just before and after the scene's value, with slack as the worst of many cases varies.
         let figure = |row: &Row| {
@@ -204,7 +204,7 @@ fn others_that_are_as_good_are_named() {
         let path = format!("gallery:{}", broken.exhibit).into();
         let loaded = scene::load(&[path], &Progress::default()).expect("a scene");
         let rows = gallery::rows(broken, &loaded.scene, view_of(&loaded, 801, 600));
-        let good: Vec<_> = gallery::as_good(&rows).map(|row| row.key()).collect();
+        let good: Vec<_> = gallery::as_good(&rows).map(|row| row.info.key()).collect();
         assert!(
             !good.contains(&(broken.method, broken.precision)),
             "{broken:?}: {good:?}"
@@ -240,11 +240,11 @@ fn parallel_rays_are_studied_too() {
             let rows = report
                 .rows
                 .iter()
-                .filter(|row| row.step.key == step && row.family == SCENE);
+                .filter(|row| row.info.step.key == step && row.family == SCENE);
             rows.copied().collect::<Vec<Row>>()
         };
         for step in ["ray", "depth", "pick", "clip", "normal", "object-space"] {
-            let ours: Vec<Row> = rows(step).into_iter().filter(|row| row.ours).collect();
+            let ours: Vec<Row> = rows(step).into_iter().filter(|row| row.info.ours).collect();
             let [ours] = ours.as_slice() else {
                 panic!("{name}: {step}")
             };
@@ -258,7 +258,7 @@ fn parallel_rays_are_studied_too() {
         }
         let worst = |method: &str, precision| {
             let mut rays = rows("ray").into_iter();
-            let row = rays.find(|row| row.key() == (method, precision));
+            let row = rays.find(|row| row.info.key() == (method, precision));
             row.expect("a row").worst_error
         };
         // Far out, methods that hold a world point in f32 lose it; in f64 they do not.

@@ -34,7 +34,8 @@ fn report() -> &'static Report {
 /// A method's rows in a family, by the parameter's value.
 fn rows(step: &str, method: &str, precision: Precision, family: &str) -> Vec<&'static Row> {
     let wanted = |row: &&Row| {
-        (row.step.key, row.name, row.precision) == (step, method, precision) && row.family == family
+        (row.info.step.key, row.info.name, row.info.precision) == (step, method, precision)
+            && row.family == family
     };
     let rows: Vec<_> = report().rows.iter().filter(wanted).collect();
     assert!(!rows.is_empty(), "{method} {precision} has no {family}");
@@ -86,12 +87,12 @@ fn same_seed_gives_the_same_verdicts() {
 
 #[test]
 fn what_this_program_does_stays_within_its_bounds() {
-    for row in report().rows.iter().filter(|row| row.ours) {
+    for row in report().rows.iter().filter(|row| row.info.ours) {
         let share = row.of_bound.expect("a bound");
         assert!(
             share <= 1.0,
             "{} {} {}: {share} of the bound",
-            row.step.key,
+            row.info.step.key,
             row.family,
             row.value
         );
@@ -105,7 +106,8 @@ fn bounds_of_values_say_something() {
         if step.error_unit.is_empty() {
             continue;
         }
-        let rows = || (report().rows.iter()).filter(move |row| row.ours && row.step == step);
+        let rows =
+            || (report().rows.iter()).filter(move |row| row.info.ours && row.info.step == step);
         let first = rows().next().expect("a row");
         let bound = first.bound.expect("a bound");
         assert!(bound.is_finite(), "{first:?}");
@@ -115,14 +117,18 @@ fn bounds_of_values_say_something() {
 
 #[test]
 fn what_this_program_does_decides_right() {
-    for row in report().rows.iter().filter(|row| row.ours) {
+    for row in report().rows.iter().filter(|row| row.info.ours) {
         assert_eq!(
             row.worst_wrong, 0.0,
             "{} {} {}",
-            row.step.key, row.family, row.value
+            row.info.step.key, row.family, row.value
         );
         let wrong = row.wrong();
-        assert_eq!(wrong, 0, "{} {} {}", row.step.key, row.family, row.value);
+        assert_eq!(
+            wrong, 0,
+            "{} {} {}",
+            row.info.step.key, row.family, row.value
+        );
     }
 }
 
@@ -137,7 +143,7 @@ fn csv_parses_back() {
         assert_eq!(cells.len(), COLUMNS.split(',').count(), "{line}");
         assert_eq!(
             (cells[0].as_str(), cells[1].as_str()),
-            (row.step.key, row.name)
+            (row.info.step.key, row.info.name)
         );
         assert_eq!(cells[6].parse(), Ok(row.value), "{line}");
         assert_eq!(cells[8].parse(), Ok(row.missed), "{line}");

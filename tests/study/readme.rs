@@ -42,10 +42,10 @@ fn it_says_how_much_moeller_trumbore_gets_wrong() {
     let rows = AnyStep::of::<TriangleCase>().rows("exactly through edges", Effort::FULL, None);
     let mut wrong = 0.0_f64;
     for row in rows {
-        if row.key() == ("Moeller-Trumbore", F32) {
+        if row.info.key() == ("Moeller-Trumbore", F32) {
             wrong = wrong.max(row.wrong_percent());
         }
-        assert!(!row.ours || row.wrong_percent() == 0.0, "{row:?}");
+        assert!(!row.info.ours || row.wrong_percent() == 0.0, "{row:?}");
     }
     let words = format!("up to {wrong:.0} % of a workload wrong");
     assert!(says(&words), "{words}");

@@ -131,7 +131,10 @@ fn timed(row: &Row, ns: f64) -> Row {
 
 /// The summary's cells of the second of two methods, with these times and numbers of wrong decisions.
 fn of_two(ns: [f64; 2], wrong: [usize; 2]) -> Vec<String> {
-    let rows = report().rows.iter().filter(|row| row.step.key == "clip");
+    let rows = report()
+        .rows
+        .iter()
+        .filter(|row| row.info.step.key == "clip");
     let rows: Vec<&Row> = rows.take(2).collect();
     let row = |which: usize| Row {
         missed: wrong[which],

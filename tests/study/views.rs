@@ -107,7 +107,7 @@ fn what_is_cut_and_culled_is_studied_right() {
             ..Effort::SCENE_ONLY
         };
         let report = study::run(effort, Some(&rays), &|_, _| {});
-        let ours: Vec<&Row> = report.rows.iter().filter(|row| row.ours).collect();
+        let ours: Vec<&Row> = report.rows.iter().filter(|row| row.info.ours).collect();
         assert!(
             ours.len() >= 9,
             "the culled square is all that may be missing"
@@ -118,8 +118,10 @@ fn what_is_cut_and_culled_is_studied_right() {
         }
         let pick = |method: &str| {
             let mut rows = report.rows.iter();
-            rows.find(|row| (row.step.key, row.family, row.name) == ("pick", SCENE, method))
-                .expect("a row")
+            rows.find(|row| {
+                (row.info.step.key, row.family, row.info.name) == ("pick", SCENE, method)
+            })
+            .expect("a row")
         };
         // The courses' test loses hits, but finds none where nothing is.
         assert_eq!(pick("the course's").phantoms, 0, "{view:?}");

@@ -8,7 +8,8 @@ pub fn chart(report: &Report) -> Picture {
     let line = "A point for each workload of each step that Sightline rounds in. On the line, error and bound are equal; each title has \
                 the largest ratio of an error to its bound.";
     let mut steps = report.steps();
-    let ours = |row: &&Row| row.ours && row.bound > Some(0.0) && !row.step.error_unit.is_empty();
+    let ours =
+        |row: &&Row| row.info.ours && row.bound > Some(0.0) && !row.info.step.error_unit.is_empty();
     steps.retain(|step| report.of_step(*step).any(|row| ours(&row)));
     let height = 92.0 + ROWS_APART * count(steps.len().div_ceil(4).max(1));
     let mut picture = page(height, title, &[line]);

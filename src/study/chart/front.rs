@@ -29,7 +29,8 @@ impl<'a> Point<'a> {
         let mut percents: Vec<f64> = rows().map(Row::wrong_percent).collect();
         percents.sort_by(f64::total_cmp);
         // A wrong triangle has no distance, and is no tie.
-        let apart = rows().filter(|row| row.worst_wrong > 0.0 || row.step.wrong_unit.is_empty());
+        let apart =
+            rows().filter(|row| row.worst_wrong > 0.0 || row.info.step.wrong_unit.is_empty());
         let apart = apart.map(Row::wrong_percent).fold(0.0, f64::max);
         let all = 100.0 * of.wrong_rate();
         Some(Self {
@@ -45,10 +46,10 @@ impl<'a> Point<'a> {
     }
 
     fn name(&self) -> &'a str {
-        if self.row.ours {
+        if self.row.info.ours {
             "Sightline"
         } else {
-            self.row.name
+            self.row.info.name
         }
     }
 }
@@ -107,7 +108,7 @@ pub fn chart(report: &Report) -> Picture {
 /// The names of the formulas that are never wrong.
 fn never<'a>(points: &[Point<'a>]) -> Vec<&'a str> {
     let never = points.iter().filter(|point| point.is_never_wrong());
-    distinct(never.map(|point| point.row.name))
+    distinct(never.map(|point| point.row.info.name))
 }
 
 /// The logarithms of the first and last time on an axis. Methods that are far slower than most stand at its end, with their
@@ -132,17 +133,17 @@ type Placed<'a> = (&'a Point<'a>, [f64; 2], Colour);
 /// Draws a panel's points, which are in order of time.
 fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
     let never = never(points);
-    let names = distinct(points.iter().map(|point| point.row.name));
+    let names = distinct(points.iter().map(|point| point.row.info.name));
     let position = |names: &[&str], point: &Point<'_>| {
         names
             .iter()
-            .position(|name| *name == point.row.name)
+            .position(|name| *name == point.row.info.name)
             .unwrap_or(0)
     };
     let mut places = LabelPlaces::new(panel.from, [panel.to[0], band - 2.0]);
     let placed = points.iter().map(|point| {
         let colour = COLOURS[position(&names, point) % COLOURS.len()];
-        let colour = if point.row.ours { [0; 3] } else { colour };
+        let colour = if point.row.info.ours { [0; 3] } else { colour };
         let mut at = panel.at(point.ns, point.wrong[0]);
         if point.is_never_wrong() {
             at[1] = band + 4.0 + ROW * (count(position(&never, point)) + 0.5);
@@ -154,15 +155,15 @@ fn draw(picture: &mut Picture, panel: &Panel, band: f64, points: &[Point<'_>]) {
         bars(picture, panel, band, each, &mut places);
     }
     for (i, (point, at, colour)) in placed.iter().enumerate() {
-        let is_pair = |(other, ..): &&Placed<'_>| other.row.name == point.row.name;
+        let is_pair = |(other, ..): &&Placed<'_>| other.row.info.name == point.row.info.name;
         if let Some((_, other, _)) = placed[i + 1..].iter().find(is_pair) {
             picture.line(vec![*at, *other], *colour, 3, false);
         }
     }
     // Rings first, so that a disc inside a ring leaves both visible.
-    placed.sort_by_key(|(point, ..)| (point.row.ours, point.row.precision));
+    placed.sort_by_key(|(point, ..)| (point.row.info.ours, point.row.info.precision));
     for (point, at, colour) in &placed {
-        let (shape, radius, filled) = match (point.row.ours, point.row.precision) {
+        let (shape, radius, filled) = match (point.row.info.ours, point.row.info.precision) {
             (true, _) => (Shape::Star, 9.0, true),
             (false, Precision::F32) => (Shape::Circle, 7.0, false),
             (false, _) => (Shape::Circle, 5.0, true),

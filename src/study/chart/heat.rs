@@ -28,7 +28,7 @@ impl<'a> Block<'a> {
         Self {
             step,
             families: distinct(rows.iter().map(|row| row.family)),
-            methods: distinct(rows.iter().map(|row| row.name)),
+            methods: distinct(rows.iter().map(|row| row.info.name)),
             rows,
         }
     }
@@ -127,9 +127,9 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
                 .rows
                 .iter()
                 .copied()
-                .filter(|row| (row.family, row.name) == (*family, *method));
+                .filter(|row| (row.family, row.info.name) == (*family, *method));
             let (narrow, others): (Vec<&Row>, Vec<&Row>) =
-                own.partition(|row| row.precision == Precision::F32);
+                own.partition(|row| row.info.precision == Precision::F32);
             for (rows, x) in [(narrow, x), (others, x + HALF)] {
                 if !rows.is_empty() {
                     cell(picture, [x, y], &rows);
@@ -141,7 +141,7 @@ fn draw(picture: &mut Picture, block: &Block<'_>, [left, top]: [f64; 2]) {
 
 /// The cell of a method in one precision and one family.
 fn cell(picture: &mut Picture, [x, y]: [f64; 2], rows: &[&Row]) {
-    let decides = !rows[0].step.wrong_unit.is_empty();
+    let decides = !rows[0].info.step.wrong_unit.is_empty();
     let most = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row)).fold(0.0, f64::max);
     let wrong = most(Row::wrong_percent);
     let px = if decides {

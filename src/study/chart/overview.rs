@@ -11,7 +11,7 @@ pub fn chart(report: &Report, title: &str) -> Picture {
         steps.clear();
     }
     // So far apart that the longest legend fits between two rows.
-    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.name)).len();
+    let formulas = |step: &About| distinct(report.of_step(*step).map(|row| row.info.name)).len();
     let apart = 310.0 + 16.5 * count(steps.iter().map(formulas).max().unwrap_or(0));
     let height = 92.0 + apart * count(steps.len().div_ceil(5));
     let mut picture = page(height, title, &[line]);
@@ -84,8 +84,8 @@ fn panel(picture: &mut Picture, step: About, all: &[Summary<'_>], at: [f64; 2]) 
     let mut at = [at[0] + 22.0, panel.to[1] + 50.0];
     let off = all
         .iter()
-        .filter(|own| own.method.ours && !own.is_on_front(all));
-    for reason in off.filter_map(|own| own.method.reason) {
+        .filter(|own| own.method.info.ours && !own.is_on_front(all));
+    for reason in off.filter_map(|own| own.method.info.reason) {
         let words = format!("The star offers: {reason}");
         picture.text(at, Anchor::Left, 14.0, INK, words);
         at[1] += 20.0;

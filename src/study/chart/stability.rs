@@ -38,7 +38,7 @@ pub fn hit_rates(report: &Report) -> Picture {
 }
 
 fn rows_of<'a>(report: &'a Report, step: &str, family: &str) -> Vec<&'a Row> {
-    let is_wanted = |row: &&Row| row.step.key == step && row.family == family;
+    let is_wanted = |row: &&Row| row.info.step.key == step && row.family == family;
     report.rows.iter().filter(is_wanted).collect()
 }
 
@@ -56,11 +56,11 @@ fn panels_of(
     let mut last = "";
     for (rows, at) in panels.iter().zip(places(4, ROWS_APART)) {
         let Some(first) = rows.first() else { continue };
-        let styles = panel(&mut picture, measure(first.step), rows, at, None, None);
-        if last != first.step.key {
+        let styles = panel(&mut picture, measure(first.info.step), rows, at, None, None);
+        if last != first.info.step.key {
             legend(&mut picture, styles.iter(), under(at), LINE);
         }
-        last = first.step.key;
+        last = first.info.step.key;
     }
     picture
 }
@@ -74,7 +74,7 @@ fn under([left, top]: [f64; 2]) -> [f64; 2] {
 }
 
 fn names<'a>(rows: &[&'a Row]) -> Vec<&'a str> {
-    distinct(rows.iter().map(|row| row.name))
+    distinct(rows.iter().map(|row| row.info.name))
 }
 
 /// The chart of one family: one panel in a narrow picture, in which the line of the method `wide` is wider. `rows` are the
@@ -84,7 +84,7 @@ pub fn family(rows: &[Row], here: f64, wide: Option<(&str, Precision)>) -> Pictu
     let (own, rows): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.family == SCENE);
     let mut picture = Picture::new(400.0, 282.0 + LINE * count(names(&rows).len()));
     if let Some(first) = rows.first() {
-        let (at, measure) = ([0.0, 6.0], Measure::of(first.step));
+        let (at, measure) = ([0.0, 6.0], Measure::of(first.info.step));
         let styles = panel(&mut picture, measure, &rows, at, wide, Some((&own, here)));
         legend(&mut picture, styles.iter(), under(at), LINE);
     }
@@ -112,8 +112,8 @@ fn panel(
     } else if xs.first() > xs.last() {
         panel.x = panel.x.reversed();
     }
-    let title = format!("{}: {}", first.step.name, first.family);
-    let names = [first.parameter, &measure.label(first.step)];
+    let title = format!("{}: {}", first.info.step.name, first.family);
+    let names = [first.parameter, &measure.label(first.info.step)];
     panel.draw(picture, &title, names, measure.none());
     if scene.is_some() {
         let (x, [from, to]) = (panel.x.at(here), [panel.from, panel.to]);
@@ -132,7 +132,7 @@ fn panel(
     let mut ordered: Vec<&Style> = styles.iter().collect();
     ordered.sort_by_key(|style| (is_wide(style), style.info.ours));
     for style in ordered {
-        let is_own = |row: &&&Row| row.key() == style.info.key();
+        let is_own = |row: &&&Row| row.info.key() == style.info.key();
         let points = rows.iter().filter(is_own);
         let points = points.map(|row| panel.at(row.value, measure.at(row)));
         let points: Vec<[f64; 2]> = points.collect();

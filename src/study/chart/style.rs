@@ -20,14 +20,16 @@ pub struct Style {
 
 /// The styles of a step's methods, in their order.
 pub fn styles<'a>(methods: impl Iterator<Item = &'a Row> + Clone) -> Vec<Style> {
-    let others = methods.clone().filter(|row| !row.ours);
-    let names = distinct(others.map(|row| row.name));
+    let others = methods.clone().filter(|row| !row.info.ours);
+    let names = distinct(others.map(|row| row.info.name));
     let style = |row: &Row| {
-        let index = names.iter().position(|known| *known == row.name);
+        let index = names.iter().position(|known| *known == row.info.name);
         let look = index.map(|i| (COLOURS[i % COLOURS.len()], SHAPES[i % SHAPES.len()]));
-        let (colour, shape) = look.filter(|_| !row.ours).unwrap_or(([0; 3], Shape::Star));
+        let (colour, shape) = look
+            .filter(|_| !row.info.ours)
+            .unwrap_or(([0; 3], Shape::Star));
         Style {
-            info: row.method,
+            info: row.info,
             colour,
             shape,
         }

@@ -94,7 +94,7 @@ pub(super) fn show(
 /// Which other methods are right here.
 fn others(rows: &[Row]) -> String {
     let names: Vec<String> = as_good(rows)
-        .map(|row| format!("{} {}", row.method, row.precision))
+        .map(|row| format!("{} {}", row.info.name, row.info.precision))
         .collect();
     if names.is_empty() {
         return "No other method of this step is right here.".to_owned();
