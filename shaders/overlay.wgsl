@@ -1,4 +1,4 @@
-// What the picture shows but ids do not: the background and lines.
+// What the picture shows but ids do not: the background and lines. And depths that were found without drawing.
 
 struct LineVertex {
     @location(0) position: vec4<f32>,
@@ -25,4 +25,13 @@ fn line_colour(in: Point) -> @location(0) vec4<f32> {
 fn background_colour(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     let down = position.y / frame.viewport_px.y;
     return vec4<f32>(mix(frame.background_top, frame.background_bottom, down), 1.0);
+}
+
+// In place of the spheres: the depth of each pixel, row by row.
+@group(0) @binding(2) var<storage, read> depths: array<f32>;
+
+@fragment
+fn given_depth(@builtin(position) position: vec4<f32>) -> @builtin(frag_depth) f32 {
+    let px = vec2<u32>(position.xy);
+    return depths[px.y * u32(frame.viewport_px.x) + px.x];
 }

@@ -27,6 +27,19 @@ pub struct Id {
     pub triangle: u32,
 }
 
+/// A pixel with all that drawing writes for it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pixel {
+    /// What it shows.
+    pub id: Id,
+    /// Its colour, without marks.
+    pub colour: Rgb,
+    /// What the depth buffer stores there.
+    pub depth: f32,
+    /// Whether the selected object is there, whatever lies before it.
+    pub is_selected: bool,
+}
+
 impl<T: Copy> Image<T> {
     /// Takes pixels row by row from the top.
     ///

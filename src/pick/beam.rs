@@ -37,6 +37,17 @@ impl<'a> Beam<'a> {
         Self { scene, batches }
     }
 
+    /// The rays through a rectangle of pixels, given by its corners in pixels, tested against one object's batch alone.
+    pub fn on_object(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2], object: usize) -> Self {
+        let pyramid = CornerRays::new(rays, tile).pyramid(&Placement::IDENTITY);
+        let may_meet = pyramid.is_none_or(|pyramid| pyramid.may_meet(&scene.bounds_of(object)));
+        let batch = may_meet.then(|| (scene.batch_of(object), None));
+        Self {
+            scene,
+            batches: Some(batch.into_iter().collect()),
+        }
+    }
+
     /// The scene.
     pub fn scene(&self) -> &'a Scene {
         self.scene

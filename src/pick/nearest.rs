@@ -47,6 +47,20 @@ pub(super) fn nearest(
     best
 }
 
+/// Whether a ray meets an object that is shown, whatever lies before it.
+pub(super) fn meets(beam: &Beam, ray: &WorldRay, sides: Sides, object: usize) -> bool {
+    let scene = beam.scene();
+    let mut found = false;
+    beam.visit(ray, |batch, entry| {
+        let placed = scene.objects()[batch.start].placement.local_ray(ray);
+        let local = &LocalRay::from(&placed);
+        let is_it = |hit: &SceneHit| hit.object == object && is_kept(scene, ray, hit);
+        found = found || in_batch(scene, batch, entry, local, sides, is_it).is_some();
+        if found { f64::NEG_INFINITY } else { ray.t_max }
+    });
+    found
+}
+
 /// [`closest`] by another triangle test. On meshes, a section shortens the ray's interval, rounded outwards.
 #[must_use]
 pub fn closest_by<'a>(

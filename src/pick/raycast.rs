@@ -1,15 +1,22 @@
 //! A whole picture by one ray per pixel; needs no graphics driver.
 
-use super::{Beam, SceneHit, nearest::nearest};
+use super::{
+    Beam, SceneHit,
+    nearest::{meets, nearest},
+};
 use crate::{
     camera::View,
     colour::Srgb,
     geometry::{Ray, WorldRay, shares::on_all_cores},
-    image::{Id, Image, Rgb},
+    image::{Id, Image, Pixel, Rgb},
     look,
     scene::Scene,
 };
 use glam::DVec2;
+use std::{
+    sync::atomic::{AtomicBool, Ordering::Relaxed},
+    time::Instant,
+};
 
 /// Side in pixels of a tile, whose rays go through the scene together.
 const TILE: u32 = 16;
@@ -21,12 +28,55 @@ pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>()
 /// build the scene's trees first.
 #[must_use]
 pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
-    let pixels = each_ray(scene, view, |beam, ray, px| cast(beam, view, ray, px));
+    let pixels = each_ray(scene, view, |beam, ray, px| {
+        let hit = nearest(beam, ray, view.sides, None);
+        shown(scene, view, ray, px, hit.as_ref())
+    });
     let (ids, colours) = pixels.into_iter().unzip();
     (
         Image::new(view.viewport, ids),
         Image::new(view.viewport, colours),
     )
+}
+
+/// All that drawing would write for every pixel, by the ray through its centre, on all cores; `selection` is the
+/// selected object's index. `None` if that is not done by `deadline`. Build the scene's trees first.
+#[must_use]
+pub fn raycast_until(
+    scene: &Scene,
+    view: &View,
+    selection: Option<usize>,
+    deadline: Instant,
+) -> Option<Image<Pixel>> {
+    let (rays, is_late) = (&view.rays(), &AtomicBool::new(false));
+    let lens = view.camera.lens();
+    let pixels = each_in_tiles(view, |tile| {
+        if is_late.load(Relaxed) || Instant::now() >= deadline {
+            is_late.store(true, Relaxed);
+            return None;
+        }
+        let beam = Beam::of_tile(scene, rays, tile);
+        let alone = selection.map(|object| (object, Beam::on_object(scene, rays, tile, object)));
+        Some(move |px| {
+            let ray = &rays.ray(px);
+            let hit = nearest(&beam, ray, view.sides, None);
+            let (id, colour) = shown(scene, view, ray, px, hit.as_ref());
+            let t = hit.map_or(lens.far, |hit| hit.hit.t);
+            #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
+            let depth = lens.ndc_depth(t) as f32;
+            let is_selected = alone.as_ref().is_some_and(|(object, beam)| {
+                hit.is_some_and(|hit| hit.object == *object)
+                    || meets(beam, ray, view.sides, *object)
+            });
+            Pixel {
+                id,
+                colour,
+                depth,
+                is_selected,
+            }
+        })
+    });
+    (!is_late.load(Relaxed)).then(|| Image::new(view.viewport, pixels))
 }
 
 /// The object and triangle that every pixel's ray hits, on all cores; see [`raycast`].
@@ -45,7 +95,7 @@ pub fn ids_by(
     view: &View,
     pick: impl Fn(DVec2) -> Option<SceneHit> + Sync,
 ) -> Image<Id> {
-    let ids = each_in_tiles(view, |_| |px| id_or_none(scene, pick(px)));
+    let ids = each_in_tiles(view, |_| Some(|px| id_or_none(scene, pick(px))));
     Image::new(view.viewport, ids)
 }
 
@@ -58,14 +108,15 @@ pub(crate) fn each_ray<T: Clone + Default + Send>(
     let (rays, cast) = (&view.rays(), &cast);
     each_in_tiles(view, |tile| {
         let beam = Beam::of_tile(scene, rays, tile);
-        move |px| cast(&beam, &rays.ray(px), px)
+        Some(move |px| cast(&beam, &rays.ray(px), px))
     })
 }
 
-/// Calls `of_tile` with the corners of each tile, and what that returns with each pixel centre of the tile.
+/// Calls `of_tile` with the corners of each tile, and what that returns with each pixel centre of the tile. Without it
+/// the tile's pixels keep their default.
 fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
     view: &View,
-    of_tile: impl Fn([DVec2; 2]) -> C + Sync,
+    of_tile: impl Fn([DVec2; 2]) -> Option<C> + Sync,
 ) -> Vec<T> {
     let (width, height) = (view.viewport.width(), view.viewport.height());
     let mut pixels = vec![T::default(); width as usize * height as usize];
@@ -74,7 +125,9 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
         let bottom = (top + TILE).min(height);
         for left in (0..width).step_by(TILE as usize) {
             let right = (left + TILE).min(width);
-            let cast = of_tile([corner(left, top), corner(right, bottom)]);
+            let Some(cast) = of_tile([corner(left, top), corner(right, bottom)]) else {
+                continue;
+            };
             for (y, row) in (top..bottom).zip(rows.chunks_mut(width as usize)) {
                 for (x, pixel) in (left..right).zip(&mut row[left as usize..]) {
                     *pixel = cast(corner(x, y) + 0.5);
@@ -90,11 +143,16 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
     pixels
 }
 
-/// The object and triangle, and the colour, of what a ray hits.
-fn cast(beam: &Beam, view: &View, ray: &WorldRay, px: DVec2) -> (Id, Rgb) {
-    let scene = beam.scene();
-    if let Some(hit) = nearest(beam, ray, view.sides, None) {
-        return (id(scene, &hit), colour(scene, view, ray, &hit).0);
+/// The object and triangle, and the colour, of what a ray hits, or of the background.
+fn shown(
+    scene: &Scene,
+    view: &View,
+    ray: &WorldRay,
+    px: DVec2,
+    hit: Option<&SceneHit>,
+) -> (Id, Rgb) {
+    if let Some(hit) = hit {
+        return (id(scene, hit), colour(scene, view, ray, hit).0);
     }
     #[expect(clippy::cast_possible_truncation, reason = "colours need no more")]
     let down = (px.y / f64::from(view.viewport.height())) as f32;

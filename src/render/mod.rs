@@ -16,6 +16,8 @@
 //! Weak adapters are supported: triangles are numbered in another way ([`Numbers`]), and meshes are split to fit into
 //! buffers. What the rasteriser does to corners is measured ([`Rasteriser`]).
 //!
+//! Pixels that were found by rays can take the place of drawn ones ([`Renderer::take_pixels`]).
+//!
 //! Each step submits its own work. [`render`] does all of them for one picture. If drawing scene or selection takes
 //! long, [`Renderer::advance`] does it in pieces.
 //!
@@ -40,6 +42,7 @@ mod mesh_store;
 mod order;
 mod outline;
 mod pipelines;
+mod pixels;
 mod probe;
 mod raster;
 mod readback;

@@ -46,6 +46,8 @@ pub(super) enum Drawn {
     Lines,
     /// The background.
     Background,
+    /// Given depths, and nothing else.
+    Depths,
 }
 
 /// What a pipeline depends on. The last is whether a section cuts the world.
@@ -165,7 +167,7 @@ impl Pipelines {
         drawn: Drawn,
         view: &View,
     ) -> wgpu::RenderPipeline {
-        let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background);
+        let is_uncut = matches!(drawn, Drawn::Lines | Drawn::Background | Drawn::Depths);
         let is_cut = view.section.is_some() && !is_uncut;
         let key = (pass, drawn, view.camera.lens().depth, is_cut);
         if let Some(pipeline) = self.made.get(&key) {
@@ -194,11 +196,12 @@ impl Pipelines {
             Drawn::Spheres => (&self.sphere, "vertex", surface_entry),
             Drawn::Lines => (&self.overlay, "line_vertex", "line_colour"),
             Drawn::Background => (&self.overlay, "cover", "background_colour"),
+            Drawn::Depths => (&self.overlay, "cover", "given_depth"),
         };
         let buffers: &[Option<wgpu::VertexBufferLayout>] = match drawn {
             Drawn::Triangles { .. } | Drawn::Edges => &[Some(VERTEX), Some(BATCH)],
             Drawn::Lines => &[Some(LINE_VERTEX)],
-            Drawn::Spheres | Drawn::Background => &[],
+            Drawn::Spheres | Drawn::Background | Drawn::Depths => &[],
         };
         let on_surfaces = matches!(drawn, Drawn::Triangles { .. } | Drawn::Spheres);
         let write = |format, writes| {
@@ -214,7 +217,10 @@ impl Pipelines {
         };
         let targets = match pass {
             // Lines and background are not in the ids.
-            Pass::ColourAndIds => vec![write(COLOUR, true), write(IDS, on_surfaces)],
+            Pass::ColourAndIds => {
+                let has_colour = drawn != Drawn::Depths;
+                vec![write(COLOUR, has_colour), write(IDS, on_surfaces)]
+            }
             Pass::Colour => vec![write(COLOUR, true)],
             Pass::Ids => vec![write(IDS, true)],
             Pass::Mask => vec![write(MARKS, true)],
@@ -268,7 +274,9 @@ fn primitive(drawn: Drawn) -> wgpu::PrimitiveState {
         ),
         Drawn::Spheres => (wgpu::PrimitiveTopology::TriangleStrip, None),
         Drawn::Lines => (wgpu::PrimitiveTopology::LineList, None),
-        Drawn::Edges | Drawn::Background => (wgpu::PrimitiveTopology::TriangleList, None),
+        Drawn::Edges | Drawn::Background | Drawn::Depths => {
+            (wgpu::PrimitiveTopology::TriangleList, None)
+        }
     };
     wgpu::PrimitiveState {
         topology,
@@ -289,11 +297,11 @@ fn depth_state(drawn: Drawn, depth: DepthMapping) -> wgpu::DepthStencilState {
         DepthMapping::Reversed => wgpu::CompareFunction::Greater,
         DepthMapping::Standard => wgpu::CompareFunction::Less,
     };
-    let background = drawn == Drawn::Background;
+    let covers = matches!(drawn, Drawn::Background | Drawn::Depths);
     wgpu::DepthStencilState {
         format: DEPTH,
-        depth_write_enabled: Some(!background),
-        depth_compare: Some(if background {
+        depth_write_enabled: Some(drawn != Drawn::Background),
+        depth_compare: Some(if covers {
             wgpu::CompareFunction::Always
         } else {
             nearer

@@ -55,7 +55,8 @@ impl Targets {
         };
         let view =
             |texture: &wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let read = TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC;
+        let copied = TextureUsages::COPY_SRC | TextureUsages::COPY_DST;
+        let read = TextureUsages::TEXTURE_BINDING | copied;
         let none = TextureUsages::empty();
         gpu.within_memory(|| {
             let colour = texture("colour", COLOUR, 1, read);

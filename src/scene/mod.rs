@@ -195,7 +195,7 @@ impl Scene {
         Arc::make_mut(&mut self.bounds)[object] = extent::bounds_world(&self.objects[object]);
         self.changed(object, true);
         if self.joins(object) == before {
-            let batch = self.batches.partition_point(|batch| batch.end <= object);
+            let batch = self.batch_number(object);
             let bounds = self.bounds_of_batch(&self.batches[batch]);
             let first = &self.objects[self.batches[batch].start];
             Arc::make_mut(&mut self.tree).renew(batch, first, bounds);
@@ -262,6 +262,15 @@ impl Scene {
     #[must_use]
     pub fn batches(&self) -> &[Range<usize>] {
         &self.batches
+    }
+
+    /// The batch that an object belongs to.
+    pub(crate) fn batch_of(&self, object: usize) -> &Range<usize> {
+        &self.batches[self.batch_number(object)]
+    }
+
+    fn batch_number(&self, object: usize) -> usize {
+        self.batches.partition_point(|batch| batch.end <= object)
     }
 
     /// Calls `visit` with every batch that a world-space ray may hit, nearer boxes first where there is a tree. `visit`

@@ -10,6 +10,7 @@ mod looks;
 mod many;
 mod marks;
 mod pieces;
+mod rays;
 #[path = "../common/scenes.rs"]
 mod scenes;
 

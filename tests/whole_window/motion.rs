@@ -2,7 +2,7 @@
 
 use super::*;
 use egui::vec2;
-use sightline::render;
+use sightline::{camera::View, pick, render};
 
 /// The top left corner of the scene's rectangle, which is centred in the window's room for it.
 fn corner(window: &Offscreen) -> [u32; 2] {
@@ -10,14 +10,14 @@ fn corner(window: &Offscreen) -> [u32; 2] {
     [590 - size.width() / 2, 360 - size.height() / 2]
 }
 
-/// In the middle of the frame on screen, the pixels that differ from the first of their 2x2 square.
-fn finer_than_squares(window: &Offscreen) -> usize {
+/// How many pixels of the frame on screen, along each side, show a pixel of the scene's picture: 1 to 4.
+fn coarseness(window: &Offscreen) -> u32 {
     let (picture, [left, top]) = (window.drawn().expect("a picture"), corner(window));
-    let inner = (100..400).flat_map(|y| (100..400).map(move |x| (x, y)));
+    let inner = || (100..400).flat_map(|y| (100..400).map(move |x| (x, y)));
     let at = |x: u32, y: u32| picture.at(left + x, top + y);
-    inner
-        .filter(|&(x, y)| at(x, y) != at(x / 2 * 2, y / 2 * 2))
-        .count()
+    let is_made_of =
+        |side: &u32| inner().all(|(x, y)| at(x, y) == at(x / side * side, y / side * side));
+    (2..=4).rev().find(is_made_of).unwrap_or(1)
 }
 
 #[test]
@@ -25,7 +25,7 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
     let (mut window, _folder) = row(1.0);
     window.picture().expect("a picture");
     let is_software = window.adapter_name().contains("llvmpipe");
-    assert!(finer_than_squares(&window) > 500);
+    assert_eq!(coarseness(&window), 1);
     window.send([
         Event::PointerMoved(MIDDLE),
         button(MIDDLE, PointerButton::Primary, true),
@@ -34,17 +34,13 @@ fn what_moves_is_coarse_and_what_rests_is_exact() {
         let at = MIDDLE + vec2(x, 0.0);
         let anew = window.frame(Event::PointerMoved(at)).expect("a frame");
         assert!(anew && window.shows_scene());
-        assert_eq!(finer_than_squares(&window) == 0, is_software, "{x}");
+        assert_eq!(coarseness(&window) > 1, is_software, "{x}");
     }
     let last = MIDDLE + vec2(30.0, 0.0);
     window
         .frame(button(last, PointerButton::Primary, false))
         .expect("a frame");
-    assert_eq!(
-        finer_than_squares(&window) == 0,
-        is_software,
-        "a moment ago"
-    );
+    assert_eq!(coarseness(&window) > 1, is_software, "a moment ago");
     // A click into the coarse picture is exact, and is marked there.
     let bare = window.drawn().expect("a picture");
     click(&mut window, MIDDLE);
@@ -85,9 +81,51 @@ fn a_leap_is_exact_at_once_and_steps_in_a_row_move() {
     };
     window.wait_s(1.0);
     window.frame(press(Key::Num9)).expect("a frame");
-    assert!(finer_than_squares(&window) > 500);
+    assert_eq!(coarseness(&window), 1);
     window.frame(press(Key::Num3)).expect("a frame");
-    assert_eq!(finer_than_squares(&window) == 0, is_software);
+    assert_eq!(coarseness(&window) > 1, is_software);
+}
+
+/// A rasteriser would take the longer the more triangles there are. The picture shows what the rays hit, to the colour.
+#[test]
+fn a_large_scene_moves_by_rays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // 24,200 triangles.
+    let mut window = open(vec![stalls::ground(folder.path(), 110)], 1.0);
+    window.picture().expect("a picture");
+    if !window.adapter_name().contains("llvmpipe") {
+        return;
+    }
+    press_key(&mut window, Modifiers::NONE, Key::G);
+    click(&mut window, MIDDLE);
+    press_key(&mut window, Modifiers::NONE, Key::Escape);
+    while !window.state().scene().trees_are_built() {
+        window.draw().expect("a frame");
+    }
+    window.send([button(MIDDLE, PointerButton::Primary, true)]);
+    for x in [10.0, 20.0, 30.0] {
+        let at = MIDDLE + vec2(x, 0.0);
+        let anew = window.frame(Event::PointerMoved(at)).expect("a frame");
+        assert!(anew && window.shows_scene());
+    }
+    let (side, [left, top]) = (coarseness(&window), corner(&window));
+    assert!(side > 1);
+    let (frame, view) = (window.drawn().expect("a picture"), window.state().view());
+    let of = |length: u32| length.div_ceil(side);
+    let size = Viewport::new(of(view.viewport.width()), of(view.viewport.height()));
+    let coarse = View {
+        viewport: size.expect("a viewport"),
+        ..*view
+    };
+    let (ids, colours) = pick::raycast(window.state().scene(), &coarse);
+    let mut of_ground = 0;
+    // Nothing lies over the picture there.
+    for (x, y) in (40..130).flat_map(|y| (40..130).map(move |x| (x, y))) {
+        of_ground += u32::from(ids.at(x, y).object == 1);
+        let shown = frame.at(left + x * side, top + y * side);
+        assert_eq!(shown, colours.at(x, y), "{x}, {y}");
+    }
+    assert!(of_ground > 3000, "{of_ground} pixels");
 }
 
 #[test]

@@ -2,11 +2,13 @@
 
 use crate::{
     camera::{View, Viewport},
-    render::Piece,
+    geometry::shares::cores,
 };
 
-/// With more work than this, triangles take longer than pixels.
-const MUCH: u64 = 50_000;
+/// Pixels of a moving picture for each core: drawn, or met by rays, in about a hundredth of a second.
+const PIXELS_A_CORE: u64 = 50_000;
+/// Pixels of the window, along each side, that a pixel of a moving picture covers at most.
+const COARSEST: u32 = 4;
 
 /// How good a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,9 +22,17 @@ pub(super) enum Finish {
 }
 
 impl Finish {
-    /// The finish of a moving picture of a scene with this much work.
-    pub fn coarse(scene: Piece) -> Self {
-        Self::Coarse(if scene.work > MUCH { 3 } else { 2 })
+    /// The finish of a moving picture: the least coarse that this machine draws quickly.
+    pub fn coarse(viewport: Viewport) -> Self {
+        Self::coarse_on(viewport, cores() as u64)
+    }
+
+    fn coarse_on(viewport: Viewport, cores: u64) -> Self {
+        let is_little = |coarseness: &u32| {
+            let of = |side: u32| u64::from(side.div_ceil(*coarseness));
+            of(viewport.width()) * of(viewport.height()) <= PIXELS_A_CORE * cores
+        };
+        Self::Coarse((2..COARSEST).find(is_little).unwrap_or(COARSEST))
     }
 
     /// Pixels of the window, along each side, that a pixel covers.
@@ -46,5 +56,23 @@ impl Finish {
             viewport: Viewport::new(size[0], size[1]).unwrap_or(view.viewport),
             ..*view
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moving_pictures_are_as_fine_as_the_cores_allow() {
+        let on = |[width, height]: [u32; 2], cores| {
+            let viewport = Viewport::new(width, height).expect("a viewport");
+            Finish::coarse_on(viewport, cores).coarseness()
+        };
+        assert_eq!(on([320, 400], 2), 2);
+        assert_eq!(on([740, 670], 2), 3);
+        assert_eq!(on([740, 670], 4), 2);
+        assert_eq!(on([2560, 1440], 2), COARSEST);
+        assert_eq!(on([2560, 1440], 16), 3);
     }
 }

@@ -1,6 +1,7 @@
 //! The picture of the scene: the one on screen, and the next one, which is drawn in pieces.
 
 use super::{
+    by_rays::ByRays,
     finish::Finish,
     pace::Pace,
     place::SceneRect,
@@ -10,7 +11,7 @@ use super::{
 };
 use crate::{
     camera::Viewport,
-    image::{Id, Image},
+    image::{Id, Image, Pixel},
     render::{Destination, Drawing, Gpu, GpuError, Marks, Piece, Renderer, Targets},
     viewer::model::{OnScreen, Subject},
 };
@@ -43,6 +44,7 @@ pub(super) struct ScenePicture {
     spare: Vec<Targets>,
     /// For coarse pictures, and for others.
     paces: [Pace; 2],
+    by_rays: ByRays,
     /// Counts the changes of what is shown.
     changes: u64,
 }
@@ -82,6 +84,7 @@ impl ScenePicture {
             next: None,
             spare: Vec::new(),
             paces: [Pace::new(gpu), Pace::new(gpu)],
+            by_rays: ByRays::default(),
             changes: 0,
         }
     }
@@ -117,11 +120,14 @@ impl ScenePicture {
             is_of_another || (next.refines && (next.of != wanted || motion != Motion::Rests))
         });
         self.spare.extend(unwanted.and_then(|next| next.targets));
-        let mut uploaded = Some(0);
+        if motion == Motion::Rests {
+            self.by_rays.rest();
+        }
+        let (mut uploaded, mut is_by_rays) = (Some(0), false);
         if self.next.is_none() {
             uploaded = self.scenes.upload(gpu, subject)?;
             if uploaded.is_some() {
-                self.begin(gpu, subject, &wanted, motion)?;
+                is_by_rays = self.begin(brush, subject, &wanted, motion)?;
             }
         }
         if self.next.is_none() && motion == Motion::Rests {
@@ -132,7 +138,7 @@ impl ScenePicture {
         let is_whole = shown.is_some() && self.next.as_ref().is_none_or(|next| next.refines);
         let waits = waits || uploaded.is_none();
         Ok(Progress {
-            anew,
+            anew: anew || is_by_rays,
             behind: (!is_whole).then_some(if waits { WAIT } else { Duration::ZERO }),
             is_coming: uploaded.is_none(),
             rough: is_whole && shown.is_some_and(|shown| shown.finish < Finish::Smooth),
@@ -141,16 +147,17 @@ impl ScenePicture {
         })
     }
 
-    /// Begins what the picture on screen lacks, if anything.
+    /// Begins what the picture on screen lacks, if anything. Returns whether a new one is shown already, by rays.
     fn begin(
         &mut self,
-        gpu: &Gpu,
+        brush: &mut Brush,
         subject: &Subject,
         wanted: &Drawn,
         motion: Motion,
-    ) -> Result<(), GpuError> {
+    ) -> Result<bool, GpuError> {
+        let gpu = brush.gpu;
         let Some(scene) = &self.scenes.now else {
-            return Ok(());
+            return Ok(false);
         };
         let is_of_wanted = |shown: &&mut Picture| shown.of.unmarked() == wanted.unmarked();
         let shown = self.shown.as_mut().filter(is_of_wanted);
@@ -174,17 +181,24 @@ impl ScenePicture {
                     refines: false,
                 }
             });
-            return Ok(());
+            return Ok(false);
         }
         let samples = gpu.samples_in_motion();
         let finish = if gpu.is_software() && motion == Motion::Goes {
-            Finish::coarse(scene.buffers.whole())
+            Finish::coarse(wanted.view.viewport)
         } else if samples == gpu.smooth_samples() {
             Finish::Smooth
         } else {
             Finish::Rough
         };
         let view = finish.drawn(&wanted.view);
+        if !finish.is_exact()
+            && wanted.wireframe().is_none()
+            && let Some(pixels) = self.by_rays.picture(subject, &view, scene.buffers.whole())
+        {
+            self.show_pixels(brush, subject, wanted, finish, &pixels)?;
+            return Ok(true);
+        }
         let drawing = Drawing::of_scene(samples, &view, lines(subject));
         let most = self.paces[usize::from(finish.is_exact())].most();
         let mut whole = drawing.whole(&scene.buffers);
@@ -204,6 +218,44 @@ impl ScenePicture {
             at_once,
             finish,
             refines,
+        });
+        Ok(false)
+    }
+
+    /// Shows a picture by rays.
+    fn show_pixels(
+        &mut self,
+        brush: &mut Brush,
+        subject: &Subject,
+        wanted: &Drawn,
+        finish: Finish,
+        pixels: &Image<Pixel>,
+    ) -> Result<(), GpuError> {
+        let (gpu, view) = (brush.gpu, finish.drawn(&wanted.view));
+        let before = self.shown.take();
+        self.spare.extend(before.map(|before| before.targets));
+        let targets = self.targets(gpu, wanted.view.viewport, view.viewport)?;
+        let Some(scene) = &self.scenes.now else {
+            return Ok(());
+        };
+        #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
+        let coarseness = finish.coarseness() as f32;
+        brush.renderer.scale_factor = brush.scale_factor / coarseness;
+        let (lines, selection) = (lines(subject), wanted.selection);
+        (brush.renderer).take_pixels(
+            gpu,
+            &scene.buffers,
+            &targets,
+            &view,
+            pixels,
+            &lines,
+            selection,
+        )?;
+        self.changes += 1;
+        self.shown = Some(Picture {
+            targets,
+            of: *wanted,
+            finish,
         });
         Ok(())
     }

@@ -1,0 +1,122 @@
+//! Pixels that were found by other means than drawing, such as rays.
+
+use super::{
+    Renderer, bindings,
+    gpu::{Gpu, GpuError},
+    lines::{self, Line},
+    pipelines::{Drawn, Pass},
+    raster::begin,
+    scene_buffers::SceneBuffers,
+    targets::Targets,
+};
+use crate::{
+    camera::View,
+    image::{Image, Pixel},
+};
+use bytemuck::Pod;
+use wgpu::BufferUsages;
+
+impl Renderer {
+    /// Takes pixels in place of drawn ones: colours, ids and where the selected object is. Lines are drawn over the
+    /// colours where nothing is before them, and the outline of `selection`.
+    ///
+    /// # Errors
+    /// When memory runs out.
+    ///
+    /// # Panics
+    /// When `targets` or `pixels` have another size than the view, or `targets` other samples than this renderer.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "those of draw and draw_selection"
+    )]
+    pub fn take_pixels(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        pixels: &Image<Pixel>,
+        lines: &[Line],
+        selection: Option<usize>,
+    ) -> Result<(), GpuError> {
+        self.check(targets, view);
+        assert_eq!(pixels.size(), view.viewport, "pixels fit the view");
+        write(gpu, &targets.colour, pixels, |pixel| {
+            let [r, g, b] = pixel.colour;
+            [r, g, b, u8::MAX]
+        });
+        write(gpu, &targets.ids, pixels, |pixel| {
+            [pixel.id.object, pixel.id.triangle]
+        });
+        if !lines.is_empty() {
+            self.draw_lines(gpu, scene, targets, view, pixels, lines)?;
+        }
+        if let Some(object) = selection {
+            write(gpu, targets.mask_view.texture(), pixels, |pixel| {
+                u8::MAX * u8::from(pixel.is_selected)
+            });
+            self.draw_outline(gpu, scene, targets, view, object);
+        }
+        Ok(())
+    }
+
+    /// Draws lines where no pixel is before them.
+    fn draw_lines(
+        &mut self,
+        gpu: &Gpu,
+        scene: &SceneBuffers,
+        targets: &Targets,
+        view: &View,
+        pixels: &Image<Pixel>,
+        lines: &[Line],
+    ) -> Result<(), GpuError> {
+        let depths: Vec<f32> = pixels.pixels().iter().map(|pixel| pixel.depth).collect();
+        let depths = gpu.buffer("depths", BufferUsages::STORAGE, &depths)?;
+        let vertices = lines::vertices(view, lines);
+        let line_buffer = gpu.buffer("lines", BufferUsages::VERTEX, &vertices)?;
+        let line_ends = 0..u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        self.write_frame(gpu, view);
+        let buffers = [&self.frame, &scene.objects, &depths];
+        let resources = buffers.map(wgpu::Buffer::as_entire_binding);
+        let layout = &self.pipelines.bind_group_layout;
+        let bind_group = bindings::bind(gpu, "pixels", layout, resources);
+        let pass = Pass::ColourAndIds;
+        let [depths, lines] =
+            [Drawn::Depths, Drawn::Lines].map(|drawn| self.pipelines.get(gpu, pass, drawn, view));
+        let mut encoder = gpu.encoder();
+        {
+            let mut pass = begin(&mut encoder, targets, view, pass, [false, true]);
+            pass.set_bind_group(0, &bind_group, &[]);
+            pass.set_pipeline(&depths);
+            pass.draw(0..3, 0..1);
+            pass.set_pipeline(&lines);
+            pass.set_vertex_buffer(0, line_buffer.slice(..));
+            pass.draw(line_ends, 0..1);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+}
+
+/// Writes a value of each pixel into a texture.
+fn write<T: Pod>(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    pixels: &Image<Pixel>,
+    value: impl Fn(&Pixel) -> T,
+) {
+    let values: Vec<T> = pixels.pixels().iter().map(value).collect();
+    let bytes: &[u8] = bytemuck::cast_slice(&values);
+    gpu.queue.write_texture(
+        texture.as_image_copy(),
+        bytes,
+        wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: u32::try_from(bytes.len())
+                .ok()
+                .map(|all| all / pixels.size().height()),
+            rows_per_image: None,
+        },
+        texture.size(),
+    );
+}

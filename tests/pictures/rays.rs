@@ -1,0 +1,103 @@
+//! A picture that rays found takes the place of a drawn one.
+
+use crate::{
+    draw,
+    images::apart,
+    overview,
+    scenes::{gpu, shapes},
+    show,
+};
+use glam::{DVec3, dvec3};
+use sightline::{
+    camera::{DepthMapping, Lens, View},
+    colour::Srgb,
+    pick,
+    render::{Line, Marks, Renderer, SceneBuffers, Targets},
+};
+use std::time::{Duration, Instant};
+
+/// A line's colour.
+const LINE: Srgb = Srgb([255, 0, 255]);
+
+/// Lines across the scene, before, within and behind its objects.
+fn lines() -> Vec<Line> {
+    let across = |i: i32| {
+        let y = f64::from(i) * 0.1;
+        [(-4.0, 1.5), (1.5, -4.0), (-1.0, -1.0)].map(|(z, other)| Line {
+            from: dvec3(-3.0, y, z),
+            to: dvec3(3.0, y, other),
+            colour: LINE,
+        })
+    };
+    (-12..=12).flat_map(across).collect()
+}
+
+/// Colours, ids, lines hidden by what is before them, tint and outline: all but some pixels at outlines, where drawing
+/// and picking may differ, are as drawn.
+#[test]
+fn pixels_that_rays_found_look_as_if_drawn() {
+    let (gpu, scene, lines) = (gpu(), shapes(DVec3::ZERO), lines());
+    scene.build_trees();
+    let plain = overview([640, 400]);
+    let lens = plain.camera.lens();
+    let with_standard = plain.camera.with_lens(Lens {
+        depth: DepthMapping::Standard,
+        ..*lens
+    });
+    let standard = View {
+        camera: with_standard.expect("a camera"),
+        ..plain
+    };
+    for (name, view) in [("reversed", plain), ("standard", standard)] {
+        for (object, is_behind) in [(3, false), (7, true)] {
+            let marks = Marks {
+                selection: Some(object),
+                hover: None,
+            };
+            let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);
+            let deadline = Instant::now() + Duration::from_mins(10);
+            let pixels = pick::raycast_until(&scene, &view, marks.selection, deadline);
+            let pixels = pixels.expect("in time");
+            let hidden = pixels
+                .pixels()
+                .iter()
+                .filter(|pixel| pixel.is_selected && pixel.id.object as usize != object + 1);
+            assert_eq!(hidden.count() > 100, is_behind, "{name}: {object}");
+            let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+            let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+            let mut renderer = Renderer::new(&gpu, 1);
+            renderer
+                .take_pixels(
+                    &gpu,
+                    &buffers,
+                    &targets,
+                    &view,
+                    &pixels,
+                    &lines,
+                    marks.selection,
+                )
+                .expect("fits");
+            let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
+            let picture = picture.expect("a picture");
+            show(&format!("rays-{name}-{object}"), &picture);
+            let taken = targets.read_ids(&gpu).expect("ids");
+            let [mut on_lines, mut differ] = [0; 2];
+            for (x, y) in drawn.positions() {
+                assert_eq!(taken.at(x, y), pixels.at(x, y).id, "{x}, {y}");
+                on_lines += u32::from(!apart(picture.at(x, y), LINE.0, 2));
+                let is_alike = !apart(picture.at(x, y), drawn.at(x, y), 2);
+                differ += u32::from(!is_alike || taken.at(x, y) != ids.at(x, y));
+            }
+            assert!(on_lines > 2000, "{name}: {on_lines} pixels of lines");
+            // 0.2 % of the picture.
+            assert!(differ < 512, "{name}, {object}: {differ} pixels differ");
+        }
+    }
+}
+
+#[test]
+fn a_picture_that_is_not_done_in_time_is_none() {
+    let scene = shapes(DVec3::ZERO);
+    let view = overview([64, 40]);
+    assert!(pick::raycast_until(&scene, &view, None, Instant::now()).is_none());
+}
