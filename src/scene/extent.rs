@@ -74,15 +74,26 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
 /// which takes 3 products and 3 sums, each off by `U` of what it adds up, at most `s = |M| m + |T|` with m the largest
 /// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room
 /// enough.
+///
+/// A world coordinate that hangs on a single object coordinate rounds monotonically: it needs no room. Else all blocks
+/// along a straight border would reach beyond each other by their room.
 fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
     let largest = bounds.min.abs().max(bounds.max.abs());
     let room: DVec3 = 32.0 * U * placement.sizes_in_world(largest);
     let half = placement.sizes_along(0.5 * (bounds.max - bounds.min)) + room;
     let middle = placement.point_to_world(bounds.center());
-    Aabb {
-        min: middle - half,
-        max: middle + half,
+    let (mut min, mut max) = (middle - half, middle + half);
+    let ends = [bounds.min, bounds.max].map(|end| placement.point_to_world(end));
+    let rows = placement.model().matrix3.transpose();
+    for axis in 0..3 {
+        let row = rows.col(axis);
+        let hangs_on = row.to_array().into_iter().filter(|entry| *entry != 0.0);
+        if hangs_on.count() <= 1 {
+            min[axis] = ends[0][axis].min(ends[1][axis]);
+            max[axis] = ends[0][axis].max(ends[1][axis]);
+        }
     }
+    Aabb { min, max }
 }
 
 #[cfg(test)]
@@ -146,6 +157,20 @@ mod tests {
                 whole.max.to_array().map(f64::to_bits)
             );
             asked += work;
+        }
+        // Every block of a border is as far out as the next.
+        for matrix3 in [
+            DMat3::IDENTITY,
+            DMat3::from_cols_array(&[0.0, 0.3, 0.0, 0.0, 0.0, -0.7, 1.1, 0.0, 0.0]),
+        ] {
+            let model = DAffine3 {
+                matrix3,
+                translation: DVec3::new(0.1, 1e5, -7.0),
+            };
+            object.placement = Placement::new(model).expect("invertible");
+            let (bounds, work) = bounds_and_work(&mesh, &triangles, &object.placement);
+            assert_eq!(bounds, object.bounds_world());
+            assert!(work <= 16, "{work} blocks");
         }
         // Of the 313 one belongs to the first part, and half of one to the last.
         let all = 60 * (mesh.blocks().len() - 3);

@@ -5,9 +5,12 @@ use super::{
     state::{Chosen, Edits, State, Step},
     timeline::Gesture,
 };
-use crate::{geometry::Placement, scene::Loaded};
+use crate::{
+    geometry::{Placement, shares::in_shares},
+    scene::Loaded,
+};
 use glam::DAffine3;
-use std::{mem, path::PathBuf};
+use std::{mem, ops::Range, path::PathBuf};
 
 impl State {
     /// Moves an object; its pick follows.
@@ -45,16 +48,17 @@ impl State {
     }
 
     /// Shows or hides each object as `wanted` says; `None` leaves it as it is.
-    pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool>) {
+    pub(super) fn show(&mut self, wanted: impl Fn(usize) -> Option<bool> + Sync) {
         let chosen = self.chosen();
         self.show_with(chosen, wanted);
     }
 
-    fn show_with(&mut self, chosen: Chosen, wanted: impl Fn(usize) -> Option<bool>) {
-        let objects: Vec<usize> = (self.scene.objects().iter().enumerate())
-            .filter(|(index, object)| wanted(*index).is_some_and(|wanted| wanted != object.visible))
-            .map(|(index, _)| index)
-            .collect();
+    fn show_with(&mut self, chosen: Chosen, wanted: impl Fn(usize) -> Option<bool> + Sync) {
+        let all = self.scene.objects();
+        let differs =
+            |index: &usize| wanted(*index).is_some_and(|wanted| wanted != all[*index].visible);
+        let in_share = |share: Range<usize>| share.filter(differs).collect::<Vec<_>>();
+        let objects = in_shares(all.len(), in_share).concat();
         if objects.is_empty() {
             return;
         }
