@@ -38,6 +38,7 @@ impl<'a> Beam<'a> {
     }
 
     /// The rays through a rectangle of pixels, given by its corners in pixels, tested against one object's batch alone.
+    /// The object's bounds have no slack for a ray's rounding: for masks, not for picks.
     pub fn on_object(scene: &'a Scene, rays: &PixelRays, tile: [DVec2; 2], object: usize) -> Self {
         let pyramid = CornerRays::new(rays, tile).pyramid(&Placement::IDENTITY);
         let may_meet = pyramid.is_none_or(|pyramid| pyramid.may_meet(&scene.bounds_of(object)));

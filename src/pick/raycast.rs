@@ -30,7 +30,7 @@ pub(crate) const RAYCAST_BYTES: usize = size_of::<(Id, Rgb)>() + size_of::<Id>()
 pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
     let pixels = each_ray(scene, view, |beam, ray, px| {
         let hit = nearest(beam, ray, view.sides, None);
-        shown(scene, view, ray, px, hit.as_ref())
+        id_and_colour(scene, view, ray, px, hit.as_ref())
     });
     let (ids, colours) = pixels.into_iter().unzip();
     (
@@ -41,6 +41,9 @@ pub fn raycast(scene: &Scene, view: &View) -> (Image<Id>, Image<Rgb>) {
 
 /// All that drawing would write for every pixel, by the ray through its centre, on all cores; `selection` is the
 /// selected object's index. `None` if that is not done by `deadline`. Build the scene's trees first.
+///
+/// # Panics
+/// When `selection` is no object of the scene.
 #[must_use]
 pub fn raycast_until(
     scene: &Scene,
@@ -60,7 +63,7 @@ pub fn raycast_until(
         Some(move |px| {
             let ray = &rays.ray(px);
             let hit = nearest(&beam, ray, view.sides, None);
-            let (id, colour) = shown(scene, view, ray, px, hit.as_ref());
+            let (id, colour) = id_and_colour(scene, view, ray, px, hit.as_ref());
             let t = hit.map_or(lens.far, |hit| hit.hit.t);
             #[expect(clippy::cast_possible_truncation, reason = "as depth is stored")]
             let depth = lens.ndc_depth(t) as f32;
@@ -144,7 +147,7 @@ fn each_in_tiles<T: Clone + Default + Send, C: Fn(DVec2) -> T>(
 }
 
 /// The object and triangle, and the colour, of what a ray hits, or of the background.
-fn shown(
+fn id_and_colour(
     scene: &Scene,
     view: &View,
     ray: &WorldRay,

@@ -179,10 +179,10 @@ impl Renderer {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Half the outline's width in pixels.
+    /// Half the outline's width in pixels: at least one, or it would vanish from a coarse picture.
     #[expect(clippy::cast_precision_loss, reason = "a few pixels")]
     fn outline_px(&self) -> f32 {
-        look::OUTLINE_PX as f32 * self.scale_factor
+        (look::OUTLINE_PX as f32 * self.scale_factor).max(1.0)
     }
 }
 

@@ -95,6 +95,40 @@ fn pixels_that_rays_found_look_as_if_drawn() {
     }
 }
 
+/// A window's picture four times as coarse as its pixels has a quarter of its outline's width.
+#[test]
+fn an_outline_surrounds_the_selection_in_a_coarse_picture() {
+    let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([160, 100]));
+    scene.build_trees();
+    let selection = Some(3);
+    let deadline = Instant::now() + Duration::from_mins(10);
+    let pixels = pick::raycast_until(&scene, &view, selection, deadline).expect("in time");
+    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
+    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
+    let mut renderer = Renderer::new(&gpu, 1);
+    renderer.scale_factor = 0.25;
+    let taken = renderer.take_pixels(&gpu, &buffers, &targets, &view, &pixels, &[], selection);
+    taken.expect("fits");
+    let [bare, marked] = [None, selection].map(|selection| {
+        let marks = Marks {
+            selection,
+            hover: None,
+        };
+        let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
+        picture.expect("a picture")
+    });
+    let is_selected = |x: u32, y: u32| pixels.at(x, y).is_selected;
+    let beside = (1..159)
+        .flat_map(|x| (1..99).map(move |y| (x, y)))
+        .filter(|&(x, y)| !is_selected(x, y))
+        .filter(|&(x, y)| is_selected(x - 1, y) || is_selected(x + 1, y));
+    let beside: Vec<_> = beside.collect();
+    assert!(beside.len() > 10, "{}", beside.len());
+    for (x, y) in beside {
+        assert_ne!(marked.at(x, y), bare.at(x, y), "{x}, {y}");
+    }
+}
+
 #[test]
 fn a_picture_that_is_not_done_in_time_is_none() {
     let scene = shapes(DVec3::ZERO);
