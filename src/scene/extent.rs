@@ -75,8 +75,8 @@ fn bounds_and_work(mesh: &Mesh, triangles: &Range<u32>, placement: &Placement) -
 /// coordinates of the box. Middle, half size and their images are off by less than `16 U s`, so `32 U s` is room
 /// enough.
 ///
-/// A world coordinate that depends on a single object coordinate rounds monotonically: it needs no room. Else all blocks
-/// along a straight border would reach beyond each other by their room.
+/// A world coordinate that depends on a single object coordinate rounds monotonically: it needs no room. Else all
+/// blocks along a straight border would reach beyond each other by their room.
 fn around(bounds: &Aabb, placement: &Placement) -> Aabb {
     let largest = bounds.min.abs().max(bounds.max.abs());
     let room: DVec3 = 32.0 * U * placement.sizes_in_world(largest);

@@ -11,8 +11,10 @@ use glam::{DVec3, dvec3};
 use sightline::{
     camera::{DepthMapping, Lens, View},
     colour::Srgb,
+    image::{Image, Pixel, Rgb},
     pick,
-    render::{Line, Marks, Renderer, SceneBuffers, Targets},
+    render::{Gpu, Line, Marks, Renderer, SceneBuffers, Targets},
+    scene::Scene,
 };
 use std::time::{Duration, Instant};
 
@@ -30,6 +32,33 @@ fn lines() -> Vec<Line> {
         })
     };
     (-12..=12).flat_map(across).collect()
+}
+
+/// What rays find, taken into targets, and the finished picture with an object selected.
+fn by_rays(
+    gpu: &Gpu,
+    scene: &Scene,
+    view: &View,
+    lines: &[Line],
+    object: usize,
+    scale_factor: f32,
+) -> (Image<Pixel>, Targets, Image<Rgb>) {
+    let marks = Marks {
+        selection: Some(object),
+        hover: None,
+    };
+    let deadline = Instant::now() + Duration::from_mins(10);
+    let pixels = pick::raycast_until(scene, view, marks.selection, deadline).expect("in time");
+    let buffers = SceneBuffers::upload(gpu, scene).expect("fits");
+    let targets = Targets::new(gpu, view.viewport, 1).expect("fits");
+    let mut renderer = Renderer::new(gpu, 1);
+    renderer.scale_factor = scale_factor;
+    let selection = marks.selection;
+    renderer
+        .take_pixels(gpu, &buffers, &targets, view, &pixels, lines, selection)
+        .expect("fits");
+    let picture = renderer.composite_to_image(gpu, &buffers, &targets, view, &marks);
+    (pixels, targets, picture.expect("a picture"))
 }
 
 /// Colours, ids, lines hidden by what is before them, tint and outline: all but some pixels at outlines, where drawing
@@ -55,30 +84,12 @@ fn pixels_that_rays_found_look_as_if_drawn() {
                 hover: None,
             };
             let (ids, _, drawn) = draw(&gpu, &scene, &view, &lines, &marks, 1);
-            let deadline = Instant::now() + Duration::from_mins(10);
-            let pixels = pick::raycast_until(&scene, &view, marks.selection, deadline);
-            let pixels = pixels.expect("in time");
+            let (pixels, targets, picture) = by_rays(&gpu, &scene, &view, &lines, object, 1.0);
             let hidden = pixels
                 .pixels()
                 .iter()
                 .filter(|pixel| pixel.is_selected && pixel.id.object as usize != object + 1);
             assert_eq!(hidden.count() > 100, is_behind, "{name}: {object}");
-            let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-            let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
-            let mut renderer = Renderer::new(&gpu, 1);
-            renderer
-                .take_pixels(
-                    &gpu,
-                    &buffers,
-                    &targets,
-                    &view,
-                    &pixels,
-                    &lines,
-                    marks.selection,
-                )
-                .expect("fits");
-            let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
-            let picture = picture.expect("a picture");
             show(&format!("rays-{name}-{object}"), &picture);
             let taken = targets.read_ids(&gpu).expect("ids");
             let [mut on_lines, mut differ] = [0; 2];
@@ -100,23 +111,8 @@ fn pixels_that_rays_found_look_as_if_drawn() {
 fn an_outline_surrounds_the_selection_in_a_coarse_picture() {
     let (gpu, scene, view) = (gpu(), shapes(DVec3::ZERO), overview([160, 100]));
     scene.build_trees();
-    let selection = Some(3);
-    let deadline = Instant::now() + Duration::from_mins(10);
-    let pixels = pick::raycast_until(&scene, &view, selection, deadline).expect("in time");
-    let buffers = SceneBuffers::upload(&gpu, &scene).expect("fits");
-    let targets = Targets::new(&gpu, view.viewport, 1).expect("fits");
-    let mut renderer = Renderer::new(&gpu, 1);
-    renderer.scale_factor = 0.25;
-    let taken = renderer.take_pixels(&gpu, &buffers, &targets, &view, &pixels, &[], selection);
-    taken.expect("fits");
-    let [bare, marked] = [None, selection].map(|selection| {
-        let marks = Marks {
-            selection,
-            hover: None,
-        };
-        let picture = renderer.composite_to_image(&gpu, &buffers, &targets, &view, &marks);
-        picture.expect("a picture")
-    });
+    let (pixels, targets, marked) = by_rays(&gpu, &scene, &view, &[], 3, 0.25);
+    let bare = targets.read_colours(&gpu).expect("colours");
     let is_selected = |x: u32, y: u32| pixels.at(x, y).is_selected;
     let beside = (1..159)
         .flat_map(|x| (1..99).map(move |y| (x, y)))
